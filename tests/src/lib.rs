@@ -9,11 +9,6 @@ pub mod running;
 
 pub use finding::Finding;
 
-/// Codes of the rules on what only a whole project shows. An example is an excerpt of one, in the form of s7 whatever
-/// it declares.
-pub const OF_WHOLE_PROJECTS: [&str; 11] =
-    ["V0113", "V0114", "V0115", "V0116", "V0117", "V0118", "V0119", "V0120", "V0341", "V0533", "V0534"];
-
 /// Every finding in a cell.
 pub fn check(cell: &cell::Cell) -> Vec<Finding> {
     let found = val3_check::testing::check_files(cell);

@@ -3,11 +3,11 @@
 use val3_check::fix::{FixSafety, fix_offer};
 use val3_check::rule::Rule;
 use val3_check::rules;
-use val3_check::testing::{CheckedFinding, OfferedFix, check_files, fixed_files, offered_fixes};
+use val3_check::testing::{CheckedFinding, OF_WHOLE_PROJECTS, OfferedFix, check_files, fixed_files, offered_fixes};
 use val3_lang::page;
 use val3_test::{Fixture, ROOT};
+use val3_tests::cell;
 use val3_tests::fixing::{errors_of_fix, errors_of_fixes};
-use val3_tests::{OF_WHOLE_PROJECTS, cell};
 
 type Files = Vec<(String, Vec<u8>)>;
 

@@ -13,7 +13,6 @@ mod fuzz_corpus;
 mod install;
 mod instructions;
 mod mutations;
-mod pages;
 mod release_notes;
 mod rename;
 #[cfg(unix)]

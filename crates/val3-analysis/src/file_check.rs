@@ -9,7 +9,7 @@ use val3_lang::keywords;
 use val3_lang::suggest::nearest;
 use val3_lang::types::BaseType;
 use val3_syntax::encoding::{Encoding, Mismatch, REPLACEMENT};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, text_size};
 
 use crate::db::{Db, File, FileRange, FileStatus, Project};
 use crate::items::attributes;
@@ -240,7 +240,7 @@ pub(crate) fn alternatives(names: &[SmolStr]) -> SmolStr {
 /// The encoding fault of a file with this status, and the first place where it is visible.
 fn encoding_fault(text: &str, encoding: Encoding, mismatch: Option<Mismatch>) -> Option<(EncodingFault, TextRange)> {
     if let Some(at) = text.find(REPLACEMENT) {
-        let start = TextSize::try_from(at).unwrap_or_default();
+        let start = text_size(at);
         // No byte is read as this character in ISO-8859-1: it comes from an editor.
         let is_misread = encoding == Encoding::Latin1 && mismatch != Some(Mismatch::NotLatin1);
         let fault = if is_misread { EncodingFault::Misread } else { EncodingFault::Lost };

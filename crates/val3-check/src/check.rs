@@ -10,8 +10,8 @@ use val3_analysis::items::project;
 use val3_analysis::problem::{FileRole, Problem, ProblemKind};
 use val3_analysis::{data_check, header_check, infer, interfaces, pages, project_check};
 use val3_lang::foreign_names;
-use val3_syntax::TextSize;
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
+use val3_syntax::{Part, TextSize};
 
 use crate::cascades::without_cascades;
 use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
@@ -421,8 +421,8 @@ impl<'db> Check<'db> {
 /// The line of a text around an offset.
 fn line_around(text: &str, at: TextSize) -> &str {
     let at = usize::from(at);
-    let (before, after) = (text.get(..at).unwrap_or(""), text.get(at..).unwrap_or(""));
+    let (before, after) = (text.part(..at), text.part(at..));
     let start = before.rfind('\n').map_or(0, |end| end + 1);
     let end = after.find('\n').map_or(text.len(), |end| at + end);
-    text.get(start..end).unwrap_or("")
+    text.part(start..end)
 }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use val3_analysis::db::{Db, File};
+use val3_syntax::Part;
 
 use crate::check::is_once_per_application;
 use crate::diagnostic::Diagnostic;
@@ -46,11 +47,11 @@ fn line_around(text: &str, at: usize) -> String {
     let (before, behind) = text.split_at_checked(at).unwrap_or((text, ""));
     let start = before.rfind('\n').map_or(0, |end| end + 1);
     let end = before.len() + behind.find('\n').unwrap_or(behind.len());
-    let line = trimmed(text.get(start..end).unwrap_or(""));
+    let line = trimmed(text.part(start..end));
     if line.chars().nth(LINE_LIMIT).is_none() {
         return line.to_owned();
     }
-    trimmed(text.get(at..end).unwrap_or("")).chars().take(LINE_LIMIT).collect()
+    trimmed(text.part(at..end)).chars().take(LINE_LIMIT).collect()
 }
 
 /// The line without blanks and without the entity of a line end in escaped code.

@@ -1,13 +1,14 @@
 //! Lines in the syntax of other languages, and their VAL 3 form.
 
 use val3_lang::foreign_names::remedy;
+use val3_syntax::Part;
 
 /// The advice for a line with a syntax error that comes from a known habit of another language.
 pub(crate) fn advice(line: &str) -> Option<&'static str> {
     let line = line.trim();
     let code = line.split("//").next().unwrap_or(line).trim();
     let first = code.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or("");
-    let second = code.get(first.len()..).unwrap_or("").trim_start();
+    let second = code.part(first.len()..).trim_start();
     if line.starts_with("/*") || line.starts_with('*') || line.starts_with('#') || line.starts_with("--") {
         return Some("a comment begins with `//`, and each line of it has its own");
     }

@@ -3,6 +3,7 @@
 use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::faults::{OddKeyword, text_faults};
 use val3_analysis::items::program;
+use val3_syntax::text_at;
 
 use crate::diagnostic::Diagnostic;
 use crate::fix::Site;
@@ -14,7 +15,7 @@ pub(crate) fn spelling(db: &dyn Db, project: Project, file: File) -> Vec<Diagnos
 }
 
 fn finding(db: &dyn Db, project: Project, file: File, keyword: OddKeyword) -> Diagnostic {
-    let written = file.text(db).get(std::ops::Range::<usize>::from(keyword.range)).unwrap_or("");
+    let written = text_at(file.text(db), keyword.range);
     let wording = keyword_spelling::word(written, keyword.canonical);
     let site = Site::new(db, file, keyword.range, None);
     Diagnostic {

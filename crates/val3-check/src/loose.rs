@@ -1,7 +1,7 @@
 //! Findings about files that belong to no project.
 
 use val3_analysis::db::{Db, File, FileRange, Project};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{TextRange, text_size};
 
 use crate::diagnostic::{Diagnostic, Wording};
 use crate::rule::Rule;
@@ -37,6 +37,6 @@ fn diagnostic(rule: &'static Rule, wording: Wording, place: FileRange, applicati
 
 fn first_line(db: &dyn Db, file: File) -> FileRange {
     let line = file.text(db).lines().next().unwrap_or_default();
-    let end = TextSize::try_from(line.len()).unwrap_or_default();
+    let end = text_size(line.len());
     FileRange { file, range: TextRange::up_to(end) }
 }

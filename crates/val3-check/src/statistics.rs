@@ -5,6 +5,7 @@ use std::iter::Sum;
 use memchr::memchr_iter;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project;
+use val3_syntax::Part;
 
 /// Counts over the requested projects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -45,12 +46,12 @@ impl Sum for Statistics {
 fn code_lines(db: &dyn Db, file: File) -> usize {
     let text: &str = file.text(db);
     let Some(start) = ["<Code", "<code"].iter().find_map(|tag| text.find(tag)) else { return 0 };
-    let code = text.get(start..).unwrap_or("");
+    let code = text.part(start..);
     let code = code.split_once('>').map_or("", |(_, code)| code);
     let code = code.split("</").next().unwrap_or("");
     let ends = memchr_iter(b'\n', code.as_bytes()).chain([code.len()]);
     let mut start = 0;
-    let lines = ends.map(|end| code.as_bytes().get(std::mem::replace(&mut start, end + 1)..end).unwrap_or(b""));
+    let lines = ends.map(|end| code.as_bytes().part(std::mem::replace(&mut start, end + 1)..end));
     lines.map(<[u8]>::trim_ascii).filter(|line| !line.is_empty() && !line.starts_with(b"//") && !is_mark(line)).count()
 }
 

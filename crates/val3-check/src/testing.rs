@@ -1,5 +1,8 @@
 //! For tests: checks files in memory.
 
+#[cfg(test)]
+mod pages;
+
 use std::convert::Infallible;
 use std::ops::Range;
 use std::sync::Arc;
@@ -8,6 +11,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::Db;
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
+use val3_syntax::Part;
 use val3_syntax::encoding::decode;
 
 use crate::diagnostic::Diagnostic;
@@ -15,6 +19,10 @@ use crate::fix::{AppliedFixes, FixTarget, TrialWorkspace, add_suppressions, appl
 use crate::rule::Severity;
 use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
+
+/// Codes of rules about complete projects. An example on a page is an excerpt, in the form of s7 whatever it declares.
+pub const OF_WHOLE_PROJECTS: [&str; 11] =
+    ["V0113", "V0114", "V0115", "V0116", "V0117", "V0118", "V0119", "V0120", "V0341", "V0533", "V0534"];
 
 /// One finding with its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -63,7 +71,7 @@ pub fn try_check(files: &[(String, Vec<u8>)], selection: &Selection) -> Result<V
                 code: diagnostic.rule.code,
                 severity: diagnostic.severity,
                 file: shown(diagnostic.place.file.path(db).as_str(), files),
-                line: 1 + text.get(..before).unwrap_or("").matches('\n').count(),
+                line: 1 + text.part(..before).matches('\n').count(),
                 message: diagnostic.message.clone(),
             }
         })

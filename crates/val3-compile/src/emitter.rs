@@ -10,7 +10,7 @@ use val3_analysis::ty::Base;
 use val3_bytecode::{Op, Operation, Register};
 use val3_lang::memory::{Kind, Lanes};
 use val3_lang::types::BaseType;
-use val3_syntax::{TextRange, decode_entities};
+use val3_syntax::{Part, TextRange, decode_entities};
 
 use crate::code::Code;
 use crate::counting::Counting;
@@ -38,7 +38,7 @@ impl<'u, 'db> Emitter<'u, 'db> {
 
     /// The code in a range of the file.
     pub(crate) fn source(&self, range: TextRange) -> Cow<'db, str> {
-        decode_entities(self.text.get(range.start().into()..range.end().into()).unwrap_or_default())
+        decode_entities(self.text.part(range.start().into()..range.end().into()))
     }
 
     pub(crate) fn unit(&self) -> &Unit<'db> {

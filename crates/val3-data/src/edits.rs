@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use val3_syntax::{Edit, TextRange, TextSize};
+use val3_syntax::{Edit, Part, TextRange, TextSize};
 
 /// Edits that do not overlap; those at one place keep their order.
 #[derive(Debug, Default)]
@@ -33,11 +33,11 @@ pub fn apply(text: &str, edits: &[Edit]) -> String {
     let mut done = 0;
     for edit in edits {
         let range = Range::<usize>::from(edit.range);
-        out.push_str(text.get(done..range.start).unwrap_or(""));
+        out.push_str(text.part(done..range.start));
         out.push_str(&edit.insert);
         done = range.end;
     }
-    out + text.get(done..).unwrap_or("")
+    out + text.part(done..)
 }
 
 /// The edits that do at once what `first` and then `second`, in its result, do. All are sorted and do not overlap.

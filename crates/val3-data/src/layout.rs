@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use val3_syntax::xml::{self, Element};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize, text_size};
 
 use crate::declared::elements;
 use crate::{Content, SavedData, SavedValue, Shape, tag};
@@ -63,12 +63,12 @@ impl<'t> Layout<'t> {
         };
         let inside = element.elements().all(|found| is_blank(found.view().range().start(), found.view().range().end()));
         let tag = self.slice(range).rfind("</").filter(|_| self.has_end_tag(element));
-        let close = tag.map_or(range.end(), |at| range.start() + TextSize::try_from(at).unwrap_or_default());
+        let close = tag.map_or(range.end(), |at| range.start() + text_size(at));
         inside && is_blank(close, range.end())
     }
 
     pub(crate) fn slice(&self, range: TextRange) -> &'t str {
-        self.text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("")
+        self.text.part(usize::from(range.start())..usize::from(range.end()))
     }
 
     /// The lines of an element inside of the one at `outer`, each on a line of its own where the file is written so.
@@ -173,7 +173,7 @@ fn is_empty(element: &Element<'_>) -> bool {
 }
 
 fn size(text: &str) -> TextSize {
-    TextSize::try_from(text.len()).unwrap_or_default()
+    text_size(text.len())
 }
 
 fn enclosed(start: String, inner: impl Iterator<Item = String>, end: &str) -> Vec<String> {

@@ -2,7 +2,7 @@
 
 use val3_lang::types::{self, BaseType};
 use val3_syntax::xml::{self, Attribute, Element};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, text_size};
 
 use crate::edits::Edits;
 use crate::layout::Layout;
@@ -115,7 +115,7 @@ fn replace(
     if is_default && (new.is_none() || !spells()) {
         let before = layout.slice(TextRange::up_to(attribute.name_range.start()));
         let blanks = before.len() - before.trim_end().len();
-        let start = attribute.name_range.start() - TextSize::try_from(blanks).unwrap_or_default();
+        let start = attribute.name_range.start() - text_size(blanks);
         let end = attribute.range.end() + TextSize::of(attribute.quote);
         return edits.replace(TextRange::new(start, end), String::new());
     }

@@ -14,7 +14,7 @@ pub use on_type::{TRIGGERS, on_type};
 pub use style::{Indent, IndentOverride, Style};
 
 use rowan::{TextRange, TextSize};
-use val3_syntax::Parse;
+use val3_syntax::{Parse, Part};
 
 use pieces::Piece;
 
@@ -69,10 +69,10 @@ pub fn format_range(text: &str, parse: &Parse, style: &Style, range: TextRange) 
 
 fn whole_lines(text: &str, range: TextRange) -> TextRange {
     let (start, end) = (usize::from(range.start()), usize::from(range.end()));
-    let selected = text.get(start..end).unwrap_or("");
+    let selected = text.part(start..end);
     let end = end - (selected.len() - selected.strip_suffix('\n').unwrap_or(selected).len());
     let first = text.get(..start).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
-    let rest = text.get(end..).unwrap_or("");
+    let rest = text.part(end..);
     let last = end + rest.find(['\n', '\r']).unwrap_or(rest.len());
     let offset = |at: usize| TextSize::try_from(at).unwrap_or(range.end());
     TextRange::new(offset(first), offset(last))
@@ -84,10 +84,10 @@ pub fn apply(text: &str, edits: &[Edit]) -> String {
     let mut done = 0;
     for edit in edits {
         let (start, end) = (usize::from(edit.range.start()), usize::from(edit.range.end()));
-        changed.push_str(text.get(done..start).unwrap_or(""));
+        changed.push_str(text.part(done..start));
         changed.push_str(&edit.text);
         done = end;
     }
-    changed.push_str(text.get(done..).unwrap_or(""));
+    changed.push_str(text.part(done..));
     changed
 }

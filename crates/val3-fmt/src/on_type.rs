@@ -4,8 +4,8 @@
 //! alone.
 
 use rowan::{TextRange, TextSize};
-use val3_syntax::Parse;
 use val3_syntax::SyntaxKind::{self, *};
+use val3_syntax::{Parse, Part, text_size};
 
 use crate::pieces::{self, Piece};
 use crate::{Edit, Style, spacing};
@@ -64,7 +64,7 @@ fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<TypedLine<'p, 't
     let mut lines = Vec::new();
     let mut rest = pieces;
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return lines };
-    let before = text.get(..usize::from(first.range.start())).unwrap_or("");
+    let before = text.part(..usize::from(first.range.start()));
     let mut start = before.rfind('\n').map_or(0, |at| at + 1);
     while start <= usize::from(last.range.end()) {
         let line = text.get(start..).and_then(|rest| rest.split_inclusive('\n').next()).unwrap_or("");
@@ -73,7 +73,7 @@ fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<TypedLine<'p, 't
         let (pieces, others) = rest.split_at(own);
         let blanks = line.len() - line.trim_start_matches([' ', '\t']).len();
         let indent = line.get(..blanks).filter(|_| is_first(pieces, start + blanks)).unwrap_or("");
-        lines.push(TypedLine { start: TextSize::try_from(start).unwrap_or_default(), indent, pieces });
+        lines.push(TypedLine { start: text_size(start), indent, pieces });
         if line.is_empty() {
             break;
         }
@@ -140,7 +140,7 @@ fn indented(text: &str, line: &TypedLine<'_, '_>, indent: &str) -> Option<Edit> 
 
 /// The indentation of a line, computed from the lines above it.
 fn indentation(lines: &[TypedLine<'_, '_>], index: usize, style: &Style) -> String {
-    let above = lines.get(..index).unwrap_or_default();
+    let above = lines.part(..index);
     let first = lines.get(index).and_then(TypedLine::first);
     if let Some((words, deeper)) = first.and_then(opener)
         && let Some(line) = opening(above, first, words)

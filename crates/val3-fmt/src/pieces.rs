@@ -2,7 +2,7 @@
 
 use rowan::{NodeOrToken, TextRange};
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{Parse, SyntaxKind};
+use val3_syntax::{Parse, Part, SyntaxKind};
 
 /// A token that is no blank.
 #[derive(Debug, Clone, Copy)]
@@ -101,7 +101,7 @@ fn between<'x>(pieces: &[Piece<'_>], index: usize, text: &'x str) -> &'x str {
 
 /// The blanks between two pieces.
 pub(crate) fn gap<'x>(before: &Piece<'_>, after: &Piece<'_>, text: &'x str) -> &'x str {
-    text.get(usize::from(before.range.end())..usize::from(after.range.start())).unwrap_or("")
+    text.part(usize::from(before.range.end())..usize::from(after.range.start()))
 }
 
 /// A line ends in these blanks.

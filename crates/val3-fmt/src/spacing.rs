@@ -1,6 +1,7 @@
 //! The blanks between two pieces.
 
 use rowan::TextRange;
+use val3_syntax::Part;
 use val3_syntax::SyntaxKind::{self, *};
 
 use crate::pieces::{Piece, breaks_line, gap as blanks};
@@ -61,10 +62,10 @@ fn line_ends(gap: &str) -> Vec<&str> {
     let mut ends = Vec::new();
     let mut rest = gap;
     while let Some(at) = rest.find(['\n', '\r']) {
-        let tail = rest.get(at..).unwrap_or("");
+        let tail = rest.part(at..);
         let len = if tail.starts_with("\r\n") { 2 } else { 1 };
-        ends.push(tail.get(..len).unwrap_or(""));
-        rest = tail.get(len..).unwrap_or("");
+        ends.push(tail.part(..len));
+        rest = tail.part(len..);
     }
     ends
 }

@@ -1,7 +1,7 @@
 //! Whether other projects may use a program or data, as files of both dialects write it.
 
 use val3_analysis::xml::Element;
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize, text_at};
 
 /// How a dialect writes the access.
 struct Spelling {
@@ -43,13 +43,13 @@ pub(crate) fn set(text: &str, element: Element<'_>, public: bool) -> Option<(Tex
 /// The editor of the supplier leaves out the access of a private program. The controller writes it, and a blank before
 /// the end of the tag.
 fn omits_private(text: &str, element: Element<'_>) -> bool {
-    let tag = text.get(std::ops::Range::<usize>::from(element.tag_range())).unwrap_or("");
+    let tag = text_at(text, element.tag_range());
     element.name() == "Program" && !tag.trim_end_matches(['>', '/']).ends_with(' ')
 }
 
 /// The attribute that has this value, with the blank before it.
 fn with_blank(text: &str, value: TextRange) -> TextRange {
-    let before = text.get(..usize::from(value.start())).unwrap_or("");
+    let before = text.part(..usize::from(value.start()));
     let start = before.rfind([' ', '\t', '\n']).and_then(|at| TextSize::try_from(at).ok()).unwrap_or(value.start());
     TextRange::new(start, value.end() + TextSize::of('"'))
 }

@@ -6,7 +6,7 @@ use val3_analysis::items::declarations;
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{data_files, program_files};
 use val3_analysis::occurrences::Symbol;
-use val3_syntax::TextRange;
+use val3_syntax::{TextRange, text_at};
 
 use crate::navigate::declaration;
 use crate::owner::owner;
@@ -74,7 +74,7 @@ pub(crate) fn runs_alone(header: &Header) -> bool {
 /// The uses of what is declared at the range of a [`LensKind::References`], by path and place.
 pub fn lens_references(db: &dyn Db, at: FileRange) -> Vec<FileRange> {
     let Some(project) = owner(db, at.file) else { return Vec::new() };
-    let name = at.file.text(db).get(std::ops::Range::<usize>::from(at.range)).unwrap_or("");
+    let name = text_at(at.file.text(db), at.range);
     let symbol = match program_files(db, project).contains(&at.file) {
         true => Symbol::Program(project, name.into()),
         false => Symbol::Data(project, name.into()),

@@ -6,7 +6,7 @@ use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::items::parse;
 use val3_analysis::items::project::{find_file, find_project, program_files};
 use val3_analysis::xml::{self, Element};
-use val3_syntax::TextRange;
+use val3_syntax::{TextRange, text_at};
 
 use crate::owner::owner;
 
@@ -57,7 +57,7 @@ fn of_program(db: &dyn Db, project: Project, file: File) -> impl Iterator<Item =
 
 /// A text is written in quotes, which in escaped code are references.
 pub(crate) fn without_quotes(text: &str, range: TextRange) -> TextRange {
-    let written = text.get(std::ops::Range::<usize>::from(range)).unwrap_or("");
+    let written = text_at(text, range);
     let quote = ["\"", "&quot;", "&#34;"]
         .into_iter()
         .find(|quote| written.len() >= 2 * quote.len() && written.starts_with(quote) && written.ends_with(quote));

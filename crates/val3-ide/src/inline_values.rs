@@ -4,7 +4,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::body::{Body, Expr, ExprId, body};
 use val3_analysis::db::{Db, File};
 use val3_analysis::occurrences::{Symbol, occurrences};
-use val3_syntax::{TextRange, decode_entities};
+use val3_syntax::{TextRange, decode_entities, text_at};
 
 use crate::owner::owner;
 
@@ -32,7 +32,7 @@ pub fn inline_values(db: &dyn Db, file: File, within: TextRange) -> Vec<InlineVa
     for (id, _, range) in body.exprs().filter(|(_, _, range)| within.contains_range(*range)) {
         let is_variable = root(body, id).is_some_and(|root| variables.contains(&body.range(root).end()));
         if is_variable && !parts.contains(&id) {
-            let text = file.text(db).get(std::ops::Range::<usize>::from(range)).unwrap_or("");
+            let text = text_at(file.text(db), range);
             let place: &mut TextRange = last.entry(decode_entities(text).into_owned()).or_insert(range);
             if place.start() < range.start() {
                 *place = range;

@@ -17,7 +17,7 @@ pub(crate) use types::Names;
 
 use rowan::TokenAtOffset;
 use val3_syntax::SyntaxKind::{self, *};
-use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
+use val3_syntax::{Part, SyntaxNode, SyntaxToken, TextRange, TextSize, text_at, text_size};
 
 /// The tokens of a line of code, without trivia.
 #[derive(Debug, Clone)]
@@ -54,7 +54,7 @@ impl LineTokens {
 
     /// The tokens before the cursor, without the word or string it is in.
     pub(crate) fn before(&self) -> &[SyntaxToken] {
-        self.tokens.get(..self.before).unwrap_or(&[])
+        self.tokens.part(..self.before)
     }
 
     /// All tokens of the line.
@@ -102,7 +102,7 @@ fn before(left: &SyntaxToken, offset: TextSize, skip: bool) -> Vec<SyntaxToken> 
 fn after(right: &SyntaxToken, offset: TextSize, current: Option<&SyntaxToken>) -> Vec<SyntaxToken> {
     let mut first = if Some(right) == current { right.next_token() } else { Some(right.clone()) };
     if right.kind() == NEWLINE && right.text_range().start() < offset {
-        let rest = right.text().get(usize::from(offset - right.text_range().start())..).unwrap_or("");
+        let rest = right.text().part(usize::from(offset - right.text_range().start())..);
         first = if rest.contains(['\n', '\r']) { None } else { right.next_token() };
     }
     let tokens = std::iter::successors(first, SyntaxToken::next_token);
@@ -121,24 +121,22 @@ fn quote(text: &str) -> u32 {
 pub(crate) fn inside(string: &SyntaxToken) -> TextRange {
     let (range, text) = (string.text_range(), string.text());
     let open = quote(text).min(u32::from(range.len()));
-    let rest = text.get(open as usize..).unwrap_or("");
+    let rest = text.part(open as usize..);
     let close = match rest.rfind('&').filter(|_| rest.ends_with(';')) {
-        Some(at)
-            if val3_syntax::resolve_entity(rest.get(at..).unwrap_or("")).is_some_and(|(found, _)| found == '"') =>
-        {
+        Some(at) if val3_syntax::resolve_entity(rest.part(at..)).is_some_and(|(found, _)| found == '"') => {
             rest.len() - at
         }
         _ => usize::from(rest.ends_with('"')),
     };
     let start = range.start() + TextSize::new(open);
-    let end = range.end() - TextSize::new(u32::try_from(close).unwrap_or(0));
+    let end = range.end() - text_size(close);
     TextRange::new(start, end.max(start))
 }
 
 /// The text of a string as the program reads it.
 pub(crate) fn string_text(string: &SyntaxToken) -> String {
     let inside = inside(string) - string.text_range().start();
-    let raw = string.text().get(std::ops::Range::<usize>::from(inside)).unwrap_or("");
+    let raw = text_at(string.text(), inside);
     if string.text().starts_with('&') { val3_syntax::decode_entities(raw).into_owned() } else { raw.to_owned() }
 }
 

@@ -9,7 +9,7 @@ use val3_analysis::occurrences::{Occurrence, Symbol, Usage, occurrences};
 use val3_lang::instruction::Availability;
 use val3_lang::instructions;
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{SyntaxKind, TextRange};
+use val3_syntax::{Part, SyntaxKind, TextRange};
 
 use crate::owner::owner;
 
@@ -158,7 +158,7 @@ impl Collector<'_> {
 
     fn names_in(&mut self, range: TextRange) {
         let passed = self.names.iter().take_while(|name| name.range.start() < range.start()).count();
-        self.names = self.names.get(passed..).unwrap_or(&[]);
+        self.names = self.names.part(passed..);
         let Some(project) = self.project else { return };
         let inside = self.names.iter().take_while(|name| range.contains_range(name.range));
         self.found.extend(inside.map(|name| token(self.db, project, name)));

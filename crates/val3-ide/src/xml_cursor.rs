@@ -2,7 +2,7 @@
 //! not the tree: what is before the position means the same whatever follows.
 
 use memchr::{memchr, memmem};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize, text_at, text_size};
 
 /// A start tag, possibly incomplete.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -212,7 +212,7 @@ impl<'t> StartTag<'t> {
 
 /// The piece of markup at `start`, and where it ends.
 fn markup(text: &str, start: usize) -> (Markup<'_>, usize) {
-    let rest = text.get(start..).unwrap_or("");
+    let rest = text.part(start..);
     for (open, close) in [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>"), ("<!", ">")] {
         if let Some(inside) = rest.strip_prefix(open) {
             let end = memmem::find(inside.as_bytes(), close.as_bytes()).map(|at| open.len() + at + close.len());
@@ -221,7 +221,7 @@ fn markup(text: &str, start: usize) -> (Markup<'_>, usize) {
     }
     if let Some(inside) = rest.strip_prefix("</") {
         let name = name_at(inside);
-        let behind = inside.get(name.len()..).unwrap_or("");
+        let behind = inside.part(name.len()..);
         let blanks = behind.len() - behind.trim_start().len();
         let closed = usize::from(behind.trim_start().starts_with('>'));
         let end = start + 2 + name.len() + if closed > 0 { blanks + 1 } else { 0 };
@@ -232,13 +232,13 @@ fn markup(text: &str, start: usize) -> (Markup<'_>, usize) {
 
 fn start_tag(text: &str, start: usize) -> (Markup<'_>, usize) {
     let mut at = start + 1;
-    let name = name_at(text.get(at..).unwrap_or(""));
+    let name = name_at(text.part(at..));
     let name_range = TextRange::at(size(at), TextSize::of(name));
     at += name.len();
     let read = Tag { name, attributes: Vec::new() };
     let mut tag = StartTag { name: name_range, attributes: Vec::new(), read };
     loop {
-        let rest = text.get(at..).unwrap_or("");
+        let rest = text.part(at..);
         let blanks = rest.len() - rest.trim_start().len();
         at += blanks;
         let rest = rest.trim_start();
@@ -265,7 +265,7 @@ fn start_tag(text: &str, start: usize) -> (Markup<'_>, usize) {
 /// The value after the name of an attribute, without quotes, and where it ends. A value that is not there is empty.
 fn value_at(text: &str, name_end: usize) -> (TextRange, usize) {
     let none = (TextRange::empty(size(name_end)), name_end);
-    let rest = text.get(name_end..).unwrap_or("");
+    let rest = text.part(name_end..);
     let Some(behind) = rest.trim_start().strip_prefix('=') else { return none };
     let Some(quote) = behind.trim_start().chars().next().filter(|quote| matches!(quote, '"' | '\'')) else {
         let end = text.len() - behind.len();
@@ -273,9 +273,9 @@ fn value_at(text: &str, name_end: usize) -> (TextRange, usize) {
     };
     let behind = behind.trim_start();
     let start = text.len() - behind.len() + 1;
-    let inside = text.get(start..).unwrap_or("");
+    let inside = text.part(start..);
     let closing = inside.find(quote).unwrap_or(inside.len());
-    let value = inside.get(..closing).unwrap_or("");
+    let value = inside.part(..closing);
     let unclosed = end_of_unclosed(value).or_else(|| (closing == inside.len()).then(|| line_of(inside)));
     match unclosed {
         Some(len) => (TextRange::at(size(start), size(len)), start + len),
@@ -300,7 +300,7 @@ fn line_of(text: &str) -> usize {
 
 fn name_at(text: &str) -> &str {
     let end = text.find(|letter: char| !is_name(letter)).unwrap_or(text.len());
-    text.get(..end).unwrap_or("")
+    text.part(..end)
 }
 
 fn is_name(letter: char) -> bool {
@@ -315,11 +315,11 @@ fn word_around(text: &str, offset: usize) -> TextRange {
 }
 
 fn slice(text: &str, range: TextRange) -> &str {
-    text.get(std::ops::Range::<usize>::from(range)).unwrap_or("")
+    text_at(text, range)
 }
 
 fn size(at: usize) -> TextSize {
-    TextSize::try_from(at).unwrap_or_default()
+    text_size(at)
 }
 
 #[cfg(test)]

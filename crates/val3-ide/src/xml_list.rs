@@ -3,7 +3,7 @@
 use val3_analysis::xml::Element;
 pub(crate) use val3_syntax::xml::{escaped, whole_line};
 use val3_syntax::xml::{indentation, line_end};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize};
 
 /// One level of indentation in the XML that the tools write.
 const LEVEL: &str = "  ";
@@ -85,7 +85,7 @@ impl XmlList<'_> {
     }
 
     fn slice(&self, range: TextRange) -> &str {
-        self.text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("")
+        self.text.part(usize::from(range.start())..usize::from(range.end()))
     }
 }
 

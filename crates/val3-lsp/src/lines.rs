@@ -3,7 +3,7 @@
 use tower_lsp::lsp_types::{Position, Range};
 use val3_analysis::db::{Db, File};
 use val3_lines::{Columns, LineColumn, LineIndex, Unit, range_between};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize};
 
 /// The lines of a file; kept while its text stays the same, since it is small.
 #[salsa::tracked(no_eq)]
@@ -42,7 +42,7 @@ impl<'a> Lines<'a> {
 
     /// The columns that a part of a line takes.
     pub(crate) fn width(&self, range: TextRange) -> u32 {
-        let text = self.text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("");
+        let text = self.text.part(usize::from(range.start())..usize::from(range.end()));
         let width = match self.columns.unit {
             _ if text.is_ascii() => text.len(),
             Unit::Utf8 => text.len(),

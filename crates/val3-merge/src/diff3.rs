@@ -3,6 +3,7 @@
 use similar::{Algorithm, DiffOp, capture_diff_slices};
 use std::hash::Hash;
 use std::ops::Range;
+use val3_syntax::Part;
 
 /// A part of the merged sequence.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -98,7 +99,7 @@ fn added_by_both<T: Ord + Hash + Eq>(
     base: usize,
     chunks: &mut Vec<Chunk>,
 ) {
-    let [first, second] = [ours.get(o.clone()).unwrap_or(&[]), theirs.get(t.clone()).unwrap_or(&[])];
+    let [first, second] = [ours.part(o.clone()), theirs.part(t.clone())];
     for op in capture_diff_slices(Algorithm::Patience, first, second) {
         let shifted = |range: Range<usize>, by: usize| range.start + by..range.end + by;
         let (in_ours, in_theirs) = (shifted(op.old_range(), o.start), shifted(op.new_range(), t.start));

@@ -1,5 +1,7 @@
 //! The merge of texts by lines: code, descriptions, and files that cannot be read as XML.
 
+use val3_syntax::Part;
+
 use crate::conflict::Conflict;
 use crate::diff3::{Chunk, merge};
 use crate::merger::{Merger, Versions};
@@ -56,12 +58,11 @@ fn merged(base: Option<Content<'_>>, ours: Content<'_>, theirs: Content<'_>, lin
     let mut out = Output { lines: Vec::new(), conflicts: Vec::new() };
     let encoded = |line: &String| (ours.encoded(line), "");
     for chunk in merge(&base, &of_ours, &of_theirs) {
-        let own = |range: std::ops::Range<usize>| {
-            our_lines.get(range).unwrap_or(&[]).iter().map(|line| (line.raw.to_owned(), line.end))
-        };
+        let own =
+            |range: std::ops::Range<usize>| our_lines.part(range).iter().map(|line| (line.raw.to_owned(), line.end));
         match chunk {
             Chunk::Ours(range) => out.lines.extend(own(range)),
-            Chunk::Theirs(range, _) => out.lines.extend(of_theirs.get(range).unwrap_or(&[]).iter().map(encoded)),
+            Chunk::Theirs(range, _) => out.lines.extend(of_theirs.part(range).iter().map(encoded)),
             Chunk::Conflict { base: b, ours: o, theirs: t } => {
                 let mark = |mark: &str| (ours.encoded(mark), "");
                 if out.lines.is_empty() {
@@ -75,7 +76,7 @@ fn merged(base: Option<Content<'_>>, ours: Content<'_>, theirs: Content<'_>, lin
                 out.lines.push(of_base);
                 out.lines.extend(base.get(b).unwrap_or(&[]).iter().map(encoded));
                 out.lines.push(middle);
-                out.lines.extend(of_theirs.get(t.clone()).unwrap_or(&[]).iter().map(encoded));
+                out.lines.extend(of_theirs.part(t.clone()).iter().map(encoded));
                 out.lines.push(closing);
                 if t.end == of_theirs.len() {
                     out.lines.push((String::new(), ""));

@@ -4,7 +4,7 @@ use rowan::NodeOrToken;
 use smol_str::SmolStr;
 use val3_syntax::view::View;
 use val3_syntax::xml::{self, Attribute, Element};
-use val3_syntax::{Parse, SyntaxKind, TextRange};
+use val3_syntax::{Parse, Part, SyntaxKind, TextRange};
 
 use crate::kind::{DECLARATION, FileKind};
 
@@ -196,6 +196,6 @@ impl<'t> Node<'t> {
 
     /// Part of the file.
     pub(crate) fn slice(&self, range: TextRange) -> &'t str {
-        self.source.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("")
+        self.source.part(usize::from(range.start())..usize::from(range.end()))
     }
 }

@@ -1,18 +1,18 @@
 //! Places and layout of elements that come into ours.
 
 use val3_syntax::xml::whole_line;
-use val3_syntax::{Edit, TextRange, TextSize};
+use val3_syntax::{Edit, Part, TextRange, TextSize};
 
 use crate::node::Node;
 
 /// The line end and the indentation before an element; empty if another element precedes it on its line.
 pub(crate) fn prefix<'t>(node: &Node<'t>) -> &'t str {
-    let before = node.source.get(..usize::from(node.range.start())).unwrap_or("");
+    let before = node.source.part(..usize::from(node.range.start()));
     let blanks = before.len() - before.trim_end_matches([' ', '\t', '\r', '\n']).len();
-    let blanks = before.get(before.len() - blanks..).unwrap_or("");
+    let blanks = before.part(before.len() - blanks..);
     let Some(start) = blanks.rfind('\n') else { return "" };
     let start = if blanks.get(..start).is_some_and(|before| before.ends_with('\r')) { start - 1 } else { start };
-    blanks.get(start..).unwrap_or("")
+    blanks.part(start..)
 }
 
 /// As [`prefix`], with the line ends of another file.
@@ -38,7 +38,7 @@ pub(crate) fn after(anchor: &Node<'_>, text: &str) -> Edit {
 
 /// Inserts a text before an element of ours.
 pub(crate) fn before(anchor: &Node<'_>, text: &str) -> Edit {
-    let before = anchor.source.get(..usize::from(anchor.range.start())).unwrap_or("");
+    let before = anchor.source.part(..usize::from(anchor.range.start()));
     let is_first = before.trim_start_matches('\u{feff}').is_empty();
     let separator = if is_first { anchor.line_end } else { prefix(anchor) };
     insert(anchor.range.start(), format!("{text}{separator}"))

@@ -1,6 +1,6 @@
 //! The text of an element: code, a description, a setting.
 
-use val3_syntax::decode_entities;
+use val3_syntax::{Part, decode_entities};
 
 use crate::node::Node;
 
@@ -100,7 +100,7 @@ pub(crate) fn lines_of(node: &Node<'_>) -> Vec<String> {
     let is_blank = |line: &&String| line.trim().is_empty();
     let start = lines.iter().take_while(is_blank).count();
     let end = lines.len() - lines.iter().rev().take_while(is_blank).count().min(lines.len() - start);
-    let kept = lines.get(start..end).unwrap_or(&[]);
+    let kept = lines.part(start..end);
     match kept {
         [only] => vec![only.trim().to_owned()],
         kept => kept.to_vec(),

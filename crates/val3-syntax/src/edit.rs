@@ -5,6 +5,7 @@ use std::ops::Range;
 use rowan::{TextRange, TextSize};
 
 use crate::lexer::range;
+use crate::never::Part;
 
 /// A replacement of a range of a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,7 +20,7 @@ impl Edit {
     /// The text after the edit. A range outside the text is cut to it, one inside of a character starts before it.
     pub fn apply(&self, text: &str) -> String {
         let Range { start, end } = self.range_in(text).into();
-        let (before, after) = (text.get(..start).unwrap_or(""), text.get(end..).unwrap_or(""));
+        let (before, after) = (text.part(..start), text.part(end..));
         [before, &self.insert, after].concat()
     }
 
@@ -46,7 +47,7 @@ impl Change {
     /// The difference of two texts between their common beginning and their common end.
     pub(crate) fn between(text: &str, new_text: &str) -> Self {
         let start = text.floor_char_boundary(common_start(text.as_bytes(), new_text.as_bytes()));
-        let (rest, new_rest) = (text.get(start..).unwrap_or(""), new_text.get(start..).unwrap_or(""));
+        let (rest, new_rest) = (text.part(start..), new_text.part(start..));
         let end = common_end(rest.as_bytes(), new_rest.as_bytes());
         // The equal ends begin with a whole character, which is then one of both texts.
         let end = text.len() - text.ceil_char_boundary(text.len() - end);

@@ -2,6 +2,8 @@
 //!
 //! s6 to s8 write UTF-8, nearly always with a byte order mark; s5 writes ISO-8859-1 and declares it.
 
+use crate::never::Part;
+
 /// The encoding of a file: the relation of its bytes to its text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Encoding {
@@ -92,7 +94,7 @@ fn latin1(bytes: &[u8]) -> String {
 
 /// The XML declaration names ISO-8859-1 or its superset for Windows.
 fn declares_latin1(bytes: &[u8]) -> bool {
-    let head = bytes.get(..bytes.len().min(200)).unwrap_or(b"");
+    let head = bytes.part(..bytes.len().min(200));
     if !head.starts_with(b"<?xml") {
         return false;
     }

@@ -14,6 +14,7 @@ use rowan::{TextRange, TextSize};
 
 use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
+use crate::never::Part;
 
 /// A token: its kind, where it ends in the text, and the indentation if it is the first of its line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,7 +81,7 @@ impl<'t> Lexer<'t> {
     }
 
     fn rest(&self) -> &'t str {
-        self.text.get(self.pos..).unwrap_or("")
+        self.text.part(self.pos..)
     }
 
     fn byte(&self) -> Option<u8> {
@@ -114,7 +115,7 @@ impl<'t> Lexer<'t> {
 
     /// Where the line that contains `from` ends, without its line end.
     fn line_end(&self, from: usize) -> usize {
-        let bytes = self.text.as_bytes().get(from..).unwrap_or(b"");
+        let bytes = self.text.as_bytes().part(from..);
         from + memchr::memchr2(b'\n', b'\r', bytes).unwrap_or(bytes.len())
     }
 

@@ -15,6 +15,7 @@ use rowan::{GreenNode, TextRange, TextSize};
 
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
+use crate::never::{Part, text_at};
 
 pub use visits::visits;
 
@@ -63,7 +64,7 @@ impl Tree {
     pub(crate) fn spliced(&self, text: Arc<str>, change: Change, around: &[Piece<'_>], splice: &Splice<'_>) -> Self {
         let Splice { range, new } = splice;
         let (before, rest) = self.entries.split_at(range.start.min(self.entries.len()));
-        let after = rest.get(range.len()..).unwrap_or(&[]);
+        let after = rest.part(range.len()..);
         let size: usize = new.iter().map(|entries| entries.len()).sum();
         let mut entries = Vec::with_capacity(before.len() + size + after.len());
         entries.extend_from_slice(before);
@@ -141,7 +142,7 @@ impl<'t> Piece<'t> {
 
     /// Entries of its tree.
     pub(crate) fn entries_of_tree(self, range: Range<usize>) -> &'t [Entry] {
-        self.tree.entries.get(range).unwrap_or(&[])
+        self.tree.entries.part(range)
     }
 
     /// Their range in the list.
@@ -158,7 +159,7 @@ impl<'t> Piece<'t> {
     }
 
     pub(crate) fn text(self) -> &'t str {
-        self.tree.text.get(Range::<usize>::from(self.range())).unwrap_or("")
+        text_at(&self.tree.text, self.range())
     }
 
     /// The nodes that hold `range`, from this one to the innermost. An empty range between two nodes is in the first.

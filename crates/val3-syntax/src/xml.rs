@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use crate::never::Part;
 use crate::view::{TokenView, View};
 use crate::{SyntaxKind, TextRange, TextSize, decode_entities};
 
@@ -128,15 +129,15 @@ pub fn line_end(text: &str) -> &'static str {
 /// The range of an entry, with its line if it has one of its own.
 pub fn whole_line(text: &str, range: TextRange) -> TextRange {
     let (start, end) = (usize::from(range.start()), usize::from(range.end()));
-    let before = text.get(..start).unwrap_or("");
-    let rest = text.get(end..).unwrap_or("");
+    let before = text.part(..start);
+    let rest = text.part(end..);
     let blanks = before.len() - before.trim_end_matches([' ', '\t']).len();
     let own = before.get(..start - blanks).is_some_and(|before| before.ends_with(['\n', '\r']))
         && rest.trim_start_matches([' ', '\t']).starts_with(['\r', '\n']);
     if !own {
         return range;
     }
-    let line = before.get(..start - blanks).unwrap_or("");
+    let line = before.part(..start - blanks);
     let line_end = if line.ends_with("\r\n") { 2 } else { 1 };
     let from = start - blanks - line_end;
     TextSize::try_from(from).map_or(range, |from| TextRange::new(from, range.end()))

@@ -22,6 +22,7 @@ mod fmt;
 mod format;
 mod history;
 mod in_memory;
+mod internal_error;
 mod loose;
 mod lsp;
 mod man;
@@ -74,6 +75,7 @@ use crate::user_error::{EXIT_USAGE, UserError};
 
 fn main() -> ExitCode {
     trust::connect();
+    internal_error::connect();
     let args = match parse(std::env::args_os()) {
         Ok(args) => args,
         Err(error) => refuse(&error),

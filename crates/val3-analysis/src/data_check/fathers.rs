@@ -5,8 +5,8 @@ use smol_str::SmolStr;
 use val3_lang::builtins;
 use val3_lang::suggest::nearest;
 use val3_lang::types::{BaseType, Container};
-use val3_syntax::TextRange;
 use val3_syntax::view::View;
+use val3_syntax::{Part, TextRange};
 
 use super::{DataCheck, show_size_of};
 use crate::db::FileRange;
@@ -143,7 +143,7 @@ impl DataCheck<'_> {
                 at = father;
             }
             if let Some(from) = path.iter().position(|node| *node == at) {
-                self.circle(&links, path.get(from..).unwrap_or(&[]));
+                self.circle(&links, path.part(from..));
             }
         }
     }

@@ -1,5 +1,7 @@
 //! Values that belong to the points of a flow graph, in one list.
 
+use val3_syntax::Part;
+
 use super::PointId;
 
 /// Any number of values for each point.
@@ -40,7 +42,7 @@ impl<T> PerPoint<T> {
     pub fn at(&self, point: PointId) -> &[T] {
         let end = self.ends.get(point.index()).copied().unwrap_or(0);
         let start = point.index().checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
-        self.all.get(start as usize..end as usize).unwrap_or(&[])
+        self.all.part(start as usize..end as usize)
     }
 
     /// The values of all points.

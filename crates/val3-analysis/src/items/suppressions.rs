@@ -5,7 +5,7 @@ use memchr::memmem;
 use rowan::NodeOrToken;
 use smol_str::SmolStr;
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{SyntaxKind, TextRange, TextSize};
+use val3_syntax::{Part, SyntaxKind, TextRange, TextSize, text_size};
 
 use super::parse;
 use crate::db::{Db, File};
@@ -209,7 +209,7 @@ fn read(order: &str) -> Option<(AllowKeyword, Vec<(TextSize, &str)>)> {
 /// The first line after `from` that is neither blank nor a comment; empty where there is none.
 fn next_line(text: &str, from: TextSize) -> TextRange {
     let mut start = usize::from(from);
-    let rest = text.get(start..).unwrap_or("");
+    let rest = text.part(start..);
     for line in rest.split_inclusive('\n') {
         let content = line.trim();
         if start > usize::from(from) && !content.is_empty() && !content.starts_with("//") {
@@ -221,8 +221,7 @@ fn next_line(text: &str, from: TextSize) -> TextRange {
 }
 
 fn range_of(start: usize, end: usize) -> TextRange {
-    let size = |at: usize| TextSize::try_from(at).unwrap_or_default();
-    TextRange::new(size(start), size(end))
+    TextRange::new(text_size(start), text_size(end))
 }
 
 #[cfg(test)]

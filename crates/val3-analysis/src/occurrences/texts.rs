@@ -2,7 +2,7 @@
 //! elements of user pages.
 
 use val3_lang::instructions::{GET_DATA, LIB_EXIST, USER_PAGE_SET};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize, text_at};
 
 use super::occurrence::{Occurrence, Symbol, Usage};
 use super::tasks::task_names;
@@ -81,7 +81,7 @@ impl Texts<'_> {
     /// The start of the text between the quotes, and that text as written in the file.
     fn inside(&self, string: ExprId) -> (TextSize, &str) {
         let range = self.body.range(string);
-        let raw = self.source.get(std::ops::Range::<usize>::from(range)).unwrap_or("");
+        let raw = text_at(self.source, range);
         let inner = raw.strip_prefix("&quot;").or_else(|| raw.strip_prefix('"')).unwrap_or(raw);
         (range.end() - TextSize::of(inner), inner)
     }
@@ -118,5 +118,5 @@ impl Texts<'_> {
 /// The letters, digits and underscores at the start of a text.
 fn identifier(text: &str) -> &str {
     let end = text.find(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_')).unwrap_or(text.len());
-    text.get(..end).unwrap_or("")
+    text.part(..end)
 }

@@ -4,7 +4,7 @@ use camino::Utf8Path;
 use smol_str::SmolStr;
 use val3_lang::types::BaseType;
 use val3_syntax::view::View;
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize};
 
 use super::data_path::path_names;
 use super::occurrence::{Occurrence, Symbol, Usage};
@@ -149,7 +149,7 @@ impl Names<'_> {
         let Some(file) = find_file(self.db, self.project, &reference.text()) else { return };
         let name = &program::header(self.db, file).name;
         let start = reference.raw.rfind(['/', '\\']).map_or(0, |at| at + 1);
-        let file_name = reference.raw.get(start..).unwrap_or("");
+        let file_name = reference.raw.part(start..);
         let Some(stem) = Utf8Path::new(file_name).file_stem().filter(|stem| stem.eq_ignore_ascii_case(name)) else {
             return;
         };

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use smol_str::SmolStr;
-use val3_syntax::TextRange;
+use val3_syntax::{TextRange, text_at};
 
 use super::escapes::source_range;
 use super::json::{self, JsonFault, Value};
@@ -58,7 +58,7 @@ pub struct BoundName {
 impl BoundName {
     /// The range of a part of the text in `source`, the text of the file.
     pub fn part(&self, source: &str, part: &Range<usize>) -> TextRange {
-        let raw = source.get(Range::<usize>::from(self.range)).unwrap_or("");
+        let raw = text_at(source, self.range);
         source_range(raw, self.range.start(), part)
     }
 }

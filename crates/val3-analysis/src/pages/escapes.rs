@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, text_size};
 
 /// The text of a string, with its escapes replaced.
 pub fn unescaped(raw: &str) -> String {
@@ -36,9 +36,8 @@ pub(super) fn source_range(raw: &str, start: TextSize, part: &Range<usize>) -> T
         }
         at += letter.len_utf8();
     }
-    let size = |at: usize| TextSize::try_from(at).unwrap_or_default();
     let from = from.unwrap_or(to);
-    TextRange::at(start + size(from), size(to - from))
+    TextRange::at(start + text_size(from), text_size(to - from))
 }
 
 /// The letters of a string, each with its range in `raw`.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use val3_syntax::{TextRange, TextSize, decode_entities};
+use val3_syntax::{Part, TextRange, decode_entities, text_size};
 
 use crate::db::{Db, File};
 
@@ -51,8 +51,7 @@ pub fn page_ids(db: &dyn Db, file: File) -> PageIds {
 }
 
 fn range(bytes: &Range<usize>) -> TextRange {
-    let size = |at: usize| TextSize::try_from(at).unwrap_or_default();
-    TextRange::new(size(bytes.start), size(bytes.end))
+    TextRange::new(text_size(bytes.start), text_size(bytes.end))
 }
 
 fn outside_comments(text: &str) -> Vec<Range<usize>> {
@@ -75,10 +74,10 @@ fn attributes(text: &str, part: Range<usize>) -> Vec<(&str, Range<usize>)> {
     let mut at = part.start;
     while let Some(equals) = text.get(at..end).and_then(|rest| rest.find('=')) {
         let equals = at + equals;
-        let before = text.get(at..equals).unwrap_or("").trim_end();
+        let before = text.part(at..equals).trim_end();
         let name =
             before.rsplit(|letter: char| letter.is_whitespace() || "<>\"'".contains(letter)).next().unwrap_or("");
-        let behind = text.get(equals + 1..end).unwrap_or("");
+        let behind = text.part(equals + 1..end);
         let value = behind.trim_start();
         let start = end - value.len();
         at = equals + 1;

@@ -1,7 +1,7 @@
 //! A reader of JSON that keeps the places of strings.
 
 use super::escapes::unescaped;
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, text_size};
 
 /// Values within values. Bindings have four levels.
 const DEEPEST: usize = 32;
@@ -65,7 +65,7 @@ struct Reader<'t> {
 
 impl<'t> Reader<'t> {
     fn rest(&self) -> &'t str {
-        self.text.get(self.at..).unwrap_or("")
+        self.text.part(self.at..)
     }
 
     fn fault(&self, expected: &'static str) -> JsonFault {
@@ -101,7 +101,7 @@ impl<'t> Reader<'t> {
         }
         let is_word = |letter: char| letter.is_ascii_alphanumeric() || "+-.".contains(letter);
         let length = self.rest().find(|letter| !is_word(letter)).unwrap_or(self.rest().len());
-        let word = self.rest().get(..length).unwrap_or("");
+        let word = self.rest().part(..length);
         if matches!(word, "true" | "false" | "null") || word.parse::<f64>().is_ok() {
             self.at += length;
             return Ok(word.parse().map_or(Value::Other, Value::Integer));
@@ -150,12 +150,12 @@ impl<'t> Reader<'t> {
             return Err(self.fault("a string"));
         }
         let start = self.at + 1;
-        let mut letters = self.text.get(start..).unwrap_or("").char_indices();
+        let mut letters = self.text.part(start..).char_indices();
         while let Some((at, letter)) = letters.next() {
             match letter {
                 '"' => {
                     self.at = start + at + 1;
-                    let raw = self.text.get(start..start + at).unwrap_or("");
+                    let raw = self.text.part(start..start + at);
                     return Ok((unescaped(raw), range(start, start + at)));
                 }
                 '\\' => _ = letters.next(),
@@ -168,8 +168,7 @@ impl<'t> Reader<'t> {
 }
 
 fn range(start: usize, end: usize) -> TextRange {
-    let size = |at: usize| TextSize::new(u32::try_from(at).unwrap_or(u32::MAX));
-    TextRange::new(size(start), size(end.max(start)))
+    TextRange::new(text_size(start), text_size(end.max(start)))
 }
 
 #[cfg(test)]

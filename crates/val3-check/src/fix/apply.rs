@@ -7,6 +7,7 @@ use std::sync::Arc;
 use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
 use val3_analysis::db::{Db, File, FileStatus};
+use val3_syntax::Part;
 use val3_syntax::encoding::Encoding;
 
 use super::guard::NewText;
@@ -98,11 +99,11 @@ fn edited(text: &str, mut edits: Vec<&Edit>) -> String {
     let mut rest = 0;
     for edit in edits {
         let Range { start, end } = edit.place.range.into();
-        new.push_str(text.get(rest..start).unwrap_or(""));
+        new.push_str(text.part(rest..start));
         new.push_str(&edit.text);
         rest = end;
     }
-    new.push_str(text.get(rest..).unwrap_or(""));
+    new.push_str(text.part(rest..));
     new
 }
 

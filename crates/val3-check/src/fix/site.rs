@@ -8,7 +8,7 @@ use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::parse;
 use val3_syntax::view::View;
 use val3_syntax::xml::line_end;
-use val3_syntax::{SyntaxKind, TextRange, TextSize, decode_entities};
+use val3_syntax::{Part, SyntaxKind, TextRange, TextSize, decode_entities};
 
 use crate::diagnostic::{Edit, Fix};
 
@@ -48,7 +48,7 @@ impl<'a> Site<'a> {
     /// The blanks that the line of `range` starts with.
     pub(crate) fn indentation(&self, range: TextRange) -> &'a str {
         let line = self.slice(self.line_start(range.start()), range.end());
-        line.get(..line.len() - line.trim_start().len()).unwrap_or("")
+        line.part(..line.len() - line.trim_start().len())
     }
 
     /// The same fault with its other range as the marked one.
@@ -157,7 +157,7 @@ impl<'a> Site<'a> {
     fn line_start(&self, at: TextSize) -> TextSize {
         let before = self.slice(TextSize::new(0), at);
         let start = before.rfind(['\r', '\n']).map_or(0, |end| end + 1);
-        at - (TextSize::of(before) - TextSize::of(before.get(..start).unwrap_or("")))
+        at - (TextSize::of(before) - TextSize::of(before.part(..start)))
     }
 
     /// The line end at `start`; at the start of the file, the line end that the file uses.
@@ -168,7 +168,7 @@ impl<'a> Site<'a> {
     }
 
     fn slice(&self, start: TextSize, end: TextSize) -> &'a str {
-        self.whole().get(Range::from(TextRange::new(start.min(end), end))).unwrap_or("")
+        self.whole().part(Range::from(TextRange::new(start.min(end), end)))
     }
 
     fn whole(&self) -> &'a str {

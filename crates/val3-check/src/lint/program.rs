@@ -15,7 +15,7 @@ use val3_analysis::ty::Base;
 use val3_config::Options;
 use val3_lang::motion::role;
 use val3_lang::types::BaseType;
-use val3_syntax::TextRange;
+use val3_syntax::{TextRange, text_at};
 
 use super::motion::ArmCall;
 use super::variable_use::VariableUse;
@@ -144,6 +144,6 @@ impl<'db> Program<'db> {
 
     /// A part of the file's text.
     pub(crate) fn slice(&self, range: TextRange) -> &'db str {
-        self.file.text(self.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("")
+        text_at(self.file.text(self.db), range)
     }
 }

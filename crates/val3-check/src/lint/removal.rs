@@ -5,7 +5,7 @@ use val3_analysis::items::declarations::element_around;
 use val3_analysis::items::parse;
 use val3_analysis::items::unlisted::is_program;
 use val3_syntax::xml::{self, Element};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize};
 
 use crate::diagnostic::Edit;
 
@@ -56,7 +56,7 @@ fn is_first(list: Element<'_>, element: TextRange, text: &str) -> bool {
 /// From the last attribute in the start tag of a list to the end of the list.
 fn after_attributes(list: Element<'_>, text: &str) -> TextRange {
     let tag = list.tag_range();
-    let start = text.get(tag.start().into()..tag.end().into()).unwrap_or("");
+    let start = text.part(tag.start().into()..tag.end().into());
     let attributes = start.trim_end_matches('>').trim_end();
     TextRange::new(tag.start() + TextSize::of(attributes), list.view().range().end())
 }

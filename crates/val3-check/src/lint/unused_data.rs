@@ -6,7 +6,7 @@ use val3_analysis::items::data;
 use val3_analysis::items::declarations::{Declared, all_data};
 use val3_analysis::items::fathers::fathers;
 use val3_lang::types::BaseType;
-use val3_syntax::TextRange;
+use val3_syntax::{TextRange, text_at};
 
 use super::{DataFile, ProjectView};
 
@@ -35,7 +35,7 @@ pub(crate) fn uses(view: &ProjectView<'_>, name: &str) -> Option<Use> {
 pub(crate) fn is_taught(data: &DataFile<'_>, name: &str, element: TextRange) -> bool {
     let item = data.view.items.data.get(name);
     let base = item.and_then(|item| BaseType::from_file_name(&item.decl.type_name));
-    let text = data.file.text(data.view.db).get(std::ops::Range::<usize>::from(element)).unwrap_or("");
+    let text = text_at(data.file.text(data.view.db), element);
     base.is_some_and(|(base, _)| TAUGHT.contains(&base)) && text.matches('<').nth(1).is_some()
 }
 

@@ -1,7 +1,7 @@
 //! V0330: a condition with an empty block.
 
 use val3_analysis::body::{Stmt, StmtKind};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, text_at};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -50,7 +50,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 /// There is a comment between `start` and the next part of the statement.
 fn has_comment(program: &Program<'_>, start: TextSize, stmt: &Stmt) -> bool {
     let range = TextRange::new(start, stmt.range.end());
-    let text = program.file.text(program.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("");
+    let text = text_at(program.file.text(program.db), range);
     let inner = text.lines().map(str::trim_start).take_while(|line| {
         let word = line.split(|character: char| !character.is_ascii_alphabetic()).next().unwrap_or("");
         !["else", "elseif", "endif"].contains(&word.to_ascii_lowercase().as_str())

@@ -1,7 +1,7 @@
 //! V0714: a mark for unfinished work.
 
 use val3_analysis::items::layout::comments;
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, text_size};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -34,7 +34,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let text = program.slice(comment);
         let marks = program.options.task_words.iter().filter_map(|mark| Some((find_word(text, mark)?, mark)));
         if let Some((at, mark)) = marks.min_by_key(|(at, _)| *at) {
-            let start = comment.start() + TextSize::new(u32::try_from(at).unwrap_or(0));
+            let start = comment.start() + text_size(at);
             let range = TextRange::at(start, TextSize::of(mark.as_str()));
             found.report(&RULE, range, word(program.slice(range)));
         }

@@ -2,6 +2,7 @@
 
 use super::topic::Topic;
 use val3_lang::page;
+use val3_syntax::Part;
 
 /// A page that a search has found.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -71,7 +72,7 @@ fn hit<'a>(topic: &'a Topic, words: &[String]) -> Option<Hit<'a>> {
 
 /// Whether a word of the text begins with `word`.
 fn contains(text: &str, word: &str) -> bool {
-    let starts = |(at, _): (usize, &str)| !text.get(..at).unwrap_or_default().ends_with(char::is_alphanumeric);
+    let starts = |(at, _): (usize, &str)| !text.part(..at).ends_with(char::is_alphanumeric);
     !word.is_empty() && text.match_indices(word).any(starts)
 }
 

@@ -7,6 +7,7 @@ use val3_bytecode::{ArgumentSite, ContainerKind, ContainerRef, Operand, Register
 use val3_lang::instruction::Shape;
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
+use val3_syntax::Part;
 
 use crate::emitter::text_register;
 use crate::error::{Limit, Result};
@@ -48,7 +49,7 @@ impl Expressions<'_, '_> {
         let mut sites = Vec::with_capacity(args.len());
         for (at, (formal, id)) in formals.iter().zip(args).enumerate() {
             let site = self.argument(*formal, *id, boxes)?;
-            let later = args.get(at + 1..).unwrap_or_default();
+            let later = args.part(at + 1..);
             sites.push(self.kept_argument(*formal, site, later)?);
         }
         Ok(sites)

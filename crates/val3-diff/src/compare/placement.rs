@@ -8,6 +8,7 @@ use smol_str::SmolStr;
 use val3_analysis::placement::shown;
 use val3_geometry::Trsf;
 use val3_lang::builtins;
+use val3_syntax::Part;
 
 use crate::read::data::Data;
 use crate::read::value::Value;
@@ -106,7 +107,7 @@ impl<'a> Positions<'a> {
                 break known.clone();
             }
             if let Some(start) = open.iter().position(|name| *name == next) {
-                self.add_loop(open.get(start..).unwrap_or(&[]));
+                self.add_loop(open.part(start..));
                 break None;
             }
             let father = self.value(&next).and_then(Value::father).filter(|_| open.len() < LONGEST).cloned();

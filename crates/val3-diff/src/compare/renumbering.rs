@@ -4,6 +4,7 @@ use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_analysis::items::data::DataDecl;
 use val3_lang::types::{BaseType, Container, attributes};
+use val3_syntax::Part;
 
 use super::alignment::{Step, align};
 use super::movement;
@@ -92,7 +93,7 @@ impl Ids {
         let mut sizes: FxHashMap<&str, Vec<String>> = FxHashMap::default();
         for (path, size) in &data.field_sizes {
             let key = key(&data.decl.name, path);
-            let field = path.get(data.decl.name.len() + key.len() + 2..).unwrap_or_default();
+            let field = path.part(data.decl.name.len() + key.len() + 2..);
             sizes.entry(key).or_default().push(format!("{field} {size}"));
         }
         let element = |index: usize| {

@@ -3,6 +3,7 @@
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::placement::shown;
+use val3_syntax::Part;
 
 use super::placement::Places;
 use super::{fields, movement, renumbering};
@@ -138,7 +139,7 @@ impl<'d> Contents<'d> {
             let Some(value) = value.shown() else { continue };
             let key = key(name, path);
             // The name, the key and its brackets.
-            let field = path.get(name.len() + key.len() + 2..).unwrap_or_default().trim_start_matches('.');
+            let field = path.part(name.len() + key.len() + 2..).trim_start_matches('.');
             let text = if field.is_empty() { value } else { format!("{} {value}", shown(field)) };
             contents.entry(key).or_default().push(text);
         }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use rowan::NodeOrToken;
 use val3_analysis::items::program;
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{SyntaxKind, decode_entities};
+use val3_syntax::{Part, SyntaxKind, decode_entities};
 
 use crate::exclusions::Layout;
 
@@ -118,11 +118,11 @@ impl CodeLine {
         let mut key = String::with_capacity(self.text.len());
         let mut end = 0;
         for token in self.tokens.iter().filter(|token| token.kind == TokenKind::Name) {
-            key.push_str(self.text.get(end..token.range.start).unwrap_or_default());
+            key.push_str(self.text.part(end..token.range.start));
             key.push_str(self.shown(token, renames));
             end = token.range.end;
         }
-        key.push_str(self.text.get(end..).unwrap_or_default());
+        key.push_str(self.text.part(end..));
         key
     }
 
@@ -142,7 +142,7 @@ impl CodeLine {
     }
 
     fn raw(&self, token: &CodeToken) -> &str {
-        self.text.get(token.range.clone()).unwrap_or_default()
+        self.text.part(token.range.clone())
     }
 
     fn shown<'c>(&'c self, token: &CodeToken, renames: &'c Renames) -> &'c str {

@@ -1,11 +1,11 @@
 //! Elements of one variable in a few characters.
 
+use val3_syntax::Part;
+
 /// Variable, key and field: `tSlot`, `3`, `.pPick` of `tSlot[3].pPick`.
 pub(super) fn parts(path: &str) -> (&str, &str, &str) {
     let Some((name, rest)) = path.split_once('[') else {
-        return path
-            .split_once('.')
-            .map_or((path, "", ""), |(name, _)| (name, "", path.get(name.len()..).unwrap_or("")));
+        return path.split_once('.').map_or((path, "", ""), |(name, _)| (name, "", path.part(name.len()..)));
     };
     let (key, field) = rest.split_once(']').unwrap_or((rest, ""));
     // The first index may belong to a field: `tSlot.pPick[3]`.

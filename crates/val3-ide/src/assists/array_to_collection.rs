@@ -4,7 +4,7 @@ use val3_analysis::items::data::{self, DataDecl};
 use val3_analysis::xml::Element;
 use val3_lang::types::Container;
 use val3_syntax::xml::{indentation, line_end};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize};
 
 use super::container_uses::{IndexUse, index_uses};
 use super::context::Context;
@@ -106,7 +106,7 @@ fn all(context: &Context<'_>, element: Element<'_>, values: impl Iterator<Item =
 
 /// An attribute with the blanks before it.
 fn with_blanks(text: &str, name: TextRange, value: TextRange) -> TextRange {
-    let before = text.get(..usize::from(name.start())).unwrap_or("");
+    let before = text.part(..usize::from(name.start()));
     let blanks = TextSize::of(before) - TextSize::of(before.trim_end());
     TextRange::new(name.start() - blanks, value.end() + TextSize::of('"'))
 }

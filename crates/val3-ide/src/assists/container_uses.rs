@@ -10,7 +10,7 @@ use val3_analysis::items::project::{data_files, items};
 use val3_analysis::occurrences::{Symbol, Usage, occurrences};
 use val3_analysis::pages::is_bindings;
 use val3_lang::instruction::Shape;
-use val3_syntax::{SyntaxKind, TextRange};
+use val3_syntax::{SyntaxKind, TextRange, text_at};
 
 use crate::edit::FileEdit;
 use crate::navigate::{implemented, implementing};
@@ -140,7 +140,7 @@ impl IndexUses<'_> {
     }
 
     fn slice(&self, range: TextRange) -> &str {
-        self.file.text(self.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("")
+        text_at(self.file.text(self.db), range)
     }
 
     fn quote(&self) -> &'static str {

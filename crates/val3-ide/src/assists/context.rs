@@ -11,7 +11,9 @@ use val3_analysis::items::project::{Items, items};
 use val3_config::Options;
 use val3_fmt::{IndentOverride, Style};
 use val3_syntax::ast::{AstNode, Block, Code, Stmt};
-use val3_syntax::{SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, decode_entities};
+use val3_syntax::{
+    Part, SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, decode_entities, text_at, text_size,
+};
 
 use super::lines::{is_escaped, with_comments};
 use crate::edit::FileEdit;
@@ -148,23 +150,22 @@ impl<'db> Context<'db> {
     }
 
     pub(crate) fn slice(&self, range: TextRange) -> &'db str {
-        self.text.get(std::ops::Range::<usize>::from(range)).unwrap_or("")
+        text_at(self.text, range)
     }
 
     /// The line around an offset, without its end.
     fn line(&self, at: TextSize) -> TextRange {
         let at = usize::from(at);
         let start = self.text.get(..at).and_then(|before| before.rfind(['\n', '\r'])).map_or(0, |end| end + 1);
-        let rest = self.text.get(at..).unwrap_or("");
+        let rest = self.text.part(at..);
         let end = at + rest.find(['\n', '\r']).unwrap_or(rest.len());
-        let offset = |at| TextSize::try_from(at).unwrap_or_default();
-        TextRange::new(offset(start), offset(end))
+        TextRange::new(text_size(start), text_size(end))
     }
 
     /// The blanks at the start of the line of `at`; none if the line begins with XML.
     pub(crate) fn indentation(&self, at: TextSize) -> &'db str {
         let line = self.slice(self.line(at));
-        let blanks = line.get(..line.len() - line.trim_start_matches([' ', '\t']).len()).unwrap_or("");
+        let blanks = line.part(..line.len() - line.trim_start_matches([' ', '\t']).len());
         if line.trim_start().starts_with('<') { "" } else { blanks }
     }
 

@@ -6,7 +6,7 @@ use val3_analysis::effects::{Access, AccessKind, Root};
 use val3_analysis::items::declarations;
 use val3_analysis::items::program::LocalDecl;
 use val3_analysis::items::project::resolve_type;
-use val3_syntax::SyntaxKind;
+use val3_syntax::{Part, SyntaxKind};
 
 use super::context::Context;
 use super::evaluation::Evaluation;
@@ -113,7 +113,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
         let value = self.context.slice(self.evaluation.body.range(self.value));
         let ends_section = |read: &ExprId| {
             let end = self.evaluation.body.range(*read).end();
-            let rest = self.context.text.get(usize::from(end)..).unwrap_or("");
+            let rest = self.context.text.part(usize::from(end)..);
             let start: String = rest.chars().take(2).collect();
             format!("{value}{start}").contains("]]>")
         };
@@ -126,7 +126,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
     /// The expression has the same value at all reads.
     fn check_value(&self) -> Result<(), String> {
         let body = self.evaluation.body;
-        let later = self.block.get(self.at + 1..).unwrap_or(&[]);
+        let later = self.block.part(self.at + 1..);
         let index = |read: &ExprId| later.iter().position(|it| it.range.contains_range(body.range(*read)));
         let places: Option<Vec<usize>> = self.reads.iter().map(index).collect();
         let last = places.and_then(|places| places.into_iter().max());
@@ -144,7 +144,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
             "The value has an effect, or depends on more than variables, and would be computed at another time"
                 .to_owned()
         })?;
-        let kept = dependencies.survive(later.get(..last).unwrap_or(&[]))
+        let kept = dependencies.survive(later.part(..last))
             && later.get(last).is_some_and(|stmt| dependencies.survive_reads_of(stmt));
         match kept {
             true => Ok(()),

@@ -2,7 +2,7 @@
 
 use rowan::NodeOrToken;
 use val3_syntax::ast::{AstNode as _, Block, Code};
-use val3_syntax::{SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, decode_entities};
+use val3_syntax::{Part, SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, decode_entities, text_size};
 
 use super::context::Context;
 
@@ -26,10 +26,10 @@ pub(super) fn relaid(context: &Context<'_>, block: &Block, indent: &str) -> Stri
 pub(super) fn dedented(text: &str, range: TextRange) -> Vec<String> {
     let start =
         text.get(..usize::from(range.start())).and_then(|before| before.rfind(['\n', '\r'])).map_or(0, |at| at + 1);
-    let whole = text.get(start..usize::from(range.end())).unwrap_or("");
-    let first = text.get(start..usize::from(range.start())).unwrap_or("");
+    let whole = text.part(start..usize::from(range.end()));
+    let first = text.part(start..usize::from(range.start()));
     // If XML precedes the first line, that line starts with the code.
-    let whole = if first.trim().is_empty() { whole } else { whole.get(first.len()..).unwrap_or("") };
+    let whole = if first.trim().is_empty() { whole } else { whole.part(first.len()..) };
     let lines: Vec<&str> = whole.lines().map(|line| line.strip_suffix("&#13;").unwrap_or(line)).collect();
     let blanks = |line: &&str| line.len() - line.trim_start_matches([' ', '\t']).len();
     let common = lines.iter().filter(|line| !line.trim().is_empty()).map(blanks).min().unwrap_or(0);
@@ -67,7 +67,7 @@ pub(super) fn whole_lines(context: &Context<'_>, range: TextRange) -> Option<Tex
 pub(super) fn end_of_line(context: &Context<'_>, at: TextSize) -> Option<TextSize> {
     let rest = context.text.get(usize::from(at)..)?;
     let end = rest.find('\n')? + 1;
-    is_blank(rest.get(..end)?).then(|| at + TextSize::try_from(end).unwrap_or_default())
+    is_blank(rest.get(..end)?).then(|| at + text_size(end))
 }
 
 /// A line without anything to see.
@@ -105,7 +105,7 @@ pub(super) fn is_escaped(code: &Code) -> bool {
 pub(super) fn plain_with(code: &Code, text: &str, range: TextRange, places: &[(TextRange, &str)]) -> String {
     let escaped = is_escaped(code);
     let plain = |start: TextSize, end: TextSize| {
-        let part = text.get(usize::from(start)..usize::from(end)).unwrap_or("");
+        let part = text.part(usize::from(start)..usize::from(end));
         if escaped { decode_entities(part).into_owned() } else { part.to_owned() }
     };
     let mut new = String::new();

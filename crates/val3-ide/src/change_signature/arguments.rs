@@ -3,7 +3,7 @@
 use val3_analysis::db::Db;
 use val3_analysis::items::program::header;
 use val3_syntax::ast::{AstNode as _, Expr};
-use val3_syntax::{SyntaxKind, TextRange};
+use val3_syntax::{SyntaxKind, TextRange, text_at};
 
 use super::calls::Call;
 use super::slots::{Entry, Removal, Slots, TextEdit};
@@ -69,7 +69,7 @@ fn keeps_effects(db: &dyn Db, call: &Call, wanted: &[NewParameter]) -> Result<()
     let caller = &header(db, call.file).name;
     let shown = |index: &usize| {
         let place = call.places(db).get(*index).copied().unwrap_or_default();
-        call.file.text(db).get(std::ops::Range::<usize>::from(place)).unwrap_or("").to_owned()
+        text_at(call.file.text(db), place).to_owned()
     };
     if let Some(removed) = acting.iter().find(|index| !kept.contains(index)) {
         return Err(format!("the argument `{}` of a call in `{caller}` has an effect", shown(removed)));

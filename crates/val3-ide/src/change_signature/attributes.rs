@@ -3,7 +3,7 @@
 use val3_analysis::items::program::{LocalDecl, ParamDecl};
 use val3_lang::types::Container;
 use val3_syntax::xml::{Attribute, Element, escaped};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{Part, TextRange, TextSize};
 
 use super::slots::TextEdit;
 use super::variables::{NewLocal, NewParameter};
@@ -90,7 +90,7 @@ impl Tag<'_> {
 
     /// Without the attribute and the blanks before it.
     fn without(&self, attribute: Attribute<'_>) -> TextEdit {
-        let before = self.text.get(..usize::from(attribute.name_range.start())).unwrap_or("");
+        let before = self.text.part(..usize::from(attribute.name_range.start()));
         let start = TextSize::of(before.trim_end());
         (TextRange::new(start, end(attribute)), String::new())
     }

@@ -12,7 +12,7 @@ use val3_analysis::items::project::{items, program_files};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_lang::instruction::Class;
-use val3_syntax::{SyntaxKind, TextRange, TextSize};
+use val3_syntax::{SyntaxKind, TextRange, TextSize, text_at};
 
 use crate::references::{projects_using, uses};
 
@@ -109,7 +109,7 @@ impl Call {
             _ => None,
         });
         let Some((whole, arguments)) = calls.next() else { return Ok(None) };
-        let text = file.text(db).get(std::ops::Range::<usize>::from(whole)).unwrap_or("");
+        let text = text_at(file.text(db), whole);
         if !text.ends_with(')') {
             return Err(format!("a call in `{}` has no end", header(db, file).name));
         }

@@ -5,7 +5,7 @@ use val3_analysis::items::parse;
 use val3_analysis::items::program::{self, Header, header};
 use val3_lang::types::Container;
 use val3_syntax::xml::{Element, indentation, line_end};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, text_at};
 
 use super::attributes;
 use super::slots::{Entry, Removal, Slots, TextEdit};
@@ -149,6 +149,6 @@ impl Declarations<'_> {
     }
 
     fn slice(&self, range: TextRange) -> &str {
-        self.text.get(std::ops::Range::<usize>::from(range)).unwrap_or("")
+        text_at(self.text, range)
     }
 }

@@ -1,6 +1,6 @@
 //! Lists whose entries change their places: the arguments of a call, the elements of a list in XML.
 
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, text_at};
 
 use crate::xml_list::whole_line;
 
@@ -120,7 +120,7 @@ impl Slots<'_> {
     }
 
     fn slice(&self, range: TextRange) -> &str {
-        self.text.get(std::ops::Range::<usize>::from(range)).unwrap_or("")
+        text_at(self.text, range)
     }
 }
 

@@ -9,7 +9,7 @@ use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_lang::types::{self, Container};
 use val3_syntax::view::View;
-use val3_syntax::{SyntaxKind, TextRange, TextSize};
+use val3_syntax::{Part, SyntaxKind, TextRange, TextSize};
 
 use crate::FilePosition;
 use crate::edit::FileEdit;
@@ -102,7 +102,7 @@ pub(super) struct CompletionList<'db> {
 impl<'db> CompletionList<'db> {
     pub(super) fn new(db: &'db dyn Db, project: Project, at: FilePosition, range: TextRange) -> Self {
         let text: &str = at.file.text(db);
-        let part = |from: TextSize, to: TextSize| text.get(usize::from(from)..usize::from(to)).unwrap_or("");
+        let part = |from: TextSize, to: TextSize| text.part(usize::from(from)..usize::from(to));
         let around = (part(TextSize::new(0), range.start()), part(range.end(), TextSize::of(text)));
         let is_called = around.1.starts_with('(');
         let query = part(range.start(), at.offset.max(range.start()));

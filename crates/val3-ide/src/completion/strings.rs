@@ -8,7 +8,7 @@ use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_lang::arguments::{BINARY_FORMATS, DATE_KEYS, SERIAL_PARAMETERS, SerialParameter, SerialValue, TextForm};
 use val3_syntax::xml::escaped;
-use val3_syntax::{SyntaxKind, TextRange, TextSize};
+use val3_syntax::{Part, SyntaxKind, TextRange, TextSize};
 
 use super::list::{CompletionKind, CompletionList};
 use super::names::{FITS, data_detail};
@@ -107,7 +107,7 @@ fn formats(found: &mut CompletionList<'_>, format: TextForm) {
 fn last_key_alone(found: &mut CompletionList<'_>) {
     let begun = found.query.rfind('%').filter(|at| found.query.len() - at <= 2).unwrap_or(found.query.len());
     let cursor = found.range.start() + TextSize::of(found.query);
-    found.query = found.query.get(begun..).unwrap_or("");
+    found.query = found.query.part(begun..);
     found.range = TextRange::new(cursor - TextSize::of(found.query), cursor);
 }
 

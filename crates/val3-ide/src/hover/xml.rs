@@ -13,7 +13,7 @@ use val3_lang::instruction::Family;
 use val3_lang::instructions;
 use val3_lang::types::{self, Arm, AttributeValue, BaseType};
 use val3_lang::versions::Version;
-use val3_syntax::{TextRange, decode_entities};
+use val3_syntax::{TextRange, decode_entities, text_at};
 
 use super::attributes::field_page;
 use super::program_line;
@@ -52,7 +52,7 @@ pub(super) fn loaded(db: &dyn Db, project: Project, at: FilePosition) -> Option<
 }
 
 fn slice(text: &str, range: TextRange) -> &str {
-    text.get(std::ops::Range::<usize>::from(range)).unwrap_or("")
+    text_at(text, range)
 }
 
 fn xml(text: &str) -> String {

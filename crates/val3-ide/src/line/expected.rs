@@ -5,7 +5,7 @@ use val3_analysis::ty::{Base, Ty};
 use val3_lang::instruction::Shape;
 use val3_lang::types::{BaseType, Container, fields};
 use val3_syntax::SyntaxKind::{self, *};
-use val3_syntax::SyntaxToken;
+use val3_syntax::{Part, SyntaxToken};
 
 use super::call::CallSite;
 use super::{Names, open_bracket, pieces};
@@ -93,7 +93,7 @@ fn selector(names: &Names<'_>, case: &SyntaxToken) -> Expected {
 /// Behind an opening bracket, or a comma.
 fn within_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
     let Some(open) = open_bracket(before) else { return without_brackets(names, before) };
-    let (head, inside) = (before.get(..open).unwrap_or(&[]), before.get(open + 1..).unwrap_or(&[]));
+    let (head, inside) = (before.part(..open), before.part(open + 1..));
     let index = pieces(inside).len().saturating_sub(1);
     match before.get(open).map(SyntaxToken::kind) {
         Some(L_CURLY) => literal_field(names, expected(names, head).bases.first().copied(), index),

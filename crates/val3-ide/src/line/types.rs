@@ -8,7 +8,7 @@ use val3_lang::instruction::{Overload, Param};
 use val3_lang::types::{BaseType, Container, field};
 use val3_lang::{builtins, enumerations, instructions};
 use val3_syntax::SyntaxKind::*;
-use val3_syntax::SyntaxToken;
+use val3_syntax::{Part, SyntaxToken};
 
 use super::call::{CallSite, Callee};
 use super::open_bracket;
@@ -94,7 +94,7 @@ impl<'db> Names<'db> {
     /// `( … )` or the call of an instruction.
     fn parentheses(&self, tokens: &[SyntaxToken], open: usize) -> Ty {
         let Some(call) = CallSite::at_bracket(tokens, open) else {
-            return self.ty(tokens.get(open + 1..tokens.len() - 1).unwrap_or(&[]));
+            return self.ty(tokens.part(open + 1..tokens.len() - 1));
         };
         let result = self.form(&call, usize::MAX).and_then(|form| form.result);
         result.map_or(Ty::UNKNOWN, |result| Ty::element(Base::of(result).on_arm(self.items.arm)))

@@ -10,7 +10,7 @@ use val3_analysis::occurrences::{Occurrence, Symbol, occurrences};
 use val3_analysis::pages::{escaped, is_bindings, unescaped};
 use val3_analysis::xml::{Attribute, Element};
 use val3_lang::types::Container;
-use val3_syntax::{TextRange, TextSize, decode_entities};
+use val3_syntax::{Part, TextRange, TextSize, decode_entities};
 
 use super::RenameError;
 use crate::FilePosition;
@@ -89,7 +89,7 @@ fn collection<'o>(db: &dyn Db, found: &'o Occurrence) -> Option<(Project, &'o Sm
 
 /// The text in the brackets after a name, in code, in a reference to a father, or in the bindings of a page.
 pub(crate) fn index(text: &str, end: TextSize) -> Index {
-    let rest = text.get(usize::from(end)..).unwrap_or("");
+    let rest = text.part(usize::from(end)..);
     let is_blank = [' ', '\t'];
     let Some(inside) = rest.trim_start_matches(is_blank).strip_prefix('[') else { return Index::None };
     let inside = inside.trim_start_matches(is_blank);

@@ -1,6 +1,7 @@
 //! Texts in Markdown, for clients that show it and those that do not.
 
 use tower_lsp::lsp_types::{Documentation, MarkupContent, MarkupKind};
+use val3_syntax::Part;
 
 use crate::session::TextFormat;
 
@@ -61,7 +62,7 @@ fn unmarked(line: &str) -> String {
             let is_escaped = |escaped: &&str| escaped.starts_with(|letter: char| letter.is_ascii_punctuation());
             let (letter, after) = match rest.strip_prefix('\\').filter(is_escaped).and_then(first) {
                 Some(escaped) => escaped,
-                None => (letter, rest.get(letter.len_utf8()..).unwrap_or("")),
+                None => (letter, rest.part(letter.len_utf8()..)),
             };
             shown.push(letter);
             rest = after;

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use tower_lsp::lsp_types::{CodeLens, CodeLensParams, Command, Location, Range, Url};
 use val3_analysis::db::{File, FileRange};
 use val3_ide::LensKind;
+use val3_syntax::text_at;
 
 use crate::display_cache::Fingerprint;
 use crate::session::ClientCommands;
@@ -42,7 +43,7 @@ fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
     let commands = snapshot.session.commands;
     let counted = serde_json::to_value(UsesLensData { uri: uri.clone(), version: snapshot.version(file) }).ok();
     let lens = |found: val3_ide::CodeLens| {
-        let program = file.text(snapshot.db()).get(std::ops::Range::<usize>::from(found.range)).unwrap_or_default();
+        let program = text_at(file.text(snapshot.db()), found.range);
         let start = |title, command, manifest| start(snapshot, (title, command), manifest, program);
         let (command, data) = match found.kind {
             LensKind::Run(manifest) => (Some(start("Run", ClientCommands::RUN, manifest)), None),

@@ -5,7 +5,7 @@ use std::hash::{Hash as _, Hasher as _};
 use rustc_hash::FxHasher;
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::File;
-use val3_syntax::TextRange;
+use val3_syntax::{Part, TextRange};
 
 use crate::snapshot::{Refusal, Snapshot};
 
@@ -87,10 +87,10 @@ fn difference(before: &[SemanticToken], after: &[SemanticToken]) -> Vec<Semantic
     if start == before.len() && start == after.len() {
         return Vec::new();
     }
-    let (rest_before, rest_after) = (before.get(start..).unwrap_or(&[]), after.get(start..).unwrap_or(&[]));
+    let (rest_before, rest_after) = (before.part(start..), after.part(start..));
     let end = rest_before.iter().rev().zip(rest_after.iter().rev()).take_while(same).count();
     let number = |tokens: usize| u32::try_from(tokens * NUMBERS).unwrap_or(u32::MAX);
-    let data = rest_after.get(..rest_after.len() - end).unwrap_or(&[]).to_vec();
+    let data = rest_after.part(..rest_after.len() - end).to_vec();
     vec![SemanticTokensEdit { start: number(start), delete_count: number(rest_before.len() - end), data: Some(data) }]
 }
 

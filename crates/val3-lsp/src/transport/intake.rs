@@ -12,6 +12,7 @@ use serde::de::IgnoredAny;
 use serde_json::{Value, json};
 use tokio::io::{AsyncRead, ReadBuf};
 use tower_lsp::jsonrpc::Id;
+use val3_syntax::Part;
 
 use super::frame::{FrameError, frame, read_message};
 use super::pump::Pump;
@@ -45,7 +46,7 @@ impl AsyncRead for Intake {
             }
         }
         let length = buffer.remaining().min(self.rest.len() - self.read);
-        let part = self.rest.get(self.read..self.read + length).unwrap_or(&[]);
+        let part = self.rest.part(self.read..self.read + length);
         buffer.put_slice(part);
         self.read += length;
         Poll::Ready(Ok(()))

@@ -7,7 +7,7 @@ use val3_lang::runtime_errors;
 use val3_lang::values::printed;
 use val3_lines::{Columns, LineIndex, Unit};
 use val3_machine::event::{Event, EventKind};
-use val3_syntax::TextSize;
+use val3_syntax::{Part, TextSize};
 
 use super::sources::offset_in_code;
 
@@ -41,7 +41,7 @@ impl CodeFault {
     pub(super) fn found(finding: &Diagnostic, code: &str, before: usize) -> Self {
         let offset = |at: TextSize| offset_in_code(code, at.into()).saturating_sub(before);
         let range = (offset(finding.place.range.start()), offset(finding.place.range.end()));
-        Self::at(finding.message.clone(), code.get(before..).unwrap_or(""), range)
+        Self::at(finding.message.clone(), code.part(before..), range)
     }
 
     /// A fault at a range of bytes of a text.

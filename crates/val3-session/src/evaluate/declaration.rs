@@ -1,5 +1,7 @@
 //! A text that declares variables: `num nA`, `num nB=2`, `point pA[3]`, `num nC=1, nD`.
 
+use val3_syntax::Part;
+
 use super::variable::Variable;
 
 /// A variable that a text declares.
@@ -33,7 +35,7 @@ fn declaration(ty: &str, text: &str, (from, piece): (usize, &str)) -> Result<Dec
         let name = variable.name();
         return Err(format!("`{name}` has several values: declare it, then assign to its elements"));
     }
-    let before = text.get(..from).unwrap_or_default().chars().count();
+    let before = text.part(..from).chars().count();
     let assignment = value.map(|_| format!("{}{}", " ".repeat(before), piece.trim_end()));
     Ok(Declaration { variable, assignment })
 }

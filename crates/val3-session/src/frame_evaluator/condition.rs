@@ -6,7 +6,7 @@ use val3_debug::{Format, frames};
 use val3_lang::ports::TaskNumber;
 use val3_lines::LineIndex;
 use val3_machine::controller::Controller;
-use val3_syntax::decode_entities;
+use val3_syntax::{Part, decode_entities};
 use val3_vm::FragmentContext;
 
 use super::target::Target;
@@ -121,7 +121,7 @@ fn collect(body: &Body, text: &str, id: ExprId, found: &mut Vec<Candidate>) {
         let mut inner = Vec::new();
         arguments.iter().for_each(|argument| collect(body, text, *argument, &mut inner));
         let range = body.range(id);
-        let code = text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or_default();
+        let code = text.part(usize::from(range.start())..usize::from(range.end()));
         Candidate { text: decode_entities(code.trim()).into_owned(), arguments: inner }
     };
     match body.expr(id) {

@@ -7,7 +7,7 @@ use val3_analysis::items::program::code_element;
 use val3_check::{Unit, unit_refusals};
 use val3_syntax::encoding::Encoding;
 use val3_syntax::xml::escaped;
-use val3_syntax::{SyntaxKind, TextSize, decode_entities};
+use val3_syntax::{Part, SyntaxKind, TextSize, decode_entities};
 
 use super::target::{Target, Targets};
 use crate::evaluate::CodeFault;
@@ -61,7 +61,7 @@ impl<'t> Scratch<'t> {
             .find(|found| found.place.file == self.file && is_in_code(found.place.range.start()))?;
         let offset = |at: TextSize| self.offset(at.into()).saturating_sub(self.before);
         let range = (offset(found.place.range.start()), offset(found.place.range.end()));
-        Some(CodeFault::at(found.message, self.code.get(self.before..).unwrap_or_default(), range))
+        Some(CodeFault::at(found.message, self.code.part(self.before..), range))
     }
 
     /// The offset in the code of a byte of the file.

@@ -6,6 +6,7 @@ use super::xml::CDATA;
 use super::{Indent, Lexer, entity, foreign};
 use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::{self, *};
+use crate::never::Part;
 
 /// One stretch of code between marks of XML.
 #[derive(Clone, Copy)]
@@ -92,7 +93,7 @@ impl Lexer<'_> {
 
     /// The bytes from here to the end of the stretch.
     fn stretch_bytes(&self, stretch: CodeSegment) -> &[u8] {
-        self.text.as_bytes().get(self.pos..stretch.end).unwrap_or(b"")
+        self.text.as_bytes().part(self.pos..stretch.end)
     }
 
     fn code_blanks(&mut self, stretch: CodeSegment) {
@@ -107,7 +108,7 @@ impl Lexer<'_> {
     fn line_break(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
         let len = bytes.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(bytes.len());
-        let indent = len - memrchr2(b'\n', b'\r', bytes.get(..len).unwrap_or(b"")).map_or(0, |at| at + 1);
+        let indent = len - memrchr2(b'\n', b'\r', bytes.part(..len)).map_or(0, |at| at + 1);
         self.token(NEWLINE, self.pos + len);
         self.indent = Indent::ZERO.deeper(indent);
         if indent == 0 && self.conflict_marker().is_some_and(|end| end <= stretch.end) {
@@ -124,12 +125,12 @@ impl Lexer<'_> {
         match foreign {
             Some((len, instead)) => {
                 let end = self.pos + len;
-                let found = self.text.get(self.pos..end).unwrap_or("").to_owned();
+                let found = self.text.part(self.pos..end).to_owned();
                 self.error(SyntaxErrorKind::ForeignSpelling { found, instead }, self.pos, end);
                 self.token(SyntaxKind::from_keyword(instead).unwrap_or(IDENT), end);
             }
             None => {
-                let text = self.text.get(self.pos..end).unwrap_or("");
+                let text = self.text.part(self.pos..end);
                 let kind = SyntaxKind::from_keyword(text).unwrap_or(IDENT);
                 if kind.keyword_text().is_some_and(|usual| usual != text) {
                     self.out.odd_keywords.push(super::range(self.pos, end));
@@ -142,8 +143,7 @@ impl Lexer<'_> {
     /// `12`, `12.5`, `.5`, `1e3`, `1e-3`.
     fn number(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
-        let digits =
-            |from: usize| bytes.get(from..).unwrap_or(b"").iter().take_while(|byte| byte.is_ascii_digit()).count();
+        let digits = |from: usize| bytes.part(from..).iter().take_while(|byte| byte.is_ascii_digit()).count();
         let mut len = digits(0);
         if bytes.get(len) == Some(&b'.') && digits(len + 1) > 0 {
             len += 1 + digits(len + 1);
@@ -203,7 +203,7 @@ impl Lexer<'_> {
 
     /// An entity reference in escaped code means the character that it names.
     fn reference(&mut self, stretch: CodeSegment) {
-        let rest = self.text.get(self.pos..stretch.end).unwrap_or("");
+        let rest = self.text.part(self.pos..stretch.end);
         let Some((character, len)) = entity::resolve(rest) else {
             self.unknown_entity(self.pos);
             return self.token(ERROR_TOKEN, self.pos + 1);
@@ -264,7 +264,7 @@ impl Lexer<'_> {
     /// Characters that no VAL 3 line contains, a run of them as one token with one message.
     /// `&&` and `||` are left for the parser, which knows what to write instead.
     fn invalid_characters(&mut self, stretch: CodeSegment) {
-        let rest = self.text.get(self.pos..stretch.end).unwrap_or("");
+        let rest = self.text.part(self.pos..stretch.end);
         if rest.starts_with("&&") || rest.starts_with("||") {
             return self.token(ERROR_TOKEN, self.pos + 2);
         }

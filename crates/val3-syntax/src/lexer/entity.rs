@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use crate::characters::is_allowed;
+use crate::never::Part;
 
 /// The character that the reference at the start of `text` means, and the length of the reference.
 /// `None` where `text` starts with no reference that XML itself defines.
@@ -44,7 +45,7 @@ pub fn decode_entities(text: &str) -> Cow<'_, str> {
         out.push_str(before);
         let (character, len) = resolve(from).unwrap_or(('&', 1));
         out.push(character);
-        rest = from.get(len..).unwrap_or("");
+        rest = from.part(len..);
     }
     out.push_str(rest);
     Cow::Owned(out)

@@ -5,6 +5,7 @@ use memchr::{memchr, memchr2, memmem};
 use super::{CONFLICT_COMMENT, Lexer, entity};
 use crate::error::{SyntaxErrorKind, XmlPart};
 use crate::kind::SyntaxKind::{self, *};
+use crate::never::Part;
 
 impl Lexer<'_> {
     /// The whole file.
@@ -79,7 +80,7 @@ impl Lexer<'_> {
     /// so that it does not swallow the rest of the file.
     pub(super) fn cdata_end(&mut self) -> usize {
         let start = self.pos + CDATA.len();
-        let body = self.text.as_bytes().get(start..).unwrap_or(b"");
+        let body = self.text.as_bytes().part(start..);
         if !self.no_cdata_end {
             if let Some(at) = memmem::find(body, b"]]>") {
                 return start + at;
@@ -89,7 +90,7 @@ impl Lexer<'_> {
         self.error(SyntaxErrorKind::Unterminated(XmlPart::CData), self.pos, start);
         let end_tag = memmem::find(body, b"</");
         self.out.cut_off |= end_tag.is_none();
-        let body = self.text.get(start..start + end_tag.unwrap_or(body.len())).unwrap_or("");
+        let body = self.text.part(start..start + end_tag.unwrap_or(body.len()));
         start + body.trim_end_matches([']', '>']).len()
     }
 
@@ -171,7 +172,7 @@ impl Lexer<'_> {
     /// A quoted value. XML forbids `<` in it: either that was not escaped, or the closing quote is missing.
     fn attribute_value(&mut self, quote: u8) {
         let start = self.pos;
-        let body = self.text.as_bytes().get(start + 1..).unwrap_or(b"");
+        let body = self.text.as_bytes().part(start + 1..);
         let end = match memchr2(quote, b'<', body) {
             Some(at) if body.get(at) == Some(&quote) => start + at + 2,
             Some(at) if let Some(len) = unescaped_value(body, at, quote) => {
@@ -180,7 +181,7 @@ impl Lexer<'_> {
             }
             other => {
                 self.error(SyntaxErrorKind::Unterminated(XmlPart::AttributeValue), start, start + 1);
-                start + 1 + unclosed_value(body.get(..other.unwrap_or(body.len())).unwrap_or(b""))
+                start + 1 + unclosed_value(body.part(..other.unwrap_or(body.len())))
             }
         };
         self.check_entities(start, end);
@@ -215,7 +216,7 @@ impl Lexer<'_> {
     /// Reports the references between two offsets that have no meaning.
     pub(super) fn check_entities(&mut self, start: usize, end: usize) {
         let mut at = start;
-        while let Some(step) = memchr(b'&', self.text.as_bytes().get(at..end).unwrap_or(b"")) {
+        while let Some(step) = memchr(b'&', self.text.as_bytes().part(at..end)) {
             at += step;
             match self.text.get(at..end).and_then(entity::resolve) {
                 Some((_, len)) => at += len,
@@ -228,7 +229,7 @@ impl Lexer<'_> {
     }
 
     pub(super) fn unknown_entity(&mut self, at: usize) {
-        let rest = self.text.get(at..).unwrap_or("");
+        let rest = self.text.part(at..);
         let is_name = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'#';
         let name = rest.bytes().skip(1).take(32).take_while(is_name).count();
         let closed = usize::from(rest.as_bytes().get(name + 1) == Some(&b';'));

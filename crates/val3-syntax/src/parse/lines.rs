@@ -14,6 +14,7 @@ use super::statement_run::{StatementRun, is_line_end, runs_around};
 use super::{Parse, parse_within};
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
+use crate::never::text_at;
 use crate::tree::{Entry, Piece, Splice};
 
 impl Parse {
@@ -69,7 +70,7 @@ impl Parse {
 fn around(text: &str, path: &[Piece<'_>], at: TextSize) -> (&'static str, &'static str) {
     let code = path.iter().rfind(|node| node.kind() == SyntaxKind::CODE);
     let start = code.map_or(at, |code| code.range().start());
-    let before = text.get(Range::<usize>::from(TextRange::new(start, at))).unwrap_or("").as_bytes();
+    let before = text_at(text, TextRange::new(start, at)).as_bytes();
     match memmem::rfind(before, b"<![CDATA[") > memmem::rfind(before, b"]]>") {
         true => ("<Code><![CDATA[begin", "end]]></Code>"),
         false => ("<code>begin", "end</code>"),

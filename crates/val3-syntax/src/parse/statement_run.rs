@@ -81,8 +81,11 @@ impl<'p, 't> StatementRun<'p, 't> {
     /// The entries of its pieces within a range of the list, in stretches: all but that of the block itself.
     fn entries(&self, range: &Range<usize>) -> [&'t [Entry]; 3] {
         let (run, block) = (self.indexes(), self.block.indexes());
-        [run.start..block.start, block.start + 1..block.end, block.end..run.end]
-            .map(|part| self.block.entries_of_tree(part.start.max(range.start)..part.end.min(range.end)))
+        [run.start..block.start, block.start + 1..block.end, block.end..run.end].map(|part| {
+            let start = part.start.max(range.start);
+            // Empty if the part is outside of the range.
+            self.block.entries_of_tree(start..part.end.min(range.end).max(start))
+        })
     }
 
     /// The pieces from the line end before an edit to the line end after it, or the one that contains its end.

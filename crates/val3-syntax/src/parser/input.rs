@@ -4,6 +4,7 @@ use rowan::TextRange;
 
 use crate::kind::SyntaxKind;
 use crate::lexer::{Indent, Lexed, Token, range};
+use crate::never::text_at;
 
 /// The tokens that are no trivia.
 pub(crate) struct Input<'t> {
@@ -75,6 +76,6 @@ impl<'t> Input<'t> {
     }
 
     pub(crate) fn text(&self, pos: usize) -> &'t str {
-        self.text.get(std::ops::Range::<usize>::from(self.range(pos))).unwrap_or("")
+        text_at(self.text, self.range(pos))
     }
 }

@@ -6,6 +6,7 @@ use super::sharing::{Element, Sharing, with_sharing};
 use super::{Piece, Tree};
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
+use crate::never::Part;
 
 /// The rowan tree of `node`.
 pub(super) fn build_green(node: Piece<'_>) -> GreenNode {
@@ -38,7 +39,7 @@ impl TreeReuse<'_> {
         let is_alike = news.len() == changed.len();
         let changed_children: Vec<Element> = match is_alike {
             true => {
-                let olds = old_children.drain(changed.clone()).zip(children.get(changed.clone()).unwrap_or(&[]));
+                let olds = old_children.drain(changed.clone()).zip(children.part(changed.clone()));
                 news.zip(olds).map(|(new, (old, green))| self.piece(new, old, green)).collect()
             }
             false => news.map(|new| build(self.sharing, new)).collect(),

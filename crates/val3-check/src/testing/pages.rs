@@ -1,23 +1,23 @@
-//! Every VAL 3 example of the pages is run through the check.
+//! Every VAL 3 example on the pages of rules and of the language is checked.
 
-use val3_check::rules;
-use val3_check::settings::Selection;
-use val3_check::testing::{CheckedFinding, check_selected};
 use val3_lang::{glossary, instructions, page, statements};
 use val3_test::{Fixture, ROOT};
-use val3_tests::OF_WHOLE_PROJECTS;
 
-/// The findings in a listing; those of `asked` also where they are off until asked for, or need a whole project.
-fn check_for(asked: Option<&'static str>, listing: &str) -> Vec<CheckedFinding> {
-    let selection = Selection { named: asked.into_iter().collect(), ..Selection::default() };
+use super::{CheckedFinding, OF_WHOLE_PROJECTS, check_selected};
+use crate::rules;
+use crate::settings::Selection;
+
+/// Returns the findings in a listing, without rules about complete projects. The rule `enabled` reports in any case.
+fn check_for(enabled: Option<&'static str>, listing: &str) -> Vec<CheckedFinding> {
+    let selection = Selection { named: enabled.into_iter().collect(), ..Selection::default() };
     let fixture = Fixture::parse(listing);
     let files = fixture.files.iter().map(|(path, text)| (format!("{ROOT}/{path}"), text.clone().into_bytes()));
     let mut found = check_selected(&files.collect::<Vec<_>>(), &selection);
-    found.retain(|finding| asked == Some(finding.code) || !OF_WHOLE_PROJECTS.contains(&finding.code));
+    found.retain(|finding| enabled == Some(finding.code) || !OF_WHOLE_PROJECTS.contains(&finding.code));
     found
 }
 
-/// The VAL 3 listings below a heading of a page.
+/// Returns the VAL 3 listings below a heading of a page.
 fn listings_below(page: &str, heading: &str) -> Vec<String> {
     let text = page::text(page);
     let Some((_, section)) = text.split_once(heading) else { return Vec::new() };
@@ -54,7 +54,7 @@ fn the_good_example_of_a_rule_is_clean() {
     assert!(faults.is_empty(), "{} rules\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Rules whose fault no text can show: bytes in a wrong encoding, control characters, files that cannot be read, and files
+/// Rules whose fault no listing can have: bytes in a wrong encoding, control characters, files that cannot be read, files
 const WITHOUT_LISTING: [&str; 6] = ["V0005", "V0007", "V0502", "V0509", "V0543", "V0544"];
 
 #[test]
