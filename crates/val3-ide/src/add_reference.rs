@@ -141,7 +141,6 @@ fn named(db: &dyn Db, project: Project, kind: ReferenceKind) -> Vec<Project> {
 /// Adds the project at `path` to the `.pjx` of `project`, as a library identifier or a user type called `name`.
 ///
 /// # Errors
-///
 /// If the project file cannot be parsed completely or has no suitable element, if the name is invalid or in use, if no
 /// project exists at `path`, or if `project` would use itself.
 pub fn add_reference(

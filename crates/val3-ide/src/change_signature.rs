@@ -36,7 +36,6 @@ pub struct SignatureError(pub String);
 /// same programs in libraries that are loaded for the same interface.
 ///
 /// # Errors
-///
 /// If a removed variable is still used, a name is in use, or a call cannot be adapted; the message gives the reason.
 pub fn change_signature(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange, SignatureError> {
     change(db, file, wanted).map(|change| change.sorted(db)).map_err(SignatureError)

@@ -27,7 +27,6 @@ use target::DataFile;
 /// Text edits that apply these table edits. Each edit applies to the result of the previous ones.
 ///
 /// # Errors
-///
 /// If an edit is impossible, or if the file has syntax errors.
 pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit]) -> Result<SourceChange, DataProblem> {
     if let Some(problem) = problem(db, file) {

@@ -33,7 +33,6 @@ pub struct DeleteError(pub String);
 /// Deletes the program, data, library or type whose declared name is at the position.
 ///
 /// # Errors
-///
 /// If no such declaration is there, or if its file has errors, because the deletion might then remove more than the
 /// declaration.
 pub fn delete_item(db: &dyn Db, at: FilePosition) -> Result<Deletion, DeleteError> {

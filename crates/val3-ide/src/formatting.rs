@@ -24,7 +24,6 @@ pub const FORMATTING_TRIGGERS: [char; 7] = val3_fmt::TRIGGERS;
 /// it. Editor settings are ignored, so that the command line and all editors agree.
 ///
 /// # Errors
-///
 /// If an `.editorconfig` exists but cannot be read.
 pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Result<Style, UnreadableStyle> {
     let properties = editorconfig(system, path)?;

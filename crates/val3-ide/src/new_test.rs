@@ -25,7 +25,6 @@ const START: &str = "start";
 /// value the user fills in.
 ///
 /// # Errors
-///
 /// The reason why the test cannot be created, as a sentence without its full stop.
 pub fn new_test(db: &dyn Db, project: Project, name: &str, tested: Option<&str>) -> Result<SourceChange, String> {
     if !has_tests(db, project) {

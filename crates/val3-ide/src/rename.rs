@@ -28,7 +28,6 @@ pub struct RenameError(pub String);
 /// Range and text of the name, or key of a collection, at a position, if it can be renamed.
 ///
 /// # Errors
-///
 /// If there is no name, or if it belongs to the language or the controller.
 pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, String), RenameError> {
     if let Some(found) = keys::key_at(db, at) {
@@ -44,7 +43,6 @@ pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, Strin
 /// Renames the name at a position to `new_name` in all files.
 ///
 /// # Errors
-///
 /// If the name cannot be changed, or if `new_name` is invalid, in use, or would change the meaning of a use.
 pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceChange, RenameError> {
     prepare_rename(db, at)?;

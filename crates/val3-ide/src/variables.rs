@@ -103,7 +103,6 @@ fn locals(db: &dyn Db, file: File, header: &Header) -> Vec<Variable> {
 /// Like [`change_signature`], for a user who may choose types that do not fit the uses.
 ///
 /// # Errors
-///
 /// Like [`change_signature`], and also if the change would add an error anywhere.
 pub fn edit_variables(
     context: FixContext<'_>,

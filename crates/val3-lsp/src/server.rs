@@ -44,7 +44,6 @@ impl Default for ServerOptions {
 /// Threads that still run when it returns end with the process.
 ///
 /// # Errors
-///
 /// If the log cannot be opened or a thread cannot be started.
 pub fn run(
     input: impl io::Read + Send + 'static,

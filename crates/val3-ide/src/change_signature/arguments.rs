@@ -21,7 +21,6 @@ pub(super) struct NewArguments {
 /// move with it.
 ///
 /// # Errors
-///
 /// If a side effect of an argument would be lost or happen in another order.
 pub(super) fn edits(
     db: &dyn Db,

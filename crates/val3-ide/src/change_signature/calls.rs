@@ -30,7 +30,6 @@ pub(crate) struct Call {
 /// All calls of these programs, which have `count` parameters.
 ///
 /// # Errors
-///
 /// If a call cannot be parsed, or passes another number of arguments.
 pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec<Call>, String> {
     let mut calls: Vec<Call> = Vec::new();

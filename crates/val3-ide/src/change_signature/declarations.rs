@@ -17,7 +17,6 @@ use crate::xml_list::whole_line;
 /// Edits of the program header in `file`.
 ///
 /// # Errors
-///
 /// If the file has no suitable element for the declarations.
 pub(super) fn edits(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<Vec<FileEdit>, String> {
     let parse = parse(db, file);

@@ -40,7 +40,6 @@ pub(super) fn symbols(db: &dyn Db, file: File) -> Vec<Symbol> {
 /// The programs of these symbols, each with its own variables, changed like the variables of the program in `file`.
 ///
 /// # Errors
-///
 /// If one of them has other parameters, or cannot have the new parameters.
 pub(super) fn programs(
     db: &dyn Db,

@@ -23,7 +23,6 @@ impl From<ImpossibleChange> for Refusal {
 /// Converts a change of several files. Clients without support for `documentChanges` receive edits without versions.
 ///
 /// # Errors
-///
 /// If the client cannot apply a part of the change, because half a change would leave a broken application.
 pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Result<WorkspaceEdit, ImpossibleChange> {
     check(snapshot, change)?;

@@ -30,7 +30,6 @@ pub(super) struct CallArguments {
 /// Adds an argument to each call of the program.
 ///
 /// # Errors
-///
 /// A reason for the user, if a call has nothing to pass, or if another program must have the same parameters.
 pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: bool) -> Result<CallArguments, String> {
     let name = &context.header().name;
