@@ -75,7 +75,7 @@ pub fn in_style(text: &str, root: Element<'_>, lines: Vec<String>) -> Vec<String
     styled
 }
 
-/// A line with the end of its tag.
+/// Adapts the tag end in a line to the format of the file.
 fn ended(layout: &Layout<'_>, line: String) -> String {
     let has_attributes = line.contains('=');
     match (line.strip_suffix("/>"), line.strip_suffix('>'), layout.open()) {

@@ -1,4 +1,4 @@
-//! Edits of one text.
+//! Text edits.
 
 use std::ops::Range;
 
@@ -59,7 +59,7 @@ pub fn compose(first: &[Edit], second: &[Edit]) -> Vec<Edit> {
     edits(out)
 }
 
-/// A piece of an edited text.
+/// A part of the edited text.
 #[derive(Debug)]
 enum Piece {
     /// From the original text.
@@ -140,7 +140,7 @@ mod tests {
 
     use super::*;
 
-    /// Creates edits of a text of `len` bytes, from pairs of a distance and a length.
+    /// Creates edits for a text with `len` bytes, from distances, lengths and new texts.
     fn some_edits(len: usize, wanted: &[(usize, usize, String)]) -> Vec<Edit> {
         let mut at = 0;
         let mut edits = Vec::new();

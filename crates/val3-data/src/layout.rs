@@ -15,7 +15,7 @@ const LEVEL: &str = "  ";
 pub(crate) struct Layout<'t> {
     pub(crate) text: &'t str,
     root: Element<'t>,
-    /// End of an element without content.
+    /// Tag end for elements without content.
     pub(crate) close: &'static str,
     line_end: &'static str,
     spells_defaults: OnceCell<bool>,
@@ -72,7 +72,7 @@ impl<'t> Layout<'t> {
         self.text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("")
     }
 
-    /// Lines of an element inside the element at `outer`, on separate lines if the file uses separate lines.
+    /// Child element of the element at `outer`, on separate lines if the file uses separate lines.
     pub(crate) fn inside(&self, outer: TextSize, lines: &[String]) -> String {
         match xml::indentation(self.text, outer) {
             Some(blanks) => self.lines(&format!("{blanks}{LEVEL}"), lines),
@@ -92,8 +92,8 @@ impl<'t> Layout<'t> {
         lines.iter().map(|line| format!("{}{blanks}{line}", self.line_end)).collect()
     }
 
-    /// Edit that inserts `lines` into an element that contains only whitespace. The replaced range starts at the end of
-    /// its last attribute.
+    /// Edit that inserts `lines` into an element that contains only whitespace. The replaced range starts after the
+    /// last attribute.
     pub(crate) fn filled(&self, element: Element<'_>, lines: &[String]) -> (TextRange, String) {
         let at = element.tag_range().start();
         let tag = self.slice(element.tag_range());

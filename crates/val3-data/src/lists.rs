@@ -92,7 +92,7 @@ fn part(edits: &mut Edits, found: &[Element<'_>], data: &SavedData) {
     }
 }
 
-/// Writes the changed attributes of one value.
+/// Writes a value's changed attributes.
 fn change(edits: &mut Edits, found: Element<'_>, data: &SavedData, value: Option<&SavedValue>) {
     for attribute in leaves(found) {
         let Some(name) = name_of(attribute) else { continue };
@@ -151,7 +151,7 @@ fn father_element(element: Element<'_>) -> Option<Element<'_>> {
     element.elements().find(|found| found.name().ends_with("Father"))
 }
 
-/// Writes the father of the variable, which is the father of its first value.
+/// Writes the variable's father, taken from the first value.
 fn father(edits: &mut Edits, element: Element<'_>, data: &SavedData) {
     let new = data.values.first().and_then(|value| value.text("fatherId"));
     if let Some((found, new)) = father_element(element).zip(new) {

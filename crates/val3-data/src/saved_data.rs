@@ -65,7 +65,7 @@ pub fn number_text(number: f64) -> String {
 }
 
 impl SavedValue {
-    /// Text of an attribute; `None` if it has its default.
+    /// Attribute text; `None` for the default.
     #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
         let Content::Attributes(attributes) = &self.content else { return None };
@@ -117,7 +117,7 @@ pub fn same_text(type_name: &str, name: &str, one: Option<&str>, other: Option<&
     }
 }
 
-/// Default of an omitted attribute, as spelled in files. An omitted link or father is empty.
+/// Attribute default, as spelled in files. The default of a link or father is empty.
 #[must_use]
 pub fn default_of(attribute: &Attribute) -> Cow<'static, str> {
     match attribute.default {

@@ -28,7 +28,7 @@ pub(crate) fn is_same(type_name: &str, element: Element<'_>, value: &SavedValue)
     names(type_name, value).iter().all(|name| same(name))
 }
 
-/// Whether the element has the default of its type.
+/// Whether the element has the type's default.
 pub(crate) fn is_default(type_name: &str, element: Element<'_>) -> bool {
     let mut values = element.attributes().filter(|attribute| attribute.name != "key");
     element.elements().next().is_none()
@@ -45,7 +45,7 @@ pub(crate) fn spells_another(layout: &Layout<'_>, type_name: &str, element: Elem
     element.attributes().any(is_default) || layout.spells_defaults()
 }
 
-/// Number of spelled and of omitted defaults in the values of a variable of a built-in type.
+/// Numbers of explicit and omitted defaults in the values of a variable with a built-in type.
 pub(crate) fn count_defaults(data: Element<'_>) -> (usize, usize) {
     let type_name = data.value("type").unwrap_or_default();
     let (mut spelt, mut omitted) = (0, 0);
@@ -67,7 +67,7 @@ pub(crate) fn attributes(type_name: &str, value: &SavedValue) -> String {
     names(type_name, value).into_iter().filter(spelt).map(|name| written(name, value)).collect()
 }
 
-/// Changes the attributes of an existing element. New attributes are inserted at their usual position.
+/// Changes an element's attributes. New attributes are inserted at their usual position.
 pub(crate) fn change(
     edits: &mut Edits,
     layout: &Layout<'_>,

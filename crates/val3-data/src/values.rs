@@ -48,8 +48,8 @@ fn insert(
     data: &SavedData,
     added: &[&SavedValue],
 ) {
-    // Minimum order of each element and all elements after it. It is ascending, which allows a binary search for the
-    // last element before a value.
+    // Minimum order from each element to the end. It is ascending, which allows a binary search for the last element
+    // before a value.
     let mut least: Vec<_> = kept.iter().map(|found| order(data, &key(*found))).collect();
     for at in (1..least.len()).rev() {
         let (before, after) = least.split_at_mut(at);
@@ -80,7 +80,7 @@ fn key<'g>(value: Element<'g>) -> Cow<'g, str> {
     value.value("key").unwrap_or_default()
 }
 
-/// Sort key of a value: the indexes of an array; constant for a collection, which keeps the given order.
+/// Sort key for a value: its indexes in an array; constant in a collection, which keeps the given order.
 fn order(data: &SavedData, key: &str) -> [Option<u32>; 3] {
     let mut order = [None; 3];
     if matches!(data.shape, Shape::Sizes(_)) {
@@ -107,7 +107,7 @@ fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
     }
 }
 
-/// Adds the size of an array, which every writer includes. Without a size, there is one value.
+/// Adds a missing array size, which every writer includes. Without a size, there is one value.
 fn missing_size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
     let last = element.attributes().last().filter(|_| sizes != [1]);
     if let Some(last) = last {

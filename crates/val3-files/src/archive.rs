@@ -10,7 +10,7 @@ use zip::result::ZipError;
 use crate::read::open_regular;
 use crate::{FileClass, Unreadable};
 
-/// Limit of the number of entries.
+/// Maximum number of entries.
 const MOST_ENTRIES: usize = 65_536;
 
 /// Limit of the unpacked size of all files, in bytes.
@@ -33,7 +33,7 @@ pub enum ArchiveFault {
     TooLarge,
     /// An entry is encrypted.
     Encrypted(String),
-    /// The name of an entry refers to a path outside the archive.
+    /// An entry's name refers to a path outside the archive.
     Outside(String),
 }
 
@@ -103,7 +103,7 @@ fn damaged(error: &ZipError) -> ArchiveFault {
     ArchiveFault::Damaged(error.to_string())
 }
 
-/// Path of an entry, which must be inside the archive. Some tools write backslashes.
+/// Entry path, which must be inside the archive. Some tools write backslashes.
 fn inner_path(name: &str) -> Result<Utf8PathBuf, ArchiveFault> {
     let slashed = name.replace('\\', "/");
     let path = Utf8Path::new(&slashed);

@@ -6,7 +6,7 @@ use camino::Utf8Path;
 
 use crate::{FileClass, Unreadable, Unwritable, read, replace};
 
-/// Replaces the content of an existing file atomically. The content must still be `before`, so that changes by other
+/// Replaces an existing file's content atomically. The content must still be `before`, so that changes by other
 /// programs are not lost.
 ///
 /// # Errors

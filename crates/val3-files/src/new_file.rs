@@ -43,7 +43,7 @@ impl NewFile {
         Ok(Self { temporary: Temporary::create(&target, access)?, target })
     }
 
-    /// Replaces the file. The owner, mode, extended attributes and hard links of an existing file are kept.
+    /// Replaces the file. The owner, mode, extended attributes and hard links are kept.
     ///
     /// # Errors
     /// If the file cannot be replaced. Its content is then unchanged, unless the error is an earlier interrupted write.

@@ -1,4 +1,4 @@
-//! Reads regular files up to the limit of their class.
+//! Reads regular files up to their class limit.
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -10,8 +10,7 @@ use crate::{FileClass, Unreadable};
 /// Bytes of a regular file. Links are followed.
 ///
 /// # Errors
-/// If the path is not a regular file, if the file is larger than the limit of its class, or if the system cannot read
-/// it.
+/// If the path is not a regular file, if the file exceeds its class limit, or if the system cannot read it.
 pub fn read(path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
     let file = open_regular(path)?;
     let (size, limit) = (file.metadata()?.len(), class.limit());

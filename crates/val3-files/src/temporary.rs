@@ -14,7 +14,7 @@ use crate::Unwritable;
 /// Suffix of a temporary file.
 const SUFFIX: &str = "val3-tmp";
 
-/// Suffix of a backup of an overwritten file.
+/// Suffix of the backup of a file that is overwritten.
 const BACKUP_SUFFIX: &str = "val3-old";
 
 /// Limit of attempts to create the file while other processes remove it.
@@ -65,7 +65,7 @@ impl Drop for Temporary {
     }
 }
 
-/// Path of the backup of an overwritten file.
+/// Backup path for a file that is overwritten.
 pub(crate) fn backup(target: &Utf8Path) -> Utf8PathBuf {
     beside(target, BACKUP_SUFFIX)
 }

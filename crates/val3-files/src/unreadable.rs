@@ -17,7 +17,7 @@ pub enum Unreadable {
     Pipe,
     /// The path is a socket.
     Socket,
-    /// The file is larger than the limit of its class.
+    /// The file exceeds its class limit.
     TooLarge {
         /// File size in bytes; `None` if it grew while it was read.
         bytes: Option<u64>,

@@ -32,7 +32,7 @@ pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
 #[derive(Clone, Copy)]
 struct IndentedLine {
     level: usize,
-    /// Width of its indentation in the original text.
+    /// Indentation width in the original text.
     column: usize,
     /// Whether it ends a block or a part of a block.
     closes: bool,

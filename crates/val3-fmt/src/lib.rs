@@ -62,7 +62,7 @@ fn blocks_match(pieces: &[Piece<'_>], parse: &Parse) -> bool {
 pub fn format_range(text: &str, parse: &Parse, style: &Style, range: TextRange) -> Vec<Edit> {
     let lines = whole_lines(text, range);
     let mut edits = format(text, parse, style);
-    // An edit of the indentation of a line includes the line end before it.
+    // An indentation edit includes the line end before the indentation.
     edits.retain(|edit| lines.contains_inclusive(edit.range.end()));
     edits
 }

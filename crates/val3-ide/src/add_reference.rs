@@ -42,8 +42,8 @@ pub struct ReferenceCandidate {
     pub programs: usize,
     /// Number of public data, which are the fields of a type.
     pub data: usize,
-    /// Library identifiers under which it can be loaded. It contains all public items of their interface, or all items
-    /// that programs use of it.
+    /// Library identifiers under which it can be loaded. It contains all public items in their interface, or all used
+    /// items.
     pub fits: Vec<String>,
     /// Whether the project would use itself through it as a library.
     pub library_circle: bool,
@@ -111,11 +111,11 @@ fn free_name(db: &dyn Db, project: Project, stem: &str) -> String {
     let beginning = |length: usize| -> String { stem.chars().take(length).collect() };
     let is_taken = |name: &str| name.len() <= limit && new_name_fault(db, project, name).is_some();
     let whole = beginning(limit);
-    // Otherwise the name is shortened so that a number of two digits fits.
+    // Otherwise the name is shortened so that a two-digit number fits.
     if is_taken(&whole) { free(&beginning(limit.saturating_sub(2)), is_taken) } else { whole }
 }
 
-/// Whether a chain of libraries or types leads from one project to the other.
+/// Whether `from` uses `to` as a library or type, directly or indirectly.
 fn leads_to(db: &dyn Db, from: Project, to: Project, kind: ReferenceKind) -> bool {
     let mut seen = FxHashSet::default();
     let mut next = vec![from];

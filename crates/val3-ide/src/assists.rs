@@ -55,7 +55,7 @@ pub(crate) use offers::Assists;
 pub use offers::{Assist, AssistKind};
 pub(crate) use program_header::header_comments;
 
-/// Offers assists at a position. The edits of an assist are computed only when it is chosen.
+/// Offers assists at a position. Edits are computed only when an assist is chosen.
 type Handler = fn(&Context<'_>, &mut Assists<'_>) -> Option<()>;
 
 /// All assists, quick fixes first.
@@ -93,7 +93,7 @@ pub fn assists(db: &dyn Db, at: FileRange, only: Option<&[AssistKind]>) -> Vec<A
     collect(db, at, Assists::offers(only)).into_found()
 }
 
-/// Change of an assist; `None` if it is not offered at this range or has nothing to change.
+/// Change made by an assist; `None` if it is not offered at this range or has nothing to change.
 pub fn resolve_assist(db: &dyn Db, id: &str, at: FileRange) -> Option<SourceChange> {
     let found = collect(db, at, Assists::change_of(id));
     Some(found.into_change()?.sorted(db))

@@ -17,7 +17,7 @@ use crate::references::uses;
 pub struct CallItem {
     /// Program name.
     pub name: SmolStr,
-    /// Project name: the file name of its `.pjx`.
+    /// Project name: the name of the `.pjx`.
     pub project: String,
     /// Program file.
     pub file: File,

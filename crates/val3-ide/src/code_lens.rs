@@ -29,7 +29,7 @@ pub enum LensKind {
     Run(File),
     /// Debugs the program in the application of this `.pjx`.
     Debug(File),
-    /// Executes the program as a test of the application of this `.pjx`.
+    /// Executes the program as a test, in the application of this `.pjx`.
     RunTest(File),
     /// Debugs the program as a test.
     DebugTest(File),

@@ -7,8 +7,8 @@ use val3_analysis::items::program::code_element;
 use val3_syntax::view::{TokenView, View};
 use val3_syntax::{SyntaxKind, decode_entities};
 
-/// Code of the program in a file: the contents of its CDATA sections, or its text with entities decoded. `None` if the
-/// file has no code element.
+/// Code of the program in a file: the CDATA contents, or its text with entities decoded. `None` if the file has no code
+/// element.
 pub fn code_text(db: &dyn Db, file: File) -> Option<String> {
     let parse = parse(db, file);
     let element = code_element(parse.view())?;

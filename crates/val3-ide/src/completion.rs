@@ -74,7 +74,7 @@ pub fn documentation(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
     hover::symbol(db, project, symbol)
 }
 
-/// Documentation of a completion, in Markdown: of its symbol, or the page of its keyword.
+/// Documentation for a completion, in Markdown: from its symbol, or the keyword's page.
 pub fn completion_documentation(db: &dyn Db, project: Project, completion: &Completion) -> Option<String> {
     if let Some(page) = &completion.documentation {
         return Some(page.clone());

@@ -13,7 +13,7 @@ use val3_lang::types::BaseType;
 use crate::data_tables::{DataPlace, place_of_path};
 use crate::reached::{Reached, UNTAUGHT, arm_of, not_placed, outside, reached_with_tool, rounded};
 
-/// Maximum length of a chain. Without it, the response size could grow with the square of the number of values.
+/// Maximum chain length. Without it, the response size could grow with the square of the number of values.
 const LONGEST_CHAIN: usize = 100;
 
 /// Pose of a value, and the joint position in which the arm reaches it.

@@ -45,7 +45,7 @@ pub struct DataTables {
     pub data: Vec<Datum>,
 }
 
-/// A data file as tables, without the rows of its data.
+/// A data file as tables, without data rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataOutline {
     /// Dialect of the file.
@@ -63,7 +63,7 @@ pub struct DataOutline {
 pub struct DatumSource {
     /// Range of the name, without quotes.
     pub name: TextRange,
-    /// Hash of its text. With the same types, the same text yields the same rows.
+    /// Text hash. With the same types, the same text yields the same rows.
     pub fingerprint: u64,
 }
 
@@ -87,7 +87,7 @@ pub struct Datum {
     pub type_name: SmolStr,
     /// Array or collection.
     pub container: Container,
-    /// Size of each dimension; `[1]` for a single value; the number of keys for a collection.
+    /// Sizes by dimension; `[1]` for a single value; the number of keys for a collection.
     pub sizes: Vec<u32>,
     /// Range of the name, without quotes.
     pub range: TextRange,

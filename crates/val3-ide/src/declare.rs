@@ -81,7 +81,7 @@ pub(crate) fn local_entry(old: bool, variable: &Variable) -> String {
 /// Appends a parameter to the program in `file`.
 pub(crate) fn parameter(db: &dyn Db, file: File, variable: &Variable, by_reference: bool) -> Option<FileEdit> {
     let old = is_old_program(db, file);
-    // The old dialect has no collections, and only arrays of one dimension.
+    // The old dialect has no collections, and only one-dimensional arrays.
     if old && (variable.container == Container::Collection || variable.sizes.len() > 1) {
         return None;
     }
@@ -150,7 +150,7 @@ pub(crate) fn data_lines(root: &str, variable: &Variable, value: Option<&str>, p
     }
 }
 
-/// Edit that appends a declaration to the data list of its type.
+/// Edit that appends a declaration to the data list for its type.
 pub(crate) fn data_list(
     text: &str,
     root: xml::Element<'_>,
@@ -195,7 +195,7 @@ fn new_data(variable: &Variable, value: Option<&str>, public: bool) -> Vec<Strin
     [vec![format!("{start}>")], values, vec!["</Data>".to_owned()]].concat()
 }
 
-/// Keys of an array's values, for example `0`, or `0,0` with two dimensions.
+/// Array keys, for example `0`, or `0,0` with two dimensions.
 pub(crate) fn keys(sizes: &[u32]) -> Vec<String> {
     let indexes = |key: &str, size: u32| -> Vec<String> { (0..size).map(|index| format!("{key},{index}")).collect() };
     match sizes.split_first() {

@@ -84,7 +84,7 @@ pub fn program_diagnostics(
     (!found.iter().any(depends_on_others)).then_some(found)
 }
 
-/// Findings of one unit.
+/// Findings in a unit.
 #[salsa::tracked]
 fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
     let member = member(db, settings, unit).clone();

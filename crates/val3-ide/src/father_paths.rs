@@ -7,12 +7,12 @@ use val3_lang::types::{BaseType, Container};
 
 use crate::hover::keys_of;
 
-/// Limit of listed elements of one array.
+/// Maximum number of listed elements per array.
 const SHOWN: u32 = 20;
 /// Nesting limit of user types within user types.
 const DEEPEST: u32 = 3;
 
-/// Elements of a variable of `project`, or of its fields, with the type `father`; for example `fTray[0]` or
+/// Elements with the type `father` in a variable of `project` and in its fields, for example `fTray[0]` or
 /// `tSlot["a"].fIn[0]`.
 pub(crate) fn father_paths(
     db: &dyn Db,

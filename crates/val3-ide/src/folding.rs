@@ -80,7 +80,7 @@ fn walk(node: View<'_>, folds: &mut Vec<Fold>) {
     }
 }
 
-/// Folds each branch of an `if` up to the next branch, and the last one up to `endIf`.
+/// Folds each `if` branch up to the next branch, and the last one up to `endIf`.
 fn branches(statement: View<'_>, folds: &mut Vec<Fold>) {
     let mut start = statement.range().start();
     let mut end = statement.child(SyntaxKind::BLOCK).map_or(start, |block| last_line(block));
@@ -141,7 +141,7 @@ mod tests {
     use super::*;
     use crate::testing::MarkedListing;
 
-    /// First and last line of each fold, from 1.
+    /// First and last line by fold, from 1.
     fn check(listing: &str, expected: Expect) {
         let marked = MarkedListing::new(listing);
         let (db, file) = (marked.db(), marked.at().file);

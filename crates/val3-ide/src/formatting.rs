@@ -1,4 +1,4 @@
-//! Formatting of files in the workspace, and lookup of their style.
+//! Formatting of workspace files, and style lookup.
 
 use std::fmt::{self, Display};
 

@@ -28,7 +28,7 @@ mod tests {
     use super::*;
     use crate::testing::MarkedListing;
 
-    /// Line of each use, with `w` for a write.
+    /// Lines of all uses, with `w` for a write.
     fn shown(listing: &str) -> String {
         let marked = MarkedListing::new(listing);
         let text: &str = marked.at().file.text(marked.db());

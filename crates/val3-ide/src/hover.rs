@@ -129,7 +129,7 @@ fn user_type(db: &dyn Db, owner: Project, name: &str) -> Option<String> {
     Some(fenced(&format!("type {name}\n{}", lines.trim_end())) + &format!("\nuser type of {}", place_of(db, project)))
 }
 
-/// Forms of an instruction and its page.
+/// An instruction's forms and page.
 fn instruction(name: &str) -> Option<String> {
     let found = instructions::find(name)?;
     Some(fenced(&found.signatures().join("\n")) + "\n" + &page::text(found.page))
@@ -166,7 +166,7 @@ fn keyword(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     Some(Hover { range: token.text_range(), markdown: page::text(found.page) })
 }
 
-/// Value of an expression that consists of literals.
+/// Value of a literal expression.
 fn constant(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     let body = body(db, at.file);
     let around = body.exprs().filter(|(_, expr, range)| {

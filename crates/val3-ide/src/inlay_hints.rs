@@ -141,7 +141,7 @@ impl<'db> Hints<'db> {
     }
 
     fn instruction(&mut self, instruction: &'static Instruction, form: &'static Overload, arguments: &[ExprId]) {
-        // The name of an instruction already describes its only argument.
+        // The instruction name already describes its only argument.
         if form.params.len() > 1 {
             for (param, argument) in form.params.iter().zip(arguments) {
                 self.parameter(param.name, *argument, None);
@@ -258,7 +258,7 @@ fn is_literal(body: &Body, id: ExprId) -> bool {
     }
 }
 
-/// Key of a variable with a single value, or of an element with a constant index.
+/// Key; `None` unless the variable has a single value or the index is constant.
 fn key(body: &Body, id: ExprId) -> Option<SmolStr> {
     match body.expr(body.without_parentheses(id)) {
         Expr::Name(_) | Expr::Path { .. } => Some("0".into()),

@@ -1,7 +1,7 @@
 //! The line of code at the cursor, as tokens.
 //!
 //! A line is usually incomplete while it is typed. The tokens before the cursor do not depend on the text after it, so
-//! completion and signature help read the line's tokens instead of its syntax tree.
+//! completion and signature help read tokens instead of the syntax tree.
 
 mod blocks;
 mod bracket;
@@ -19,7 +19,7 @@ use rowan::TokenAtOffset;
 use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
 
-/// Tokens of a line of code, without trivia.
+/// Tokens in a code line, without trivia.
 #[derive(Debug, Clone)]
 pub(crate) struct LineTokens {
     tokens: Vec<SyntaxToken>,
@@ -86,7 +86,7 @@ fn ends_line(kind: SyntaxKind) -> bool {
 }
 
 fn before(left: &SyntaxToken, offset: TextSize, skip: bool) -> Vec<SyntaxToken> {
-    // The cursor is in or after a line end, or inside a token of another kind.
+    // The cursor is in or after a line end, or inside any other token.
     let whole = left.text_range().end() <= offset && !skip;
     let first = if whole { Some(left.clone()) } else { left.prev_token() };
     if left.kind() == NEWLINE {

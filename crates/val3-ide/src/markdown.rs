@@ -56,7 +56,7 @@ fn begins_block(before: &str, letter: char) -> bool {
     }
 }
 
-/// Whether a character is the required part of an automatic link: `://`, `www.`
+/// Whether a character is required in automatic links: `://`, `www.`
 fn begins_link(before: &str, rest: &str) -> bool {
     let is_www = || before.get(before.len().saturating_sub(3)..).is_some_and(|end| end.eq_ignore_ascii_case("www"));
     rest.starts_with("://") || rest.starts_with('.') && is_www()

@@ -27,7 +27,7 @@ pub struct Target {
 pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     let Some((project, found)) = name_at(db, at) else { return Vec::new() };
     let place = match &found.symbol {
-        // From its own declaration, a library identifier leads to the library.
+        // The target for a library identifier in its own declaration is the library.
         Symbol::Library(..) | Symbol::Type(..) if is_declaration(found, at.file, project, db) => {
             project_of(db, &found.symbol).map(|project| start_of(project.manifest(db)))
         }
@@ -169,7 +169,7 @@ pub(crate) fn implemented(db: &dyn Db, library: Project) -> impl Iterator<Item =
     pairs.map(|(interface, _)| interface)
 }
 
-/// Pairs of an interface and a library that is loaded for it, sorted by path.
+/// Interfaces, each with a library that is loaded for it, sorted by path.
 fn pairs(db: &dyn Db) -> Vec<(Project, Project)> {
     let projects = Sources::get(db).projects(db).values();
     let mut pairs: Vec<(Project, Project)> = projects.flat_map(|project| replacements(db, *project)).copied().collect();

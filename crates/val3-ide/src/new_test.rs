@@ -164,7 +164,7 @@ fn local_name(parameter: &str) -> String {
     format!("l_{}", parameter.strip_prefix("x_").unwrap_or(parameter))
 }
 
-/// Name of the variable for the expected value of an output. Versions may limit its length.
+/// Variable name for an output's expected value. Versions may limit the length.
 fn expected_name(local: &str, number: usize, version: Version) -> String {
     let limit = version.identifier_limit().unwrap_or(usize::MAX);
     let name = format!("{local}Expected");

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::occurrences::project_files;
 
-/// Projects of each file, sorted by path.
+/// Projects by file, sorted by path.
 #[salsa::tracked]
 fn owners(db: &dyn Db, sources: Sources) -> FxHashMap<File, Vec<Project>> {
     let mut projects: Vec<(&String, &Project)> = sources.projects(db).iter().collect();

@@ -10,7 +10,7 @@ use val3_lang::enumerations::{Enumerator, find_in_file, values};
 use val3_lang::motion::is_blend;
 use val3_lang::types::{AttributeValue, BaseType, DefaultValue, Unit, attributes, field};
 
-/// Father and blend of one value.
+/// Father and blend in a value.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Placement {
     /// Father frame or tool as spelled in the file, for example `fTable[0]`.

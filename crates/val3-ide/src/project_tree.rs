@@ -48,7 +48,7 @@ pub struct TreeItem<T> {
     pub range: TextRange,
     /// Range of the name.
     pub name_range: TextRange,
-    /// Details of its kind.
+    /// Details for its kind.
     pub what: T,
 }
 
@@ -108,7 +108,7 @@ pub(crate) fn has_types(root: Element<'_>) -> bool {
     root.name() == "Project"
 }
 
-/// Programs of a file. Memoised per file, so that an edit of one file does not read the others again.
+/// Programs of a file. Memoised per file, so that an edit in one file does not read other files again.
 #[salsa::tracked]
 fn programs(db: &dyn Db, file: File) -> Vec<TreeItem<TreeProgram>> {
     let header = program::header(db, file);

@@ -36,7 +36,7 @@ fn is_for(arm: &Arm, value: &Position) -> bool {
     value.arm.is_none_or(|arm| arm == kind)
 }
 
-/// Reachability of a point, or of the origin of a frame, at `point` in `world`.
+/// Reachability of a point or frame origin at `point` in `world`.
 pub(crate) fn reached_with_tool(
     db: &dyn Db,
     owner: Project,

@@ -67,8 +67,8 @@ pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceCha
     Ok(change)
 }
 
-/// Symbols that share a name: an item of an interface, and the same item in all libraries that are loaded for the
-/// interface, transitively.
+/// Symbols that share a name: an interface item, and the same item in all libraries that are loaded for the interface,
+/// transitively.
 pub(crate) fn together(db: &dyn Db, symbol: &Symbol) -> Vec<Symbol> {
     let mut symbols = vec![symbol.clone()];
     let mut next = 0;

@@ -1,4 +1,4 @@
-//! Semantic tokens: the kind of each word in a file, for syntax highlighting.
+//! Semantic tokens: the kinds of words in a file, for syntax highlighting.
 
 use rowan::NodeOrToken;
 use val3_analysis::db::{Db, File, Project};
@@ -104,7 +104,7 @@ impl TokenModifier {
     }
 }
 
-/// Semantic tokens of a file, or of a part of it, in the order of the text.
+/// Semantic tokens of a file or a range, in the order of the text.
 pub fn semantic_tokens(db: &dyn Db, file: File, within: Option<TextRange>) -> Vec<SemanticToken> {
     let project = owner(db, file);
     let names = project.map_or(&[][..], |project| occurrences(db, project, file).as_slice());
@@ -215,7 +215,7 @@ fn token(db: &dyn Db, here: Project, found: &Occurrence) -> SemanticToken {
     SemanticToken { range: found.range, kind, modifiers }
 }
 
-/// Whether data of another project are fields of a user type: the project is no library of this one.
+/// Whether data in `project` are fields of a user type, because it is no library of `here`.
 fn is_field(db: &dyn Db, here: Project, project: Project) -> bool {
     project != here && !items(db, here).libraries.values().any(|library| library.interface == Some(project))
 }

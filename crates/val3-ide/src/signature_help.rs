@@ -1,5 +1,5 @@
-//! Signature help: the parameters of the call at the cursor, with the best matching form, the fields of a literal, and
-//! the indexes of an array.
+//! Signature help: the parameters of the call at the cursor, with the best matching form, literal fields, and array
+//! indexes.
 
 mod brackets;
 
@@ -30,7 +30,7 @@ pub struct SignatureHelp {
 pub struct Form {
     /// Signature line, for example `num movej(joint jPosition, tool tTool, mdesc mDesc)`.
     pub line: String,
-    /// Range of each parameter in the line, in bytes.
+    /// Parameter ranges in the line, in bytes.
     pub parameters: Vec<(u32, u32)>,
     /// A sentence about the form.
     pub documentation: String,

@@ -11,7 +11,7 @@ use crate::navigate::name_at;
 /// A user type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TypeItem {
-    /// Type name, which is the file name of its `.pjx`.
+    /// Type name, which is the name of the `.pjx`.
     pub name: String,
     /// The `.pjx`.
     pub file: File,

@@ -34,7 +34,7 @@ impl<'t> XmlContext<'t> {
         self.cursor.parent().map_or("", |parent| parent.name)
     }
 
-    /// Declarations around the position, innermost first, each with the name of its parent element.
+    /// Declarations around the position, innermost first, each with its parent element's name.
     pub(crate) fn declarations(&self) -> impl Iterator<Item = (&Tag<'t>, &'t str)> {
         let around: Vec<&Tag<'t>> = self.cursor.around().collect();
         let parents = around.iter().skip(1).map(|parent| parent.name).chain([""]).collect::<Vec<_>>();
@@ -60,7 +60,7 @@ impl<'t> XmlContext<'t> {
     }
 }
 
-/// Type that a tag names. In the old dialect, an element in a `…Section` has the name of its type.
+/// Type that a tag names. In the old dialect, an element in a `…Section` has its type's name.
 fn type_name<'t>(tag: &Tag<'t>, parent: &str) -> Option<&'t str> {
     tag.value("type").or_else(|| parent.ends_with("Section").then_some(tag.name)).filter(|name| !name.is_empty())
 }

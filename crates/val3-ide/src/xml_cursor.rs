@@ -14,7 +14,7 @@ pub(crate) struct Tag<'t> {
 }
 
 impl<'t> Tag<'t> {
-    /// Raw value of an attribute.
+    /// Raw attribute value.
     pub(crate) fn value(&self, name: &str) -> Option<&'t str> {
         self.attributes.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
     }
@@ -25,11 +25,11 @@ impl<'t> Tag<'t> {
 pub(crate) enum XmlPlace<'t> {
     /// Text between tags, with the word at the position.
     Content(TextRange),
-    /// The name of a start tag.
+    /// A start tag's name.
     ElementName(TextRange),
-    /// The name of an end tag.
+    /// An end tag's name.
     EndTag(TextRange),
-    /// The name of an attribute; empty between attributes.
+    /// An attribute name; empty between attributes.
     AttributeName(TextRange),
     /// The value of the attribute with this name, without quotes.
     Value(&'t str, TextRange),
@@ -101,12 +101,12 @@ struct StartTag<'t> {
 struct Scan<'t> {
     text: &'t str,
     open: Vec<Tag<'t>>,
-    /// Children read so far: of the file, and of each open element.
+    /// Children read so far, for the file and for each open element.
     siblings: Vec<Vec<Tag<'t>>>,
 }
 
 impl<'t> Scan<'t> {
-    /// Scans the markup up to a position. Returns the context, and the end of its markup.
+    /// Scans the markup up to a position. Returns the context and the markup's end.
     fn find(&mut self, offset: usize) -> Option<(FoundContext<'t>, usize)> {
         let mut at = 0;
         loop {

@@ -16,7 +16,7 @@ pub(crate) struct XmlList<'a> {
     pub(crate) parent: Element<'a>,
     /// Element name of the list.
     pub(crate) name: &'a str,
-    /// Attributes of its start tag, with a leading space, if the list must be created.
+    /// Start tag attributes, with a leading space, if the list must be created.
     pub(crate) attributes: &'a str,
     /// Elements that follow it, if the list must be created.
     pub(crate) followers: &'a [&'a str],
@@ -67,7 +67,7 @@ impl XmlList<'_> {
         })
     }
 
-    /// Lines of an element, on separate lines if the list uses separate lines.
+    /// Element text, on separate lines if the list uses separate lines.
     fn lines(&self, entry: &[String], indentation: Option<&str>) -> String {
         match indentation {
             Some(blanks) => entry.iter().map(|line| format!("{}{blanks}{line}", self.line_end())).collect(),

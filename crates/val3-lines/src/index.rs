@@ -52,7 +52,7 @@ impl LineIndex {
         }
     }
 
-    /// Line of an offset, from 0. An offset after the end of the text counts as the end.
+    /// Line that contains an offset, from 0. An offset after the end of the text counts as the end.
     pub fn line(&self, offset: usize) -> usize {
         let offset = small(offset);
         self.lines.partition_point(|line| line.start <= offset) - 1
@@ -63,7 +63,8 @@ impl LineIndex {
         self.lines.get(line).map(|line| line.start as usize..line.end as usize)
     }
 
-    /// Position of an offset. An offset after the end counts as the end, an offset inside a character as its start.
+    /// Converts an offset to a position. An offset after the end counts as the end, an offset inside a character as its
+    /// start.
     pub fn line_column(&self, offset: usize, columns: Columns) -> LineColumn {
         let offset = self.boundary(small(offset).min(self.len));
         let line = self.line(offset as usize);
@@ -72,8 +73,8 @@ impl LineIndex {
         LineColumn { line: small(line), column: column.saturating_sub(self.uncounted(line, columns)) }
     }
 
-    /// Offset of a position. A position after the end of a line counts as the line's end, a position inside a character
-    /// as its start, and a position after the last line as the end of the text.
+    /// Converts a position to an offset. A position after the end of a line counts as the line's end, a position inside
+    /// a character as its start, and a position after the last line as the end of the text.
     pub fn offset(&self, position: LineColumn, columns: Columns) -> usize {
         let number = position.line as usize;
         let Some(line) = self.lines.get(number) else { return self.len as usize };
@@ -122,7 +123,7 @@ impl LineIndex {
 }
 
 impl Default for LineIndex {
-    /// Index of an empty text.
+    /// Index for an empty text.
     fn default() -> Self {
         Self::new("")
     }

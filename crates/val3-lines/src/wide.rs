@@ -5,7 +5,7 @@ use crate::Unit;
 /// A multi-byte character.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct WideCharacter {
-    /// Offset of its first byte.
+    /// Offset.
     pub(crate) at: u32,
     /// Length in bytes.
     pub(crate) len: u32,
@@ -57,7 +57,7 @@ pub(crate) fn wide_characters(text: &str) -> Vec<WideCharacter> {
     wide
 }
 
-/// Number of bytes minus number of units of a character with `len` bytes.
+/// Number of bytes minus number of units in a character with `len` bytes.
 fn surplus(len: u32, unit: Unit) -> u32 {
     match unit {
         Unit::Utf8 => 0,

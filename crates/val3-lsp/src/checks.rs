@@ -10,11 +10,11 @@ const BATCH: usize = 128;
 /// Pending checks.
 #[derive(Debug, Default)]
 pub(crate) struct Checks {
-    /// Number of the latest change; results of an earlier generation are discarded.
+    /// Number of the latest change; results with a lower number are discarded.
     generation: u64,
     /// Generation of the current round of checks.
     started: u64,
-    /// Files edited since the last check of their projects.
+    /// Files edited since their projects were last checked.
     edited: FxHashSet<File>,
     /// Unchecked projects that a change may affect.
     open: Vec<Project>,

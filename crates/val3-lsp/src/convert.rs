@@ -134,7 +134,7 @@ pub(crate) fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> D
     }
 }
 
-/// Symbol kind of an outline item.
+/// Protocol symbol kind for an outline item.
 pub(crate) fn symbol_kind(kind: ide::SymbolKind) -> SymbolKind {
     match kind {
         ide::SymbolKind::Project => SymbolKind::PACKAGE,
@@ -145,7 +145,7 @@ pub(crate) fn symbol_kind(kind: ide::SymbolKind) -> SymbolKind {
     }
 }
 
-/// Item kind of a completion.
+/// Protocol item kind for a completion.
 pub(crate) fn completion_kind(kind: ide::CompletionKind) -> CompletionItemKind {
     match kind {
         ide::CompletionKind::Local | ide::CompletionKind::Parameter | ide::CompletionKind::Data => {
@@ -175,7 +175,7 @@ pub(crate) fn fold_kind(kind: ide::FoldKind) -> Option<FoldingRangeKind> {
     }
 }
 
-/// Edits of one file.
+/// Converts edits in one file.
 pub(crate) fn edits<'e>(
     snapshot: &Snapshot,
     file: File,

@@ -1,5 +1,5 @@
-//! Documents that no project lists. Each gets a project of its own, in which undeclared names count as possible
-//! declarations of the project. Features therefore work, and faults that depend on the project are not reported.
+//! Documents that no project lists. Each belongs to its own generated project, in which undeclared names may exist.
+//! Features therefore work, and faults that depend on the project are not reported.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Sources};

@@ -14,7 +14,7 @@ pub(crate) struct DisplayCache {
     texts: FxHashMap<Url, Fingerprint>,
 }
 
-/// Displayed contents of one document.
+/// Displayed contents for one document.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct DisplayedDocument {
     /// Document version for which the contents were computed.
@@ -42,7 +42,7 @@ impl Fingerprint {
 }
 
 impl DisplayCache {
-    /// Displayed contents of one document version, for changes. They are reset if they belong to another version.
+    /// Mutable displayed contents for one document version. They are reset if they belong to another version.
     pub(crate) fn entry(&mut self, uri: &Url, version: i32) -> &mut DisplayedDocument {
         let nothing = || DisplayedDocument { version, hints: None, lenses: None, uses: Vec::new() };
         let shown = self.by_uri.entry(uri.clone()).or_insert_with(nothing);

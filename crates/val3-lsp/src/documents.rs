@@ -41,7 +41,7 @@ pub(crate) struct Documents {
     /// URI of the document that determines a file's text, by path key. If several documents name one file, it is the
     /// last one opened.
     by_path: FxHashMap<String, Url>,
-    /// Semantic tokens of each document that the client has. All snapshots share them, because clients request the
+    /// Semantic tokens that the client has, by document. All snapshots share them, because clients request the
     /// difference from the last response.
     tokens: Arc<Mutex<FxHashMap<Url, SemanticTokens>>>,
     /// Findings of the client's last pull, shared for the same reason.
@@ -97,7 +97,7 @@ impl Documents {
         self.at(&document.path).is_some_and(|effective| effective.uri == document.uri)
     }
 
-    /// Documents that determine the text of their file.
+    /// Documents that determine their file's text.
     pub(crate) fn effective(&self) -> impl Iterator<Item = &Document> {
         self.by_path.values().filter_map(|uri| self.by_uri.get(uri))
     }

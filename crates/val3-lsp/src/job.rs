@@ -14,7 +14,7 @@ pub(crate) struct Job {
     pub(crate) method: &'static str,
     /// Priority of the thread that computes it.
     pub(crate) priority: Priority,
-    /// Handling of an edit during the computation.
+    /// Handling of edits during the computation.
     pub(crate) on_edit: OnEdit,
     /// Computation of the response.
     pub(crate) compute: Compute,

@@ -29,7 +29,7 @@ impl<'a> Lines<'a> {
         Self { text, index, columns: Columns { unit, count_mark: !hides_mark } }
     }
 
-    /// Position of an offset. An offset after the end of the text returns the end.
+    /// Converts an offset to a position. An offset after the end of the text returns the end.
     pub(crate) fn position(&self, offset: TextSize) -> Position {
         let LineColumn { line, column } = self.index.line_column(offset.into(), self.columns);
         Position { line, character: column }
@@ -52,8 +52,8 @@ impl<'a> Lines<'a> {
         u32::try_from(width).unwrap_or(u32::MAX)
     }
 
-    /// Offset of a position. A position after the end of a line returns the line's end, a position inside a character
-    /// the character's start.
+    /// Converts a position to an offset. A position after the end of a line returns the line's end, a position inside a
+    /// character the character's start.
     pub(crate) fn offset(&self, position: Position) -> TextSize {
         TextSize::try_from(self.index.offset(line_column(position), self.columns)).unwrap_or_default()
     }

@@ -22,7 +22,7 @@ pub(crate) enum Priority {
     Background,
 }
 
-/// A fixed number of threads for each priority. A thread executes jobs of one priority only.
+/// A fixed number of threads for each priority. A thread executes only jobs with its priority.
 #[derive(Clone)]
 pub(crate) struct Pool {
     latency: Sender<Job>,

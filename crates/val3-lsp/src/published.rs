@@ -19,7 +19,7 @@ pub(crate) enum FindingSource {
     Project(Project),
 }
 
-/// Findings of one origin, by file.
+/// Findings from one origin, by file.
 #[derive(Debug, PartialEq)]
 pub(crate) struct ProjectFindings {
     /// Origin of the findings.
@@ -61,12 +61,12 @@ pub(crate) fn findings(snapshot: &Snapshot, project: Project) -> ProjectFindings
 }
 
 impl Published {
-    /// Stores the findings of one origin and sends the changed files to the client.
+    /// Stores the findings from one origin and sends the changed files to the client.
     pub(crate) fn project(&mut self, found: ProjectFindings, documents: &Documents, outbox: &Outbox) {
         let now: FxHashMap<Url, Vec<Diagnostic>> = found.files.into_iter().collect();
         let known = self.found.remove(&found.finder).unwrap_or_default();
         let gone = known.keys().filter(|uri| !now.contains_key(*uri));
-        // Every version of an open document is sent with its findings, even if they are unchanged.
+        // Findings are sent for every version of a document, even if they are unchanged.
         let is_news = |uri: &Url, found| known.get(uri) != Some(found) || documents.get(uri).is_some();
         let news = now.iter().filter(|(uri, found)| is_news(uri, found)).map(|(uri, _)| uri);
         let changed: Vec<Url> = gone.chain(news).cloned().collect();
@@ -110,7 +110,7 @@ impl Published {
         let found = self.found.values().filter_map(|files| files.get(uri));
         let mut diagnostics: Vec<Diagnostic> = found.flatten().cloned().collect();
         diagnostics.sort_by(|a, b| place(a).cmp(&place(b)));
-        // Two projects that share a file report most of its findings twice.
+        // Two projects that share a file report most findings in it twice.
         diagnostics.dedup();
         let version = documents.get(uri).map(|document| document.version);
         let is_sent = match self.sent.get(uri) {

@@ -1,4 +1,4 @@
-//! Routes messages to the handlers of their methods, in the order in which they are read.
+//! Routes messages by method to their handlers, in the order in which they are read.
 
 use std::convert::Infallible;
 use std::panic::AssertUnwindSafe;

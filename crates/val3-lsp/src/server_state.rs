@@ -82,7 +82,7 @@ pub(crate) struct ServerState {
     readers: Arc<()>,
     /// Whether the database still holds results of earlier revisions.
     has_surplus: bool,
-    /// Documents that no project lists; each has a project of its own.
+    /// Documents that no project lists; each belongs to its own generated project.
     detached: Vec<Utf8PathBuf>,
     /// Configuration faults.
     faults: Arc<Vec<ConfigError>>,

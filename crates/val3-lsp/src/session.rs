@@ -58,13 +58,13 @@ pub(crate) struct ClientAbilities {
     pub(crate) changes_files: FileChanges,
     /// `CodeAction` literals; other clients accept only `Command`.
     pub(crate) has_code_actions: bool,
-    /// Resolving the edit of a code action when it is chosen.
+    /// Resolving code action edits when an action is chosen.
     pub(crate) resolves_edits: bool,
     /// Disabled code actions with a reason.
     pub(crate) shows_disabled: bool,
-    /// Resolving the range of a workspace symbol when it is chosen.
+    /// Resolving workspace symbol ranges when a symbol is chosen.
     pub(crate) resolves_symbols: bool,
-    /// Resolving the locations of an inlay hint when the pointer is on it.
+    /// Resolving inlay hint locations when the pointer is on the hint.
     pub(crate) resolves_hints: bool,
     /// `workspace/inlayHint/refresh`.
     pub(crate) refreshes_hints: bool,
@@ -98,7 +98,7 @@ pub(crate) enum TextFormat {
     Plain,
 }
 
-/// File operations that a client supports as part of an edit.
+/// File operations that a client supports within edits.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct FileChanges {
     pub(crate) creates: bool,

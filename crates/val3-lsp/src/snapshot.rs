@@ -98,7 +98,7 @@ impl Snapshot {
         self.lines_of(file, file.text(&self.db), line_index(&self.db, file))
     }
 
-    /// Lines of another text of the file.
+    /// Lines of a text that replaces the file's text.
     pub(crate) fn lines_of<'a>(&self, file: File, text: &'a str, index: &'a LineIndex) -> Lines<'a> {
         let is_open = self.documents.at(file.path(&self.db)).is_some();
         Lines::new(text, index, self.session.encoding, !is_open)
@@ -147,7 +147,7 @@ impl Snapshot {
         file.is_some_and(|file| val3_ide::projects_of(&self.db, *file).contains(&project))
     }
 
-    /// Findings of each project that contains the file.
+    /// Findings in each project that contains the file.
     pub(crate) fn findings(&self, file: File) -> impl Iterator<Item = Vec<Diagnostic>> {
         let judged = val3_ide::projects_of(&self.db, file).iter().filter(|it| self.projects.contains(it));
         let found = move |settings: CheckSettings| {

@@ -4,8 +4,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use percent_encoding::percent_decode_str;
 use tower_lsp::lsp_types::Url;
 
-/// Path of a document; `None` if it is not valid UTF-8. `language` determines the file extension of an untitled
-/// document.
+/// Document path; `None` if it is not valid UTF-8. `language` determines the extension for untitled documents.
 pub(crate) fn path(uri: &Url, language: Option<&str>) -> Option<Utf8PathBuf> {
     if uri.scheme() == "file" {
         return Utf8PathBuf::from_path_buf(uri.to_file_path().ok()?).ok();

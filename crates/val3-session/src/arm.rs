@@ -90,7 +90,7 @@ pub(crate) fn model(setting: &ArmSetting, folder: &Utf8Path) -> Result<Option<Ch
     }))
 }
 
-/// An arm and the text of its description file.
+/// An arm and its description file.
 pub struct ArmFile {
     /// The arm.
     pub arm: Arm,

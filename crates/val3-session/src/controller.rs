@@ -1,4 +1,4 @@
-//! Controller of an application: the controller of its cell, with the settings of the caller and of `val3.toml`.
+//! Opens an application's controller, with the devices of its cell and the settings of the caller and of `val3.toml`.
 
 use std::sync::Arc;
 

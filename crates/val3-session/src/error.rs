@@ -57,7 +57,7 @@ pub enum SessionError {
         /// The reason.
         reason: String,
     },
-    /// The record of another run cannot be replayed.
+    /// A recorded run cannot be replayed.
     Recording {
         /// The file.
         file: Utf8PathBuf,

@@ -52,7 +52,7 @@ pub struct Evaluator {
     execution: Execution,
     /// Variables declared by evaluated code.
     variables: Vec<Variable>,
-    /// User types of the application, and names of its data.
+    /// User types and data names of the application.
     types: BTreeSet<String>,
     data: BTreeSet<String>,
     arm: Option<String>,

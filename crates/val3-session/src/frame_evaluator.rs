@@ -40,7 +40,7 @@ const PORTIONS: usize = 500;
 /// Prefix that turns an expression into a statement.
 const PRINT: &str = "?";
 
-/// Purpose of an evaluation, which determines whether side effects are allowed.
+/// Evaluation purpose, which determines whether side effects are allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
     /// Display of a value: an expression without side effects.
@@ -111,7 +111,7 @@ impl FrameEvaluator {
         }
     }
 
-    /// Assigns the value of an expression to a variable, an element, a field or an output. Returns the new value.
+    /// Assigns an expression's value to a variable, an element, a field or an output. Returns the new value.
     ///
     /// # Errors
     /// If the target and value are invalid or do not match, or if a run-time error ends the assignment.
@@ -193,7 +193,7 @@ impl FrameEvaluator {
         }
     }
 
-    /// Compiled expression, and the description of its side effect if it has one.
+    /// Compiled expression, and a description if it has a side effect.
     fn expression(&mut self, target: &Target, text: &str) -> Result<(Fragment, Option<String>), EvaluationError> {
         let scratch = Scratch::new(&mut self.targets, target, (PRINT, text));
         if let Some(fault) = scratch.fault() {
@@ -251,7 +251,7 @@ impl FrameEvaluator {
     }
 }
 
-/// State of an input or output without its link, because clients offer both for editing: `true` in `true (Io\\start)`.
+/// Input or output state without the link, because clients offer both for editing: `true` in `true (Io\\start)`.
 fn state_of(shown: &str) -> Option<&str> {
     let (state, link) = shown.split_once(" (")?;
     link.ends_with(')').then_some(state)

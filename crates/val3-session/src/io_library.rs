@@ -17,7 +17,7 @@ const ALIAS: &str = "io";
 /// Limit of the items that the message names.
 const NAMED: usize = 4;
 
-/// Message about the missing library of an application whose programs use its items, and its help.
+/// Message about the missing library, and its help; `None` if the application's programs do not use its items.
 pub(crate) fn missing(db: &dyn Db, application: Project) -> Option<(String, String)> {
     items(db, application).libraries.get(ALIAS).filter(|library| library.interface.is_none())?;
     let declared = &manifest(db, application.manifest(db)).libraries;

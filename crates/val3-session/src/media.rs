@@ -23,7 +23,7 @@ pub(crate) struct Media {
     pub(crate) disk: Utf8PathBuf,
     /// Path of the application, for example `Disk://app`.
     pub(crate) application: String,
-    /// Roots of an application and stand-ins outside `Disk`.
+    /// Roots for an application and stand-ins outside `Disk`.
     pub(crate) outside: Vec<Root>,
 }
 
@@ -77,7 +77,7 @@ impl Media {
         Ok(())
     }
 
-    /// Controller path of an application's or library's folder, or of its project file. If it is outside `Disk`, the
+    /// Controller path for the folder or project file of an application or library. If it is outside `Disk`, the
     /// surrounding folder becomes a root.
     fn place(&mut self, folder: &Utf8Path, path: &Utf8Path) -> Result<String, SessionError> {
         let (root, around) = match inside(folder, &self.disk) {

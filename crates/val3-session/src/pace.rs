@@ -6,8 +6,8 @@ use val3_lang::ports::{SECOND, Time};
 use val3_machine::controller::Controller;
 use val3_vm::CYCLE;
 
-/// Minimum real time of each cycle while a line has a peer, or a program waits for an operator or for the first client
-/// of a server. Without it, external data could not arrive in time.
+/// Minimum real time per cycle while a line has a peer, or a program waits for an operator or for the first client of a
+/// server. Without it, external data could not arrive in time.
 const LISTENING: Duration = Duration::from_nanos(CYCLE);
 
 /// Longest wait in real time, in nanoseconds of controller time. The caller checks for interrupts between waits.

@@ -1,4 +1,4 @@
-//! HTML user pages (s8): the files in the folder `interface` of an application.
+//! HTML user pages (s8): the files in an application's folder `interface`.
 
 use val3_analysis::db::{Database, Project};
 use val3_analysis::pages::{self, BINDINGS, Bindings, BoundName, bindings, page_name};

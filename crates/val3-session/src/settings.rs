@@ -125,7 +125,7 @@ impl MergedSettings {
     /// Sets the users, licences, monitor speed, power and arm position.
     ///
     /// # Errors
-    /// If the start position is outside the limits of an axis, or if its number of axes differs from the arm's.
+    /// If the start position exceeds an axis limit, or if its number of axes differs from the arm's.
     pub(crate) fn apply(&self, devices: &mut Devices) -> Result<(), SessionError> {
         if self.run.profile.is_some() || !self.run.profiles.is_empty() {
             devices.state.profiles = profiles(&self.run);

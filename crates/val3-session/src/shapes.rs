@@ -11,7 +11,7 @@ use crate::settings::refused;
 /// Shapes of the base and the links, in this order; `None` for a link without a file.
 ///
 /// # Errors
-/// If a key names no link of an arm with this number of axes, or if a file cannot be used.
+/// If an arm with this number of axes has no link with a given key, or if a file cannot be used.
 pub(crate) fn read(file: &ConfigFile, axes: usize) -> Result<Vec<Option<LinkShape>>, SessionError> {
     let names: Vec<String> =
         std::iter::once("base".to_owned()).chain((1..=axes).map(|link| format!("link{link}"))).collect();

@@ -80,7 +80,7 @@ pub(crate) fn stand_ins(db: &dyn Db, file: &ConfigFile) -> Vec<StandIn> {
     file.config.test.replace.iter().filter_map(stand_in).collect()
 }
 
-/// Reasons why stand-ins cannot replace the libraries of an application.
+/// Reasons why stand-ins cannot replace an application's libraries.
 pub(crate) fn faults(db: &dyn Db, application: Project, stand_ins: &[StandIn]) -> Vec<StandInFault> {
     let mut faults = Vec::new();
     for (user, library, stand_in) in replaced(db, application, stand_ins) {

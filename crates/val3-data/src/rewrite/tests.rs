@@ -324,8 +324,7 @@ fn size_and_values(text: &str, name: &str) -> (String, Vec<(String, String)>) {
 }
 
 proptest::proptest! {
-    /// A file contains the values that were saved last, independent of its earlier values, and its other contents are
-    /// unchanged.
+    /// A file contains the last saved values, independent of earlier values, and all other contents are unchanged.
     #[test]
     fn a_file_contains_the_saved_values(saved in proptest::collection::vec(
         (1..6u32, proptest::collection::btree_map(0..6u32, "[a<&\"\n]{0,3}", 0..6)), 1..4,

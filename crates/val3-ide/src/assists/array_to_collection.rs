@@ -104,7 +104,7 @@ fn all(context: &Context<'_>, element: Element<'_>, values: impl Iterator<Item =
     context.replace(TextRange::new(start, end), format!(">{lines}{separator}</{}>", element.name()))
 }
 
-/// Range of an attribute with the whitespace before it.
+/// Attribute range, with the whitespace before it.
 fn with_blanks(text: &str, name: TextRange, value: TextRange) -> TextRange {
     let before = text.get(..usize::from(name.start())).unwrap_or("");
     let blanks = TextSize::of(before) - TextSize::of(before.trim_end());

@@ -1,5 +1,5 @@
-//! Moves or removes the parameter at the cursor, or changes its passing, in the code of its program or in its
-//! declaration. All callers are adapted.
+//! Moves or removes the parameter at the cursor, or changes its passing, in the program's code or in the declaration.
+//! All callers are adapted.
 
 mod passing;
 

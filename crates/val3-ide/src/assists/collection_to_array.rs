@@ -39,7 +39,7 @@ fn obstacle(context: &Context<'_>, name: &str, indexes: &Indexes) -> Result<Vec<
     }
 }
 
-/// Keys in the order of their indexes in the array.
+/// Keys, ordered by array index.
 struct Indexes(Vec<String>);
 
 impl Indexes {

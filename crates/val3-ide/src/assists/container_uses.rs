@@ -1,4 +1,4 @@
-//! Uses of global data with a literal index or key, for conversions of its container.
+//! Uses of global data with a literal index or key, for container conversions.
 
 use val3_analysis::application::{application, unlisted_may_use};
 use val3_analysis::body::{Body, Expr, ExprId, body};

@@ -1,4 +1,4 @@
-//! Context of an assist: a range in a file.
+//! Assist context: a range in a file.
 
 use std::borrow::Cow;
 
@@ -109,8 +109,8 @@ impl<'db> Context<'db> {
         self.body().exprs().find(|(_, _, found)| *found == range).map(|(id, ..)| id)
     }
 
-    /// Selected statements, all of one block, and their range including selected comments. For a cursor, the statement
-    /// on its line.
+    /// Selected statements, all from the same block, and their range including selected comments. For a cursor, the
+    /// statement on its line.
     pub(crate) fn stmts(&self) -> Option<(Vec<Stmt>, TextRange)> {
         if self.range.is_empty() {
             let stmt = self.stmt_on_line()?;

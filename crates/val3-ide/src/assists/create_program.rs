@@ -58,7 +58,7 @@ fn parameter(context: &Context<'_>, id: ExprId, at: usize) -> (Variable, bool) {
     };
     let name = if stem.starts_with(prefix.as_str()) { stem } else { format!("{prefix}{stem}") };
     let container = match ty.container {
-        // The name of an array without an index may also pass a single value.
+        // An array name without an index may also pass a single value.
         Container::Array { .. } if !is_array(context, id) => Container::Element,
         other => other,
     };

@@ -10,12 +10,12 @@ use val3_lang::types::BaseType;
 
 use super::context::Context;
 
-/// Expressions of one program.
+/// Expressions in a program.
 pub(super) struct Evaluation<'db> {
     pub(super) body: &'db Body,
     pub(super) effects: Effects<'db>,
     pub(super) inference: &'db Inference,
-    /// Parent of each expression, by expression index.
+    /// Parent expressions, by expression index.
     parents: Vec<Option<ExprId>>,
 }
 
@@ -199,7 +199,7 @@ fn parts(expr: &Expr) -> Vec<ExprId> {
     }
 }
 
-/// Direct subexpressions, in the order of their evaluation.
+/// Direct subexpressions, in evaluation order.
 fn evaluated(expr: &Expr) -> Vec<ExprId> {
     match expr {
         Expr::Assign(target, value) => vec![*value, *target],

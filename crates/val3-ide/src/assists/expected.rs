@@ -1,4 +1,4 @@
-//! Expected type of an unresolved name, derived from its context.
+//! Expected types for unresolved names, derived from the context.
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
@@ -101,10 +101,10 @@ impl UnknownName {
     }
 }
 
-/// Largest number of elements of an array in any known program.
+/// Limit of array elements, which is not exceeded in any known program.
 const LARGEST: u64 = 10_000;
 
-/// Size of each dimension: one more than its highest known index.
+/// Array sizes: for each dimension, one more than the highest known index.
 fn sizes<'b>(name: &str, dims: u8, bodies: impl IntoIterator<Item = &'b Body>) -> Option<Vec<u32>> {
     let mut sizes = vec![1_u32; usize::from(dims.max(1))];
     for body in bodies {
@@ -131,7 +131,7 @@ fn size_for(index: Option<f64>) -> u32 {
     }
 }
 
-/// Highest value of an index that is a constant or a counter with constant bounds.
+/// Highest index value, if the index is a constant or a counter with constant bounds.
 fn highest(body: &Body, index: ExprId) -> Option<f64> {
     if let Some(number) = body.number(index) {
         return Some(number);

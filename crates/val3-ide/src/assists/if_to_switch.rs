@@ -39,7 +39,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// Whether the cursor is on a keyword line of the chain, not inside one of its blocks.
+/// Whether the cursor is on a keyword line of the chain, not inside a block.
 pub(super) fn is_at_head(context: &Context<'_>, chain: &IfStmt) -> bool {
     let inside = |block: Option<Block>| {
         block.is_some_and(|block| {

@@ -178,7 +178,7 @@ impl InlinedProgram<'_, '_> {
         let code = root.descendants().find_map(Code::cast)?;
         let text: &str = self.file.text(self.context.db);
         let range = with_comments(&code.block()?);
-        // The whitespace before the first line is a part of its indentation.
+        // The whitespace before the first line belongs to its indentation.
         let blanks = text.get(..usize::from(range.start()))?;
         let blanks = TextSize::of(blanks) - TextSize::of(blanks.trim_end_matches([' ', '\t']));
         let range = TextRange::new(range.start() - blanks, range.end());

@@ -1,4 +1,4 @@
-//! Swaps the branches of an `if` with `else`.
+//! Swaps the two branches in an `if` with `else`.
 
 use val3_syntax::ast::{AstNode, IfStmt};
 use val3_syntax::{TextRange, TextSize};

@@ -1,4 +1,4 @@
-//! Adds the missing items of an interface to a library that is loaded for it.
+//! Adds missing interface items to a library that is loaded for the interface.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Project, Sources};

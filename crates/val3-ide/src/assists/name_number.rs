@@ -72,7 +72,7 @@ fn capitalised(word: &str) -> String {
     first.to_uppercase() + rest
 }
 
-/// Whether the value is compared with the result of one of these instructions, or is a `case` of it.
+/// Whether the value is compared with a result of these instructions, or is a `case` for it.
 fn is_compared(body: &Body, id: ExprId, names: &[&str]) -> bool {
     let gives = |other: ExprId| calls(body, body.without_parentheses(other), names);
     let beside = body.exprs().any(|(_, expr, _)| match expr {

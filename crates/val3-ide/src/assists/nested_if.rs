@@ -6,7 +6,7 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 use super::context::Context;
 use super::lines::{end_of_line, is_blank, whole_lines};
 
-/// Lines of an `if` between its condition and its end.
+/// Parts of an `if` statement, as complete lines.
 pub(super) struct IfLines {
     pub(super) condition: Expr,
     /// Lines after the condition, up to the line of `endIf`.
@@ -59,7 +59,7 @@ fn without<'l>(line: &'l str, level: &str) -> &'l str {
     line.strip_prefix(level).unwrap_or(line)
 }
 
-/// Additional indentation of the line of `inner` compared with the line of `outer`.
+/// Indentation of the line at `inner` relative to the line at `outer`.
 pub(super) fn step<'db>(context: &Context<'db>, outer: TextSize, inner: TextSize) -> &'db str {
     let (outer, inner) = (context.indentation(outer), context.indentation(inner));
     inner.strip_prefix(outer).unwrap_or("")

@@ -2,7 +2,7 @@
 
 use crate::edit::SourceChange;
 
-/// Kind of an assist, by which editors group.
+/// Assist kind, by which editors group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum AssistKind {
     /// Fixes a finding.
@@ -32,7 +32,7 @@ pub struct Assist {
     pub disabled: Option<String>,
 }
 
-/// Collected offers, or the change of one assist.
+/// Collected offers, or the change made by the requested assist.
 pub(crate) struct Assists<'a> {
     only: Option<&'a [AssistKind]>,
     wanted: Option<&'a str>,

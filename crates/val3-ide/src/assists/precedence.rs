@@ -20,7 +20,7 @@ pub(super) fn needs_parentheses_after(body: &Body, op: BinaryOp, id: ExprId) -> 
     binding(body, id) <= op.precedence()
 }
 
-/// Precedence of an expression; the maximum if it has no operator.
+/// Precedence of the outermost operator; the maximum without an operator.
 fn binding(body: &Body, id: ExprId) -> u8 {
     match body.expr(id) {
         Expr::Binary(op, ..) => op.precedence(),

@@ -1,4 +1,4 @@
-//! Adds a comment about a program and its parameters at the start of its code, in the form that hover displays.
+//! Adds a comment about a program and its parameters at the start of the code, in the form that hover displays.
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::{AccessKind, Effects, Root};

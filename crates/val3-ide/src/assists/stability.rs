@@ -1,4 +1,4 @@
-//! Checks that the value of an expression is unchanged while statements are executed.
+//! Checks that an expression's value is unchanged while statements are executed.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use val3_syntax::TextRange;
 use super::context::Context;
 use super::evaluation::Evaluation;
 
-/// Variables that determine the value of an expression.
+/// Variables that determine an expression's value.
 pub(super) struct Dependencies<'c, 'db> {
     context: &'c Context<'db>,
     evaluation: &'c Evaluation<'db>,

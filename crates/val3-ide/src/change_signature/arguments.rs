@@ -21,7 +21,7 @@ pub(super) struct NewArguments {
 /// move with it.
 ///
 /// # Errors
-/// If a side effect of an argument would be lost or happen in another order.
+/// If an argument's side effect would be lost or happen in another order.
 pub(super) fn edits(
     db: &dyn Db,
     call: &Call,

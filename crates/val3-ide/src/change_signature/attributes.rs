@@ -8,7 +8,7 @@ use val3_syntax::{TextRange, TextSize};
 use super::slots::TextEdit;
 use super::variables::{NewLocal, NewParameter};
 
-/// Edits of the element of `old` that turn it into the declaration of `new`.
+/// Edits that convert the element of `old` to the declaration of `new`.
 pub(super) fn of_parameter(text: &str, element: Element<'_>, old: &ParamDecl, new: &NewParameter) -> Vec<TextEdit> {
     let tag = Tag { text, element };
     let mut edits: Vec<TextEdit> = tag.name_and_type(old.name.as_str(), &old.type_name, &new.name, &new.type_name);
@@ -96,7 +96,7 @@ impl Tag<'_> {
     }
 }
 
-/// End of an attribute, after its closing quote.
+/// Attribute end, after the closing quote.
 fn end(attribute: Attribute<'_>) -> TextSize {
     attribute.range.end() + TextSize::of('"')
 }

@@ -119,7 +119,7 @@ impl Declarations<'_> {
             false => declare::into_locals(self.db, self.file, &entries),
         };
         let FileEdit { range, mut text, .. } = edit.ok_or("the file has no place for declarations")?;
-        // The whitespace at the end of an empty tag is kept, because it shows later that the tag was empty.
+        // The trailing whitespace in an empty tag is kept, because it shows later that the tag was empty.
         if let Some(tag) = self.slice(range).strip_suffix("/>") {
             text = text.replacen(tag.trim_end(), tag, 1);
         }

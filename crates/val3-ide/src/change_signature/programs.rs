@@ -1,5 +1,5 @@
-//! Programs that share a signature: a program of an interface, and the same program in all libraries that are loaded
-//! for it.
+//! Programs that share a signature: an interface's program, and the same program in all libraries that are loaded for
+//! it.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, Project};
@@ -72,7 +72,7 @@ fn folder(db: &dyn Db, project: Project) -> &str {
     project.manifest(db).path(db).file_stem().unwrap_or("")
 }
 
-/// Parameters of another program, changed like the parameters of the program in `file`.
+/// Parameters for the other program, changed like the parameters of the program in `file`.
 fn translated(
     db: &dyn Db,
     file: File,

@@ -1,10 +1,10 @@
-//! Reordering of lists: the arguments of a call, or the elements of an XML list.
+//! Reordering of lists: call arguments, or elements in an XML list.
 
 use val3_syntax::{TextRange, TextSize};
 
 use crate::xml_list::whole_line;
 
-/// Edit of one file.
+/// Edit in a file.
 pub(super) type TextEdit = (TextRange, String);
 
 /// An element of the list after the change.

@@ -132,7 +132,7 @@ pub(super) fn operators(found: &mut CompletionList<'_>, operators: Operators) {
 fn instructions_of(found: &mut CompletionList<'_>, expected: &[Base], suits: impl Fn(&Overload) -> bool) {
     let version = items(found.db, found.project).version;
     let fit_of = |form: &&Overload| form.result.map_or(0, |ty| fit(expected, Base::of(ty)) / 2);
-    // A Boolean value is often the result of a comparison of other values.
+    // A Boolean value often results from comparing other values.
     let only_fitting = !expected.is_empty() && !expected.contains(&Base::of(BaseType::Bool)) && found.query.is_empty();
     for instruction in instructions::all().iter().filter(|instruction| !is_task_creation(instruction.name)) {
         let forms = instruction.overloads.iter().filter(|form| suits(form));
@@ -167,7 +167,7 @@ fn add_instruction<'f>(
     added.detail(|| form.signature(instruction.name)).of(|| Symbol::Instruction(instruction.name.into()))
 }
 
-/// Members after a dot, in the order of their declaration.
+/// Members after a dot, in declaration order.
 pub(super) fn members(found: &mut CompletionList<'_>, base: Base) {
     match base {
         Base::Builtin(ty, arm) => {

@@ -1,4 +1,4 @@
-//! Documentation comments of a program and its parameters at the start of its code: `//\brief`, `//\param`.
+//! Documentation comments of a program and its parameters at the start of the code: `//\brief`, `//\param`.
 
 use val3_analysis::items::parse;
 use val3_syntax::SyntaxKind::{BEGIN_KW, CODE, COMMENT, NEWLINE};

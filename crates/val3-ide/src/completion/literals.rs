@@ -6,7 +6,7 @@ use val3_lang::types::{Arm, BaseType, fields};
 
 use super::list::{CompletionKind, CompletionList};
 
-/// Score bonus of a literal: between a variable of the expected type and a variable of another type.
+/// Score bonus of a literal: between variables with the expected type and with other types.
 const LITERAL: i32 = 40;
 
 /// Literals `{…}` of the expected types.

@@ -10,16 +10,16 @@ use val3_lang::types::{self, BaseType};
 use super::list::{CompletionKind as Kind, CompletionList};
 use crate::line::Expected;
 
-/// Score bonus of a value of the expected type.
+/// Score bonus for the expected type.
 pub(super) const FITS: i32 = 60;
-/// Score bonus of a value with a field of the expected type.
+/// Score bonus for a value that has a field with the expected type.
 const LEADS_ON: i32 = 10;
 /// Score bonus of the program's names over names of the language.
 pub(super) const OWN: i32 = 20;
 /// Score bonus of locals and parameters over data.
 const NEAR: i32 = 4;
 
-/// Score bonus of a value of type `base` where one of the types `expected` is expected.
+/// Score bonus for a value of type `base` where the types `expected` are accepted.
 pub(super) fn fit(expected: &[Base], base: Base) -> i32 {
     expected.iter().map(|expected| fit_one(*expected, base)).max().unwrap_or(0)
 }

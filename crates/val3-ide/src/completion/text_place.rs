@@ -20,7 +20,7 @@ pub(super) enum TextPlace {
     LibraryItem(SmolStr),
     /// A task of the application.
     Task,
-    /// Name of data of this type.
+    /// A data name, restricted to this type.
     DataName(Option<Base>),
     /// A format.
     Format(TextForm),

@@ -107,7 +107,7 @@ fn known_key(shape: &Shape, key: &str) -> String {
     if *shape == Shape::Keys { key.to_owned() } else { key_of(key) }
 }
 
-/// Sets a cell of a value of this type, or of a field inside it.
+/// Sets a cell in a value with this type, or in a field inside it.
 fn nested(
     file: &DataFile<'_>,
     (mut base, mut type_name): (Base, SmolStr),

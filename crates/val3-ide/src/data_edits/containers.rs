@@ -13,7 +13,7 @@ use super::walk;
 use crate::data_tables::{DataPlace, DataProblem, Dialect};
 use crate::declare::{built_in_father, keys};
 
-/// Changes the sizes of an array.
+/// Changes array sizes.
 pub(super) fn resize(file: &DataFile<'_>, place: &DataPlace, sizes: &[u32]) -> Result<Vec<Edit>, DataProblem> {
     file.check_sizes(sizes)?;
     change(file, place, |data, base| {
@@ -89,7 +89,7 @@ pub(super) fn remove_keys(file: &DataFile<'_>, place: &DataPlace, keys: &[String
     })
 }
 
-/// Renames the key of an element in a collection.
+/// Renames a key in a collection.
 pub(super) fn rename_key(
     file: &DataFile<'_>,
     place: &DataPlace,

@@ -1,4 +1,4 @@
-//! Edits of the tables of a data file, as plain data.
+//! Table edits in a data file, as plain data.
 
 use val3_lang::types::Container;
 
@@ -11,7 +11,7 @@ pub enum DataEdit {
     Set(Vec<CellEdit>),
     /// Declares a variable.
     Add(NewDatum),
-    /// Declares a variable with the type and the values of another variable, after that variable.
+    /// Declares a copy of a variable, after the original.
     Duplicate {
         /// Variable to copy.
         name: String,
@@ -27,7 +27,7 @@ pub enum DataEdit {
         /// Whether other projects may use them.
         public: bool,
     },
-    /// Changes the sizes of an array. Values outside the new sizes are removed.
+    /// Changes array sizes. Values outside the new sizes are removed.
     Resize {
         /// The variable, or a field.
         place: DataPlace,
@@ -81,7 +81,7 @@ pub struct NewDatum {
     pub public: bool,
     /// Array or collection.
     pub container: Container,
-    /// Sizes of an array; empty for a collection.
+    /// Array sizes; empty for a collection.
     pub sizes: Vec<u32>,
     /// Preceding variable. If it is `None` or does not exist, the new variable is appended.
     pub after: Option<String>,

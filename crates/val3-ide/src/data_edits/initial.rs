@@ -1,4 +1,4 @@
-//! Initial values of the fields of user types.
+//! Initial field values of user types.
 
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::data_files;

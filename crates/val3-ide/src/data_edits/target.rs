@@ -1,4 +1,4 @@
-//! The edited text, with the declarations of its project.
+//! The edited text, with the project's declarations.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -18,7 +18,7 @@ use super::initial;
 use crate::data_tables::{DataProblem, Dialect};
 use crate::rename::{name_fault, other_item};
 
-/// Limit of the number of values, above the memory of any controller.
+/// Maximum number of values, which exceeds the memory of any controller.
 const MOST_VALUES: u32 = 1_000_000;
 
 /// A data file after some of the edits.

@@ -10,7 +10,7 @@ use super::initial;
 use super::target::DataFile;
 use crate::data_tables::{DataPlace, DataProblem, FieldStep};
 
-/// A container within a variable, and the type of its values.
+/// A container within a variable, and its value type.
 pub(super) struct Found<'d> {
     pub(super) data: &'d mut SavedData,
     pub(super) base: Base,
@@ -38,13 +38,13 @@ pub(super) fn container<'d>(
     Ok(found)
 }
 
-/// Container of a field of the value with this key.
+/// A field's container, in the value with this key.
 fn field<'d>(file: &DataFile<'_>, found: Found<'d>, key: &str, step: &FieldStep) -> Result<Found<'d>, DataProblem> {
     let (base, at) = (found.base, position(found.data, key));
     field_of(file, base, value(file, found, key, at)?, step)
 }
 
-/// Container of a field of a value of type `base`.
+/// A field's container, in a value with the type `base`.
 pub(super) fn field_of<'d>(
     file: &DataFile<'_>,
     base: Base,

@@ -9,7 +9,7 @@ use val3_syntax::view::View;
 
 use super::{DataType, Datum, DatumValue};
 
-/// Variables of a file with the ranges of their names, in order. Elements without a name are omitted.
+/// Variables in a file and their name ranges, in order. Elements without a name are omitted.
 pub(super) fn elements(file: View<'_>) -> impl Iterator<Item = (Element<'_>, TextRange)> {
     data::elements(file).filter_map(|element| Some((element, element.attribute("name")?.range)))
 }

@@ -1,4 +1,4 @@
-//! Types that a data file may declare, with the columns of their values.
+//! Types that a data file may declare, with their value columns.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ use crate::father_paths::father_paths;
 use crate::hover::unit_sign;
 use crate::io_links::io_links;
 
-/// A type and the columns of its table.
+/// A type and its table columns.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataType {
     /// Type name as spelled in files: `pointRx`, `num`, or a user type.
@@ -40,7 +40,7 @@ pub struct TypeField {
     pub type_name: String,
     /// Array or collection.
     pub container: Container,
-    /// Sizes of an array.
+    /// Array sizes.
     pub sizes: Vec<u32>,
 }
 
@@ -57,7 +57,7 @@ pub struct DataColumn {
     pub kind: ColumnKind,
     /// Possible texts of a choice, or suggestions from the project.
     pub choices: Vec<String>,
-    /// Meaning of an omitted value; empty if there is no default.
+    /// Default, which omitted values have; empty without a default.
     pub default: String,
 }
 

@@ -74,7 +74,7 @@ pub(super) fn lines(variable: &Variable, value: Option<&str>, public: bool) -> O
     Some(lines)
 }
 
-/// Calls `read` with a sample declaration of a variable of this type: as a tree, and as text.
+/// Calls `read` with a sample variable of this type: as a tree, and as text.
 pub(crate) fn with_model<T>(ty: &str, read: impl FnOnce(Element<'_>, &str) -> T) -> Option<T> {
     let text = lines(&Variable::single("name", ty), None, false)?.join("\n");
     let parse = val3_syntax::parse(&text);
@@ -91,7 +91,7 @@ pub(crate) fn parts<'g, 't>(root: Element<'g>, name: &str, text: &'t str) -> Vec
     part(root, name).into_iter().flat_map(Element::elements).filter_map(written).collect()
 }
 
-/// Attributes of the part `name` of a variable of this type, with their defaults.
+/// Attributes in the part `name` of such a declaration, with their defaults.
 pub(crate) fn attributes(ty: &str, name: &str) -> Vec<(String, String)> {
     let read = |root: Element<'_>, _: &str| {
         let attributes = part(root, name).into_iter().flat_map(Element::attributes);

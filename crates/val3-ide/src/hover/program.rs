@@ -1,4 +1,4 @@
-//! Hover for a program: its signature, and the comment at the start of its code.
+//! Hover for a program: its signature, and the comment at the start of the code.
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::{items, signature};

@@ -22,7 +22,7 @@ pub(crate) struct Callee {
 pub(crate) struct CallSite<'t> {
     /// The callee.
     pub(crate) callee: Callee,
-    /// Tokens of each existing argument.
+    /// Tokens by existing argument.
     pub(crate) arguments: Vec<&'t [SyntaxToken]>,
     /// Index of the argument at the cursor, from 0.
     pub(crate) active: usize,

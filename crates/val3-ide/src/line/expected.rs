@@ -79,7 +79,7 @@ pub(crate) fn ends_value(tokens: &[SyntaxToken]) -> bool {
     })
 }
 
-/// Type of the selector of the `switch` that contains a `case`.
+/// Selector type in the `switch` that contains a `case`.
 fn selector(names: &Names<'_>, case: &SyntaxToken) -> Expected {
     let Some(switch) = case.parent_ancestors().find(|node| node.kind() == SWITCH_STMT) else {
         return Expected::anything();

@@ -1,4 +1,4 @@
-//! Type inference from the tokens of an incomplete line, for completion and signature help.
+//! Type inference from tokens in an incomplete line, for completion and signature help.
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::program::{Header, header};
@@ -91,7 +91,7 @@ impl<'db> Names<'db> {
         builtin.or_else(|| enumerations::find(name).map(|found| Ty::of(found.ty))).unwrap_or(Ty::UNKNOWN)
     }
 
-    /// Type of `( … )`, or of an instruction call.
+    /// Type of `( … )` or an instruction call.
     fn parentheses(&self, tokens: &[SyntaxToken], open: usize) -> Ty {
         let Some(call) = CallSite::at_bracket(tokens, open) else {
             return self.ty(tokens.get(open + 1..tokens.len() - 1).unwrap_or(&[]));
@@ -118,7 +118,7 @@ impl<'db> Names<'db> {
         if suiting.is_empty() { forms().take(1).collect() } else { suiting }
     }
 
-    /// Declared sizes of an array: a variable, a library item, or a field of a user type.
+    /// Declared array sizes: of a variable, a library item, or a field of a user type.
     pub(crate) fn sizes(&self, tokens: &[SyntaxToken]) -> Option<Vec<u32>> {
         let (name, before) = tokens.split_last().filter(|(name, _)| name.kind() == IDENT)?;
         let name = name.text();

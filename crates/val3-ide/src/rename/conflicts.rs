@@ -100,7 +100,7 @@ fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError>
             hides_no_data(db, *file, new_name)?;
             takes_no_unknown(db, *file, new_name)
         }
-        // A local hides only data of its own project: `:` precedes a library item, and `.` precedes a field.
+        // A local hides only data in the same project: `:` precedes a library item, and `.` precedes a field.
         Symbol::Data(project, _) | Symbol::Program(project, _) | Symbol::Library(project, _) => {
             let own = |file: &File| crate::owner::projects_of(db, *file).contains(project);
             users(db, symbol).filter(own).try_for_each(|file| not_declared_in(db, file, new_name))?;
@@ -115,8 +115,8 @@ fn is_no_item(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), Rename
     other.map_or(Ok(()), |what| refused(format!("there is already {what} called `{new_name}`")))
 }
 
-/// Kind of another item in the project with this name. Program files are compared without letter case. A local variable
-/// may have the name of data, which it then hides.
+/// Kind of the other item in the project with this name; `None` if the name is unused. Program files are compared
+/// without letter case. A local variable may have the same name as data, which it then hides.
 pub(crate) fn other_item(db: &dyn Db, project: Project, symbol: &Symbol, new_name: &str) -> Option<&'static str> {
     let items = items(db, project);
     let is_own = |known: &SmolStr| matches!(symbol, Symbol::Program(_, old) if old == known);

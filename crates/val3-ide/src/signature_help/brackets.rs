@@ -1,4 +1,4 @@
-//! Signature help in `{…}` and `[…]`: the fields of a type, the indexes of an array, the keys of a collection.
+//! Signature help in `{…}` and `[…]`: type fields, array indexes, collection keys.
 
 use val3_analysis::ty::Base;
 use val3_lang::types::{Arm, BaseType, Container, Field, fields};
@@ -68,7 +68,7 @@ fn index(names: &Names<'_>, head: &[SyntaxToken]) -> Option<Form> {
     Some(Form { parameters: parameters.collect(), documentation, line })
 }
 
-/// Index range of each dimension.
+/// Index ranges, by dimension.
 fn dimensions(names: &Names<'_>, head: &[SyntaxToken], dims: u8) -> Vec<String> {
     match names.sizes(head).filter(|sizes| sizes.len() == usize::from(dims)) {
         Some(sizes) => sizes.iter().map(|size| format!("0..{}", size.saturating_sub(1))).collect(),

@@ -21,7 +21,7 @@ pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<Workspac
             }
         }
     }
-    // By score, then by name. The sort is stable, so equal names keep the order of their projects.
+    // By score, then by name. The sort is stable, so equal names keep the project order.
     found.sort_by(|a, b| b.score.cmp(&a.score).then_with(|| a.name.cmp(&b.name)));
     // Locations are only looked up for the returned names.
     found.into_iter().filter_map(|candidate| candidate.placed(db)).take(limit).collect()

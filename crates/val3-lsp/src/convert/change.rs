@@ -83,7 +83,7 @@ fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), ImpossibleCha
     Ok(())
 }
 
-/// Edits by file; the files are in the order of their first edit.
+/// Edits by file, in the order of the files' first edits.
 fn by_file(snapshot: &Snapshot, change: &SourceChange) -> Vec<(File, Vec<TextEdit>)> {
     let mut files: Vec<(File, Vec<TextEdit>)> = Vec::new();
     for of_file in change.edits.chunk_by(|one, other| one.file == other.file) {

@@ -73,7 +73,7 @@ fn quick_fixes(snapshot: &Snapshot, at: FileRange) -> Vec<CodeAction> {
     let mut actions: Vec<CodeAction> = Vec::new();
     for findings in snapshot.findings(at.file) {
         for fix in snapshot.with_fixes(|context| val3_ide::quick_fixes(context, &findings, at)) {
-            // Two projects that share a file report most of its findings twice.
+            // Two projects that share a file report most findings in it twice.
             actions.extend(quick_fix(snapshot, fix).filter(|action| !actions.contains(action)));
         }
     }

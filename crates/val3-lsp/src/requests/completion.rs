@@ -106,7 +106,7 @@ pub(crate) fn resolve(snapshot: &Snapshot, item: &CompletionItem) -> Result<Comp
     Ok(item)
 }
 
-/// Documentation of an item. The text may have changed since the completion, so the completions at the position are
+/// Documentation for an item. The text may have changed since the completion, so the completions at the position are
 /// computed again.
 fn page(snapshot: &Snapshot, offered: &CompletionItemData, item: &CompletionItem) -> Option<String> {
     let at = snapshot.position_in(&offered.uri, offered.position).ok()?;

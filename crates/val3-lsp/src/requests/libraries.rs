@@ -25,7 +25,7 @@ impl Request for Libraries {
 /// Project to which a library or type is added.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct LibrariesParams {
-    /// The project's `.pjx`, or another of its files.
+    /// The project's `.pjx`, or any other project file.
     uri: Url,
 }
 

@@ -1,4 +1,4 @@
-//! `val3.tests`: a command that returns the tests of the workspace or of one file.
+//! `val3.tests`: a command that returns the tests in the workspace or in one file.
 
 use serde::Serialize;
 use serde_json::Value;

@@ -50,7 +50,7 @@ struct Parameter {
     name: String,
     r#type: String,
     container: ContainerKind,
-    /// Number of dimensions of an array; 1 for other containers.
+    /// Number of array dimensions; 1 for other containers.
     dimensions: u8,
     passing: Passing,
     /// Range of the name in the declaration.

@@ -65,7 +65,7 @@ pub(crate) struct Data {
     /// Type name as spelled in the file, for example `pointRx`.
     #[serde(rename = "type")]
     type_name: String,
-    /// Size of each dimension; empty for a collection.
+    /// Array size, by dimension; empty for a collection.
     sizes: Vec<u32>,
     is_collection: bool,
     /// Initial value of a single `num`, `bool` or `string`.
@@ -114,7 +114,7 @@ pub(super) fn kind_name(kind: ProjectKind) -> &'static str {
 
 fn items<F, T>(snapshot: &Snapshot, found: Vec<TreeItem<F>>, what: impl Fn(F) -> T) -> Vec<Item<T>> {
     let mut items = Vec::with_capacity(found.len());
-    // Items of one file are consecutive, so its lines are looked up once.
+    // Items in the same file are consecutive, so the file's lines are looked up once.
     let mut last = None;
     for found in found {
         let lines = match last.take() {

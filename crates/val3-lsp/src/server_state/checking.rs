@@ -16,7 +16,7 @@ use crate::pool::Priority;
 use crate::published::{self, ProjectFindings};
 use crate::snapshot::Snapshot;
 
-/// Projects that are checked together, by all threads of one priority.
+/// Projects that are checked together, by all threads with the same priority.
 struct Batch {
     projects: Vec<Project>,
     /// Edited files, for whose findings the user waits.

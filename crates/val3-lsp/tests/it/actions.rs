@@ -8,7 +8,7 @@ use crate::open_session::{START, Session, each, find};
 
 const CELL: &str = "num nCount\nIF nCount==1\nnCuont=2\nENDIF\nnNew=3\ncall missing(nCount)";
 
-/// Capabilities of an editor that supports everything.
+/// Capabilities for an editor that supports everything.
 fn able() -> Value {
     let action = json!({
         "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } },
@@ -19,7 +19,7 @@ fn able() -> Value {
     json!({ "textDocument": { "codeAction": action }, "workspace": { "workspaceEdit": edit, "applyEdit": true } })
 }
 
-/// Capabilities of an editor that supports only code actions and text edits.
+/// Capabilities for an editor that supports only code actions and text edits.
 fn modest() -> Value {
     let action = json!({ "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } } });
     json!({ "textDocument": { "codeAction": action } })

@@ -58,7 +58,7 @@ impl Cell {
     }
 }
 
-/// Line and column of a part of a text.
+/// Line and column at which `part` starts in a text.
 pub fn place(text: &str, part: &str) -> (u32, u32) {
     let at = text.find(part).unwrap_or_else(|| panic!("{part:?} is not in {text}"));
     let before = &text[..at];

@@ -254,7 +254,7 @@ fn a_pulling_client_is_told_to_refresh() {
     };
     assert_eq!(ask(&mut client, &start), json!([]));
     assert_eq!(ask(&mut client, &other), json!([]));
-    // The client pulls the findings of an edited document without a refresh.
+    // The client pulls findings for an edited document without a refresh.
     client.change(&other, 2, &cell.text("usrapp/main/other.pgx").replace("put(x_n)", "put(x_m)"));
     assert_eq!(client.try_told("workspace/diagnostic/refresh"), None);
     assert_eq!(codes(ask(&mut client, &other).as_array().unwrap()), ["V0101"]);

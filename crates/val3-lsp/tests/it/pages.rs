@@ -10,7 +10,7 @@ use crate::open_session::{START, Session};
 const HTML: &str = "usrapp/main/interface/main.html";
 const BINDINGS: &str = "usrapp/main/interface/main.bindings.json";
 
-/// A binding follows another one on the same line, after characters of two UTF-16 units.
+/// A second binding on the same line, after characters with two UTF-16 units.
 const CELL: &str = r#"version s8.10
 num nCount
 program start()

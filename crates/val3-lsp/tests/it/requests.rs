@@ -204,7 +204,7 @@ fn the_code_without_xml_is_returned() {
     };
     let before = text(&mut session.client);
     assert!(before.starts_with("begin\n") && before.ends_with("\nend"), "{before}");
-    // The client is notified once of a change of the code, and not of other changes.
+    // The client is notified once when the code changes, and never for other changes.
     let file = session.cell.text(START).to_owned();
     let edited = file.replace("begin\n", "begin\n  // first\n");
     session.client.change(&path, 2, &edited);

@@ -163,7 +163,7 @@ fn random_edits_leave_the_server_consistent() {
     }
 }
 
-/// Capabilities of an editor that resolves edits of actions, and pulls findings if `pulls`.
+/// Capabilities for an editor that resolves action edits, and pulls findings if `pulls`.
 fn abilities(pulls: bool) -> Value {
     let action = json!({
         "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } },
@@ -240,8 +240,8 @@ fn run(seed: u64, edits: usize, pulls: bool) {
     compare(client, &cell, &documents, pulls);
 }
 
-/// Waits for the response to a request: a result, an error because of an edit or a cancellation, or a reason why the
-/// server rejects the request (for example an action that would add an error).
+/// Waits for the response to a request: a result, an error after an edit or a cancellation, or a reason why the server
+/// rejects the request (for example an action that would add an error).
 fn answered(client: &mut Client, id: i64) -> Value {
     let mut answer = client.answer(id);
     let code = answer["error"]["code"].as_i64();

@@ -1,4 +1,4 @@
-//! Output of an evaluation: values, printed lines, or a fault.
+//! Evaluation output: values, printed lines, or a fault.
 
 use std::fmt::{self, Display};
 
@@ -14,7 +14,7 @@ use super::sources::offset_in_code;
 /// One item of the output.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum EvaluationOutput {
-    /// The value of an expression, or a line printed by a statement.
+    /// An expression's value, or a line printed by a statement.
     Line(String),
     /// The code cannot be evaluated.
     Fault(CodeFault),
@@ -62,8 +62,8 @@ impl CodeFault {
     }
 }
 
-/// Line, number of characters before the range, and number of characters in the range. The range ends at the end of its
-/// first line.
+/// Line, number of characters before the range, and number of characters in the range. Only the first line of the range
+/// counts.
 fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
     const CHARACTERS: Columns = Columns { unit: Unit::Utf32, count_mark: true };
     let lines = LineIndex::new(text);

@@ -6,7 +6,7 @@ use super::variable::Variable;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Declaration {
     pub(super) variable: Variable,
-    /// Assignment of its value, preceded by spaces that keep its position in the code.
+    /// Assignment of the value, preceded by spaces that preserve its position in the code.
     pub(super) assignment: Option<String>,
 }
 

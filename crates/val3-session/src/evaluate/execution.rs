@@ -14,7 +14,7 @@ use super::answer::EvaluationOutput;
 use super::sources::NAME;
 use crate::pace::{Delay, Pace};
 
-/// Caller of an evaluation.
+/// Interface to the caller.
 pub trait Listener {
     /// Receives each output item immediately. `Break` ends the evaluation.
     fn answer(&mut self, answer: &EvaluationOutput) -> ControlFlow<()>;

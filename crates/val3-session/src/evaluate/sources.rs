@@ -29,7 +29,7 @@ pub(crate) fn empty(folder: &Utf8Path) -> (Utf8PathBuf, String) {
     (folder.join(format!("{NAME}.pjx")), manifest)
 }
 
-/// Project file of an application, with the additional program and data file.
+/// The application's project file, with the additional program and data file.
 pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, String), SessionError> {
     let file = project.manifest(db);
     let (path, mut text) = (file.path(db).clone(), file.text(db).to_string());

@@ -49,7 +49,7 @@ impl FrameEvaluator {
         valued.filter(|condition| !condition.values.is_empty()).collect()
     }
 
-    /// Adds the value of an expression, or the values of its arguments.
+    /// Adds the expression's value, or its arguments' values.
     fn read(
         &mut self,
         controller: &mut Controller,
@@ -115,7 +115,7 @@ fn loop_condition(stmt: &Stmt) -> Option<ExprId> {
     }
 }
 
-/// Collects the non-constant operands of an expression.
+/// Collects the non-constant operands in an expression.
 fn collect(body: &Body, text: &str, id: ExprId, found: &mut Vec<Candidate>) {
     let candidate = |arguments: &[ExprId]| {
         let mut inner = Vec::new();

@@ -1,4 +1,4 @@
-//! Result or error of an evaluation.
+//! Evaluation results and errors.
 
 use std::error::Error;
 use std::fmt::{self, Display};
@@ -9,10 +9,10 @@ use val3_vm::FragmentEnd;
 
 use crate::evaluate::{CodeFault, EvaluationOutput};
 
-/// Result of an evaluation.
+/// Evaluation result.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Evaluation {
-    /// Value of an expression.
+    /// Value; `None` for statements.
     pub value: Option<Value>,
     /// Lines that were printed, logged or shown in pop-ups.
     pub output: Vec<String>,

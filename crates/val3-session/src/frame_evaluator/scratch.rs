@@ -24,7 +24,7 @@ pub(super) struct Scratch<'t> {
     targets: &'t Targets,
     target: &'t Target,
     file: File,
-    /// The code, and the length in bytes of its prefix.
+    /// The code, and its prefix length in bytes.
     code: String,
     before: usize,
     /// Offset of the code in the file.

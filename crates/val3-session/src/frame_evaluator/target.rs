@@ -119,7 +119,7 @@ impl Targets {
         Ok(self.target((number, project), image, program))
     }
 
-    /// Project of an image. An unreferenced library is read from its files.
+    /// Project from which an image was compiled. An unreferenced library is read from its files.
     fn project(&mut self, path: &str) -> Result<(usize, Project), EvaluationError> {
         let key = path_key(path);
         let known = self.applications().find_map(|(number, application)| {

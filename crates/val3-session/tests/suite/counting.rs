@@ -9,7 +9,7 @@ use val3_session::{Application, ControllerSettings, Pace, Tape};
 
 const CELL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/palletiser");
 
-/// Event record of two boxes, and the controller afterwards.
+/// Event record for two boxes, and the controller afterwards.
 fn two_boxes(is_counted: bool) -> (String, Controller) {
     let cell = Utf8Path::new(CELL);
     let application = Application::open(&Disk, &cell.join("usr/usrapp/palletiser"), None).unwrap();

@@ -10,7 +10,7 @@ use super::super::evaluation::Evaluation;
 use super::super::stability::Dependencies;
 use super::apart;
 
-/// Uses of one value.
+/// Uses of the same value.
 pub(super) struct Occurrences {
     /// Start of the statement before which the value is computed.
     pub(super) before: TextSize,
@@ -24,7 +24,7 @@ impl Occurrences {
         Self { before: stmt.range.start(), ranges: vec![body.range(id)] }
     }
 
-    /// All uses of the value of `id` in its block; `None` if it is the only use.
+    /// All uses of `id`'s value in its block; `None` if it is the only use.
     pub(super) fn of<'db>(context: &Context<'db>, evaluation: &Evaluation<'db>, id: ExprId) -> Option<Self> {
         let dependencies = Dependencies::of(context, evaluation, id)?;
         let (block, at) = evaluation.stmt(id)?;
@@ -66,7 +66,7 @@ fn equal(evaluation: &Evaluation<'_>, id: ExprId) -> Vec<ExprId> {
     found
 }
 
-/// Whether the statement itself, not one of its blocks, always evaluates the expression.
+/// Whether the statement itself, not a nested block, always evaluates the expression.
 fn is_computed_at(evaluation: &Evaluation<'_>, id: ExprId, stmt: &Stmt) -> bool {
     let own = evaluation.stmt(id).and_then(|(block, at)| block.get(at));
     own.is_some_and(|own| own.range == stmt.range) && evaluation.movable(id).is_ok()

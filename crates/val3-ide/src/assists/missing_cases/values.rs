@@ -1,4 +1,4 @@
-//! Known values of the selector of a `switch`.
+//! Known values of a `switch` selector.
 
 use std::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ struct Values(BTreeMap<Key, String>);
 enum Key {
     /// Bits of a number, mapped so that their order is the numeric order.
     Number(u64),
-    /// Index of an enumerator, or the text of another value.
+    /// Enumerator index, or the text for other values.
     Other(usize, String),
 }
 
@@ -64,7 +64,7 @@ pub(super) fn missing(
 impl Values {
     fn add_number(&mut self, number: f64, text: String) {
         let bits = number.to_bits();
-        // Negative numbers sort first, in reverse order of their bits.
+        // Negative numbers sort first, in reverse bit order.
         let order = if number.is_sign_negative() { !bits } else { bits | 1 << 63 };
         self.0.entry(Key::Number(if number == 0.0 { 1 << 63 } else { order })).or_insert(text);
     }
@@ -100,7 +100,7 @@ impl Search<'_> {
         }
     }
 
-    /// Adds an assigned value: a constant, or the result codes of an instruction.
+    /// Adds an assigned value: a constant, or an instruction's result codes.
     fn value(&mut self, body: &Body, id: ExprId) {
         match body.expr(body.without_parentheses(id)) {
             Expr::Call(..) => self.result(body, id),
@@ -109,7 +109,7 @@ impl Search<'_> {
         }
     }
 
-    /// Adds the result codes of an instruction.
+    /// Adds an instruction's result codes.
     fn result(&mut self, body: &Body, id: ExprId) {
         let Expr::Call(callee, _) = body.expr(body.without_parentheses(id)) else { return };
         let (Expr::Name(name) | Expr::Path { item: name, .. }) = body.expr(*callee) else { return };

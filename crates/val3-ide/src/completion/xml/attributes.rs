@@ -56,7 +56,7 @@ fn detail(attribute: &Attribute) -> String {
     }
 }
 
-/// Attributes of a value of the surrounding type.
+/// Value attributes for the surrounding type.
 fn of_value(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     let (db, project) = (found.db, found.project);
     let Some((ty, arm)) = context.builtin(db, project) else { return };

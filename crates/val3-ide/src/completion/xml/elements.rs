@@ -91,7 +91,7 @@ fn add(
     });
 }
 
-/// `<Value>` with the attributes of its type, or the fields of a user type.
+/// `<Value>` with the type's attributes, or a user type's fields.
 fn value(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str, base: Option<Base>) {
     let mut snippet = Snippet::default();
     snippet.push(&format!("{angle}Value key=\""));

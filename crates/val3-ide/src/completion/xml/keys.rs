@@ -18,7 +18,7 @@ pub(super) fn next(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Stri
     key.unwrap_or_else(|| if is_collection(context) { "key" } else { "0" }.to_owned())
 }
 
-/// Unused keys: the indexes of an array, or the keys of a collection that the code uses.
+/// Unused keys: array indexes, or collection keys that the code uses.
 pub(super) fn free(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<String> {
     let Some((data, parent)) = context.declarations().next() else { return Vec::new() };
     let is_old = parent.ends_with("Section");
@@ -42,7 +42,7 @@ fn is_collection(context: &XmlContext<'_>) -> bool {
     context.declarations().next().is_some_and(|(data, _)| data.value("xsi:type") == Some("collection"))
 }
 
-/// First indexes of an array, at most [`SHOWN`] more than `taken`.
+/// First array indexes, at most [`SHOWN`] more than `taken`.
 fn indexes(sizes: &[u32], taken: usize) -> Vec<String> {
     let wanted = taken.saturating_add(SHOWN);
     let mut keys = vec![String::new()];

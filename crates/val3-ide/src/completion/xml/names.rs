@@ -94,7 +94,7 @@ pub(super) fn versions(db: &dyn Db, project: Project) -> Vec<String> {
     versions
 }
 
-/// Library identifiers for a path: the name of its project, and undeclared identifiers that the code uses.
+/// Library identifiers for a path: the project name, and undeclared identifiers that the code uses.
 pub(super) fn aliases(found: &CompletionList<'_>, path: Option<&str>) -> Vec<String> {
     let (db, project) = (found.db, found.project);
     let of_path = path.map(Utf8Path::new).and_then(Utf8Path::file_stem).filter(|stem| !stem.is_empty());

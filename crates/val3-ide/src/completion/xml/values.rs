@@ -21,7 +21,7 @@ use crate::io_links::{io_links, linked_type};
 use crate::reachable_projects::reachable;
 use crate::xml_context::XmlContext;
 
-/// Possible values of an attribute.
+/// Possible values for an attribute.
 pub(super) fn values(found: &mut CompletionList<'_>, context: &XmlContext<'_>, name: &str) {
     let element = context.cursor.tag.as_ref().map_or("", |tag| tag.name);
     match context.file {
@@ -38,7 +38,7 @@ fn add(found: &mut CompletionList<'_>, text: &str, kind: Kind, detail: &str, sco
     }
 }
 
-/// Adds texts in the order of their probability.
+/// Adds texts, given in order of probability.
 fn add_all(found: &mut CompletionList<'_>, texts: impl IntoIterator<Item = impl AsRef<str>>, kind: Kind, detail: &str) {
     for (place, text) in (0..).zip(texts) {
         add(found, text.as_ref(), kind, detail, -place);
@@ -232,7 +232,7 @@ fn value_attribute(found: &mut CompletionList<'_>, context: &XmlContext<'_>, nam
     }
 }
 
-/// Default of an attribute in s5 and s6.
+/// Attribute default in s5 and s6.
 fn old_default(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
     let Some(ty) = context.types().next() else { return };
     let default = old_data::attributes(ty, element).into_iter().find(|(known, _)| known == name);

@@ -14,7 +14,7 @@ use crate::lines::Lines;
 pub(crate) struct KeptTables {
     pub(super) types: Vec<DataType>,
     data: Vec<KeptDatum>,
-    /// Row hashes of each datum.
+    /// Row hashes, by datum.
     rows: Vec<KeptRows>,
     /// Hashes of the findings.
     findings: Vec<u64>,
@@ -99,7 +99,7 @@ impl KeptTables {
         self.findings = findings.iter().map(hash).collect();
     }
 
-    /// Copies the findings of an earlier result, which the client keeps.
+    /// Copies the findings from an earlier result, which the client keeps.
     pub(super) fn keep_findings(&mut self, before: &Self) {
         self.findings.clone_from(&before.findings);
     }
@@ -129,7 +129,7 @@ impl KeptTables {
     }
 }
 
-/// Differing ranges of two lists, after their common prefix and suffix are removed.
+/// Ranges in which two lists differ, after their common prefix and suffix are removed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Difference {
     pub(super) old: Range<usize>,
