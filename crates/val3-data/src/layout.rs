@@ -27,7 +27,7 @@ impl<'t> Layout<'t> {
         Self { text, root, close, line_end: xml::line_end(text), spells_defaults: OnceCell::new() }
     }
 
-    /// Whether most values in the file spell their defaults, as generated files do. The vendor's tools omit them.
+    /// Whether most defaults in the file are explicit, as in generated files. The vendor's tools omit them.
     pub(crate) fn spells_defaults(&self) -> bool {
         *self.spells_defaults.get_or_init(|| {
             let counts = self.root.list("Datas", "Data").map(tag::count_defaults);

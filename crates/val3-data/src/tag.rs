@@ -35,7 +35,7 @@ pub(crate) fn is_default(type_name: &str, element: Element<'_>) -> bool {
         && values.all(|attribute| saved_data::same_text(type_name, attribute.name, Some(&attribute.text()), None))
 }
 
-/// Whether the element spells a default other than the attribute `name`, or the file generally spells defaults.
+/// Whether an attribute other than `name` contains an explicit default, or defaults are generally explicit in the file.
 pub(crate) fn spells_another(layout: &Layout<'_>, type_name: &str, element: Element<'_>, name: &str) -> bool {
     let is_default = |other: Attribute<'_>| {
         other.name != name
@@ -99,7 +99,7 @@ fn add(edits: &mut Edits, type_name: &str, at: TextSize, name: &str, value: &Sav
 }
 
 /// Changes an attribute. An attribute that has become the default is removed with the whitespace before it, unless the
-/// value has a text for the default and the file spells defaults.
+/// value has an explicit text and defaults are explicit here (`spells`).
 fn replace(
     edits: &mut Edits,
     layout: &Layout<'_>,

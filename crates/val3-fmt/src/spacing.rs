@@ -31,7 +31,8 @@ pub(crate) fn keyword(piece: &Piece<'_>) -> Option<Edit> {
     (piece.text != canonical).then(|| Edit { range: piece.range, text: canonical.to_owned() })
 }
 
-/// New whitespace around a line break. Line ends keep their form, and the style limits their number.
+/// New whitespace around a line break; `None` if it must be kept. Line ends keep their form, and the style limits their
+/// number.
 fn line_break(before: &Piece<'_>, after: &Piece<'_>, found: &str, level: usize, style: &Style) -> Option<String> {
     if before.kind == CDATA_OPEN || after.kind == CDATA_CLOSE || is_mark(before.kind) || is_mark(after.kind) {
         return None;
@@ -47,7 +48,7 @@ fn line_break(before: &Piece<'_>, after: &Piece<'_>, found: &str, level: usize, 
     Some([trailing, &kept, &indent].concat())
 }
 
-/// Whether the token is neither code nor a comment of the code.
+/// Whether the token is an XML comment or a conflict marker.
 fn is_mark(kind: SyntaxKind) -> bool {
     matches!(kind, XML_COMMENT | CONFLICT_MARKER)
 }
@@ -69,7 +70,7 @@ fn line_ends(gap: &str) -> Vec<&str> {
     ends
 }
 
-/// New whitespace between two pieces of a line; `None` if it is unchanged.
+/// New whitespace between two pieces of a line; `None` if the whitespace must be kept.
 fn within_line(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> Option<&'static str> {
     if before.frozen || after.frozen || after.kind == COMMENT || is_outside(before.kind) || is_outside(after.kind) {
         return None;

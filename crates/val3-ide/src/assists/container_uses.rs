@@ -150,8 +150,8 @@ impl IndexUses<'_> {
         if is_plain { "\"" } else { ESCAPED }
     }
 
-    /// Whether the element is an argument that may access more than one value: an array from an index on, or a
-    /// reference.
+    /// Whether the element is an argument that may stand for more than one value, for example an array from an index
+    /// on.
     fn is_handed_over(&self, body: &Body, element: ExprId, name: TextRange) -> bool {
         let inference = infer(self.db, self.user, self.file);
         body.exprs().any(|(call, expr, _)| {

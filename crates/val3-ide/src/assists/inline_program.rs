@@ -130,7 +130,7 @@ impl InlinedProgram<'_, '_> {
             || effects.may_wait()
     }
 
-    /// Whether a local of the caller hides a global that the program uses.
+    /// Whether a local or parameter of the caller hides a global that the program uses.
     fn hides_globals(&self) -> bool {
         let caller = self.context.header();
         let hidden = |name: &SmolStr| {

@@ -149,7 +149,8 @@ fn work(batch: &Batch, snapshot: &Snapshot, inbox: &Inbox) {
     }
 }
 
-/// Findings in the edited programs of `project`, before the rest of the project is checked.
+/// Findings in the edited programs of `project`, before the rest of the project is checked. Files that several projects
+/// share are omitted, because their findings come from all these projects.
 fn found_early<'a>(
     batch: &'a Batch,
     snapshot: &'a Snapshot,
