@@ -7,7 +7,7 @@ use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
 use super::list::{CompletionKind as Kind, CompletionList};
 use crate::assists::header_comments;
 
-/// Range from `//` to the cursor, if the text can begin such a comment.
+/// Range after `//` up to the cursor, if the text can begin such a comment.
 pub(super) fn typed(root: &SyntaxNode, offset: TextSize) -> Option<TextRange> {
     let token = root.token_at_offset(offset).left_biased().filter(|token| token.kind() == COMMENT)?;
     let written = token.text().get(..usize::from(offset - token.text_range().start()))?;
