@@ -1,4 +1,4 @@
-//! Declarations of data that go from a file, are copied, or come into it.
+//! Removing, copying and inserting declarations of data.
 
 use rustc_hash::FxHashSet;
 use val3_syntax::xml::{self, Element};
@@ -9,7 +9,7 @@ use crate::edits::{Edits, apply};
 use crate::layout::Layout;
 use crate::tag;
 
-/// The edits that take out `data`, with their lines. A list that loses everything is left as the file writes empty lists.
+/// Edits that remove `data`, with their lines. A list that becomes empty is written like other empty lists in the file.
 #[must_use]
 pub fn remove(text: &str, root: Element<'_>, data: &[Element<'_>]) -> Vec<Edit> {
     let layout = Layout::of(text, root);
@@ -28,7 +28,7 @@ pub fn remove(text: &str, root: Element<'_>, data: &[Element<'_>]) -> Vec<Edit> 
     edits.sorted()
 }
 
-/// The edit that adds a copy of `data` with another name after it.
+/// Edit that inserts a copy of `data` with another name after it.
 #[must_use]
 pub fn duplicate(text: &str, root: Element<'_>, data: Element<'_>, name: &str) -> Option<Edit> {
     let layout = Layout::of(text, root);
@@ -39,22 +39,22 @@ pub fn duplicate(text: &str, root: Element<'_>, data: Element<'_>, name: &str) -
     Some(after(text, root, data, &[copy]))
 }
 
-/// The edit that adds lines after `data`.
+/// Edit that inserts lines after `data`.
 #[must_use]
 pub fn after(text: &str, root: Element<'_>, data: Element<'_>, lines: &[String]) -> Edit {
     let insert = Layout::of(text, root).beside(data.tag_range().start(), lines);
     Edit { range: TextRange::empty(data.view().range().end()), insert }
 }
 
-/// The edit that gives a value another key.
+/// Edit that renames the key of a value.
 #[must_use]
 pub fn rename_key(value: Element<'_>, key: &str) -> Option<Edit> {
     let attribute = value.attribute("key")?;
     Some(Edit { range: attribute.range, insert: tag::escaped(key, attribute.quote) })
 }
 
-/// The lines of a declaration as a file of this layout writes them: the order and the quotes of attributes, the ends of
-/// tags, variables without values.
+/// Lines of a declaration in the format of the file: the order and the quotes of attributes, the ends of tags, and
+/// variables without values.
 #[must_use]
 pub fn in_style(text: &str, root: Element<'_>, lines: Vec<String>) -> Vec<String> {
     let layout = Layout::of(text, root);
@@ -75,7 +75,7 @@ pub fn in_style(text: &str, root: Element<'_>, lines: Vec<String>) -> Vec<String
     styled
 }
 
-/// A line with the end of its tag.
+/// Adapts the tag end in a line to the format of the file.
 fn ended(layout: &Layout<'_>, line: String) -> String {
     let has_attributes = line.contains('=');
     match (line.strip_suffix("/>"), line.strip_suffix('>'), layout.open()) {
@@ -85,8 +85,8 @@ fn ended(layout: &Layout<'_>, line: String) -> String {
     }
 }
 
-/// A start tag with its attributes as in the first declaration of the same kind. One that the others have in addition
-/// (`privilege` in s6) gets its usual value.
+/// A start tag with its attributes ordered as in the first declaration of the same kind. A missing attribute that other
+/// declarations have (`privilege` in s6) gets its default.
 fn ordered(layout: &Layout<'_>, root: Element<'_>, line: &str) -> String {
     let parse = val3_syntax::parse(line);
     let Some(own) = xml::root(parse.view()) else { return line.to_owned() };
@@ -112,5 +112,5 @@ fn ordered(layout: &Layout<'_>, root: Element<'_>, line: &str) -> String {
     format!("<{}{}{end}", own.name(), written.concat())
 }
 
-/// An attribute of s6 that not every file has.
+/// An attribute of s6 that occurs only in some files.
 const PRIVILEGE: &str = "privilege";

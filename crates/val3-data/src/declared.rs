@@ -1,8 +1,8 @@
-//! The declarations of a data file.
+//! Declarations of a data file.
 
 use val3_syntax::xml::Element;
 
-/// The elements that declare data: those of `<Datas>`, in s5 and s6 those of all sections.
+/// Elements that declare data: in `<Datas>`, or in all sections of s5 and s6.
 pub(crate) fn elements(root: Element<'_>) -> impl Iterator<Item = Element<'_>> {
     let is_new = root.name() == "Database";
     let lists = root.elements().filter(move |list| !is_new || list.name() == "Datas");

@@ -1,10 +1,10 @@
-//! Edits of one text.
+//! Text edits.
 
 use std::ops::Range;
 
 use val3_syntax::{Edit, Part, TextRange, TextSize};
 
-/// Edits that do not overlap; those at one place keep their order.
+/// Edits that do not overlap. Edits at the same offset keep their order.
 #[derive(Debug, Default)]
 pub(crate) struct Edits {
     edits: Vec<Edit>,
@@ -19,14 +19,14 @@ impl Edits {
         self.replace(TextRange::empty(at), insert);
     }
 
-    /// The edits in the order of their places.
+    /// Edits sorted by offset.
     pub(crate) fn sorted(mut self) -> Vec<Edit> {
         self.edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
         self.edits
     }
 }
 
-/// A text with `edits`, which are sorted and do not overlap.
+/// Applies `edits` to a text. They must be sorted and must not overlap.
 #[must_use]
 pub fn apply(text: &str, edits: &[Edit]) -> String {
     let mut out = String::with_capacity(text.len());
@@ -40,7 +40,8 @@ pub fn apply(text: &str, edits: &[Edit]) -> String {
     out + text.part(done..)
 }
 
-/// The edits that do at once what `first` and then `second`, in its result, do. All are sorted and do not overlap.
+/// Combines two lists of edits: `second` applies to the result of `first`. Each list, and the result, is sorted and
+/// without overlap.
 #[must_use]
 pub fn compose(first: &[Edit], second: &[Edit]) -> Vec<Edit> {
     if first.is_empty() {
@@ -58,10 +59,10 @@ pub fn compose(first: &[Edit], second: &[Edit]) -> Vec<Edit> {
     edits(out)
 }
 
-/// A part of an edited text.
+/// A part of the edited text.
 #[derive(Debug)]
 enum Piece {
-    /// From the text before the edits.
+    /// From the original text.
     Old(TextRange),
     New(String),
 }
@@ -88,7 +89,7 @@ impl Piece {
     }
 }
 
-/// The text after `edits`. Its last piece has no end.
+/// Pieces of the text after `edits`. The last piece is unbounded.
 fn pieces(edits: &[Edit]) -> Vec<Piece> {
     let (mut pieces, mut at) = (Vec::new(), TextSize::new(0));
     for edit in edits {
@@ -100,7 +101,7 @@ fn pieces(edits: &[Edit]) -> Vec<Piece> {
     pieces
 }
 
-/// Takes the first `len` bytes of a text, whose pieces are in reverse order.
+/// Removes the first `len` bytes of a text, and passes their pieces to `taken`. The pieces are in reverse order.
 fn take(pieces: &mut Vec<Piece>, mut len: TextSize, taken: &mut dyn FnMut(Piece)) {
     while len > TextSize::new(0) {
         let Some(piece) = pieces.pop() else { return };
@@ -114,7 +115,7 @@ fn take(pieces: &mut Vec<Piece>, mut len: TextSize, taken: &mut dyn FnMut(Piece)
     }
 }
 
-/// The edits that make a text of these pieces.
+/// Edits that produce a text of these pieces.
 fn edits(pieces: Vec<Piece>) -> Vec<Edit> {
     let mut edits: Vec<Edit> = Vec::new();
     let (mut at, mut insert) = (TextSize::new(0), String::new());
@@ -139,7 +140,7 @@ mod tests {
 
     use super::*;
 
-    /// Edits in a text of `len` bytes from pairs of a distance and a length.
+    /// Creates edits for a text with `len` bytes, from distances, lengths and new texts.
     fn some_edits(len: usize, wanted: &[(usize, usize, String)]) -> Vec<Edit> {
         let mut at = 0;
         let mut edits = Vec::new();

@@ -1,4 +1,4 @@
-//! How a file is laid out, and elements written in that way.
+//! Format of a data file, and elements written in this format.
 
 use std::cell::OnceCell;
 
@@ -8,14 +8,14 @@ use val3_syntax::{Part, TextRange, TextSize, text_size};
 use crate::declared::elements;
 use crate::{Content, SavedData, SavedValue, Shape, tag};
 
-/// One level of indentation in the XML that the tools write.
+/// One level of indentation in XML written by the tools.
 const LEVEL: &str = "  ";
 
 #[derive(Debug)]
 pub(crate) struct Layout<'t> {
     pub(crate) text: &'t str,
     root: Element<'t>,
-    /// How an element without content ends.
+    /// Tag end for elements without content.
     pub(crate) close: &'static str,
     line_end: &'static str,
     spells_defaults: OnceCell<bool>,
@@ -27,7 +27,7 @@ impl<'t> Layout<'t> {
         Self { text, root, close, line_end: xml::line_end(text), spells_defaults: OnceCell::new() }
     }
 
-    /// Most values of the file spell their defaults, as generated files do. The vendor's tools omit them.
+    /// Whether most defaults in the file are explicit, as in generated files. The vendor's tools omit them.
     pub(crate) fn spells_defaults(&self) -> bool {
         *self.spells_defaults.get_or_init(|| {
             let counts = self.root.list("Datas", "Data").map(tag::count_defaults);
@@ -36,7 +36,7 @@ impl<'t> Layout<'t> {
         })
     }
 
-    /// The file gives variables without values an end tag.
+    /// Whether variables without values have an end tag in this file.
     pub(crate) fn has_empty_elements(&self, name: &str) -> bool {
         let mut data = elements(self.root).filter(|data| data.name() == name);
         data.find(is_empty).is_some_and(|data| self.has_end_tag(data))
@@ -46,13 +46,14 @@ impl<'t> Layout<'t> {
         !self.slice(element.tag_range()).ends_with("/>")
     }
 
-    /// How a start tag of a variable ends that has content: the controller writes a blank there.
+    /// End of a variable's start tag if it has content. The controller writes a space there. `None` if the file has no
+    /// such tag.
     pub(crate) fn open(&self) -> Option<&'static str> {
         let tag = elements(self.root).find(|data| self.has_end_tag(*data)).map(|data| self.slice(data.tag_range()))?;
         Some(if tag.ends_with(" >") { " >" } else { ">" })
     }
 
-    /// The element holds elements and blanks alone.
+    /// Whether the element contains only elements and whitespace.
     pub(crate) fn is_plain(&self, element: Element<'_>) -> bool {
         let range = element.view().range();
         let mut from = element.tag_range().end();
@@ -71,7 +72,7 @@ impl<'t> Layout<'t> {
         self.text.part(usize::from(range.start())..usize::from(range.end()))
     }
 
-    /// The lines of an element inside of the one at `outer`, each on a line of its own where the file is written so.
+    /// Child element of the element at `outer`, on separate lines if the file uses separate lines.
     pub(crate) fn inside(&self, outer: TextSize, lines: &[String]) -> String {
         match xml::indentation(self.text, outer) {
             Some(blanks) => self.lines(&format!("{blanks}{LEVEL}"), lines),
@@ -79,7 +80,7 @@ impl<'t> Layout<'t> {
         }
     }
 
-    /// The lines around an element.
+    /// Lines next to an element, at its indentation.
     pub(crate) fn beside(&self, neighbour: TextSize, lines: &[String]) -> String {
         match xml::indentation(self.text, neighbour) {
             Some(blanks) => self.lines(blanks, lines),
@@ -91,8 +92,8 @@ impl<'t> Layout<'t> {
         lines.iter().map(|line| format!("{}{blanks}{line}", self.line_end)).collect()
     }
 
-    /// The end of an element that holds nothing but blanks, from the last attribute of its start tag on, and what it is
-    /// replaced with so that the element holds `lines`.
+    /// Edit that inserts `lines` into an element that contains only whitespace. The replaced range starts after the
+    /// last attribute.
     pub(crate) fn filled(&self, element: Element<'_>, lines: &[String]) -> (TextRange, String) {
         let at = element.tag_range().start();
         let tag = self.slice(element.tag_range());
@@ -104,12 +105,12 @@ impl<'t> Layout<'t> {
         (TextRange::new(start, element.view().range().end()), text)
     }
 
-    /// As [`filled`](Self::filled), for an element that is to hold nothing.
+    /// Like [`filled`](Self::filled), but without content.
     pub(crate) fn emptied(&self, element: Element<'_>) -> (TextRange, String) {
         self.closed(element, self.has_empty_elements(element.name()))
     }
 
-    /// As [`emptied`](Self::emptied), for a list of declarations.
+    /// Like [`emptied`](Self::emptied), for a list of declarations.
     pub(crate) fn emptied_list(&self, list: Element<'_>) -> (TextRange, String) {
         let mut others = self.root.elements().filter(is_empty);
         let has_end_tag = match others.next() {
@@ -129,12 +130,12 @@ impl<'t> Layout<'t> {
         (TextRange::new(tag.start() + size(head), end), self.close.to_owned())
     }
 
-    /// The line end and the blanks before an end tag on a line of its own.
+    /// Line end and indentation before an end tag on its own line.
     fn line_before(&self, at: TextSize) -> String {
         xml::indentation(self.text, at).map(|blanks| format!("{}{blanks}", self.line_end)).unwrap_or_default()
     }
 
-    /// A new value, line by line.
+    /// Lines of a new value.
     pub(crate) fn value(&self, data: &SavedData, value: &SavedValue) -> Vec<String> {
         let key = tag::escaped(&value.key, '"');
         match &value.content {
@@ -151,7 +152,7 @@ impl<'t> Layout<'t> {
         }
     }
 
-    /// A new field, line by line.
+    /// Lines of a new field.
     pub(crate) fn field(&self, data: &SavedData) -> Vec<String> {
         let shape = match &data.shape {
             Shape::Keys => format!("xsi:type=\"collection\" type=\"{}\"", data.type_name),
@@ -181,7 +182,7 @@ fn enclosed(start: String, inner: impl Iterator<Item = String>, end: &str) -> Ve
     std::iter::once(start).chain(inner).chain([end.to_owned()]).collect()
 }
 
-/// Sizes as files spell them.
+/// Sizes as spelled in files.
 pub(crate) fn spaced(sizes: &[u32]) -> String {
     sizes.iter().map(u32::to_string).collect::<Vec<_>>().join(" ")
 }

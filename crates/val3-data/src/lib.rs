@@ -1,7 +1,7 @@
-//! The data files (`.dtx`) of both dialects as plain values: what they hold, and how new values get into them.
+//! Data files (`.dtx`) of both dialects as plain values: reading them, and writing new values.
 //!
-//! Values are texts, as files spell them. The editor and the controller's `libSave` write through the same code, so that
-//! both keep the layout of a file.
+//! Values are texts as spelled in files. The editor and the controller's `libSave` use the same code, so both keep the
+//! format of a file.
 
 mod declarations;
 mod declared;

@@ -1,5 +1,5 @@
-//! The lists of s5 and s6: `<num name="n"><valueNum index="0" value="3" /></num>`. Every value is spelt with all its
-//! attributes, some of them on elements inside, and the father of a variable is written once for all its values.
+//! Lists of s5 and s6: `<num name="n"><valueNum index="0" value="3" /></num>`. All attributes of every value are
+//! explicit, some of them on child elements, and the father of a variable is written once for all values.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -10,10 +10,10 @@ use crate::edits::{Edits, apply};
 use crate::layout::Layout;
 use crate::{Content, SavedData, SavedValue, Shape, reference, saved_data, tag};
 
-/// The attribute of s7 for the element that names the output of a tool.
+/// s7 attribute that corresponds to the element with the output of a tool.
 const OUTPUT: &str = "ioLink";
 
-/// The values of a variable, each with the father of the variable.
+/// Values of a variable, each with the variable's father.
 pub(crate) fn read(element: Element<'_>) -> SavedData {
     let father = father_element(element).map(|found| ("fatherId".into(), reference::text(found)));
     let value = |value: Element<'_>| SavedValue {
@@ -41,7 +41,7 @@ fn values(element: Element<'_>) -> impl Iterator<Item = Element<'_>> {
     element.elements().filter(|found| found.attribute("index").is_some())
 }
 
-/// Writes the values of a variable into its element. Inputs, outputs and lines have a size alone there.
+/// Writes the values of a variable into its element. Inputs, outputs and lines only have a size there.
 pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
     let Shape::Sizes(sizes) = &data.shape else { return };
     let found: Vec<_> = values(element).collect();
@@ -92,7 +92,7 @@ fn part(edits: &mut Edits, found: &[Element<'_>], data: &SavedData) {
     }
 }
 
-/// The attributes of one value that changed.
+/// Writes a value's changed attributes.
 fn change(edits: &mut Edits, found: Element<'_>, data: &SavedData, value: Option<&SavedValue>) {
     for attribute in leaves(found) {
         let Some(name) = name_of(attribute) else { continue };
@@ -102,24 +102,24 @@ fn change(edits: &mut Edits, found: Element<'_>, data: &SavedData, value: Option
             edits.replace(attribute.range, tag::escaped(new.unwrap_or(&default), attribute.quote));
         }
     }
-    // A running application gives a physical output here, which these files do not name.
+    // A running application sets a physical output here, which these files cannot name.
     let named = value.and_then(|value| value.text(OUTPUT)).filter(|text| text.is_empty() || text.ends_with(']'));
     if let Some((io, text)) = output(found).zip(named) {
         reference::write(edits, io, text);
     }
 }
 
-/// The element with the output that opens and closes a tool.
+/// Element with the output that opens and closes a tool.
 fn output(value: Element<'_>) -> Option<Element<'_>> {
     value.elements().find(|part| part.attribute("ioIndex").is_some())
 }
 
-/// The attributes of a value and of the elements inside of it.
+/// Attributes of a value and its child elements.
 fn leaves<'g>(found: Element<'g>) -> impl Iterator<Item = Attribute<'g>> {
     found.attributes().chain(found.elements().flat_map(Element::attributes))
 }
 
-/// The attribute of s7 for an attribute of a value.
+/// s7 name of a value's attribute.
 fn name_of<'g>(attribute: Attribute<'g>) -> Option<&'g str> {
     match attribute.name {
         "open" => Some("ioOpen"),
@@ -129,7 +129,7 @@ fn name_of<'g>(attribute: Attribute<'g>) -> Option<&'g str> {
     }
 }
 
-/// A further value, written like the last one.
+/// An additional value in the format of the last value.
 fn copy(
     layout: &Layout<'_>,
     last: Element<'_>,
@@ -151,7 +151,7 @@ fn father_element(element: Element<'_>) -> Option<Element<'_>> {
     element.elements().find(|found| found.name().ends_with("Father"))
 }
 
-/// The father of the first value is that of the variable.
+/// Writes the variable's father, taken from the first value.
 fn father(edits: &mut Edits, element: Element<'_>, data: &SavedData) {
     let new = data.values.first().and_then(|value| value.text("fatherId"));
     if let Some((found, new)) = father_element(element).zip(new) {

@@ -1,4 +1,4 @@
-//! The values that a data file writes, in the form in which [`rewrite`](crate::rewrite()) takes them.
+//! Values in a data file, in the form that [`rewrite`](crate::rewrite()) accepts.
 
 use val3_lang::types::BaseType;
 use val3_syntax::xml::Element;
@@ -6,11 +6,11 @@ use val3_syntax::xml::Element;
 use crate::lists;
 use crate::{Content, SavedData, SavedField, SavedValue, Shape};
 
-/// Levels of fields in fields that are read.
+/// Nesting limit of fields within fields.
 const NESTING: usize = 8;
 
-/// The values of the variable or field that `element` declares, as the file spells them. Attributes and fields that the
-/// file leaves out are left out. Sizes that cannot be read count as one value.
+/// Values of the variable or field that `element` declares, as spelled in the file. Omitted attributes and fields are
+/// omitted. Invalid sizes count as one value.
 #[must_use]
 pub fn read(element: Element<'_>) -> SavedData {
     match element.name() {
@@ -19,7 +19,7 @@ pub fn read(element: Element<'_>) -> SavedData {
     }
 }
 
-/// The type of a variable or field, as its file spells it; empty if there is none.
+/// Type name of a variable or field, as spelled in the file; empty if it is missing.
 pub fn type_name(element: Element<'_>) -> smol_str::SmolStr {
     match element.name() {
         "Data" | "Field" => element.value("type").unwrap_or_default().into(),

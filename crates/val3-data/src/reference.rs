@@ -1,5 +1,5 @@
-//! How elements of s5 and s6 name other data: `<pFather alias="" name="fTable" fatherIndex="0" />` is `fTable[0]`, and
-//! `<io alias="io" name="valve1" ioIndex="0" … />` is `io:valve1[0]`.
+//! References to other data in elements of s5 and s6. For example, `<pFather alias="" name="fTable" fatherIndex="0" />`
+//! is `fTable[0]`, and `<io alias="io" name="valve1" ioIndex="0" … />` is `io:valve1[0]`.
 
 use val3_lang::keywords::is_identifier;
 use val3_syntax::xml::Element;
@@ -7,10 +7,10 @@ use val3_syntax::xml::Element;
 use crate::edits::Edits;
 use crate::tag;
 
-/// The attribute with the index.
+/// Names of the attribute with the index.
 const INDEXES: [&str; 2] = ["fatherIndex", "ioIndex"];
 
-/// Data of an application or of one of its libraries.
+/// Data of an application or one of its libraries.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct Reference<'t> {
     alias: &'t str,
@@ -18,7 +18,7 @@ struct Reference<'t> {
     index: &'t str,
 }
 
-/// The reference that an element makes; empty where it names nothing.
+/// Reference in an element; empty if it has no name.
 pub(crate) fn text(element: Element<'_>) -> String {
     let value = |name: &str| element.value(name).unwrap_or_default();
     let (alias, name) = (value("alias"), value("name"));
@@ -30,7 +30,7 @@ pub(crate) fn text(element: Element<'_>) -> String {
     format!("{library}{name}[{index}]")
 }
 
-/// Lets an element make another reference. A text that is none changes nothing.
+/// Changes the reference in an element. An invalid reference has no effect.
 pub(crate) fn write(edits: &mut Edits, element: Element<'_>, text: &str) {
     let Some(new) = parse(text) else { return };
     let index = INDEXES.into_iter().find(|name| element.attribute(name).is_some()).unwrap_or("");
@@ -41,7 +41,7 @@ pub(crate) fn write(edits: &mut Edits, element: Element<'_>, text: &str) {
     }
 }
 
-/// The text is empty, or `alias:name[index]` with or without the library and the index.
+/// Whether the text is empty, or has the form `alias:name[index]` with optional library and index.
 #[must_use]
 pub fn is_old_reference(text: &str) -> bool {
     parse(text).is_some()

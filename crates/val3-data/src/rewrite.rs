@@ -1,7 +1,8 @@
-//! Writes new values into a data file in its style: only changed elements are written, every other byte stays.
+//! Writes new values into a data file in its own format. Only changed elements are written; all other bytes are
+//! unchanged.
 //!
-//! A value that has become the default leaves an array, as the tools write it (formats of s7 and s8); the lists of s5
-//! and s6 spell every value.
+//! A value that has become the default is removed from an array, as the tools do (s7 and s8). Lists of s5 and s6
+//! contain all values.
 
 use rustc_hash::FxHashMap;
 use val3_syntax::Edit;
@@ -12,8 +13,8 @@ use crate::edits::{Edits, apply};
 use crate::layout::Layout;
 use crate::{SavedData, lists, values};
 
-/// The text of a data file with the values of `data`. Data that the file does not declare are skipped, and what `data`
-/// does not name stays. Takes time in proportion to the text and the data.
+/// Text of a data file with the values of `data`. Data that the file does not declare are skipped, and data that are
+/// not in `data` are unchanged. The run time is linear in the size of the text and the data.
 #[must_use]
 pub fn rewrite(text: &str, data: &[SavedData]) -> String {
     let parse = val3_syntax::parse(text);
@@ -21,7 +22,7 @@ pub fn rewrite(text: &str, data: &[SavedData]) -> String {
     apply(text, &edits(text, root, data))
 }
 
-/// The edits that [`rewrite`] makes in a text with this root, in order. They do not overlap.
+/// Edits that [`rewrite`] makes in a text with this root, sorted and without overlap.
 #[must_use]
 pub fn edits(text: &str, root: Element<'_>, data: &[SavedData]) -> Vec<Edit> {
     let mut edits = Edits::default();

@@ -1,63 +1,63 @@
-//! The values of a project's global data as `libSave` writes them: plain texts, as files spell them.
+//! Values of a project's global data as `libSave` writes them: plain texts as spelled in files.
 
 use std::borrow::Cow;
 
 use smol_str::SmolStr;
 use val3_lang::types::{Attribute, AttributeValue, BaseType, DefaultValue, attribute};
 
-/// One global variable, or one field of a user type.
+/// A global variable, or a field of a user type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SavedData {
-    /// Its declared name.
+    /// Declared name.
     pub name: SmolStr,
-    /// Its type, as the file spells it: `num`, `pointRx`, `Slot`.
+    /// Type name as spelled in the file: `num`, `pointRx`, `Slot`.
     pub type_name: SmolStr,
-    /// Its container.
+    /// Container.
     pub shape: Shape,
-    /// Its values: of an array those that are not the default, or more, by index; of a collection all.
+    /// Values. For an array, at least the values that differ from the default, by index; for a collection, all values.
     pub values: Vec<SavedValue>,
-    /// The values are some of the existing ones: the others stay as the file has them, as do the sizes.
+    /// Whether `values` contains only some of the values, so that all others and the sizes are unchanged in the file.
     pub is_part: bool,
 }
 
-/// The container of a variable.
+/// Container of a variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Shape {
-    /// An array with one to three sizes. A single value is an array of one.
+    /// An array with one to three sizes. A single value is an array of size 1.
     Sizes(Vec<u32>),
     /// A collection.
     Keys,
 }
 
-/// One value of a container.
+/// A value of a container.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SavedValue {
-    /// The key, or the index: `7`, `2,1`.
+    /// Key, or index such as `7` or `2,1`.
     pub key: String,
-    /// Its content.
+    /// Content.
     pub content: Content,
 }
 
-/// The content of a value.
+/// Content of a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Content {
-    /// A value of a built-in type: its attributes (`val3_lang::types::attributes`) with their texts. One that is left
-    /// out has its default.
+    /// Value of a built-in type: its attributes (`val3_lang::types::attributes`) with their texts. An omitted attribute
+    /// has its default.
     Attributes(Vec<(SmolStr, String)>),
-    /// A value of a user type.
+    /// Value of a user type.
     Fields(Vec<SavedField>),
 }
 
-/// One field of a value of a user type.
+/// A field in a user type's value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SavedField {
-    /// The field holds what its type gives to a new one, so that a file may leave it out.
+    /// Whether the field has its initial value from the type, so that a file may omit it.
     pub initial: bool,
     /// Name, type and values.
     pub data: SavedData,
 }
 
-/// A number as files spell it: the fewest digits that identify it, with an exponent where that is shorter.
+/// Number as spelled in files: the fewest digits that identify it, with an exponent if that is shorter.
 #[must_use]
 pub fn number_text(number: f64) -> String {
     let size = number.abs();
@@ -65,19 +65,19 @@ pub fn number_text(number: f64) -> String {
 }
 
 impl SavedValue {
-    /// The text of an attribute; `None` where it has its default.
+    /// Attribute text; `None` for the default.
     #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
         let Content::Attributes(attributes) = &self.content else { return None };
         attributes.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str())
     }
 
-    /// The value gives some attributes a text, be it that of the default.
+    /// Whether the value has a text for an attribute, even if it is the default.
     pub(crate) fn has_texts(&self) -> bool {
         matches!(&self.content, Content::Attributes(attributes) if !attributes.is_empty())
     }
 
-    /// The value is what a new one is, so that an array need not spell it.
+    /// Whether the value equals a new value, so that an array may omit it.
     pub(crate) fn is_default(&self, type_name: &str) -> bool {
         match &self.content {
             Content::Attributes(attributes) => {
@@ -88,7 +88,7 @@ impl SavedValue {
     }
 }
 
-/// Both values of a built-in type mean the same; `None` is the default.
+/// Whether both values of a built-in type are equivalent; `None` is the default.
 #[must_use]
 pub fn is_same(type_name: &str, one: Option<&SavedValue>, other: Option<&SavedValue>) -> bool {
     let text = |value: Option<&SavedValue>, name: &str| value.and_then(|value| value.text(name)).map(str::to_owned);
@@ -100,7 +100,7 @@ pub fn is_same(type_name: &str, one: Option<&SavedValue>, other: Option<&SavedVa
     names.all(|name| same_text(type_name, name, text(one, name).as_deref(), text(other, name).as_deref()))
 }
 
-/// Both texts of the attribute mean the same; `None` is its default.
+/// Whether both texts of the attribute are equivalent; `None` is the default.
 #[must_use]
 pub fn same_text(type_name: &str, name: &str, one: Option<&str>, other: Option<&str>) -> bool {
     let attribute = BaseType::from_file_name(type_name).and_then(|(ty, arm)| attribute(ty, arm, name));
@@ -117,7 +117,7 @@ pub fn same_text(type_name: &str, name: &str, one: Option<&str>, other: Option<&
     }
 }
 
-/// The meaning of an attribute that is left out, as files spell it. A link or a father that is left out is none.
+/// Attribute default, as spelled in files. The default of a link or father is empty.
 #[must_use]
 pub fn default_of(attribute: &Attribute) -> Cow<'static, str> {
     match attribute.default {
@@ -128,7 +128,7 @@ pub fn default_of(attribute: &Attribute) -> Cow<'static, str> {
     }
 }
 
-/// As [`default_of`], of the attribute `name` of a type.
+/// Like [`default_of`], for the attribute `name` of a type.
 pub(crate) fn default_text(type_name: &str, name: &str) -> Cow<'static, str> {
     let attribute = BaseType::from_file_name(type_name).and_then(|(ty, arm)| attribute(ty, arm, name));
     attribute.map_or("".into(), default_of)
@@ -138,7 +138,7 @@ fn meant<'t>(attribute: &Attribute, text: Option<&'t str>) -> Cow<'t, str> {
     text.map_or_else(|| default_of(attribute), Cow::from)
 }
 
-/// A variable without an index means its first value.
+/// Adds the index 0, which a variable without an index implies.
 fn indexed(father: &str) -> Cow<'_, str> {
     if father.is_empty() || father.ends_with(']') { father.into() } else { format!("{father}[0]").into() }
 }

@@ -1,4 +1,4 @@
-//! The attributes of a `Value`.
+//! Attributes of a `Value` element.
 
 use val3_lang::types::{self, BaseType};
 use val3_syntax::xml::{self, Attribute, Element};
@@ -8,7 +8,8 @@ use crate::edits::Edits;
 use crate::layout::Layout;
 use crate::{Content, SavedValue, saved_data};
 
-/// A text as an attribute between two of `quote` holds it. Characters below a blank would be read as blanks.
+/// Escapes a text for an attribute with this quote. Control characters are escaped, because they would be read as
+/// spaces.
 pub(crate) fn escaped(text: &str, quote: char) -> String {
     let mut out = String::with_capacity(text.len());
     for character in xml::escaped(text).chars() {
@@ -21,20 +22,20 @@ pub(crate) fn escaped(text: &str, quote: char) -> String {
     out
 }
 
-/// The element holds the value already.
+/// Whether the element already contains the value.
 pub(crate) fn is_same(type_name: &str, element: Element<'_>, value: &SavedValue) -> bool {
     let same = |name: &str| saved_data::same_text(type_name, name, element.value(name).as_deref(), value.text(name));
     names(type_name, value).iter().all(|name| same(name))
 }
 
-/// The element holds the default of its type.
+/// Whether the element has the type's default.
 pub(crate) fn is_default(type_name: &str, element: Element<'_>) -> bool {
     let mut values = element.attributes().filter(|attribute| attribute.name != "key");
     element.elements().next().is_none()
         && values.all(|attribute| saved_data::same_text(type_name, attribute.name, Some(&attribute.text()), None))
 }
 
-/// The element or the file spells defaults other than that of the attribute `name`.
+/// Whether an attribute other than `name` contains an explicit default, or defaults are generally explicit in the file.
 pub(crate) fn spells_another(layout: &Layout<'_>, type_name: &str, element: Element<'_>, name: &str) -> bool {
     let is_default = |other: Attribute<'_>| {
         other.name != name
@@ -44,7 +45,7 @@ pub(crate) fn spells_another(layout: &Layout<'_>, type_name: &str, element: Elem
     element.attributes().any(is_default) || layout.spells_defaults()
 }
 
-/// The defaults that the values of a variable of a built-in type spell, and those that they omit.
+/// Numbers of explicit and omitted defaults in the values of a variable with a built-in type.
 pub(crate) fn count_defaults(data: Element<'_>) -> (usize, usize) {
     let type_name = data.value("type").unwrap_or_default();
     let (mut spelt, mut omitted) = (0, 0);
@@ -60,13 +61,13 @@ pub(crate) fn count_defaults(data: Element<'_>) -> (usize, usize) {
     (spelt, omitted)
 }
 
-/// The attributes of a new element that are not the default, each with a blank before it.
+/// Attributes of a new element that differ from the default, each preceded by a space.
 pub(crate) fn attributes(type_name: &str, value: &SavedValue) -> String {
     let spelt = |name: &&str| !saved_data::same_text(type_name, name, value.text(name), None);
     names(type_name, value).into_iter().filter(spelt).map(|name| written(name, value)).collect()
 }
 
-/// Changes the attributes of an existing element. New ones are where files usually have them.
+/// Changes an element's attributes. New attributes are inserted at their usual position.
 pub(crate) fn change(
     edits: &mut Edits,
     layout: &Layout<'_>,
@@ -97,8 +98,8 @@ fn add(edits: &mut Edits, type_name: &str, at: TextSize, name: &str, value: &Sav
     }
 }
 
-/// An attribute that has become the default goes, with the blanks before it, unless the value gives the default a text
-/// and the file spells defaults.
+/// Changes an attribute. An attribute that has become the default is removed with the whitespace before it, unless the
+/// value has an explicit text and defaults are explicit here (`spells`).
 fn replace(
     edits: &mut Edits,
     layout: &Layout<'_>,
@@ -127,13 +128,13 @@ fn written(name: &str, value: &SavedValue) -> String {
     format!(" {name}=\"{}\"", escaped(value.text(name).unwrap_or(""), '"'))
 }
 
-/// The attributes of a built-in type in the order of files.
+/// Attributes of a built-in type in file order.
 fn known(type_name: &str) -> impl Iterator<Item = &'static str> {
     let found = BaseType::from_file_name(type_name);
     found.into_iter().flat_map(|(ty, arm)| types::attributes(ty, arm)).map(|attribute| attribute.name)
 }
 
-/// The attributes of the type, and what else the value names.
+/// Attributes of the type, and further attributes of the value.
 fn names<'v>(type_name: &str, value: &'v SavedValue) -> Vec<&'v str> {
     let mut names: Vec<&str> = known(type_name).collect();
     if let Content::Attributes(attributes) = &value.content {

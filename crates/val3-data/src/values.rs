@@ -40,7 +40,7 @@ pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     }
 }
 
-/// Inserts new values in order: each after the last existing value that precedes it.
+/// Inserts new values in order, each after the last existing value that precedes it.
 fn insert(
     edits: &mut Edits,
     layout: &Layout<'_>,
@@ -48,7 +48,8 @@ fn insert(
     data: &SavedData,
     added: &[&SavedValue],
 ) {
-    // The least order from each element on: it grows, so that the last element before a value can be searched for.
+    // Minimum order from each element to the end. It is ascending, which allows a binary search for the last element
+    // before a value.
     let mut least: Vec<_> = kept.iter().map(|found| order(data, &key(*found))).collect();
     for at in (1..least.len()).rev() {
         let (before, after) = least.split_at_mut(at);
@@ -74,12 +75,12 @@ fn spelt<'g>(element: Element<'g>) -> impl Iterator<Item = Element<'g>> {
     element.elements().filter(|found| found.name() == "Value")
 }
 
-/// The key of a value; an index without blanks.
+/// Key of a value; an index has no spaces.
 fn key<'g>(value: Element<'g>) -> Cow<'g, str> {
     value.value("key").unwrap_or_default()
 }
 
-/// Where a value is among the others: an array's by index, a collection's as they come.
+/// Sort key for a value: its indexes in an array; constant in a collection, which keeps the given order.
 fn order(data: &SavedData, key: &str) -> [Option<u32>; 3] {
     let mut order = [None; 3];
     if matches!(data.shape, Shape::Sizes(_)) {
@@ -106,7 +107,7 @@ fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
     }
 }
 
-/// Every writer gives the size of an array. Without it there is one value.
+/// Adds a missing array size, which every writer includes. Without a size, there is one value.
 fn missing_size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
     let last = element.attributes().last().filter(|_| sizes != [1]);
     if let Some(last) = last {
@@ -114,7 +115,7 @@ fn missing_size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
     }
 }
 
-/// The element stays, unchanged or with the new `value`.
+/// Whether the element is kept, unchanged or with the new `value`.
 fn stays(layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: Option<&SavedValue>) -> bool {
     match (&data.shape, value) {
         (_, None) if data.is_part => true,
@@ -129,12 +130,12 @@ fn stays(layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: Optio
     }
 }
 
-/// The value needs an element.
+/// Whether the value requires an element.
 fn is_spelt(data: &SavedData, value: &SavedValue) -> bool {
     data.shape == Shape::Keys || !value.is_default(&data.type_name)
 }
 
-/// None of the values that are there stays, and the element holds nothing else.
+/// Replaces all existing values, if none of them is kept and the element has no other content.
 fn refill(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData, added: &[&SavedValue]) {
     let lines: Vec<String> = added.iter().flat_map(|value| layout.value(data, value)).collect();
     let (range, text) = if lines.is_empty() { layout.emptied(element) } else { layout.filled(element, &lines) };
@@ -154,7 +155,7 @@ fn change(edits: &mut Edits, layout: &Layout<'_>, data: &SavedData, found: Eleme
     }
 }
 
-/// Writes the fields of a value whose element spells fields.
+/// Writes the fields of a value whose element contains fields.
 fn fields(edits: &mut Edits, layout: &Layout<'_>, value: Element<'_>, fields: &[SavedField]) {
     let is = |found: &Element<'_>, field: &SavedField| found.value("name").is_some_and(|name| name == *field.data.name);
     for found in value.elements() {

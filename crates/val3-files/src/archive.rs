@@ -10,42 +10,42 @@ use zip::result::ZipError;
 use crate::read::open_regular;
 use crate::{FileClass, Unreadable};
 
-/// Largest number of entries.
+/// Maximum number of entries.
 const MOST_ENTRIES: usize = 65_536;
 
-/// Most bytes that the files of an archive may unpack to.
+/// Limit of the unpacked size of all files, in bytes.
 const MOST_BYTES: u64 = 1 << 30;
 
-/// Most bytes that one packed byte may become; text never comes near.
+/// Limit of the compression ratio, far above the ratio of text.
 const MOST_RATIO: u64 = 1_024;
 
-/// Bytes that any entry may unpack to, however small it is packed.
+/// Unpacked size that is accepted for any compression ratio, in bytes.
 const ANY_SIZE: u64 = 1 << 20;
 
-/// The reason why an archive cannot be read.
+/// Reason why an archive cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ArchiveFault {
-    /// The archive itself cannot be read.
+    /// The archive file cannot be read.
     Unreadable(Unreadable),
-    /// It is no ZIP archive, or a damaged one.
+    /// The file is no ZIP archive, or is damaged.
     Damaged(String),
-    /// It has too many entries, or they unpack to too many bytes.
+    /// The archive has too many entries, or their unpacked size is too large.
     TooLarge,
     /// An entry is encrypted.
     Encrypted(String),
-    /// The name of an entry leads out of the archive.
+    /// An entry's name refers to a path outside the archive.
     Outside(String),
 }
 
-/// Whether a path names a ZIP archive by its extension.
+/// Whether the path has the extension of a ZIP archive.
 pub fn is_archive_name(path: &Utf8Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"))
 }
 
-/// The paths of the files in the archive at `path`. Only its directory is read.
+/// Paths of the files in the archive at `path`. Only its directory is read.
 ///
 /// # Errors
-/// The archive cannot be read, or has too many entries.
+/// If the archive cannot be read, or has too many entries.
 pub fn archive_entries(path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, ArchiveFault> {
     let file = open_regular(path).map_err(ArchiveFault::Unreadable)?;
     let archive = ZipArchive::new(BufReader::new(file)).map_err(|error| damaged(&error))?;
@@ -57,10 +57,10 @@ pub fn archive_entries(path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, ArchiveFault
     Ok(files.map(Utf8PathBuf::from).collect())
 }
 
-/// The files of the archive at `path` that are `wanted`, by their paths in it.
+/// Files in the archive at `path` for which `wanted` returns true, by their paths in the archive.
 ///
 /// # Errors
-/// The archive cannot be read, or exceeds the limits.
+/// If the archive cannot be read, or exceeds the limits.
 pub fn unpack(
     path: &Utf8Path,
     mut wanted: impl FnMut(&Utf8Path) -> bool,
@@ -103,7 +103,7 @@ fn damaged(error: &ZipError) -> ArchiveFault {
     ArchiveFault::Damaged(error.to_string())
 }
 
-/// The path of an entry, which stays in the archive. Some tools write backslashes.
+/// Entry path, which must be inside the archive. Some tools write backslashes.
 fn inner_path(name: &str) -> Result<Utf8PathBuf, ArchiveFault> {
     let slashed = name.replace('\\', "/");
     let path = Utf8Path::new(&slashed);

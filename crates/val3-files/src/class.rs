@@ -2,33 +2,33 @@
 
 use std::sync::OnceLock;
 
-/// A class of files.
+/// Class of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileClass {
     /// `val3.toml`, `.editorconfig`, scripts, scenarios, arms.
     Settings,
-    /// Configuration files of a controller and tables of add-ons.
+    /// Configuration files of a controller, and tables of add-ons.
     Cell,
     /// Programs, data and project files.
     Program,
-    /// The shape of a link of the arm.
+    /// Shape of an arm link.
     Shape,
-    /// Files that the tools or a controller write: baselines, traces, event records, logs.
+    /// Files written by the tools or a controller: baselines, traces, event records, logs.
     Record,
 }
 
 /// Limits that the user sets for the process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Limits {
-    /// Bytes to which the limit of each class is raised (`--max-file-size`).
+    /// Minimum limit for all classes, in bytes (`--max-file-size`).
     pub file: Option<u64>,
-    /// Bytes of the programs and data that a workspace holds (`--max-workspace-size`).
+    /// Limit of a workspace's programs and data, in bytes (`--max-workspace-size`).
     pub workspace: Option<u64>,
 }
 
 static LIMITS: OnceLock<Limits> = OnceLock::new();
 
-/// Bytes of the programs and data that a workspace holds by default.
+/// Default limit of a workspace's programs and data, in bytes.
 const DEFAULT_WORKSPACE: u64 = 2 << 30;
 
 impl Limits {
@@ -37,7 +37,7 @@ impl Limits {
         LIMITS.get_or_init(|| self);
     }
 
-    /// Bytes of the programs and data that a workspace holds.
+    /// Limit of a workspace's programs and data, in bytes.
     pub fn workspace() -> u64 {
         Self::present().workspace.unwrap_or(DEFAULT_WORKSPACE)
     }
@@ -48,7 +48,7 @@ impl Limits {
 }
 
 impl FileClass {
-    /// Largest size of a file that is read, in bytes.
+    /// Limit of the file size, in bytes.
     pub fn limit(self) -> u64 {
         self.default_limit().max(Limits::present().file.unwrap_or(0))
     }

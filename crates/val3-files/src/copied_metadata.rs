@@ -1,18 +1,18 @@
-//! Owner, mode and extended attributes of a file that is replaced.
+//! Owner, mode and extended attributes of a replaced file.
 
 use std::fs::{self, File};
 
 use camino::Utf8Path;
 
-/// Copies the metadata of the file at `path` to the file that will replace it. Returns whether nothing would be lost by
-/// the replacement; otherwise the file is to be overwritten.
+/// Copies the metadata of the file at `path` to the file that will replace it. Returns false if the replacement would
+/// lose metadata or hard links; the file must then be overwritten instead.
 #[cfg(unix)]
 pub(crate) fn copy(path: &Utf8Path, metadata: &fs::Metadata, new: &File) -> bool {
     use std::os::unix::fs::MetadataExt as _;
     metadata.nlink() == 1
         && copy_owner(metadata, new)
         && attributes::copy(path, new)
-        // Last, because another owner clears bits of the mode.
+        // Last, because a change of the owner clears bits of the mode.
         && new.set_permissions(metadata.permissions()).is_ok()
 }
 
@@ -38,7 +38,7 @@ mod attributes {
     use rustix::fs::{XattrFlags, fgetxattr, fsetxattr, getxattr, listxattr};
     use rustix::io::{Errno, Result};
 
-    /// Bytes of the longest list of names, and of the longest value, that Linux supports.
+    /// Size limit in Linux for the list of names and for a value, in bytes.
     const LONGEST: usize = 1 << 16;
 
     /// Copies the extended attributes. Returns whether the new file has all of them.
@@ -64,7 +64,7 @@ mod attributes {
         let (mut value, mut other) = (vec![0; LONGEST], vec![0; LONGEST]);
         let length = getxattr(path.as_str(), name, &mut value)?;
         value.truncate(length);
-        // The system gives new files some attributes, which only it may set.
+        // The system sets some attributes of new files itself, and rejects changes of them.
         let is_equal = fgetxattr(new, name, &mut other).is_ok_and(|length| other.get(..length) == Some(&value));
         if is_equal { Ok(()) } else { fsetxattr(new, name, &value, XattrFlags::empty()) }
     }
@@ -76,7 +76,7 @@ mod attributes {
 
     use camino::Utf8Path;
 
-    /// This system has no extended attributes that the tools can read.
+    /// On this system, the tools cannot read extended attributes.
     pub(super) fn copy(_: &Utf8Path, _: &File) -> bool {
         true
     }

@@ -6,11 +6,11 @@ use camino::Utf8Path;
 
 use crate::{FileClass, Unreadable, Unwritable, read, replace};
 
-/// Replaces the content of an existing file as a whole. It must still be `before`, so that changes of other programs are
-/// not lost.
+/// Replaces an existing file's content atomically. The content must still be `before`, so that changes by other
+/// programs are not lost.
 ///
 /// # Errors
-/// The file has another content, is read-only, or cannot be written. It has its old content then.
+/// If the file has another content, is read-only, or cannot be written. Its content is then unchanged.
 pub fn replace_unchanged(path: &Utf8Path, class: FileClass, before: &[u8], after: &[u8]) -> Result<(), Unwritable> {
     match read(path, class) {
         Ok(content) if content == before => {}

@@ -1,7 +1,8 @@
-//! Overwrites a file that cannot be replaced, because it has several links or its owner or attributes would be lost.
+//! Overwrites a file that cannot be replaced, because it has several links, or because its owner or attributes would be
+//! lost.
 //!
-//! The old content is first stored in `.start.pgx.val3-old`, which is removed when the new content is complete. If the
-//! process is killed in between, that file stays, and the file is not written again before the user has decided.
+//! The old content is first stored in `.start.pgx.val3-old`, which is removed after the new content is complete. If the
+//! process is killed in between, this backup remains, and further writes are rejected until the user has decided.
 
 use std::fs::{self, File};
 use std::io::{self, Seek as _};
@@ -25,7 +26,7 @@ pub(crate) fn overwrite(target: &Utf8Path, new: &mut File) -> Result<(), Unwrita
         return Err(error.into());
     }
     if let Err(error) = copy(new, &mut file) {
-        // A full disk: the old content takes no more room than before.
+        // The disk may be full, but the old content fits, because it does not need more space than before.
         copy(&mut old, &mut file)?;
         fs::remove_file(&backup)?;
         return Err(error.into());
@@ -34,7 +35,7 @@ pub(crate) fn overwrite(target: &Utf8Path, new: &mut File) -> Result<(), Unwrita
     Ok(sync_folder(target)?)
 }
 
-/// Makes the content of `to` that of `from`, and makes it survive a power cut.
+/// Copies the content of `from` to `to`, and syncs it to the disk.
 fn copy(from: &mut File, to: &mut File) -> io::Result<()> {
     from.rewind()?;
     to.rewind()?;

@@ -1,7 +1,7 @@
-//! Reads files with a limit for their class, and replaces files as a whole.
+//! Reads files with a size limit for each class, and replaces files atomically.
 //!
-//! Every file that the tools read or write passes through this crate. The exceptions are the media of running programs
-//! (`val3-machine`), which are confined to their folders, and the tools of the project itself. A test checks this
+//! All files that the tools read or write pass through this crate. The exceptions are the media of running programs
+//! (`val3-machine`), which are confined to their folders, and the project's own tools. A test checks this
 //! (`xtask/tests/files_once.rs`).
 
 mod archive;

@@ -1,4 +1,4 @@
-//! Files that appear as a whole, in place of others.
+//! Atomic creation and replacement of files.
 
 use std::fs;
 use std::io::{self, Write};
@@ -8,31 +8,31 @@ use camino::{Utf8Path, Utf8PathBuf};
 use crate::temporary::{Access, Temporary};
 use crate::{Unwritable, copied_metadata, in_place};
 
-/// Replaces the content of a file as a whole, or creates it.
+/// Replaces the content of a file atomically, or creates the file.
 ///
 /// # Errors
-/// The file cannot be written. It has its old content then.
+/// If the file cannot be written. Its content is then unchanged.
 pub fn replace(path: &Utf8Path, bytes: &[u8]) -> Result<(), Unwritable> {
     let mut file = NewFile::create(path)?;
     file.write_all(bytes)?;
     file.commit()
 }
 
-/// A file that is being written. It appears under its name, in place of another one, when it is committed. If it is
-/// dropped before, nothing changes.
+/// A file during writing. `commit` makes it appear under its name, replacing an existing file. If it is dropped without
+/// `commit`, nothing changes.
 #[derive(Debug)]
 pub struct NewFile {
-    /// The path with links resolved, so that a link stays one.
+    /// Path with resolved links, so that a link is kept.
     target: Utf8PathBuf,
     temporary: Temporary,
 }
 
 impl NewFile {
-    /// Begins the file.
+    /// Starts writing the file.
     ///
     /// # Errors
-    /// The folder does not exist or cannot be written, another run writes the file, or the path is not that of a
-    /// file.
+    /// If the folder does not exist or is not writable, if another process writes the file, or if the path is not a
+    /// regular file.
     pub fn create(path: &Utf8Path) -> Result<Self, Unwritable> {
         let target = path.canonicalize_utf8().unwrap_or_else(|_| path.to_owned());
         let existing = fs::metadata(&target).ok();
@@ -43,10 +43,10 @@ impl NewFile {
         Ok(Self { temporary: Temporary::create(&target, access)?, target })
     }
 
-    /// Replaces the file. Owner, mode, extended attributes and hard links of a file that existed are kept.
+    /// Replaces the file. The owner, mode, extended attributes and hard links are kept.
     ///
     /// # Errors
-    /// The file cannot be replaced. It has its old content then, unless the reason is that a write was interrupted.
+    /// If the file cannot be replaced. Its content is then unchanged, unless the error is an earlier interrupted write.
     pub fn commit(mut self) -> Result<(), Unwritable> {
         self.temporary.file.sync_all()?;
         match fs::metadata(&self.target) {

@@ -1,4 +1,4 @@
-//! Files that a user names for the output of a command. They may also be devices and pipes, such as `/dev/stdout`.
+//! Output files of a command, which may also be devices and pipes such as `/dev/stdout`.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
@@ -7,7 +7,7 @@ use camino::Utf8Path;
 
 use crate::{NewFile, Unwritable};
 
-/// An output that is complete when the command ends. A file appears as a whole when the output is committed.
+/// Output that is complete at the end of the command. A file appears only when the output is committed.
 #[derive(Debug)]
 pub enum OutputFile {
     /// A file.
@@ -17,10 +17,10 @@ pub enum OutputFile {
 }
 
 impl OutputFile {
-    /// Begins the output.
+    /// Starts the output.
     ///
     /// # Errors
-    /// Those of [`NewFile::create`].
+    /// Like [`NewFile::create`].
     pub fn open(path: &Utf8Path) -> Result<Self, Unwritable> {
         if is_stream(path) { Ok(Self::Stream(open_stream(path)?)) } else { NewFile::create(path).map(Self::File) }
     }
@@ -28,7 +28,7 @@ impl OutputFile {
     /// Completes the output.
     ///
     /// # Errors
-    /// Those of [`NewFile::commit`].
+    /// Like [`NewFile::commit`].
     pub fn commit(self) -> Result<(), Unwritable> {
         match self {
             Self::File(file) => file.commit(),
@@ -53,21 +53,22 @@ impl Write for OutputFile {
     }
 }
 
-/// An output that others follow while it is written, and that counts even if the process is killed: the record of a run.
+/// Output that readers follow while it is written, and that remains if the process is killed: the event record of a
+/// run.
 #[derive(Debug)]
 pub struct LogFile(File);
 
 impl LogFile {
-    /// Begins the output. The old content of a file is removed.
+    /// Starts the output, and removes the old content of a file.
     ///
     /// # Errors
-    /// The file cannot be written.
+    /// If the file cannot be written.
     pub fn open(path: &Utf8Path) -> Result<Self, Unwritable> {
         match fs::metadata(path) {
             _ if is_stream(path) => Ok(Self(open_stream(path)?)),
             Ok(found) if found.is_dir() => Err(Unwritable::NotRegular),
             Ok(_) => Ok(Self(OpenOptions::new().write(true).truncate(true).open(path)?)),
-            // Not through a link whose target does not exist.
+            // `create_new` does not follow a link whose target does not exist.
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Self(File::create_new(path)?)),
             Err(error) => Err(error.into()),
         }
@@ -84,8 +85,8 @@ impl Write for LogFile {
     }
 }
 
-/// Whether the path is that of a device or pipe, or of an open file of this process, which is written as a stream even if
-/// it is a regular file: `/dev/stdout`, `/proc/self/fd/3`.
+/// Whether the path is a device or pipe, or an open file of this process, for example `/dev/stdout` or
+/// `/proc/self/fd/3`, which is written as a stream even if it is a regular file.
 fn is_stream(path: &Utf8Path) -> bool {
     let opened = ["/dev/fd", "/dev/stdin", "/dev/stdout", "/dev/stderr", "/proc"];
     opened.iter().any(|folder| path.starts_with(folder))

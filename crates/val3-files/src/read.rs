@@ -1,4 +1,4 @@
-//! Reads regular files up to the limit of their class.
+//! Reads regular files up to their class limit.
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -7,10 +7,10 @@ use camino::Utf8Path;
 
 use crate::{FileClass, Unreadable};
 
-/// The bytes of a regular file. Links are followed.
+/// Bytes of a regular file. Links are followed.
 ///
 /// # Errors
-/// The path is not that of a regular file, the file is larger than its class permits, or the system cannot read it.
+/// If the path is not a regular file, if the file exceeds its class limit, or if the system cannot read it.
 pub fn read(path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
     let file = open_regular(path)?;
     let (size, limit) = (file.metadata()?.len(), class.limit());
@@ -20,20 +20,20 @@ pub fn read(path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
     read_stream(file, class)
 }
 
-/// The first bytes of a regular file, at most `count`.
+/// First bytes of a regular file, at most `count`.
 ///
 /// # Errors
-/// The path is not that of a regular file, or the system cannot read it.
+/// If the path is not a regular file, or if the system cannot read it.
 pub fn read_head(path: &Utf8Path, count: u64) -> Result<Vec<u8>, Unreadable> {
     let mut bytes = Vec::new();
     open_regular(path)?.take(count).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// The text of a regular file.
+/// Text of a regular file.
 ///
 /// # Errors
-/// Those of [`read`], and [`Unreadable::NotUtf8`].
+/// Like [`read`], and [`Unreadable::NotUtf8`].
 pub fn read_text(path: &Utf8Path, class: FileClass) -> Result<String, Unreadable> {
     String::from_utf8(read(path, class)?).map_err(|_| Unreadable::NotUtf8)
 }
@@ -41,7 +41,7 @@ pub fn read_text(path: &Utf8Path, class: FileClass) -> Result<String, Unreadable
 /// All bytes of a stream, for example the standard input.
 ///
 /// # Errors
-/// The stream has more bytes than the class permits, or cannot be read.
+/// If the stream has more bytes than the limit of the class, or cannot be read.
 pub fn read_stream(stream: impl Read, class: FileClass) -> Result<Vec<u8>, Unreadable> {
     let limit = class.limit();
     let mut bytes = Vec::new();
@@ -52,8 +52,8 @@ pub fn read_stream(stream: impl Read, class: FileClass) -> Result<Vec<u8>, Unrea
     }
 }
 
-/// Opens a regular file. Opening some devices has an effect, so the type is checked before. The opened file is checked
-/// again, because the entry may have been replaced.
+/// Opens a regular file. The type is checked before, because opening some devices has an effect. The opened file is
+/// checked again, because the entry may have been replaced.
 pub(crate) fn open_regular(path: &Utf8Path) -> Result<File, Unreadable> {
     check_type(&fs::metadata(path)?)?;
     let file = open(path)?;
@@ -124,7 +124,7 @@ mod tests {
         assert_eq!(read_text(&folder.join("a"), FileClass::Settings), Err(Unreadable::NotUtf8));
     }
 
-    /// None of these may be opened for reading: a pipe waits for its other end, and a device has no end.
+    /// None of these files may be opened for reading: a pipe waits for its other end, and a device has no end.
     #[cfg(target_os = "linux")]
     #[test]
     fn pipes_sockets_and_devices_are_refused_at_once() {

@@ -1,8 +1,8 @@
-//! Temporary files beside the files that they replace.
+//! Temporary files next to the files that they replace.
 //!
-//! The temporary file of `start.pgx` is `.start.pgx.val3-tmp`. Its owner holds a lock on it, which the system releases when
-//! the process ends, so that a file without a lock is left over from a run that was killed. Only the owner of the lock may
-//! rename or remove the file.
+//! The temporary file of `start.pgx` is `.start.pgx.val3-tmp`. Its owner holds a file lock, which the system releases
+//! when the process ends. A temporary file without a lock is therefore left over from a killed process. Only the owner
+//! of the lock may rename or remove the file.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
@@ -11,13 +11,13 @@ use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::Unwritable;
 
-/// End of the name of a temporary file.
+/// Suffix of a temporary file.
 const SUFFIX: &str = "val3-tmp";
 
-/// End of the name of a file with the content from before an overwriting.
+/// Suffix of the backup of a file that is overwritten.
 const BACKUP_SUFFIX: &str = "val3-old";
 
-/// Most attempts to create the file while other runs remove it.
+/// Limit of attempts to create the file while other processes remove it.
 const ATTEMPTS: usize = 8;
 
 /// A temporary file that this process owns. Dropping it removes the file.
@@ -29,14 +29,14 @@ pub(crate) struct Temporary {
 }
 
 impl Temporary {
-    /// Creates the temporary file of `target`, in place of one that a killed run has left over.
+    /// Creates the temporary file of `target`, and replaces a leftover of a killed process.
     pub(crate) fn create(target: &Utf8Path, access: Access) -> Result<Self, Unwritable> {
         let path = beside(target, SUFFIX);
         for _ in 0..ATTEMPTS {
             match create_new(&path, access) {
                 Ok(file) => {
                     lock(&file)?;
-                    // Another run may have taken the file for a leftover before it was locked.
+                    // Before the lock, another process may have removed the file as a leftover.
                     if is_at(&file, &path) {
                         return Ok(Self { file, path, is_renamed: false });
                     }
@@ -65,17 +65,17 @@ impl Drop for Temporary {
     }
 }
 
-/// Path of the backup of a file that is overwritten.
+/// Backup path for a file that is overwritten.
 pub(crate) fn backup(target: &Utf8Path) -> Utf8PathBuf {
     beside(target, BACKUP_SUFFIX)
 }
 
-/// Users that may read a file that is created.
+/// Users that may read a new file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Access {
     /// The users that may read other new files of this user.
     Usual,
-    /// Only this user, because the file that is replaced may be secret.
+    /// Only this user, because the replaced file may be secret.
     Owner,
 }
 
@@ -96,19 +96,19 @@ pub(crate) fn create_new(path: &Utf8Path, _: Access) -> io::Result<File> {
     OpenOptions::new().read(true).write(true).create_new(true).open(path)
 }
 
-/// Makes the names in the folder of `path` survive a power cut.
+/// Syncs the folder of `path`, so that its file names survive a power failure.
 #[cfg(unix)]
 pub(crate) fn sync_folder(path: &Utf8Path) -> io::Result<()> {
     match File::open(folder(path)).and_then(|folder| folder.sync_all()) {
-        // The file system has no such operation.
+        // The file system does not support the operation.
         Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => Ok(()),
-        // A folder that may be written but not read cannot be opened.
+        // A folder that is writable but not readable cannot be opened.
         Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Ok(()),
         synced => synced,
     }
 }
 
-/// The file system makes names survive a power cut.
+/// Without effect, because the file system itself syncs file names.
 #[cfg(not(unix))]
 pub(crate) fn sync_folder(_: &Utf8Path) -> io::Result<()> {
     Ok(())
@@ -129,7 +129,7 @@ fn remove_leftover(path: &Utf8Path) -> Result<(), Unwritable> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
         found => found?,
     };
-    // The tools create regular files only. The target of a link is not touched.
+    // The tools create regular files only, and do not touch the target of a link.
     if metadata.is_file() {
         let file = match File::open(path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
@@ -150,14 +150,14 @@ fn remove_leftover(path: &Utf8Path) -> Result<(), Unwritable> {
 fn lock(file: &File) -> Result<(), Unwritable> {
     match file.try_lock() {
         Err(TryLockError::WouldBlock) => Err(Unwritable::Busy),
-        // A file system without locks, on which leftovers cannot be told from files in use.
+        // On a file system without locks, leftovers cannot be distinguished from files in use.
         Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => Ok(()),
         Err(TryLockError::Error(error)) => Err(error.into()),
         Ok(()) => Ok(()),
     }
 }
 
-/// Whether the path is still that of the opened file.
+/// Whether the path still refers to the opened file.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Utf8Path) -> bool {
     use std::os::unix::fs::MetadataExt as _;
@@ -166,7 +166,7 @@ fn is_at(file: &File, path: &Utf8Path) -> bool {
     opened.is_some() && opened == fs::symlink_metadata(path).map(identity).ok()
 }
 
-/// Whether the path is still that of the opened file. The system does not let others replace it.
+/// Whether the path still refers to the opened file. On this system, other processes cannot replace it.
 #[cfg(not(unix))]
 fn is_at(_: &File, path: &Utf8Path) -> bool {
     path.is_file()

@@ -1,4 +1,4 @@
-//! For the tests of this crate: a temporary folder.
+//! Test support: a temporary folder.
 
 use camino::Utf8PathBuf;
 use tempfile::TempDir;

@@ -4,31 +4,31 @@ use std::fmt;
 use std::fs::FileType;
 use std::io;
 
-/// The reason why a file cannot be read.
+/// Reason why a file cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Unreadable {
     /// The file does not exist.
     Missing,
-    /// The path is that of a folder.
+    /// The path is a folder.
     Folder,
-    /// The path is that of a device.
+    /// The path is a device.
     Device,
-    /// The path is that of a pipe.
+    /// The path is a pipe.
     Pipe,
-    /// The path is that of a socket.
+    /// The path is a socket.
     Socket,
-    /// The file is larger than its class permits.
+    /// The file exceeds its class limit.
     TooLarge {
-        /// Size of the file in bytes; `None` if it grew while it was read.
+        /// File size in bytes; `None` if it grew while it was read.
         bytes: Option<u64>,
-        /// Largest size of the class in bytes.
+        /// Limit of the class in bytes.
         limit: u64,
     },
-    /// The user has no right to read the file.
+    /// The user has no permission to read the file.
     Denied,
-    /// The text of the file is not UTF-8.
+    /// The file is not UTF-8.
     NotUtf8,
-    /// Any other error of the system.
+    /// Any other error of the operating system.
     System(String),
 }
 
@@ -38,7 +38,7 @@ impl Unreadable {
         *self == Self::Missing
     }
 
-    /// The reason why an entry of this type cannot be read as a file; `None` for a regular file.
+    /// Reason why an entry of this type cannot be read as a file; `None` for a regular file.
     pub(crate) fn of_type(found: FileType) -> Option<Self> {
         if found.is_file() {
             return None;
@@ -68,7 +68,7 @@ impl Unreadable {
 impl From<io::Error> for Unreadable {
     fn from(error: io::Error) -> Self {
         match error.kind() {
-            // Below a file there is nothing.
+            // A path below a file does not exist.
             io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => Self::Missing,
             io::ErrorKind::PermissionDenied => Self::Denied,
             io::ErrorKind::IsADirectory => Self::Folder,

@@ -5,24 +5,24 @@ use std::io;
 
 use camino::Utf8PathBuf;
 
-/// The reason why a file cannot be written.
+/// Reason why a file cannot be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Unwritable {
-    /// The path is not that of a file: a folder, a device, a pipe or a socket.
+    /// The path is no file, but a folder, device, pipe or socket.
     NotRegular,
-    /// The user has no right to write the file or its folder.
+    /// The user has no permission to write the file or its folder.
     Denied,
     /// The file is read-only.
     ReadOnly,
-    /// Another run of the tools writes the file at the moment.
+    /// Another process of the tools is writing the file.
     Busy,
-    /// The content is no longer the one that was read.
+    /// The content has changed since it was read.
     Changed,
-    /// A write was interrupted, and this file has the content from before.
+    /// A write was interrupted, and this file contains the old content.
     Interrupted(Utf8PathBuf),
     /// The folder does not exist.
     NoFolder,
-    /// Any other error of the system.
+    /// Any other error of the operating system.
     System(String),
 }
 

@@ -1,10 +1,10 @@
-//! The indentation level of each line.
+//! Indentation level of each line.
 
 use val3_syntax::SyntaxKind::{self, *};
 
 use crate::pieces::{Piece, breaks_line, gap};
 
-/// The level of the line that each piece starts; `None` for a piece that starts no line.
+/// Level of the line that each piece starts; `None` for a piece that starts no line.
 pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
     let mut levels = vec![None; pieces.len()];
     // The level of a comment depends on the next line, so the lines are visited from the last to the first.
@@ -21,26 +21,26 @@ pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
             *slot = Some(level);
         }
         if piece.kind != COMMENT {
-            // A line that does not move is no guide for the lines that do.
+            // A frozen line is no reference for the indentation of other lines.
             next = Some(IndentedLine { level, column, closes: closes(piece.kind) && !piece.frozen });
         }
     }
     levels
 }
 
-/// The line of code that follows.
+/// The next line of code.
 #[derive(Clone, Copy)]
 struct IndentedLine {
     level: usize,
-    /// The blanks before it in the text.
+    /// Indentation width in the original text.
     column: usize,
-    /// It ends a block or a part of one.
+    /// Whether it ends a block or a part of a block.
     closes: bool,
 }
 
-/// The level of a comment: that of the next line. Before the end of a block its own indentation shows whether it
-/// belongs to the block or to the line that ends it. A comment in the first column remains there if the code is
-/// indented: it is usually disabled code, which keeps its own blanks after the slashes.
+/// Level of a comment: usually the level of the next line. Before the end of a block, the comment's own indentation
+/// shows whether it belongs to the block or to the closing line. In indented code, a comment in the first column
+/// remains there, because it is usually disabled code with its own spaces after the slashes.
 fn comment(piece: &Piece<'_>, column: usize, next: Option<IndentedLine>) -> usize {
     match next {
         Some(next) if column == 0 && next.column > 0 => 0,
@@ -57,7 +57,7 @@ fn closes(kind: SyntaxKind) -> bool {
     )
 }
 
-/// The width of the blanks after the last line end.
+/// Width of the whitespace after the last line end.
 fn width(blanks: &str) -> usize {
     blanks.rsplit(['\n', '\r']).next().unwrap_or("").chars().count()
 }

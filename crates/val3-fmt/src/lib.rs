@@ -1,7 +1,7 @@
-//! Layout of VAL 3 code: a tree in, edits out.
+//! Formatter for VAL 3 code: a tree in, edits out.
 //!
-//! Only blanks, line ends and the letter case of keywords inside of `<Code>` change. The XML around the code, comments,
-//! and lines that could not be read keep every byte.
+//! Only whitespace, line ends and the letter case of keywords inside `<Code>` change. The XML around the code,
+//! comments, and lines with syntax errors are unchanged, byte for byte.
 
 mod indentation;
 mod on_type;
@@ -18,21 +18,21 @@ use val3_syntax::{Parse, Part};
 
 use pieces::Piece;
 
-/// A change of the text.
+/// An edit of the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
-    /// The replaced range; empty for an insertion.
+    /// Replaced range; empty for an insertion.
     pub range: TextRange,
-    /// The new text.
+    /// New text.
     pub text: String,
 }
 
-/// The edits that give the code of a file with `text` its layout, in order and without overlap. Empty if the code
-/// already has it.
+/// Edits that format the code of a file with `text`, sorted and without overlap. Empty if the code is already
+/// formatted.
 ///
-/// Formatting twice equals formatting once, and the program keeps all its tokens. If blocks do not match up, the
-/// indentation shows their intended ends, so the starts of all lines of that program are kept. If the XML is broken,
-/// nothing changes.
+/// Formatting is idempotent, and the program keeps all its tokens. If blocks do not balance, only the indentation shows
+/// their intended ends, so the indentation of all lines in that program is kept. If the XML is malformed, nothing
+/// changes.
 pub fn format(text: &str, parse: &Parse, style: &Style) -> Vec<Edit> {
     if parse.errors().iter().any(|error| error.kind.breaks_structure()) {
         return Vec::new();
@@ -50,7 +50,7 @@ fn format_code(pieces: &[Piece<'_>], parse: &Parse, text: &str, style: &Style) -
     gaps.chain(pieces.iter().filter_map(spacing::keyword)).collect()
 }
 
-/// No fault in the code of these pieces makes it unclear to which block a line belongs.
+/// Whether every line in the code of these pieces can be assigned to a block.
 fn blocks_match(pieces: &[Piece<'_>], parse: &Parse) -> bool {
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return true };
     let code = TextRange::new(first.range.start(), last.range.end());
@@ -58,11 +58,11 @@ fn blocks_match(pieces: &[Piece<'_>], parse: &Parse) -> bool {
     !faults.any(|error| error.range.intersect(code).is_some())
 }
 
-/// As [`format()`], for the lines that `range` touches. A range that ends where a line starts does not touch it.
+/// Like [`format()`], for the lines that `range` touches. A range that ends at the start of a line does not touch it.
 pub fn format_range(text: &str, parse: &Parse, style: &Style, range: TextRange) -> Vec<Edit> {
     let lines = whole_lines(text, range);
     let mut edits = format(text, parse, style);
-    // An edit of the blanks at the start of a line includes the line end before them.
+    // An indentation edit includes the line end before the indentation.
     edits.retain(|edit| lines.contains_inclusive(edit.range.end()));
     edits
 }
@@ -78,7 +78,7 @@ fn whole_lines(text: &str, range: TextRange) -> TextRange {
     TextRange::new(offset(first), offset(last))
 }
 
-/// The text after the edits, which must be in order and within it.
+/// Applies the edits to the text. They must be sorted and inside the text.
 pub fn apply(text: &str, edits: &[Edit]) -> String {
     let mut changed = String::with_capacity(text.len());
     let mut done = 0;

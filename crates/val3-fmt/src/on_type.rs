@@ -1,7 +1,7 @@
-//! Layout during typing.
+//! Formatting during typing.
 //!
-//! The program is rarely complete at that moment, so the indentation of a line is computed from the lines above it
-//! alone.
+//! The program is usually incomplete at that time, so the indentation of a line is computed only from the lines above
+//! it.
 
 use rowan::{TextRange, TextSize};
 use val3_syntax::SyntaxKind::{self, *};
@@ -10,12 +10,12 @@ use val3_syntax::{Parse, Part, text_size};
 use crate::pieces::{self, Piece};
 use crate::{Edit, Style, spacing};
 
-/// The characters after which [`on_type`] may return edits: the line end, and the last letters of the words that end a
-/// block or a part of one.
+/// Characters after which [`on_type`] may return edits: the line end, and the last letters of the keywords that end a
+/// block or a part of a block.
 pub const TRIGGERS: [char; 7] = ['\n', 'e', 'f', 'h', 'k', 'l', 'r'];
 
-/// The edits after `typed` was inserted before `offset`. After a line end, the line above gets its layout and the new
-/// line its indentation. After the last letter of a word such as `endIf`, a line with only this word gets its own.
+/// Edits after `typed` was inserted before `offset`. A line end formats the line above and indents the new line. The
+/// last letter of a keyword such as `endIf` indents a line that contains only this keyword.
 pub fn on_type(text: &str, parse: &Parse, style: &Style, offset: TextSize, typed: char) -> Vec<Edit> {
     let codes = pieces::codes(parse, text);
     let Some(pieces) = codes.iter().find(|pieces| contains(pieces, offset)) else { return Vec::new() };
@@ -31,14 +31,14 @@ pub fn on_type(text: &str, parse: &Parse, style: &Style, offset: TextSize, typed
 #[derive(Debug)]
 struct TypedLine<'p, 't> {
     start: TextSize,
-    /// The blanks at its start; none if the line also contains the XML before the code.
+    /// Indentation; empty if the line also contains the XML before the code.
     indent: &'t str,
-    /// Its tokens; none in a blank line.
+    /// Tokens; empty for a blank line.
     pieces: &'p [Piece<'t>],
 }
 
 impl TypedLine<'_, '_> {
-    /// The token it starts with.
+    /// Kind of the first token.
     fn first(&self) -> Option<SyntaxKind> {
         self.code().map(|piece| piece.kind)
     }
@@ -59,7 +59,7 @@ fn contains(pieces: &[Piece<'_>], offset: TextSize) -> bool {
     }
 }
 
-/// The lines from the first piece to the last.
+/// Lines from the first piece to the last.
 fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<TypedLine<'p, 't>> {
     let mut lines = Vec::new();
     let mut rest = pieces;
@@ -82,7 +82,7 @@ fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<TypedLine<'p, 't
     lines
 }
 
-/// Only blanks precede the first piece of a line.
+/// Whether only whitespace precedes the first piece of a line.
 fn is_first(pieces: &[Piece<'_>], at: usize) -> bool {
     pieces.first().is_none_or(|piece| usize::from(piece.range.start()) == at && piece.kind != CDATA_OPEN)
 }
@@ -96,7 +96,7 @@ fn after_line_end(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: 
     let indent = moved.map(|_| indentation(lines, above, style));
     edits.extend(moved.zip(indent.as_deref()).and_then(|(line, indent)| indented(text, line, indent)));
     edits.extend(closed.into_iter().flat_map(|line| within(text, line, style)));
-    // The line above may just have moved.
+    // The line above may have a new indentation.
     let own = match indent.filter(|_| line.first().and_then(opener).is_none()) {
         Some(moved) => below(lines.get(above), &moved, style),
         None => indentation(lines, index, style),
@@ -110,7 +110,7 @@ fn after_letter(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &S
     let Some(word) = line.code().filter(|word| word.range.end() == offset && opener(word.kind).is_some()) else {
         return Vec::new();
     };
-    // The word `end` is also the start of others: it waits for its line end.
+    // `end` is also the start of other keywords, so it is only indented after its line end.
     if line.pieces.len() > 1 || word.kind == END_KW {
         return Vec::new();
     }
@@ -118,7 +118,7 @@ fn after_letter(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &S
     indent.into_iter().chain(spacing::keyword(word)).collect()
 }
 
-/// Blanks and keywords within a line.
+/// Edits of whitespace and keywords within a line.
 fn within(text: &str, line: &TypedLine<'_, '_>, style: &Style) -> Vec<Edit> {
     let pairs = line.pieces.iter().zip(line.pieces.iter().skip(1));
     let gaps = pairs.filter_map(|(before, after)| spacing::gap(before, after, None, text, style));
@@ -127,7 +127,7 @@ fn within(text: &str, line: &TypedLine<'_, '_>, style: &Style) -> Vec<Edit> {
     edits
 }
 
-/// Gives a line these blanks to start with.
+/// Edit that indents a line.
 fn indented(text: &str, line: &TypedLine<'_, '_>, indent: &str) -> Option<Edit> {
     if line.starts_in_xml() {
         return None;
@@ -138,7 +138,7 @@ fn indented(text: &str, line: &TypedLine<'_, '_>, indent: &str) -> Option<Edit> 
     (found != indent).then(|| Edit { range, text: indent.to_owned() })
 }
 
-/// The indentation of a line, computed from the lines above it.
+/// Indentation of a line, computed from the lines above it.
 fn indentation(lines: &[TypedLine<'_, '_>], index: usize, style: &Style) -> String {
     let above = lines.part(..index);
     let first = lines.get(index).and_then(TypedLine::first);
@@ -151,13 +151,13 @@ fn indentation(lines: &[TypedLine<'_, '_>], index: usize, style: &Style) -> Stri
     below(before, before.map_or("", |line| line.indent), style)
 }
 
-/// The blanks of a line below one that starts with `indent`.
+/// Indentation of a line below a line with the indentation `indent`.
 fn below(line: Option<&TypedLine<'_, '_>>, indent: &str, style: &Style) -> String {
     let deeper = line.and_then(TypedLine::first).is_some_and(opens);
     indent.to_owned() + &style.indent.text(usize::from(deeper))
 }
 
-/// The line with the word that the block of `closer` begins with.
+/// Line with the keyword that starts the block of `closer`.
 fn opening<'l, 'p, 't>(
     above: &'l [TypedLine<'p, 't>],
     closer: Option<SyntaxKind>,
@@ -181,8 +181,8 @@ fn opening<'l, 'p, 't>(
     })
 }
 
-/// The words that start the block or part that a word ends, and the number of levels that the word is deeper than they
-/// are.
+/// Keywords that start the block or part that the given keyword ends, and the number of levels by which that keyword is
+/// indented further.
 fn opener(kind: SyntaxKind) -> Option<(&'static [SyntaxKind], usize)> {
     Some(match kind {
         END_KW => (&[BEGIN_KW], 0),
@@ -197,7 +197,7 @@ fn opener(kind: SyntaxKind) -> Option<(&'static [SyntaxKind], usize)> {
     })
 }
 
-/// The word that ends the whole block of which `kind` ends a part.
+/// Keyword that ends the entire block if `kind` ends a part of it.
 fn end_of(kind: SyntaxKind) -> Option<SyntaxKind> {
     Some(match kind {
         ELSE_KW | ELSE_IF_KW | END_IF_KW => END_IF_KW,
@@ -206,7 +206,7 @@ fn end_of(kind: SyntaxKind) -> Option<SyntaxKind> {
     })
 }
 
-/// Lines after a line that starts with this word are one level deeper.
+/// Whether the lines after a line that starts with this keyword are indented by one level.
 fn opens(kind: SyntaxKind) -> bool {
     matches!(
         kind,

@@ -1,24 +1,24 @@
-//! The code as a row of pieces: its tokens without the blanks between them.
+//! Code as a sequence of pieces: its tokens without the whitespace between them.
 
 use rowan::{NodeOrToken, TextRange};
 use val3_syntax::view::{TokenView, View};
 use val3_syntax::{Parse, Part, SyntaxKind};
 
-/// A token that is no blank.
+/// A token that is no whitespace.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Piece<'t> {
     pub(crate) kind: SyntaxKind,
     pub(crate) text: &'t str,
     pub(crate) range: TextRange,
-    /// The node that contains it.
+    /// Kind of the parent node.
     pub(crate) parent: SyntaxKind,
-    /// Blocks around it.
+    /// Number of blocks around it.
     pub(crate) depth: usize,
-    /// The parser could not read its line, which therefore keeps every byte.
+    /// Whether its line has a syntax error and is therefore kept byte for byte.
     pub(crate) frozen: bool,
 }
 
-/// The pieces of each `<Code>` of a file.
+/// Pieces of each `<Code>` in a file.
 pub(crate) fn codes<'t>(parse: &'t Parse, text: &'t str) -> Vec<Vec<Piece<'t>>> {
     let mut codes = Vec::new();
     find_codes(parse.view(), &mut codes);
@@ -53,7 +53,8 @@ fn collect<'t>(node: View<'t>, depth: usize, pieces: &mut Vec<Piece<'t>>) {
     }
 }
 
-/// The content of a block is one level deeper, and so is that of a `switch`, except its value.
+/// Whether the child is indented by one level: the content of a block, and the content of a `switch` except its
+/// selector.
 fn is_deeper(parent: SyntaxKind, child: SyntaxKind) -> bool {
     use SyntaxKind as K;
     let is_stmt = (K::BLOCK..=K::EXPR_STMT).contains(&child);
@@ -69,7 +70,7 @@ fn piece(token: TokenView<'_>, parent: SyntaxKind, depth: usize) -> Option<Piece
     Some(Piece { kind, text: token.text(), range: token.range(), parent, depth, frozen })
 }
 
-/// Freezes whole lines: those with a piece that is frozen, and those with a fault.
+/// Freezes all lines with a frozen piece or a syntax error.
 fn freeze(pieces: &mut [Piece<'_>], parse: &Parse, text: &str) {
     for error in parse.errors().iter().filter(|error| error.kind.breaks_line()) {
         for piece in pieces.iter_mut() {
@@ -91,7 +92,7 @@ fn freeze(pieces: &mut [Piece<'_>], parse: &Parse, text: &str) {
     }
 }
 
-/// The blanks before the piece at `index`.
+/// Whitespace before the piece at `index`.
 fn between<'x>(pieces: &[Piece<'_>], index: usize, text: &'x str) -> &'x str {
     match pieces.get(index.wrapping_sub(1)..=index) {
         Some([before, after]) => gap(before, after, text),
@@ -99,12 +100,12 @@ fn between<'x>(pieces: &[Piece<'_>], index: usize, text: &'x str) -> &'x str {
     }
 }
 
-/// The blanks between two pieces.
+/// Whitespace between two pieces.
 pub(crate) fn gap<'x>(before: &Piece<'_>, after: &Piece<'_>, text: &'x str) -> &'x str {
     text.part(usize::from(before.range.end())..usize::from(after.range.start()))
 }
 
-/// A line ends in these blanks.
+/// Whether this whitespace contains a line end.
 pub(crate) fn breaks_line(gap: &str) -> bool {
     gap.contains(['\n', '\r'])
 }

@@ -1,4 +1,4 @@
-//! The blanks between two pieces.
+//! Whitespace between two pieces.
 
 use rowan::TextRange;
 use val3_syntax::Part;
@@ -7,7 +7,7 @@ use val3_syntax::SyntaxKind::{self, *};
 use crate::pieces::{Piece, breaks_line, gap as blanks};
 use crate::{Edit, Style};
 
-/// The edits between two pieces. `level` is the level of the line that starts with `after`.
+/// Edit of the whitespace between two pieces. `level` is the indentation level of the line that starts with `after`.
 pub(crate) fn gap(
     before: &Piece<'_>,
     after: &Piece<'_>,
@@ -21,18 +21,19 @@ pub(crate) fn gap(
     } else {
         within_line(before, after, style)?.to_owned()
     };
-    // A blank that is written as a character reference was written so on purpose.
+    // Whitespace written as a character reference is intentional.
     let edit = Edit { range: TextRange::new(before.range.end(), after.range.start()), text: wanted };
     (edit.text != found && !found.contains('&')).then_some(edit)
 }
 
-/// The spelling of a keyword.
+/// Edit that corrects the letter case of a keyword.
 pub(crate) fn keyword(piece: &Piece<'_>) -> Option<Edit> {
     let canonical = piece.kind.keyword_text().filter(|_| !piece.frozen)?;
     (piece.text != canonical).then(|| Edit { range: piece.range, text: canonical.to_owned() })
 }
 
-/// Line ends keep their form. Their number is limited by the style.
+/// New whitespace around a line break; `None` if it must be kept. Line ends keep their form, and the style limits their
+/// number.
 fn line_break(before: &Piece<'_>, after: &Piece<'_>, found: &str, level: usize, style: &Style) -> Option<String> {
     if before.kind == CDATA_OPEN || after.kind == CDATA_CLOSE || is_mark(before.kind) || is_mark(after.kind) {
         return None;
@@ -48,7 +49,7 @@ fn line_break(before: &Piece<'_>, after: &Piece<'_>, found: &str, level: usize, 
     Some([trailing, &kept, &indent].concat())
 }
 
-/// Text that is neither code nor comment.
+/// Whether the token is an XML comment or a conflict marker.
 fn is_mark(kind: SyntaxKind) -> bool {
     matches!(kind, XML_COMMENT | CONFLICT_MARKER)
 }
@@ -57,7 +58,7 @@ fn leading_blanks(gap: &str) -> &str {
     gap.split(['\n', '\r']).next().unwrap_or("")
 }
 
-/// The line ends in a gap, in the form of the text.
+/// Line ends in the whitespace, in their original form.
 fn line_ends(gap: &str) -> Vec<&str> {
     let mut ends = Vec::new();
     let mut rest = gap;
@@ -70,7 +71,7 @@ fn line_ends(gap: &str) -> Vec<&str> {
     ends
 }
 
-/// The blanks between two pieces of a line; `None` if they do not change.
+/// New whitespace between two pieces of a line; `None` if the whitespace must be kept.
 fn within_line(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> Option<&'static str> {
     if before.frozen || after.frozen || after.kind == COMMENT || is_outside(before.kind) || is_outside(after.kind) {
         return None;
@@ -78,7 +79,7 @@ fn within_line(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> Option<&
     Some(if has_blank(before, after, style) { " " } else { "" })
 }
 
-/// Marks around the code.
+/// Whether the token delimits the code.
 fn is_outside(kind: SyntaxKind) -> bool {
     matches!(kind, CDATA_OPEN | CDATA_CLOSE | BEGIN_KW | END_KW) || is_mark(kind)
 }
@@ -90,7 +91,7 @@ fn has_blank(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> bool {
         (_, L_PAREN) if after.parent == ARG_LIST => false,
         (COMMA, _) => style.after_comma,
         _ if is_unary(before) => false,
-        // Two signs in a row would read as one.
+        // Without a space, two minus signs would look like one sign.
         (MINUS, MINUS) => true,
         _ if is_assignment(before) || is_assignment(after) => style.around_assignment,
         _ if is_word(before) || is_word(after) => true,
@@ -107,7 +108,7 @@ fn is_assignment(piece: &Piece<'_>) -> bool {
     piece.kind == EQ
 }
 
-/// A keyword that is no value, and `?`.
+/// Whether the token is a keyword that is no value, or `?`.
 fn is_word(piece: &Piece<'_>) -> bool {
     piece.kind == QUESTION || piece.kind.is_keyword() && !matches!(piece.kind, TRUE_KW | FALSE_KW)
 }

@@ -1,33 +1,33 @@
-//! The settings of the layout.
+//! Format settings.
 
 use val3_config::{Format, IndentStyle};
 
-/// The layout of code.
+/// Format style of code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Style {
     /// One level of indentation.
     pub indent: Indent,
-    /// A blank on both sides of `=`.
+    /// Whether `=` has spaces on both sides.
     pub around_assignment: bool,
-    /// A blank on both sides of `+`, `==` and the other operators; `and`, `or` and `xor` always have them.
+    /// Whether `+`, `==` and similar operators have spaces on both sides; `and`, `or` and `xor` always have them.
     pub around_operators: bool,
-    /// A blank after `,`.
+    /// Whether a space follows `,`.
     pub after_comma: bool,
-    /// Blank lines in a row that are kept.
+    /// Limit of consecutive blank lines.
     pub blank_lines: usize,
 }
 
 /// One level of indentation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Indent {
-    /// So many blanks.
+    /// This number of spaces.
     Blanks(u8),
     /// A tab.
     Tab,
 }
 
 impl Style {
-    /// The style that `format` asks for; `elsewhere` says what it leaves open about the indentation.
+    /// Style defined by `format`; `elsewhere` provides indentation settings that `format` does not contain.
     pub fn new(format: &Format, elsewhere: IndentOverride) -> Self {
         let indent = match format.indent_style.or(elsewhere.style) {
             Some(IndentStyle::Tab) => Indent::Tab,
@@ -43,7 +43,7 @@ impl Style {
     }
 }
 
-/// The layout of most programs and of the vendor's editor.
+/// The style of most programs and of the vendor's editor.
 impl Default for Style {
     fn default() -> Self {
         Self::new(&Format::default(), IndentOverride::default())
@@ -53,14 +53,14 @@ impl Default for Style {
 /// Indentation settings from a source other than `val3.toml`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct IndentOverride {
-    /// Blanks or tabs.
+    /// Spaces or tabs.
     pub style: Option<IndentStyle>,
-    /// Blanks of one level.
+    /// Number of spaces per level.
     pub size: Option<u8>,
 }
 
 impl Indent {
-    /// The blanks at the start of a line with `levels` levels of indentation.
+    /// Whitespace at the start of a line with `levels` levels of indentation.
     pub fn text(self, levels: usize) -> String {
         match self {
             Self::Blanks(width) => " ".repeat(levels * usize::from(width)),

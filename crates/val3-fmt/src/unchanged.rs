@@ -1,10 +1,11 @@
-//! The proof that layout changes nothing else.
+//! Check that formatting changes nothing but whitespace and the letter case of keywords.
 
 use rowan::NodeOrToken;
 use val3_syntax::view::View;
 use val3_syntax::{Parse, SyntaxKind, parse};
 
-/// The text after the edits has the same tokens as before, blanks and the letter case of keywords aside.
+/// Whether the text after the edits has the same tokens and syntax errors as before, except for whitespace and the
+/// letter case of keywords.
 pub(crate) fn is_same_program(before: &Parse, after: &str) -> bool {
     let after = parse(after);
     let kinds = |parse: &Parse| parse.errors().iter().map(|error| error.kind.clone()).collect::<Vec<_>>();

@@ -1,4 +1,4 @@
-//! Properties of the layout of every program, complete or broken.
+//! Properties of the formatter for all programs, complete or malformed.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use val3_fmt::{Style, apply, format, format_range, on_type};
 use val3_syntax::{SyntaxKind, TextRange, TextSize, parse};
 
-/// A program with every blank marked by `·` that may be any number of blanks.
+/// A program in which `·` marks whitespace of any length.
 fn statement(depth: u32) -> BoxedStrategy<Vec<String>> {
     let words = |lines: &'static [&'static str]| prop::sample::select(lines).prop_map(|line| vec![line.to_owned()]);
     let simple = words(&[
@@ -54,10 +54,10 @@ fn program() -> impl Strategy<Value = Vec<String>> {
     block(3).prop_map(|lines| [vec!["begin".to_owned()], lines, vec!["end".to_owned()]].concat())
 }
 
-/// How a program is written down.
+/// A spelling of a program.
 #[derive(Debug, Clone)]
 struct Writing {
-    /// Blanks at the marks and at the line starts, one after the other.
+    /// Widths of the whitespace at the marks and line starts, in order.
     blanks: Vec<u8>,
     line_end: &'static str,
     escaped: bool,
@@ -111,7 +111,7 @@ fn formatted(text: &str) -> String {
     apply(text, &format(text, &parse(text), &Style::default()))
 }
 
-/// The tokens but for blanks, in small letters: comments and strings to the byte.
+/// Tokens without whitespace, in lower case; comments and strings are unchanged.
 fn tokens(text: &str) -> Vec<String> {
     let root = parse(text).root();
     let tokens = root.descendants_with_tokens().filter_map(|element| element.into_token());
@@ -123,7 +123,7 @@ fn tokens(text: &str) -> Vec<String> {
     .collect()
 }
 
-/// A random edit: a part of the code is removed, or other text is inserted.
+/// Makes a random edit: removes a part of the code or inserts text.
 fn broken(text: &str, at: usize, len: usize, inserted: &str) -> String {
     let mut start = at % text.len();
     while !text.is_char_boundary(start) {
@@ -148,7 +148,7 @@ proptest! {
 
     #[test]
     fn the_layout_depends_on_the_program_alone(lines in program(), one in writing(), other in writing()) {
-        // The indentation of a comment before the end of a block is significant, but these programs have none.
+        // The indentation of a comment before the end of a block is significant, so comments are removed.
         let lines: Vec<String> = lines.into_iter().filter(|line| !line.starts_with("//")).collect();
         let other = Writing { line_end: one.line_end, escaped: one.escaped, ..other };
         prop_assert_eq!(formatted(&one.write(&lines)), formatted(&other.write(&lines)));

@@ -1,4 +1,4 @@
-//! The layout of code.
+//! Formatting of code.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
@@ -26,7 +26,7 @@ fn check_in(code: &str, style: &Style, expected: Expect) {
     expected.assert_eq(&code.lines().map(|line| visible(line) + "\n").collect::<String>());
 }
 
-/// The line with its last blanks as dots.
+/// The line with its trailing whitespace as dots.
 fn visible(line: &str) -> String {
     let content = line.trim_end();
     content.to_owned() + &"·".repeat(line.len() - content.len())

@@ -1,4 +1,4 @@
-//! Layout during typing.
+//! Formatting during typing.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail loudly")]
 

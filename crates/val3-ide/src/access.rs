@@ -1,9 +1,9 @@
-//! Whether other projects may use a program or data, as files of both dialects write it.
+//! Access of a program or data (public or private) in files of both dialects.
 
 use val3_analysis::xml::Element;
 use val3_syntax::{Part, TextRange, TextSize, text_at};
 
-/// How a dialect writes the access.
+/// Spelling of the access in a dialect.
 struct Spelling {
     attribute: &'static str,
     public: &'static str,
@@ -19,13 +19,13 @@ impl Spelling {
     }
 }
 
-/// The element says that other projects may use what it declares.
+/// Whether the element makes its declaration public.
 pub(crate) fn is_public(element: Element<'_>) -> bool {
     let spelling = Spelling::of(element);
     element.value(spelling.attribute).is_some_and(|text| text.trim() == spelling.public)
 }
 
-/// What to replace in the text of the file so that an element with a name has this access.
+/// Edit that sets the access of a named element. `None` if the access cannot be inserted.
 pub(crate) fn set(text: &str, element: Element<'_>, public: bool) -> Option<(TextRange, String)> {
     let Spelling { attribute, public: yes, private: no } = Spelling::of(element);
     let word = if public { yes } else { no };
@@ -40,14 +40,14 @@ pub(crate) fn set(text: &str, element: Element<'_>, public: bool) -> Option<(Tex
     Some((TextRange::empty(at), format!(" {attribute}=\"{word}\"")))
 }
 
-/// The editor of the supplier leaves out the access of a private program. The controller writes it, and a blank before
-/// the end of the tag.
+/// Whether the element omits the access of a private program, as the vendor's editor does. The controller writes the
+/// access, and a space before the end of the tag.
 fn omits_private(text: &str, element: Element<'_>) -> bool {
     let tag = text_at(text, element.tag_range());
     element.name() == "Program" && !tag.trim_end_matches(['>', '/']).ends_with(' ')
 }
 
-/// The attribute that has this value, with the blank before it.
+/// Range of the attribute with this value, including the space before it.
 fn with_blank(text: &str, value: TextRange) -> TextRange {
     let before = text.part(..usize::from(value.start()));
     let start = before.rfind([' ', '\t', '\n']).and_then(|at| TextSize::try_from(at).ok()).unwrap_or(value.start());

@@ -1,4 +1,4 @@
-//! Libraries and user types that come into a project: those that the cell has, and their entries in the `.pjx`.
+//! Adding libraries and user types to a project: the available projects, and their elements in the `.pjx`.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -18,50 +18,50 @@ use crate::project_tree::has_types;
 use crate::reachable_projects::{Reachable, reachable};
 use crate::rename::{name_fault, other_item};
 
-/// What another project becomes for a project.
+/// Kind of the reference to another project.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ReferenceKind {
-    /// An entry of `<Libraries>`.
+    /// An element of `<Libraries>`.
     Library,
-    /// An entry of `<Types>`.
+    /// An element of `<Types>`.
     Type,
 }
 
-/// A project that can become a library or a type of another one.
+/// A project that can be added to another project as a library or type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReferenceCandidate {
     /// The project.
     pub project: Project,
-    /// A name that is still free, similar to that of the project.
+    /// An unused name, similar to the project's name.
     pub name: String,
-    /// The path as the `.pjx` writes it.
+    /// Path as spelled in the `.pjx`.
     pub path: String,
-    /// The names by which it is a library or a type already, by kind.
+    /// Names under which the project is already referenced, by kind.
     pub present: Vec<(ReferenceKind, String)>,
-    /// Public programs.
+    /// Number of public programs.
     pub programs: usize,
-    /// Public data: the fields of the type.
+    /// Number of public data, which are the fields of a type.
     pub data: usize,
-    /// The library identifiers under which it can be loaded: it has everything public that their interface has, or
-    /// that the programs use of it.
+    /// Library identifiers under which it can be loaded. It contains all public items in their interface, or all used
+    /// items.
     pub fits: Vec<String>,
-    /// The project would use itself through it as a library.
+    /// Whether the project would use itself through it as a library.
     pub library_circle: bool,
-    /// The project would contain itself through it as a type.
+    /// Whether the project would contain itself through it as a type.
     pub type_circle: bool,
 }
 
-/// Why a library or a type cannot be added, in a sentence for the user.
+/// Reason why a library or a type cannot be added, as a sentence for the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AddReferenceError(pub String);
 
-/// The dialect of the project has user types.
+/// Whether the project's dialect has user types.
 pub fn takes_types(db: &dyn Db, project: Project) -> bool {
     let parse = parse(db, project.manifest(db));
     xml::root(parse.view()).is_some_and(has_types)
 }
 
-/// The projects that `project` can name, by path.
+/// Projects that `project` can reference, sorted by path.
 pub fn reference_candidates(db: &dyn Db, project: Project) -> Vec<ReferenceCandidate> {
     reachable(db, project).iter().map(|other| candidate(db, project, other)).collect()
 }
@@ -93,7 +93,7 @@ fn candidate(db: &dyn Db, project: Project, other: &Reachable) -> ReferenceCandi
     }
 }
 
-/// Why a new library identifier or user type of the project cannot have the name.
+/// Reason why a new library identifier or user type cannot have this name; `None` if it can.
 fn new_name_fault(db: &dyn Db, project: Project, name: &str) -> Option<String> {
     let taken = || {
         let what = other_item(db, project, &Symbol::Library(project, name.into()), name)?;
@@ -102,7 +102,7 @@ fn new_name_fault(db: &dyn Db, project: Project, name: &str) -> Option<String> {
     name_fault(name, Some(items(db, project).version)).or_else(taken)
 }
 
-/// `stem` as a name that the project does not have yet.
+/// Derives from `stem` a name that the project does not use yet.
 fn free_name(db: &dyn Db, project: Project, stem: &str) -> String {
     let limit = items(db, project).version.identifier_limit().unwrap_or(usize::MAX);
     let allowed: String =
@@ -111,11 +111,11 @@ fn free_name(db: &dyn Db, project: Project, stem: &str) -> String {
     let beginning = |length: usize| -> String { stem.chars().take(length).collect() };
     let is_taken = |name: &str| name.len() <= limit && new_name_fault(db, project, name).is_some();
     let whole = beginning(limit);
-    // Otherwise with space for two digits that make it free.
+    // Otherwise the name is shortened so that a two-digit number fits.
     if is_taken(&whole) { free(&beginning(limit.saturating_sub(2)), is_taken) } else { whole }
 }
 
-/// A way of libraries, or of types, from one project to another.
+/// Whether `from` uses `to` as a library or type, directly or indirectly.
 fn leads_to(db: &dyn Db, from: Project, to: Project, kind: ReferenceKind) -> bool {
     let mut seen = FxHashSet::default();
     let mut next = vec![from];
@@ -138,11 +138,11 @@ fn named(db: &dyn Db, project: Project, kind: ReferenceKind) -> Vec<Project> {
     }
 }
 
-/// The entry of the project at `path` in the `.pjx` of `project`, as a library identifier or a user type called `name`.
+/// Adds the project at `path` to the `.pjx` of `project`, as a library identifier or a user type called `name`.
 ///
 /// # Errors
-/// If the project file cannot be read whole or has no place for the entry, if the name cannot be used, if there is no
-/// project at `path`, or if `project` would use itself.
+/// If the project file cannot be parsed completely or has no suitable element, if the name is invalid or in use, if no
+/// project exists at `path`, or if `project` would use itself.
 pub fn add_reference(
     db: &dyn Db,
     project: Project,

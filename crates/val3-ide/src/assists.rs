@@ -1,4 +1,4 @@
-//! Code actions: what a person may want done at a place, offered where it can be done. One a file.
+//! Code actions: edits that are offered where they can be applied. One action is one file.
 
 mod array_to_collection;
 mod change_parameter;
@@ -55,10 +55,10 @@ pub(crate) use offers::Assists;
 pub use offers::{Assist, AssistKind};
 pub(crate) use program_header::header_comments;
 
-/// Offers assists for a place. The edits of an assist are computed only when it is chosen.
+/// Offers assists at a position. Edits are computed only when an assist is chosen.
 type Handler = fn(&Context<'_>, &mut Assists<'_>) -> Option<()>;
 
-/// Every assist, fixes first.
+/// All assists, quick fixes first.
 const HANDLERS: &[Handler] = &[
     create_local::offer,
     create_parameter::offer,
@@ -88,13 +88,12 @@ const HANDLERS: &[Handler] = &[
     sort_programs::offer,
 ];
 
-/// The assists at a cursor, if the range is empty, or for a selection. `only` leaves out
-/// other kinds.
+/// Assists at a cursor (empty range) or for a selection. If `only` is set, other kinds are omitted.
 pub fn assists(db: &dyn Db, at: FileRange, only: Option<&[AssistKind]>) -> Vec<Assist> {
     collect(db, at, Assists::offers(only)).into_found()
 }
 
-/// The changes of an assist; `None` if it is not offered at this place, or has nothing to change.
+/// Change made by an assist; `None` if it is not offered at this range or has nothing to change.
 pub fn resolve_assist(db: &dyn Db, id: &str, at: FileRange) -> Option<SourceChange> {
     let found = collect(db, at, Assists::change_of(id));
     Some(found.into_change()?.sorted(db))
@@ -103,7 +102,7 @@ pub fn resolve_assist(db: &dyn Db, id: &str, at: FileRange) -> Option<SourceChan
 fn collect<'a>(db: &dyn Db, at: FileRange, mut found: Assists<'a>) -> Assists<'a> {
     if let Some(context) = Context::new(db, at) {
         for handler in HANDLERS {
-            // A handler that ends early has nothing more to offer.
+            // A handler that returns early has no offer.
             let _ = handler(&context, &mut found);
         }
     }

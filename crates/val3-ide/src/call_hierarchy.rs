@@ -1,4 +1,4 @@
-//! The callers of a program, and its calls. Tasks that it starts count as calls.
+//! Incoming and outgoing calls of a program. Tasks that it creates count as calls.
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
@@ -12,31 +12,31 @@ use crate::navigate::{declaration, name_at};
 use crate::owner::owner;
 use crate::references::uses;
 
-/// A program in the hierarchy.
+/// A program in the call hierarchy.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CallItem {
-    /// Its name.
+    /// Program name.
     pub name: SmolStr,
-    /// The project it belongs to, by the name of its `.pjx`.
+    /// Project name: the name of the `.pjx`.
     pub project: String,
-    /// Its file.
+    /// Program file.
     pub file: File,
-    /// The range of its name in the file.
+    /// Range of the name in the file.
     pub range: TextRange,
 }
 
-/// A program that calls or is called, and where.
+/// A calling or called program, with the locations of the calls.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Call {
-    /// The program at the other end.
+    /// The other program.
     pub item: CallItem,
-    /// The names in the calls, in the caller's file.
+    /// Ranges of the program names in the calls, in the caller's file.
     pub places: Vec<TextRange>,
-    /// One of the calls runs in a task of its own.
+    /// Whether one of the calls creates a task.
     pub in_task: bool,
 }
 
-/// The program at a position: the one that is named there, else the one in whose code it is.
+/// Program named at a position, otherwise the program whose code contains the position.
 pub fn call_item(db: &dyn Db, at: FilePosition) -> Option<CallItem> {
     if let Some((_, found)) = name_at(db, at)
         && let Symbol::Program(project, name) = &found.symbol
@@ -46,7 +46,7 @@ pub fn call_item(db: &dyn Db, at: FilePosition) -> Option<CallItem> {
     item_of(db, owner(db, at.file)?, at.file)
 }
 
-/// The programs that call the one in `file`, by path.
+/// Programs that call the program in `file`, sorted by path.
 pub fn incoming_calls(db: &dyn Db, file: File) -> Vec<Call> {
     let Some(project) = owner(db, file) else { return Vec::new() };
     let Some(callee) = item_of(db, project, file) else { return Vec::new() };
@@ -60,7 +60,7 @@ pub fn incoming_calls(db: &dyn Db, file: File) -> Vec<Call> {
     calls
 }
 
-/// The programs that the one in `file` calls, in the order of the first call.
+/// Programs that the program in `file` calls, in the order of the first call.
 pub fn outgoing_calls(db: &dyn Db, file: File) -> Vec<Call> {
     let Some(project) = owner(db, file) else { return Vec::new() };
     let own = body(db, file);
@@ -88,7 +88,7 @@ struct CallSiteKind {
     in_task: bool,
 }
 
-/// The call whose program is named at `range`; `None` where the name is not called.
+/// Call whose program name is at `range`; `None` if the name is not called.
 fn called(body: &Body, range: TextRange) -> Option<CallSiteKind> {
     let names = |id: ExprId| match body.expr(id) {
         Expr::Call(callee, _) => body.range(*callee).contains_range(range),
@@ -113,7 +113,7 @@ fn item_of(db: &dyn Db, project: Project, file: File) -> Option<CallItem> {
     }
     let name = val3_analysis::items::program::header(db, file).name.clone();
     let place: FileRange = declaration(db, &Symbol::Program(project, name.clone()))?;
-    // Of two programs with one name the first counts.
+    // If two programs have the same name, the first one counts.
     let counts = place.file == file;
     let project = project.manifest(db).path(db).file_stem().unwrap_or("").to_owned();
     counts.then_some(CallItem { name, project, file, range: place.range })
@@ -128,7 +128,7 @@ mod tests {
 
     const LISTING: &str = "library part \"Disk://part/part.pjx\"\ncall pick()\ncall part:weigh()\ntaskCreate \"t\",10,pick()\nif true\n  call pick()\nendIf\nprogram pick()\nbegin\n  call part:weigh()\nend\n--- part\npublic program weigh()\nbegin\nend\n";
 
-    /// The calls, with their places in the file of the caller that `caller` picks.
+    /// Renders the calls, with their locations in the caller's file, which `caller` selects.
     fn check(calls: &[Call], caller: impl Fn(&Call) -> File, db: &dyn Db, expected: Expect) {
         let line = |call: &Call| {
             let place = |range: &TextRange| shown(db, FileRange { file: caller(call), range: *range });

@@ -1,5 +1,5 @@
-//! Another signature for a program: parameters that are added, removed, renamed, retyped and change places, in its
-//! declaration, in its code, and in every call of the workspace. Locals change in the same way, without callers.
+//! Changes the signature of a program: adds, removes, renames, retypes and reorders parameters, in its declaration, its
+//! code and all calls of the workspace. Locals are changed in the same way, without calls.
 
 mod arguments;
 mod attributes;
@@ -28,15 +28,15 @@ use crate::references::uses;
 use crate::test_programs::is_test;
 use programs::Program;
 
-/// Why a program cannot have other parameters or locals, in a sentence for the user.
+/// Reason why the parameters or locals cannot be changed, as a sentence for the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SignatureError(pub String);
 
-/// The change that gives the program in `file` these parameters and locals. Arguments and names of the programs that call
-/// it follow, and so do programs of libraries that are loaded for the same interface.
+/// Changes the parameters and locals of the program in `file`. Arguments in its callers are adapted, and so are the
+/// same programs in libraries that are loaded for the same interface.
 ///
 /// # Errors
-/// If something that is removed is still used, a name is taken, or a call cannot follow: see the messages.
+/// If a removed variable is still used, a name is in use, or a call cannot be adapted; the message gives the reason.
 pub fn change_signature(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange, SignatureError> {
     change(db, file, wanted).map(|change| change.sorted(db)).map_err(SignatureError)
 }
@@ -61,7 +61,7 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
     let mut edits = Vec::new();
     let mut removed = Vec::new();
     let mut renames: Vec<FileEdit> = programs.iter().flat_map(|program| renames(db, program)).collect();
-    // The parameter of a test has a name of its own.
+    // The parameter of a test has its own name.
     if !are_parameters_same && let Some(reason) = fixed_parameters(db, file) {
         return Err(reason);
     }
@@ -85,8 +85,8 @@ fn change(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<SourceChange
     Ok(SourceChange::of(edits))
 }
 
-/// Why the program in `file` has the parameters that it has: something else than programs calls it. `None` if only
-/// programs do.
+/// Reason why the parameters of the program in `file` are fixed: it is not only called by programs. `None` if they can
+/// be changed.
 pub(crate) fn fixed_parameters(db: &dyn Db, file: File) -> Option<String> {
     let name = &header(db, file).name;
     if ENTRY_POINTS.contains(&name.as_str()) {
@@ -109,8 +109,8 @@ pub(crate) fn fixed_parameters(db: &dyn Db, file: File) -> Option<String> {
     is_test.then(|| format!("`val3 test` calls `{name}`, with the number of a row as the only possible argument"))
 }
 
-/// Every call of the program in `file` passes a variable of a type for a parameter, and none of them creates a task. No
-/// other program shares its signature.
+/// Whether every call of the program in `file` passes a variable of type `ty` for the parameter, none of them creates a
+/// task, and no other program shares the signature.
 pub(crate) fn passes_variables(db: &dyn Db, file: File, index: usize, ty: Base) -> bool {
     let symbols = programs::symbols(db, file);
     let is_alone = symbols.len() == projects_of(db, file).len();
@@ -118,7 +118,7 @@ pub(crate) fn passes_variables(db: &dyn Db, file: File, index: usize, ty: Base) 
     is_alone && calls.is_ok_and(|calls| calls.iter().all(|call| call.passes_variable(db, index, ty)))
 }
 
-/// The names in the code of a program that become others.
+/// Edits that rename variables in the code of a program.
 fn renames(db: &dyn Db, program: &Program) -> Vec<FileEdit> {
     let (file, header) = (program.file, header(db, program.file));
     let params = program.wanted.parameters.iter().filter_map(|new| {
@@ -135,7 +135,7 @@ fn renames(db: &dyn Db, program: &Program) -> Vec<FileEdit> {
     edits.collect()
 }
 
-/// The uses of a parameter or local, without its declaration.
+/// Uses of a parameter or local, without its declaration.
 pub(crate) fn in_code(db: &dyn Db, symbol: &Symbol) -> Vec<TextRange> {
     let (Symbol::Param(file, _) | Symbol::Local(file, _)) = symbol else { return Vec::new() };
     let declared: Vec<TextRange> =
@@ -148,7 +148,7 @@ pub(crate) fn in_code(db: &dyn Db, symbol: &Symbol) -> Vec<TextRange> {
     found
 }
 
-/// Parameters and locals that the program loses are not used, except in arguments that are removed as well.
+/// Checks that removed parameters and locals are unused, except in arguments that are removed as well.
 fn removed_are_unused(db: &dyn Db, program: &Program, removed: &[(File, TextRange)]) -> Result<(), String> {
     let (file, header) = (program.file, header(db, program.file));
     let keeps_param = |index: usize| program.wanted.parameters.iter().any(|new| new.from == Some(index));

@@ -1,4 +1,4 @@
-//! Lines above programs and declarations: their numbers of uses, and commands to run and debug programs.
+//! Code lenses of programs and declarations: reference counts, and commands to run and debug programs.
 
 use val3_analysis::application::START;
 use val3_analysis::db::{Db, File, FileRange, Project};
@@ -13,31 +13,31 @@ use crate::owner::owner;
 use crate::references::places;
 use crate::test_programs::is_test;
 
-/// A line above a declaration.
+/// A code lens of a declaration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CodeLens {
-    /// The range of the name below it.
+    /// Range of the declared name.
     pub range: TextRange,
-    /// Its content.
+    /// Kind.
     pub kind: LensKind,
 }
 
-/// The content of a line above a declaration.
+/// Kind of a code lens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LensKind {
-    /// Running the program in the application of this `.pjx`.
+    /// Runs the program in the application of this `.pjx`.
     Run(File),
-    /// Debugging the program in the application of this `.pjx`.
+    /// Debugs the program in the application of this `.pjx`.
     Debug(File),
-    /// Executing the program as a test of the application of this `.pjx`.
+    /// Executes the program as a test, in the application of this `.pjx`.
     RunTest(File),
-    /// Debugging it as a test.
+    /// Debugs the program as a test.
     DebugTest(File),
-    /// The number of uses, which [`lens_references`] finds.
+    /// Reference count, computed later by [`lens_references`].
     References,
 }
 
-/// The lines above the declarations of a file, without what takes a search to find out.
+/// Code lenses of a file, without reference counts, which require a search.
 pub fn code_lenses(db: &dyn Db, file: File) -> Vec<CodeLens> {
     let Some(project) = owner(db, file) else { return Vec::new() };
     if program_files(db, project).contains(&file) {
@@ -66,12 +66,12 @@ fn of_program(db: &dyn Db, project: Project, file: File) -> Vec<CodeLens> {
     lenses
 }
 
-/// The program needs no caller: it is the one that the controller starts, or has no parameters.
+/// Whether the program can be started without a caller: it is `start`, or has no parameters.
 pub(crate) fn runs_alone(header: &Header) -> bool {
     header.name == START || header.params.is_empty()
 }
 
-/// The uses of what is declared at the range of a [`LensKind::References`], by path and place.
+/// References to the declaration at the range of a [`LensKind::References`], sorted by path and offset.
 pub fn lens_references(db: &dyn Db, at: FileRange) -> Vec<FileRange> {
     let Some(project) = owner(db, at.file) else { return Vec::new() };
     let name = text_at(at.file.text(db), at.range);

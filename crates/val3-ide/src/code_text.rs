@@ -1,4 +1,4 @@
-//! The code of a program without the XML around it.
+//! Program code without the surrounding XML.
 
 use rowan::NodeOrToken;
 use val3_analysis::db::{Db, File};
@@ -7,8 +7,8 @@ use val3_analysis::items::program::code_element;
 use val3_syntax::view::{TokenView, View};
 use val3_syntax::{SyntaxKind, decode_entities};
 
-/// The code of the program in a file: what its CDATA sections hold, or its text without entities. `None` if the file has
-/// no element for code.
+/// Code of the program in a file: the CDATA contents, or its text with entities decoded. `None` if the file has no code
+/// element.
 pub fn code_text(db: &dyn Db, file: File) -> Option<String> {
     let parse = parse(db, file);
     let element = code_element(parse.view())?;
@@ -29,7 +29,7 @@ pub fn code_text(db: &dyn Db, file: File) -> Option<String> {
     Some(text)
 }
 
-/// The tokens of the element without those of its tags.
+/// Collects the tokens of the element, except its tags.
 fn collect<'g>(node: View<'g>, tokens: &mut Vec<TokenView<'g>>) {
     for child in node.children_with_tokens() {
         match child {
@@ -62,7 +62,7 @@ mod tests {
             shown("<Code><![CDATA[begin\n  if a<b and c\n  endIf\nend]]></Code>"),
             "begin\n  if a<b and c\n  endIf\nend"
         );
-        // Blanks around a section are not code, and `]]>` needs two sections.
+        // Whitespace around a section is not code, and `]]>` in the code requires two sections.
         let split = "<Code>\n  <![CDATA[begin\n  put(\"]]]]><![CDATA[>\")\nend]]>\n</Code>";
         assert_eq!(shown(split), "begin\n  put(\"]]>\")\nend");
         assert_eq!(shown("<Locals />"), "nothing");

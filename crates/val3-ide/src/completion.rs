@@ -26,12 +26,12 @@ use list::CompletionList;
 
 pub use list::{Completion, CompletionKind};
 
-/// The completions at a position, the most probable first.
+/// Completions at a position, the most probable first.
 pub fn completions(db: &dyn Db, at: FilePosition) -> Vec<Completion> {
     owner(db, at.file).map(|project| completions_in(db, project, at)).unwrap_or_default()
 }
 
-/// The completions at a position of a file that is read as part of a project, the most probable first.
+/// Completions at a position in a file as part of a project, the most probable first.
 pub fn completions_in(db: &dyn Db, project: Project, at: FilePosition) -> Vec<Completion> {
     if is_page(db, at.file) {
         return Vec::new();
@@ -62,19 +62,19 @@ pub fn completions_in(db: &dyn Db, project: Project, at: FilePosition) -> Vec<Co
     found.ranked()
 }
 
-/// A blank that is typed at a position begins something that can be proposed: the next attribute of a tag. Elsewhere
-/// it most often ends a word.
+/// Whether a space typed at the position starts an attribute, which can be completed. Elsewhere a space usually ends a
+/// word.
 pub fn completes_after_blank(db: &dyn Db, at: FilePosition) -> bool {
     let found = XmlContext::at(db, at.file, at.offset);
     found.is_some_and(|(context, _)| matches!(context.cursor.place, XmlPlace::AttributeName(_)))
 }
 
-/// The documentation of a symbol in Markdown.
+/// Documentation of a symbol, in Markdown.
 pub fn documentation(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<String> {
     hover::symbol(db, project, symbol)
 }
 
-/// The documentation of a completion in Markdown: that of its symbol, or the page of its keyword.
+/// Documentation for a completion, in Markdown: from its symbol, or the keyword's page.
 pub fn completion_documentation(db: &dyn Db, project: Project, completion: &Completion) -> Option<String> {
     if let Some(page) = &completion.documentation {
         return Some(page.clone());

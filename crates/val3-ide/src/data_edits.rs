@@ -1,4 +1,4 @@
-//! Changes of the tables of a data file as edits of its text, in the form of the file: only what changes is written.
+//! Edits of a data file's tables as text edits in the format of the file, restricted to the changed parts.
 
 mod cells;
 mod check;
@@ -24,10 +24,10 @@ use crate::edit::{FileEdit, SourceChange};
 use edit::refusal;
 use target::DataFile;
 
-/// The edits of a data file that change its tables. Each change is made in the result of those before it.
+/// Text edits that apply these table edits. Each edit applies to the result of the previous ones.
 ///
 /// # Errors
-/// A change is impossible, or the file has syntax errors.
+/// If an edit is impossible, or if the file has syntax errors.
 pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit]) -> Result<SourceChange, DataProblem> {
     if let Some(problem) = problem(db, file) {
         return Err(problem);
@@ -73,12 +73,12 @@ fn change(target: &DataFile<'_>, edit: &DataEdit) -> Result<Vec<Edit>, DataProbl
     }
 }
 
-/// A range in the result of other changes is no place that a reader knows.
+/// Removes the range if it refers to an intermediate text, which the reader does not have.
 fn without_range(problem: DataProblem, has_place: bool) -> DataProblem {
     DataProblem { range: problem.range.filter(|_| has_place), ..problem }
 }
 
-/// Characters that ISO-8859-1 does not have, as XML names them.
+/// Replaces characters outside ISO-8859-1 by XML character references.
 fn with_references(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for character in text.chars() {

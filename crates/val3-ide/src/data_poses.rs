@@ -1,4 +1,4 @@
-//! The places of the points, frames, tools and joints of a data file, for its tables.
+//! Poses of the points, frames, tools and joints in a data file, for its tables.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::changes::is_changed;
@@ -13,27 +13,27 @@ use val3_lang::types::BaseType;
 use crate::data_tables::{DataPlace, place_of_path};
 use crate::reached::{Reached, UNTAUGHT, arm_of, not_placed, outside, reached_with_tool, rounded};
 
-/// Maximum length of a chain in an answer, whose size would otherwise grow with the square of the number of values.
+/// Maximum chain length. Without it, the response size could grow with the square of the number of values.
 const LONGEST_CHAIN: usize = 100;
 
-/// Where a value is, and how the arm reaches it.
+/// Pose of a value, and the joint position in which the arm reaches it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataPose {
     /// The value.
     pub place: DataPlace,
-    /// In `world`, of a tool on the flange: x, y and z in mm, and rx, ry and rz in degrees. Of joints where the flange is.
+    /// Pose in `world` (of a tool: on the flange; of joints: of the flange): x, y, z in mm and rx, ry, rz in degrees.
     pub pose: Option<[f64; 6]>,
-    /// The value and its next fathers, at most 100 together, without the built-in one.
+    /// The value and its nearest fathers, at most 100 in total, without the built-in father.
     pub chain: Vec<String>,
-    /// The arm reaches it; `None` where that is not known.
+    /// Whether the arm reaches it; `None` if unknown.
     pub is_reached: Option<bool>,
-    /// Why the pose or the joints are not known, or with which tool they are reached.
+    /// Reason why the pose or the joints are unknown, or the tool with which they are reached.
     pub remark: Option<String>,
-    /// The axes in degrees, those that move along a line in mm.
+    /// Joint positions in degrees; linear axes in mm.
     pub joints: Option<Vec<f64>>,
 }
 
-/// The places of all values of the variables called `names` that a data file writes, as a part of `project`.
+/// Poses of all values in a data file that belong to the variables `names`, as part of `project`.
 pub fn data_poses(db: &dyn Db, project: Project, file: File, names: &[String]) -> Vec<DataPose> {
     let wanted: FxHashSet<&str> = names.iter().map(String::as_str).collect();
     let parse = parse(db, file);
@@ -78,7 +78,7 @@ fn pose(db: &dyn Db, project: Project, path: &str) -> Option<DataPose> {
     }
 }
 
-/// A place that programs change is the one at the start.
+/// Adds a remark if programs change the pose, because then it is only the initial pose.
 fn with_changes(found: DataPose, is_changed: bool) -> DataPose {
     let changed = is_changed.then(|| "at the start; a program changes it or what it is relative to".to_owned());
     let remarks: Vec<String> = found.remark.into_iter().chain(changed).collect();

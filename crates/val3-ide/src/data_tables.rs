@@ -1,5 +1,5 @@
-//! A data file as tables: the types that it may declare with their columns, its data with their values as texts, and the
-//! findings of the file on their cells.
+//! A data file as tables: the allowed types with their columns, the data with their values as texts, and the findings
+//! of the file by cell.
 
 mod findings;
 mod place;
@@ -23,7 +23,7 @@ use val3_analysis::xml::{self, Element};
 use val3_lang::types::Container;
 use val3_syntax::TextRange;
 
-/// The form of a data file.
+/// Dialect of a data file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dialect {
     /// `<dataList>` of s5 and s6.
@@ -35,63 +35,63 @@ pub enum Dialect {
 /// A data file as tables.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataTables {
-    /// The form of the file.
+    /// Dialect of the file.
     pub dialect: Dialect,
-    /// Why the file cannot be edited as tables. It may still be shown.
+    /// Reason why the file cannot be edited as tables. It may still be displayed.
     pub problem: Option<DataProblem>,
-    /// The types that the file may declare, and those that it declares.
+    /// Types that the file may declare or does declare.
     pub types: Vec<DataType>,
-    /// The data, in the order of the file.
+    /// Data, in the order of the file.
     pub data: Vec<Datum>,
 }
 
-/// A data file as tables, without the rows of its data.
+/// A data file as tables, without data rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataOutline {
-    /// The form of the file.
+    /// Dialect of the file.
     pub dialect: Dialect,
-    /// Why the file cannot be edited as tables. It may still be shown.
+    /// Reason why the file cannot be edited as tables. It may still be displayed.
     pub problem: Option<DataProblem>,
-    /// The types that the file may declare, and those that it declares.
+    /// Types that the file may declare or does declare.
     pub types: Vec<DataType>,
-    /// The data, in the order of the file.
+    /// Data, in the order of the file.
     pub data: Vec<DatumSource>,
 }
 
 /// A variable in the text of a data file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DatumSource {
-    /// The range of the name, without quotes.
+    /// Range of the name, without quotes.
     pub name: TextRange,
-    /// Hash of its text: with the same types, the same text gives the same rows.
+    /// Text hash. With the same types, the same text yields the same rows.
     pub fingerprint: u64,
 }
 
-/// Why something cannot be done with a data file.
+/// Reason why an operation on a data file is impossible.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataProblem {
-    /// A sentence for people.
+    /// Reason as a sentence for users.
     pub reason: String,
-    /// The place in the file that it is about, if it is about one.
+    /// Range in the file to which it refers, if there is one.
     pub range: Option<TextRange>,
 }
 
-/// A variable of a data file, or a field of a value of a user type.
+/// A variable of a data file, or a field of a user type's value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Datum {
-    /// The name.
+    /// Name.
     pub name: SmolStr,
-    /// Other projects may use it.
+    /// Whether other projects may use it.
     pub public: bool,
-    /// The type, as the file spells it.
+    /// Type name as spelled in the file.
     pub type_name: SmolStr,
-    /// An array or a collection.
+    /// Array or collection.
     pub container: Container,
-    /// One number for each dimension, `[1]` for a single value, the number of keys of a collection.
+    /// Sizes by dimension; `[1]` for a single value; the number of keys for a collection.
     pub sizes: Vec<u32>,
-    /// The range of the name, without quotes.
+    /// Range of the name, without quotes.
     pub range: TextRange,
-    /// The values that the file writes, and all elements of a collection.
+    /// Values in the file; all elements for a collection.
     pub values: Vec<DatumValue>,
 }
 
@@ -100,20 +100,20 @@ pub struct Datum {
 pub struct DatumValue {
     /// `0`, `2,1`, or the key of a collection.
     pub key: String,
-    /// The texts of the columns of the type; `None` where the file leaves one out, so that its default holds.
+    /// Texts of the type's columns; `None` if the file omits the attribute, so that its default is in effect.
     pub texts: Vec<Option<String>>,
-    /// The fields of a value of a user type.
+    /// Fields of a user type's value.
     pub fields: Vec<Datum>,
 }
 
-/// The tables of a data file, as a part of `project`; `None` if the file is no data file.
+/// Tables of a data file, as part of `project`; `None` if the file is no data file.
 pub fn data_tables(db: &dyn Db, project: Project, file: File) -> Option<DataTables> {
     let DataOutline { dialect, problem, types, data } = data_outline(db, project, file)?;
     let data = data_rows(db, file, &types, 0..data.len());
     Some(DataTables { dialect, problem, types, data })
 }
 
-/// The tables of a data file without rows, as a part of `project`; `None` if the file is no data file.
+/// Tables of a data file without rows, as part of `project`; `None` if the file is no data file.
 pub fn data_outline(db: &dyn Db, project: Project, file: File) -> Option<DataOutline> {
     let parse = parse(db, file);
     let dialect = match xml::root(parse.view()).map(|root| root.name()) {
@@ -133,14 +133,14 @@ pub fn data_outline(db: &dyn Db, project: Project, file: File) -> Option<DataOut
     Some(DataOutline { dialect, problem: problem(db, file), types, data })
 }
 
-/// The rows of some data of a file, by their numbers in [`DataOutline::data`].
+/// Rows of some data in a file, by their index in [`DataOutline::data`].
 pub fn data_rows(db: &dyn Db, file: File, types: &[DataType], numbers: Range<usize>) -> Vec<Datum> {
     let parse = parse(db, file);
     let elements = rows::elements(parse.view()).skip(numbers.start).take(numbers.len());
     elements.map(|(element, name)| rows::row(element, name, types)).collect()
 }
 
-/// Why the text of a file cannot be edited as tables.
+/// Reason why the text of a file cannot be edited as tables; `None` if it can.
 pub(crate) fn problem(db: &dyn Db, file: File) -> Option<DataProblem> {
     if let FileStatus::Unreadable(reason) = file.status(db) {
         return Some(DataProblem { reason: format!("the file cannot be read: {reason}"), range: None });

@@ -1,4 +1,4 @@
-//! Declarations that come into a file: locals, parameters, global data, programs.
+//! Insertion of declarations into files: locals, parameters, global data, programs.
 
 mod new_program;
 pub(crate) mod old_data;
@@ -18,19 +18,19 @@ use val3_syntax::TextRange;
 use crate::edit::FileEdit;
 use crate::xml_list::{XmlList, escaped};
 
-/// The declaration of a variable.
+/// Declaration of a variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Variable {
     pub(crate) name: String,
-    /// As files write it.
+    /// Type name as spelled in files.
     pub(crate) type_name: String,
     pub(crate) container: Container,
-    /// Sizes of the dimensions; one value where there are none.
+    /// Sizes of the dimensions; empty for one value.
     pub(crate) sizes: Vec<u32>,
 }
 
 impl Variable {
-    /// A single value.
+    /// A variable with a single value.
     pub(crate) fn single(name: &str, type_name: &str) -> Self {
         let container = Container::Array { dims: 1 };
         Self { name: name.to_owned(), type_name: type_name.to_owned(), container, sizes: vec![1] }
@@ -46,12 +46,12 @@ impl Variable {
     }
 }
 
-/// The program in a file has the form of s5 and s6.
+/// Whether the program file has the dialect of s5 and s6.
 pub(crate) fn is_old_program(db: &dyn Db, file: File) -> bool {
     program::element(parse(db, file).view()).is_some_and(|program| program.name() == "program")
 }
 
-/// Local variables of the program in `file`; `None` where there are none like them.
+/// Declares local variables in the program in `file`; `None` if one of them is a collection.
 pub(crate) fn locals(db: &dyn Db, file: File, variables: &[&Variable]) -> Option<FileEdit> {
     if variables.iter().any(|variable| variable.container == Container::Collection) {
         return None;
@@ -61,7 +61,7 @@ pub(crate) fn locals(db: &dyn Db, file: File, variables: &[&Variable]) -> Option
     into_locals(db, file, &entries)
 }
 
-/// Adds elements after the other locals of the program in `file`.
+/// Appends elements to the locals of the program in `file`.
 pub(crate) fn into_locals(db: &dyn Db, file: File, entries: &[String]) -> Option<FileEdit> {
     match is_old_program(db, file) {
         true => into_program(db, file, "localSection", "", &["source"], entries),
@@ -69,7 +69,7 @@ pub(crate) fn into_locals(db: &dyn Db, file: File, entries: &[String]) -> Option
     }
 }
 
-/// The element of a local.
+/// Element of a local.
 pub(crate) fn local_entry(old: bool, variable: &Variable) -> String {
     let (name, ty, size) = (&variable.name, &variable.type_name, variable.size());
     if old {
@@ -78,17 +78,17 @@ pub(crate) fn local_entry(old: bool, variable: &Variable) -> String {
     format!("<Local name=\"{name}\" type=\"{ty}\" xsi:type=\"array\" size=\"{size}\" />")
 }
 
-/// Adds a parameter after the others of the program in `file`.
+/// Appends a parameter to the program in `file`.
 pub(crate) fn parameter(db: &dyn Db, file: File, variable: &Variable, by_reference: bool) -> Option<FileEdit> {
     let old = is_old_program(db, file);
-    // It has no collections, and arrays of one dimension.
+    // The old dialect has no collections, and only one-dimensional arrays.
     if old && (variable.container == Container::Collection || variable.sizes.len() > 1) {
         return None;
     }
     into_parameters(db, file, &[parameter_entry(old, variable, by_reference)])
 }
 
-/// Adds elements after the other parameters of the program in `file`.
+/// Appends elements to the parameters of the program in `file`.
 pub(crate) fn into_parameters(db: &dyn Db, file: File, entries: &[String]) -> Option<FileEdit> {
     match is_old_program(db, file) {
         true => into_program(db, file, "paramSection", "", &["localSection", "source"], entries),
@@ -98,7 +98,7 @@ pub(crate) fn into_parameters(db: &dyn Db, file: File, entries: &[String]) -> Op
 
 const PARAMETERS: &str = " xmlns=\"http://www.staubli.com/robotics/VAL3/Param/1\"";
 
-/// The element of a parameter.
+/// Element of a parameter.
 pub(crate) fn parameter_entry(old: bool, variable: &Variable, by_reference: bool) -> String {
     let (name, ty) = (&variable.name, &variable.type_name);
     if old {
@@ -130,8 +130,8 @@ fn into_program(
     Some(FileEdit { file, range, text })
 }
 
-/// Private global data of a project, with a value where its type is written as an attribute; `None` where the project
-/// has no data file, or one of s5 or s6 in which such data cannot be written.
+/// Declares private global data in a project, with an initial value if its type has a value attribute. `None` if the
+/// project has no data file, or one of s5 or s6 that cannot represent the data.
 pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Option<&str>) -> Option<FileEdit> {
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
@@ -141,7 +141,7 @@ pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Op
     Some(FileEdit { file, range, text })
 }
 
-/// The lines of a declaration of data in a file with this root; `None` for data that cannot be written there.
+/// Lines of a data declaration in a file with this root element; `None` if the file cannot represent the data.
 pub(crate) fn data_lines(root: &str, variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
     match root {
         "Database" => Some(new_data(variable, value, public)),
@@ -150,7 +150,7 @@ pub(crate) fn data_lines(root: &str, variable: &Variable, value: Option<&str>, p
     }
 }
 
-/// Where and what to write so that the list of data of a type ends with an entry.
+/// Edit that appends a declaration to the data list for its type.
 pub(crate) fn data_list(
     text: &str,
     root: xml::Element<'_>,
@@ -165,7 +165,7 @@ pub(crate) fn data_list(
     XmlList { text, parent: root, name, attributes: "", followers: &followers }.append(entry)
 }
 
-/// Public data of a project of s7 or s8, several at once.
+/// Declares public data in a project of s7 or s8.
 pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[Variable]) -> Option<FileEdit> {
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
@@ -195,7 +195,7 @@ fn new_data(variable: &Variable, value: Option<&str>, public: bool) -> Vec<Strin
     [vec![format!("{start}>")], values, vec!["</Data>".to_owned()]].concat()
 }
 
-/// The keys of an array's values: `0`, or `0,0` where it has two dimensions.
+/// Array keys, for example `0`, or `0,0` with two dimensions.
 pub(crate) fn keys(sizes: &[u32]) -> Vec<String> {
     let indexes = |key: &str, size: u32| -> Vec<String> { (0..size).map(|index| format!("{key},{index}")).collect() };
     match sizes.split_first() {
@@ -206,14 +206,14 @@ pub(crate) fn keys(sizes: &[u32]) -> Vec<String> {
     }
 }
 
-/// The father of a new point, frame or tool.
+/// Default father of a new point, frame or tool.
 pub(crate) fn built_in_father(type_name: &str) -> Option<&'static str> {
     let (ty, _) = BaseType::from_file_name(type_name)?;
     let father = ty.father()?;
     builtins::BUILTINS.iter().find(|builtin| builtin.ty == father).map(|builtin| builtin.name)
 }
 
-/// `stem`, or `stem` with the first number that makes it free.
+/// `stem`, or `stem` with the smallest number that makes it unused.
 pub(crate) fn free(stem: &str, taken: impl Fn(&str) -> bool) -> String {
     if !taken(stem) {
         return stem.to_owned();
@@ -221,13 +221,12 @@ pub(crate) fn free(stem: &str, taken: impl Fn(&str) -> bool) -> String {
     (2u32..).map(|number| format!("{stem}{number}")).find(|name| !taken(name)).unwrap_or_default()
 }
 
-/// An edit that takes out the entry at `range`, with its line.
+/// Edit that removes the element at `range`, with its line.
 pub(crate) fn without(db: &dyn Db, file: File, range: TextRange) -> FileEdit {
     FileEdit { file, range: crate::xml_list::whole_line(file.text(db), range), text: String::new() }
 }
 
-/// An edit that takes out the local at `range`, with the list that would be empty without it. The old dialect always has
-/// the list.
+/// Edit that removes the local at `range`, and the list if it becomes empty. The old dialect always has the list.
 pub(crate) fn without_local(db: &dyn Db, file: File, range: TextRange) -> FileEdit {
     let parse = parse(db, file);
     let list = program::element(parse.view()).and_then(|program| program.child(&["Locals"]));

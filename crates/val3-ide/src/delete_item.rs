@@ -1,4 +1,4 @@
-//! Programs, data, libraries and types that are deleted at their declaration.
+//! Deletion of programs, data, libraries and types.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, FileRange, Project};
@@ -17,23 +17,24 @@ use crate::owner::owner;
 use crate::project_tree::{TreeItem, project_content};
 use crate::references::places;
 
-/// What deleting an item does.
+/// Result of deleting an item.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Deletion {
-    /// Without the declaration. A program goes with its file and its entries in project files.
+    /// Change that removes the declaration. A program is deleted with its file and its elements in project files.
     pub change: SourceChange,
-    /// The places outside of it that use it, by path and place.
+    /// Remaining uses outside the declaration, sorted by path and offset.
     pub uses: Vec<FileRange>,
 }
 
-/// Why an item cannot be deleted, in a sentence for the user.
+/// Reason why an item cannot be deleted, as a sentence for the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DeleteError(pub String);
 
-/// Deletes the program, data, library or type whose declaration has its name at a position.
+/// Deletes the program, data, library or type whose declared name is at the position.
 ///
 /// # Errors
-/// If there is none, or if its file has errors, so that more than the declaration might go.
+/// If no such declaration is there, or if its file has errors, because the deletion might then remove more than the
+/// declaration.
 pub fn delete_item(db: &dyn Db, at: FilePosition) -> Result<Deletion, DeleteError> {
     let nothing = || DeleteError("there is no program, data, library or type declared here".to_owned());
     let project = owner(db, at.file).ok_or_else(nothing)?;
@@ -50,7 +51,7 @@ pub fn delete_item(db: &dyn Db, at: FilePosition) -> Result<Deletion, DeleteErro
 
 struct Item {
     symbol: Symbol,
-    /// The whole declaration.
+    /// Range of the entire declaration.
     range: TextRange,
 }
 

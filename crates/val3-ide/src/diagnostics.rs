@@ -1,4 +1,4 @@
-//! Findings that are kept from one edit to the next: what a change does not concern is not checked again.
+//! Memoised findings: parts that an edit does not affect are not checked again.
 
 #![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
 
@@ -10,16 +10,16 @@ use val3_check::{
     is_once_per_application, join_causes, merge_findings, units,
 };
 
-/// The settings of the check of every application.
+/// Check settings of all applications.
 #[salsa::input(debug)]
 pub struct CheckSettings {
-    /// The settings by application.
+    /// Settings by application.
     #[returns(ref)]
     pub settings: WorkspaceSettings,
 }
 
-/// The findings of a project, in the order of `val3 check`. A cause that several of `projects` share is reported in the
-/// first of them, as `val3 check` does for all projects.
+/// Findings of a project, in the order of `val3 check`. If several of `projects` share a cause, the finding is reported
+/// only in the first of them, as `val3 check` does for all projects.
 pub fn project_diagnostics(
     db: &dyn Db,
     settings: CheckSettings,
@@ -36,7 +36,7 @@ pub fn project_diagnostics(
     let mut first = join_causes(db, all.cloned().collect());
     first.retain(|finding| finding.application == Some(manifest));
     let mut first = first.into_iter().peekable();
-    // The findings that are left have the order of the project.
+    // The remaining findings keep the order of the project.
     let mut found = Vec::with_capacity(own.len());
     for finding in own {
         if !has_shared_cause(db, finding) {
@@ -48,12 +48,12 @@ pub fn project_diagnostics(
     found
 }
 
-/// Computes the findings of a project and keeps them in the database, for [`project_diagnostics`].
+/// Computes and memoises the findings of a project, for [`project_diagnostics`].
 pub fn check_project(db: &dyn Db, settings: CheckSettings, project: Project) {
     own_diagnostics(db, settings, project);
 }
 
-/// The findings of a project, whatever other projects report.
+/// Findings of a project, independent of other projects.
 #[salsa::tracked]
 fn own_diagnostics(db: &dyn Db, settings: CheckSettings, project: Project) -> Vec<Diagnostic> {
     let units = units(db, &[project]);
@@ -61,8 +61,8 @@ fn own_diagnostics(db: &dyn Db, settings: CheckSettings, project: Project) -> Ve
     finish_each(db, &units, settings.settings(db), checked).findings
 }
 
-/// The findings of [`project_diagnostics`] in one program of a project, without checking its other programs. `None` if
-/// `file` is no program of the project, or if findings elsewhere decide which of its findings are reported.
+/// Findings of [`project_diagnostics`] in one program, computed without checking other programs. `None` if `file` is no
+/// program of the project, or if findings elsewhere determine which findings are reported here.
 pub fn program_diagnostics(
     db: &dyn Db,
     settings: CheckSettings,
@@ -73,8 +73,8 @@ pub fn program_diagnostics(
     if !units(db, &[project]).contains(&own) {
         return None;
     }
-    // Findings of the project can be in programs: the libraries that they load. Other units have findings in their own
-    // file only.
+    // Findings of the project may be in programs, for example at the libraries that they load. Other units only have
+    // findings in their own file.
     let units = [Unit::Project(project), own];
     let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
     let mut found = finish_each(db, &units, settings.settings(db), checked).findings;
@@ -84,7 +84,7 @@ pub fn program_diagnostics(
     (!found.iter().any(depends_on_others)).then_some(found)
 }
 
-/// The findings of one unit.
+/// Findings in a unit.
 #[salsa::tracked]
 fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
     let member = member(db, settings, unit).clone();
@@ -96,7 +96,7 @@ fn faults(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Faults {
     check_faults(db, unit, settings.settings(db))
 }
 
-/// A separate query: most edits change the local findings of one program only.
+/// A separate query, because most edits change the local findings of only one program.
 #[salsa::tracked]
 fn alone(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Vec<Diagnostic> {
     check_local(db, unit, settings.settings(db), faults(db, settings, unit))
@@ -198,7 +198,7 @@ mod tests {
         ran.lock().unwrap().clear();
         other.set_text(&mut workspace.db).to(text.into());
         assert_eq!(reached(&workspace.db).len(), 1);
-        // The edited program alone is judged again.
+        // Only the edited program is checked again.
         assert_eq!(ran.lock().unwrap().iter().filter(|name| name.starts_with("member(")).count(), 1, "{ran:?}");
         let data = file(&workspace.db, "main.dtx");
         let text = data.text(&workspace.db).replace("2000", "500");
@@ -255,7 +255,8 @@ mod tests {
                 }
             }
         }
-        // A library that cannot be found is a finding of the project, a comment that silences nothing one of the whole.
+        // An unresolved library is a finding of the project, and an unused suppression comment a finding of the
+        // application.
         assert!(["V0604", "V0702", "V0114"].iter().all(|code| judged.contains(code)), "{judged:?}");
     }
 
@@ -287,7 +288,7 @@ mod tests {
             looked.lock().unwrap().clear();
             workspace.projects.iter().for_each(|project| _ = own_diagnostics(&workspace.db, settings, *project));
         }
-        // Of the three programs, the one that was not edited and belongs to the edited project.
+        // Of the three programs, only the unedited program of the edited project is inferred again.
         let looked = looked.lock().unwrap();
         assert_eq!(looked.iter().filter(|name| name.starts_with("infer(")).count(), 1, "{looked:?}");
     }

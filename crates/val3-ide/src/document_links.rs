@@ -1,4 +1,4 @@
-//! Paths in files to other files.
+//! Links from paths in files to other files.
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::interfaces::{LoadedPath, uses};
@@ -10,16 +10,16 @@ use val3_syntax::{TextRange, text_at};
 
 use crate::owner::owner;
 
-/// A path that leads somewhere.
+/// A path that resolves to a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DocumentLink {
-    /// The path, without quotes.
+    /// Range of the path, without quotes.
     pub range: TextRange,
-    /// Where it leads.
+    /// Target file.
     pub target: File,
 }
 
-/// The paths of a file, in order: those of a `.pjx`, and those that a program loads libraries by.
+/// Paths in a file, in order: references in a `.pjx`, and library paths in a program.
 pub fn document_links(db: &dyn Db, file: File) -> Vec<DocumentLink> {
     let Some(project) = owner(db, file) else { return Vec::new() };
     let mut links = if file == project.manifest(db) { of_manifest(db, project) } else { Vec::new() };
@@ -55,7 +55,7 @@ fn of_program(db: &dyn Db, project: Project, file: File) -> impl Iterator<Item =
     })
 }
 
-/// A text is written in quotes, which in escaped code are references.
+/// Range of a string without its quotes, which may be escaped.
 pub(crate) fn without_quotes(text: &str, range: TextRange) -> TextRange {
     let written = text_at(text, range);
     let quote = ["\"", "&quot;", "&#34;"]

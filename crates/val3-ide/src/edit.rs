@@ -1,56 +1,56 @@
-//! Changes of files, as values.
+//! File changes as values.
 
 use camino::Utf8PathBuf;
 use val3_analysis::db::{Db, File, FileRange};
 use val3_syntax::{TextRange, TextSize};
 
-/// What a refactoring does: new files, then edits of texts, then files that get another name, then files that go.
+/// Change made by a refactoring. It is applied in this order: create files, edit texts, move files, delete files.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct SourceChange {
-    /// Files that are created, with their text. None of them exists.
+    /// Files to create, with their text. None of them exists.
     pub creates: Vec<(Utf8PathBuf, String)>,
-    /// Edits. Those of one file are sorted and do not overlap.
+    /// Text edits. The edits of a file are sorted and do not overlap.
     pub edits: Vec<FileEdit>,
-    /// Files that move: from where to where.
+    /// Files to move: old and new path.
     pub moves: Vec<(Utf8PathBuf, Utf8PathBuf)>,
-    /// Files that go.
+    /// Files to delete.
     pub deletes: Vec<Utf8PathBuf>,
-    /// The place of a name that was made up, in the text after the edits.
+    /// Range of a generated name, in the text after the edits.
     pub new_name: Option<FileRange>,
-    /// The place of an expression that the user replaces, in the text after the edits.
+    /// Range of a placeholder expression that the user replaces, in the text after the edits.
     pub placeholder: Option<FileRange>,
 }
 
-/// Replaces a range of a file.
+/// Replacement of a range in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FileEdit {
     /// The file.
     pub file: File,
-    /// The replaced range; empty for an insertion.
+    /// Replaced range; empty for an insertion.
     pub range: TextRange,
-    /// The new text, as it is written in the file.
+    /// New text, already escaped for the file.
     pub text: String,
 }
 
 impl SourceChange {
-    /// A change of texts alone.
+    /// A change that consists only of text edits.
     pub(crate) fn of(edits: impl IntoIterator<Item = FileEdit>) -> Self {
         Self { edits: edits.into_iter().collect(), ..Self::default() }
     }
 
-    /// The same, which made up the name that the edit at `start` writes first.
+    /// Sets the range of a generated name: its first occurrence in the edit at `start`.
     pub(crate) fn with_new_name(mut self, file: File, start: TextSize, name: &str) -> Self {
         self.new_name = self.written(file, start, name);
         self
     }
 
-    /// The same with a placeholder, which the edit at `start` writes first.
+    /// Sets the range of a placeholder: its first occurrence in the edit at `start`.
     pub(crate) fn with_placeholder(mut self, file: File, start: TextSize, text: &str) -> Self {
         self.placeholder = self.written(file, start, text);
         self
     }
 
-    /// The first place of a text in that of the edit at `start`, after all edits.
+    /// First occurrence of a text in the edit at `start`, as a range after all edits.
     fn written(&self, file: File, start: TextSize, text: &str) -> Option<FileRange> {
         let edits = || self.edits.iter().filter(|edit| edit.file == file);
         let inside = edits().find(|edit| edit.range.start() == start).and_then(|edit| edit.text.find(text))?;
@@ -61,14 +61,14 @@ impl SourceChange {
         Some(FileRange { file, range: TextRange::at(at, TextSize::of(text)) })
     }
 
-    /// The same with its edits in order of file and place, each once.
+    /// Sorts the edits by file and offset, and removes duplicates.
     pub(crate) fn sorted(mut self, db: &dyn Db) -> Self {
         self.edits.sort_by(|a, b| (a.file.path(db), a.range.start()).cmp(&(b.file.path(db), b.range.start())));
         self.edits.dedup();
         self
     }
 
-    /// It changes nothing.
+    /// Whether it changes nothing.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }

@@ -1,4 +1,4 @@
-//! References to frames and tools, as `fatherId` names them.
+//! References to frames and tools, as in `fatherId`.
 
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::{DataItem, fields};
@@ -7,12 +7,12 @@ use val3_lang::types::{BaseType, Container};
 
 use crate::hover::keys_of;
 
-/// Elements of one array that are listed at most.
+/// Maximum number of listed elements per array.
 const SHOWN: u32 = 20;
-/// User types within user types that are looked into.
+/// Nesting limit of user types within user types.
 const DEEPEST: u32 = 3;
 
-/// The elements of a variable of `project`, or of fields in them, that have the type `father`: `fTray[0]`,
+/// Elements with the type `father` in a variable of `project` and in its fields, for example `fTray[0]` or
 /// `tSlot["a"].fIn[0]`.
 pub(crate) fn father_paths(
     db: &dyn Db,
@@ -21,7 +21,7 @@ pub(crate) fn father_paths(
     item: &DataItem,
     father: BaseType,
 ) -> Vec<String> {
-    // Most variables are numbers, and the keys of a collection have to be read.
+    // Keys are read only if necessary, because most variables are numbers and reading keys is slow.
     let leads_on = matches!(item.base, Base::User(_)) || item.base == Base::of(father);
     let is_collection = item.decl.container == Container::Collection;
     let keys = if leads_on && is_collection { keys_of(db, project, name) } else { Vec::new() };
@@ -43,7 +43,7 @@ fn paths(db: &dyn Db, name: &str, item: &DataItem, father: BaseType, keys: &[Str
     }
 }
 
-/// The elements of a variable.
+/// Elements of a variable.
 fn elements(name: &str, item: &DataItem, keys: &[String]) -> Vec<String> {
     match (item.decl.container, item.decl.sizes.as_slice()) {
         (Container::Collection, _) => keys.iter().map(|key| format!("{name}[\"{key}\"]")).collect(),

@@ -1,6 +1,6 @@
-//! Files that are renamed, created or deleted in the editor: what the other files have to say about it.
+//! Edits of other files when files are renamed, created or deleted in the editor.
 //!
-//! Each gives the edits to make before the files themselves change, which the editor does.
+//! Each function returns the edits to make before the editor changes the files themselves.
 
 mod references;
 
@@ -23,8 +23,8 @@ use crate::edit::{FileEdit, SourceChange};
 use crate::references::uses;
 use crate::xml_list::escaped;
 
-/// Files and folders get other paths: from, to. A program takes the name of its file along, with every call; entries
-/// of `.pjx` files follow, and so do the paths by which projects use libraries and types.
+/// Edits for renamed files and folders (old path, new path). A program is renamed with its file, including all its
+/// calls. Elements in `.pjx` files and references to libraries and types are adapted.
 pub fn will_rename_files(db: &dyn Db, renames: &[(Utf8PathBuf, Utf8PathBuf)]) -> SourceChange {
     let mut edits = Vec::new();
     for (from, to) in renames {
@@ -36,7 +36,7 @@ pub fn will_rename_files(db: &dyn Db, renames: &[(Utf8PathBuf, Utf8PathBuf)]) ->
     SourceChange::of(edits).sorted(db)
 }
 
-/// New programs and data are listed in the `.pjx` next to them.
+/// Adds new programs and data to the `.pjx` in the same folder.
 pub fn will_create_files(db: &dyn Db, paths: &[Utf8PathBuf]) -> SourceChange {
     let mut edits = Vec::new();
     for project in projects(db) {
@@ -57,7 +57,7 @@ pub fn will_create_files(db: &dyn Db, paths: &[Utf8PathBuf]) -> SourceChange {
     SourceChange::of(edits).sorted(db)
 }
 
-/// Files go: the `.pjx` files list them no more.
+/// Removes deleted files from the `.pjx` files.
 pub fn will_delete_files(db: &dyn Db, paths: &[Utf8PathBuf]) -> SourceChange {
     let files: Vec<File> = paths.iter().filter_map(|path| find(db, path)).collect();
     let mut edits = Vec::new();
@@ -83,7 +83,7 @@ fn renamed_file(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec<
     edits
 }
 
-/// The entries of the file in each `.pjx` that has it; where it comes to another project, that one lists it instead.
+/// Edits of the file's elements in each `.pjx`; if the file moves to another project, the element moves there.
 fn entry_edits(db: &dyn Db, file: File, to: &Utf8Path) -> Vec<FileEdit> {
     let mut edits = Vec::new();
     let target = projects(db).into_iter().find(|project| lies_in(to, folder(db, *project)));
@@ -113,8 +113,8 @@ fn entry_edits(db: &dyn Db, file: File, to: &Utf8Path) -> Vec<FileEdit> {
     edits
 }
 
-/// The program's name and its calls, where the file was called like it. A file that had the name in other letter case
-/// and still has it in some changes nothing.
+/// Renames the program and its calls if the file had the program's name. A file whose name differs only in letter case,
+/// before and after, changes nothing.
 fn program_edits(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec<FileEdit> {
     let name = &header(db, file).name;
     let new = to.file_stem().unwrap_or("");
@@ -133,7 +133,7 @@ fn program_edits(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec
     edits
 }
 
-/// The elements of a `.pjx` that list files, with the attribute that names the file.
+/// Calls `see` for the elements of a `.pjx` that list files, with the attribute that contains the file name.
 fn each_entry(db: &dyn Db, project: Project, mut see: impl FnMut(Element<'_>, Attribute<'_>)) {
     let parse = parse(db, project.manifest(db));
     let Some(root) = xml::root(parse.view()) else { return };

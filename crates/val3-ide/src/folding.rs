@@ -1,4 +1,4 @@
-//! Foldable ranges: blocks, comments, and the XML around the code.
+//! Folding ranges: blocks, comments, and the XML around the code.
 
 use rowan::NodeOrToken;
 use val3_analysis::db::{Db, File};
@@ -6,27 +6,27 @@ use val3_analysis::items::parse;
 use val3_syntax::view::{TokenView, View};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
-/// Something that can be folded.
+/// A folding range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Fold {
-    /// From the end of the line that stays to the end of what is hidden.
+    /// From the end of the visible line to the end of the hidden text.
     pub range: TextRange,
-    /// Its kind.
+    /// Kind.
     pub kind: FoldKind,
 }
 
-/// The kinds of folds.
+/// Kinds of folding ranges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FoldKind {
     /// A block of code.
     Block,
-    /// Lines of comment.
+    /// Comment lines.
     Comment,
-    /// XML before or after the code, or an element of data.
+    /// XML before or after the code, or a data element.
     Xml,
 }
 
-/// Everything in a file that can be folded and spans more than a line.
+/// All folding ranges of a file that span more than one line.
 pub fn folds(db: &dyn Db, file: File) -> Vec<Fold> {
     let text: &str = file.text(db);
     let mut folds = Vec::new();
@@ -52,7 +52,7 @@ pub(crate) fn find_code(node: View<'_>) -> Option<View<'_>> {
     })
 }
 
-/// The XML before `begin` and the XML after `end`.
+/// Folds the XML before `begin` and after `end`.
 fn envelope(root: View<'_>, code: View<'_>, folds: &mut Vec<Fold>) {
     let begin = code.token(SyntaxKind::BEGIN_KW).map_or(code.range().start(), |token| token.range().start());
     let end = code.token(SyntaxKind::END_KW).map_or(code.range().end(), |token| token.range().end());
@@ -80,7 +80,7 @@ fn walk(node: View<'_>, folds: &mut Vec<Fold>) {
     }
 }
 
-/// Each branch of an `if` up to the next one; the last one up to `endIf`.
+/// Folds each `if` branch up to the next branch, and the last one up to `endIf`.
 fn branches(statement: View<'_>, folds: &mut Vec<Fold>) {
     let mut start = statement.range().start();
     let mut end = statement.child(SyntaxKind::BLOCK).map_or(start, |block| last_line(block));
@@ -93,7 +93,7 @@ fn branches(statement: View<'_>, folds: &mut Vec<Fold>) {
     folds.push(Fold { range: TextRange::new(start, statement.range().end()), kind: FoldKind::Block });
 }
 
-/// The end of the last token of a block that is no line end.
+/// End of the last token of a block that is no line end.
 fn last_line(block: View<'_>) -> TextSize {
     let ends = block.children_with_tokens().filter_map(|child| match child {
         NodeOrToken::Node(node) => Some(node.range().end()),
@@ -102,7 +102,7 @@ fn last_line(block: View<'_>) -> TextSize {
     ends.last().unwrap_or(block.range().start())
 }
 
-/// Consecutive comments, each separated by one line end.
+/// Collects consecutive comments, separated by single line ends.
 #[derive(Default)]
 struct Comments {
     run: Option<TextRange>,
@@ -141,7 +141,7 @@ mod tests {
     use super::*;
     use crate::testing::MarkedListing;
 
-    /// The first and last line of each fold, lines from 1.
+    /// First and last line by fold, from 1.
     fn check(listing: &str, expected: Expect) {
         let marked = MarkedListing::new(listing);
         let (db, file) = (marked.db(), marked.at().file);

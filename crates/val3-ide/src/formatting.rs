@@ -1,4 +1,4 @@
-//! Layout of a file of the workspace, and where the style of it comes from.
+//! Formatting of workspace files, and style lookup.
 
 use std::fmt::{self, Display};
 
@@ -17,15 +17,14 @@ use crate::FilePosition;
 use crate::edit::FileEdit;
 use crate::owner::is_page;
 
-/// The characters after which [`format_on_type`] is worth asking.
+/// Characters after which [`format_on_type`] may return edits.
 pub const FORMATTING_TRIGGERS: [char; 7] = val3_fmt::TRIGGERS;
 
-/// The style of the file at `path`: what the `[format]` of its `val3.toml` says; what that leaves open about the
-/// indentation, the `.editorconfig` files above it say. What an editor is set to does not count, so that the command
-/// line and all editors agree.
+/// Style of the file at `path`: `[format]` of its `val3.toml`, then for the indentation the `.editorconfig` files above
+/// it. Editor settings are ignored, so that the command line and all editors agree.
 ///
 /// # Errors
-/// An `.editorconfig` exists but cannot be read.
+/// If an `.editorconfig` exists but cannot be read.
 pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Result<Style, UnreadableStyle> {
     let properties = editorconfig(system, path)?;
     let style = properties.get::<SuppressedRule>().ok().map(|style| match style {
@@ -43,12 +42,12 @@ pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Result<St
     Ok(Style::new(format, IndentOverride { style, size: size.and_then(|size| u8::try_from(size).ok()) }))
 }
 
-/// An `.editorconfig` that cannot be read.
+/// An unreadable `.editorconfig`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnreadableStyle {
-    /// Its path.
+    /// Path of the file.
     pub path: Utf8PathBuf,
-    /// The reason.
+    /// Reason.
     pub reason: Unreadable,
 }
 
@@ -60,8 +59,8 @@ impl Display for UnreadableStyle {
 
 impl std::error::Error for UnreadableStyle {}
 
-/// What the `.editorconfig` files from the folder of `path` upwards say about it. A file says nothing from
-/// the section on that cannot be read.
+/// Properties from the `.editorconfig` files in the folder of `path` and above. A file is ignored from its first
+/// invalid section on.
 fn editorconfig(system: &dyn System, path: &Utf8Path) -> Result<Properties, UnreadableStyle> {
     let mut sections = Vec::new();
     for folder in path.ancestors().skip(1) {
@@ -80,7 +79,7 @@ fn editorconfig(system: &dyn System, path: &Utf8Path) -> Result<Properties, Unre
         }
     }
     let mut properties = Properties::new();
-    // Nearer files come later and override the others.
+    // Nearer files are applied later and override the others.
     for (inside, sections) in sections.iter().rev() {
         for section in sections.iter().filter(|section| section.applies_to(inside)) {
             // Adding a section cannot fail.
@@ -90,17 +89,17 @@ fn editorconfig(system: &dyn System, path: &Utf8Path) -> Result<Properties, Unre
     Ok(properties)
 }
 
-/// The edits that give a file its layout.
+/// Edits that format a file.
 pub fn format_file(db: &dyn Db, file: File, style: &Style) -> Vec<FileEdit> {
     of_file(file, val3_fmt::format(file.text(db), &parse(db, file), style))
 }
 
-/// The edits that give the lines of a range their layout.
+/// Edits that format the lines of a range.
 pub fn format_range(db: &dyn Db, file: File, range: TextRange, style: &Style) -> Vec<FileEdit> {
     of_file(file, val3_fmt::format_range(file.text(db), &parse(db, file), style, range))
 }
 
-/// The edits after a character was typed directly before the position.
+/// Edits after a character was typed directly before the position.
 pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &Style) -> Vec<FileEdit> {
     let text: &str = at.file.text(db);
     if at.offset > TextSize::of(text) || is_page(db, at.file) {

@@ -1,7 +1,8 @@
-//! How well a few typed letters fit a name.
+//! Fuzzy matching of typed letters with a name.
 
-/// A score, higher for a better fit; `None` where the letters do not stand in the name in this order. The first letter
-/// begins a word of the name, or three letters and more stand there in a row. Letter case makes no difference but for the score.
+/// Score of a match, higher for a better match; `None` if the name does not contain the letters in this order. Either
+/// the first letter must begin a word of the name, or at least three letters must match consecutively. Letter case only
+/// affects the score.
 pub(crate) fn score(query: &str, name: &str) -> Option<i32> {
     let letters: Vec<char> = query.chars().filter(|letter| !letter.is_whitespace()).collect();
     let Some(first) = letters.first() else { return Some(0) };
@@ -10,7 +11,7 @@ pub(crate) fn score(query: &str, name: &str) -> Option<i32> {
     starts.filter_map(|start| score_from(&letters, &name, start)).max()
 }
 
-/// The score where the first letter is the one at `start`.
+/// Score if the first letter matches at `start`.
 fn score_from(letters: &[char], name: &[char], start: usize) -> Option<i32> {
     let mut wanted = letters.iter().copied().peekable();
     let (mut score, mut run, mut in_a_row) = (0, false, true);
@@ -25,7 +26,7 @@ fn score_from(letters: &[char], name: &[char], start: usize) -> Option<i32> {
         run = fits;
     }
     let begins = name.get(start).is_some_and(|found| starts_word(before(name, start), *found));
-    // Of names that fit alike the shortest is meant.
+    // If several names match equally well, the shortest is best.
     let length = i32::try_from(name.len()).unwrap_or(i32::MAX);
     (wanted.peek().is_none() && (begins || in_a_row && letters.len() > 2)).then_some(4 * score - length)
 }
@@ -38,7 +39,8 @@ fn starts_word(before: Option<char>, found: char) -> bool {
     before.is_none_or(|before| !before.is_alphanumeric() || !before.is_uppercase() && found.is_uppercase())
 }
 
-/// A letter scores more at the start of the name or of a word, directly after the previous letter, and in its own case.
+/// Score of a letter: higher at the start of the name or of a word, directly after the previous match, and in the same
+/// case.
 fn letter_score(wanted: char, found: char, before: Option<char>, run: bool) -> i32 {
     let mut score = 1;
     score += if before.is_none() { 8 } else { 0 };

@@ -1,4 +1,4 @@
-//! The other uses of a name in its file, reads and writes apart.
+//! Uses of a name in its file, separated into reads and writes.
 
 use val3_analysis::db::Db;
 use val3_analysis::occurrences::{Usage, occurrences};
@@ -10,13 +10,13 @@ use crate::navigate::name_at;
 /// A use of the name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Highlight {
-    /// The name.
+    /// Range of the name.
     pub range: TextRange,
-    /// It gets a value here, or is declared.
+    /// Whether it is assigned or declared here.
     pub is_write: bool,
 }
 
-/// Every use of the name at a position in the same file.
+/// All uses of the name at a position, in the same file.
 pub fn highlights(db: &dyn Db, at: FilePosition) -> Vec<Highlight> {
     let Some((project, found)) = name_at(db, at) else { return Vec::new() };
     let same = occurrences(db, project, at.file).iter().filter(|occurrence| occurrence.symbol == found.symbol);
@@ -28,7 +28,7 @@ mod tests {
     use super::*;
     use crate::testing::MarkedListing;
 
-    /// The line of each use, `w` where it gets a value.
+    /// Lines of all uses, with `w` for a write.
     fn shown(listing: &str) -> String {
         let marked = MarkedListing::new(listing);
         let text: &str = marked.at().file.text(marked.db());

@@ -1,4 +1,4 @@
-//! Information on the name at the cursor: type, initial value, father, comment, page.
+//! Hover information for the name at the cursor: type, initial value, father, comment, page.
 
 mod attributes;
 mod data;
@@ -37,7 +37,7 @@ use crate::navigate::name_at;
 use crate::owner::owner;
 use text::place_of;
 
-/// The information on a position.
+/// Hover information at a position.
 pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     if let Some((project, found)) = name_at(db, at) {
         let mut markdown = symbol(db, project, &found.symbol)?;
@@ -56,7 +56,7 @@ pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     found.map(|hover| Hover { markdown: hover.markdown + &position, ..hover })
 }
 
-/// The information on a symbol that is named in `project`.
+/// Hover information for a symbol as used in `project`.
 pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<String> {
     match symbol {
         Symbol::Local(file, name) => {
@@ -97,7 +97,7 @@ pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
     }
 }
 
-/// The programs that the tasks of a name begin with.
+/// Programs that tasks of this name execute.
 fn task(db: &dyn Db, owner: Project, name: &str) -> Option<String> {
     let tasks = application(db, owner).created_tasks().filter(|start| start.name.as_deref() == Some(name));
     let line = |start: &TaskStart| {
@@ -129,7 +129,7 @@ fn user_type(db: &dyn Db, owner: Project, name: &str) -> Option<String> {
     Some(fenced(&format!("type {name}\n{}", lines.trim_end())) + &format!("\nuser type of {}", place_of(db, project)))
 }
 
-/// The forms of an instruction and its page.
+/// An instruction's forms and page.
 fn instruction(name: &str) -> Option<String> {
     let found = instructions::find(name)?;
     Some(fenced(&found.signatures().join("\n")) + "\n" + &page::text(found.page))
@@ -151,13 +151,13 @@ fn builtin_type(db: &dyn Db, project: Project, name: &str) -> Option<String> {
     Some(format!("{}\n{page}{about}", fenced(name)))
 }
 
-/// `num, in mm. Translation along x.`
+/// Description of a field, for example `num, in mm. Translation along x.`
 pub(crate) fn field_line(db: &dyn Db, project: Project, field: &Field) -> String {
     let unit = units::word(db, project, field.unit).map(|unit| format!(", in {unit}")).unwrap_or_default();
     format!("{}{unit}. {}", field.ty.name(), field.doc)
 }
 
-/// The page of a keyword.
+/// Page of a keyword.
 fn keyword(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     let root = parse(db, at.file).root();
     let tokens = root.text_range().contains_inclusive(at.offset).then(|| root.token_at_offset(at.offset))?;
@@ -166,7 +166,7 @@ fn keyword(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     Some(Hover { range: token.text_range(), markdown: page::text(found.page) })
 }
 
-/// The value of an expression that is made of literals.
+/// Value of a literal expression.
 fn constant(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     let body = body(db, at.file);
     let around = body.exprs().filter(|(_, expr, range)| {
@@ -181,7 +181,7 @@ fn constant(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     Some(Hover { range, markdown: fenced(&value) })
 }
 
-/// The type of the expression that is selected, or the innermost one around a position.
+/// Type of the selected expression, or of the innermost expression that contains the range.
 pub fn type_at(db: &dyn Db, file: File, range: TextRange) -> Option<(TextRange, String)> {
     let project = owner(db, file)?;
     let body = body(db, file);

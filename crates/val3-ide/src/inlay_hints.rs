@@ -1,4 +1,4 @@
-//! Short remarks between the words of the code: what an editor shows and a file does not hold.
+//! Inlay hints: text that an editor displays within the code, but that is not in the file.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -20,16 +20,16 @@ use crate::navigate::declaration;
 use crate::owner::owner;
 use crate::placement::{Placement, placement};
 
-/// Which hints are wanted.
+/// Enabled hints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct InlayHintSettings {
-    /// Names of parameters before literal arguments, and of fields before the values of `{…}`.
+    /// Parameter names before literal arguments, and field names before the values of `{…}`.
     pub parameter_names: bool,
     /// Types before `{…}`.
     pub literal_types: bool,
-    /// The frame after the target of a move.
+    /// Frames after the targets of moves.
     pub point_frames: bool,
-    /// The blend after the motion descriptor of a move.
+    /// Blends after the motion descriptors of moves.
     pub blends: bool,
 }
 
@@ -39,25 +39,25 @@ impl Default for InlayHintSettings {
     }
 }
 
-/// A remark.
+/// An inlay hint.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InlayHint {
-    /// The word it is about begins here (a parameter name, a type) or ends here (a frame, a blend).
+    /// Start of the described word (parameter name, type), or its end (frame, blend).
     pub offset: TextSize,
-    /// Its text.
+    /// Displayed text.
     pub label: String,
-    /// Its kind.
+    /// Kind.
     pub kind: InlayHintKind,
-    /// More about it; may be empty.
+    /// Tooltip; may be empty.
     pub tooltip: String,
-    /// The item of the application that it names.
+    /// Symbol of the application that it names.
     pub symbol: Option<Symbol>,
 }
 
-/// The kinds of remarks.
+/// Kinds of inlay hints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum InlayHintKind {
-    /// The name of a parameter: `nSeconds:`.
+    /// A parameter name: `nSeconds:`.
     Parameter,
     /// The type of a `{…}`: `trsf`.
     Type,
@@ -74,7 +74,7 @@ impl InlayHintKind {
     }
 }
 
-/// The remarks within a range, in the order of the text.
+/// Inlay hints within a range, in the order of the text.
 pub fn inlay_hints(db: &dyn Db, file: File, within: TextRange, settings: &InlayHintSettings) -> Vec<InlayHint> {
     let Some(project) = owner(db, file) else { return Vec::new() };
     let (body, inference) = (body(db, file), infer(db, project, file));
@@ -101,7 +101,7 @@ pub fn inlay_hints(db: &dyn Db, file: File, within: TextRange, settings: &InlayH
     found
 }
 
-/// Where the item is declared that the hint with this label names.
+/// Declaration of the item that the hint with this label names.
 pub fn inlay_hint_target(
     db: &dyn Db,
     at: FilePosition,
@@ -120,7 +120,7 @@ struct Hints<'db> {
     inference: &'db Inference,
     effects: Effects<'db>,
     settings: &'db InlayHintSettings,
-    /// The variables that the program changes, once they were asked for: what files say of them may no longer hold.
+    /// Variables that the program changes, so that their initial values may be stale. Computed on demand.
     written: Option<FxHashSet<Root>>,
     found: Vec<InlayHint>,
 }
@@ -141,7 +141,7 @@ impl<'db> Hints<'db> {
     }
 
     fn instruction(&mut self, instruction: &'static Instruction, form: &'static Overload, arguments: &[ExprId]) {
-        // The name of an instruction explains its only argument.
+        // The instruction name already describes its only argument.
         if form.params.len() > 1 {
             for (param, argument) in form.params.iter().zip(arguments) {
                 self.parameter(param.name, *argument, None);
@@ -174,7 +174,7 @@ impl<'db> Hints<'db> {
         }
     }
 
-    /// The fields that the values of a literal give.
+    /// Field names of the values in a literal.
     fn fields(&mut self, id: ExprId, values: &[Option<ExprId>]) {
         let Base::Builtin(ty, arm) = self.inference.ty(id).base else { return };
         let arm = arm.or(items(self.db, self.project).arm);
@@ -185,7 +185,7 @@ impl<'db> Hints<'db> {
         }
     }
 
-    /// Of nested literals only the outer one gets hints, since they describe the inner ones.
+    /// Of nested literals, only the outer one has hints, because they also describe the inner ones.
     fn literal(&mut self, id: ExprId, range: TextRange, values: &[Option<ExprId>]) {
         if !self.settings.literal_types {
             return;
@@ -222,8 +222,8 @@ impl<'db> Hints<'db> {
         }
     }
 
-    /// The initial value of a variable or an element in the data file, unless this program changes it, with the project
-    /// and the name of the data.
+    /// Placement from the initial value of a variable or element, with the project and name of the data. `None` if this
+    /// program changes the value.
     fn placement(&mut self, id: ExprId) -> Option<(Project, SmolStr, &'db Placement)> {
         let key = key(self.body, id)?;
         let root = self.effects.root(id)?;
@@ -249,7 +249,7 @@ impl<'db> Hints<'db> {
     }
 }
 
-/// A number, a text, a truth value or `{…}`, with or without a sign or parentheses.
+/// Whether the expression is a number, a string, a Boolean value or `{…}`, with or without a sign or parentheses.
 fn is_literal(body: &Body, id: ExprId) -> bool {
     match body.expr(id) {
         Expr::Number(_) | Expr::String(_) | Expr::Bool(_) | Expr::Struct(_) => true,
@@ -258,7 +258,7 @@ fn is_literal(body: &Body, id: ExprId) -> bool {
     }
 }
 
-/// The key of a variable that holds one value, or of an element whose index is a constant.
+/// Key; `None` unless the variable has a single value or the index is constant.
 fn key(body: &Body, id: ExprId) -> Option<SmolStr> {
     match body.expr(body.without_parentheses(id)) {
         Expr::Name(_) | Expr::Path { .. } => Some("0".into()),

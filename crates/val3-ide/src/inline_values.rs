@@ -1,4 +1,4 @@
-//! Variables in the code whose values a debugger shows while it is stopped.
+//! Variables in the code whose values a debugger displays while it is stopped.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::body::{Body, Expr, ExprId, body};
@@ -8,17 +8,17 @@ use val3_syntax::{TextRange, decode_entities, text_at};
 
 use crate::owner::owner;
 
-/// A variable, element or field whose value can be shown.
+/// A variable, element or field whose value can be displayed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InlineValue {
-    /// The range of the expression.
+    /// Range of the expression.
     pub range: TextRange,
-    /// The expression, as a debugger evaluates it.
+    /// Expression for the debugger to evaluate.
     pub expression: String,
 }
 
-/// The variables of the program in `file` within a range, each where it is named last, in the order of the text. An
-/// element or field whose evaluation calls something is left out.
+/// Variables of the program in `file` within a range, each at its last use, in the order of the text. Elements and
+/// fields whose evaluation has side effects are omitted.
 pub fn inline_values(db: &dyn Db, file: File, within: TextRange) -> Vec<InlineValue> {
     let Some(project) = owner(db, file) else { return Vec::new() };
     let body = body(db, file);
@@ -44,7 +44,7 @@ pub fn inline_values(db: &dyn Db, file: File, within: TextRange) -> Vec<InlineVa
     found
 }
 
-/// The expressions that are the beginning of a longer variable, or the name of what is called.
+/// Expressions that are the start of a longer variable expression, or the name of a callee.
 fn parts(body: &Body) -> FxHashSet<ExprId> {
     let part = |expr: &Expr| match expr {
         Expr::Field { base, .. } | Expr::Index(base, _) | Expr::Call(base, _) => Some(*base),
@@ -53,7 +53,7 @@ fn parts(body: &Body) -> FxHashSet<ExprId> {
     body.exprs().filter_map(|(_, expr, _)| part(expr)).collect()
 }
 
-/// The name at the start of a variable with its indexes and fields; `None` for other expressions.
+/// Name at the start of a variable expression with indexes and fields; `None` for other expressions.
 fn root(body: &Body, id: ExprId) -> Option<ExprId> {
     match body.expr(id) {
         Expr::Name(_) | Expr::Path { .. } => Some(id),
@@ -63,7 +63,7 @@ fn root(body: &Body, id: ExprId) -> Option<ExprId> {
     }
 }
 
-/// Something is called or assigned.
+/// Whether the expression contains a call or an assignment.
 fn acts(body: &Body, id: ExprId) -> bool {
     body.within(id).any(|id| matches!(body.expr(id), Expr::Call(..) | Expr::Assign(..) | Expr::Missing))
 }
@@ -73,7 +73,7 @@ mod tests {
     use super::*;
     use crate::testing::MarkedListing;
 
-    /// The variables of the selected lines, each with the number of its line among them.
+    /// Variables of the selected lines, each with its line number relative to the selection.
     fn shown(listing: &str) -> Vec<String> {
         let marked = MarkedListing::new(listing);
         let (file, within) = (marked.at().file, marked.selected.unwrap());

@@ -1,22 +1,22 @@
-//! The physical inputs, outputs and lines that data can be linked to.
+//! Physical inputs, outputs and serial lines to which data can be linked.
 
 use val3_analysis::db::{Db, Project};
 use val3_lang::types::BaseType;
 
-/// An input, output or line of the cell.
+/// An input, output or serial line of the cell.
 pub(crate) struct IoLink {
-    /// `BasicIO-1\%Q0`
+    /// Link, for example `BasicIO-1\%Q0`.
     pub(crate) path: String,
-    /// Values of the type are usually linked to such ones.
+    /// Whether values of the type are usually linked to such a signal.
     pub(crate) is_usual: bool,
 }
 
-/// The type of what a value of type `ty` is linked to. A tool opens with an output.
+/// Type of the signal to which a value of type `ty` is linked. A tool is linked to the output that opens it.
 pub(crate) fn linked_type(ty: BaseType) -> BaseType {
     if ty == BaseType::Tool { BaseType::Dio } else { ty }
 }
 
-/// The inputs and outputs of the cell that values of type `ty` can be linked to.
+/// Signals of the cell to which values of type `ty` can be linked.
 pub(crate) fn io_links(db: &dyn Db, project: Project, ty: BaseType) -> Vec<IoLink> {
     let Some(cell) = project.cell(db) else { return Vec::new() };
     let (wanted, is_tool) = (linked_type(ty), ty == BaseType::Tool);

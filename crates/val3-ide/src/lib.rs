@@ -1,7 +1,7 @@
-//! Editor features for VAL 3, one a file: plain data in, plain data out.
+//! Editor features for VAL 3, one per file. Input and output are plain data.
 //!
-//! Positions are byte offsets of the file as the editor shows it, XML and all. Nothing here knows lines, URIs or a
-//! protocol, and no tree leaves this crate.
+//! Positions are byte offsets in the file as the editor displays it, including XML. The crate has no concept of lines,
+//! URIs or protocols, and does not return syntax trees.
 
 mod access;
 mod add_reference;
@@ -103,12 +103,12 @@ pub use variables::{Variable, Variables, edit_variables, variables};
 use val3_analysis::db::File;
 use val3_syntax::TextSize;
 
-/// A place in a file.
+/// An offset in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct FilePosition {
     /// The file.
     pub file: File,
-    /// Bytes from its start.
+    /// Offset in bytes.
     pub offset: TextSize,
 }
 

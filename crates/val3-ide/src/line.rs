@@ -1,7 +1,7 @@
-//! The line of code around the cursor, token by token.
+//! The line of code at the cursor, as tokens.
 //!
-//! A line is usually incomplete while it is typed. The tokens before the cursor mean the same with and without the rest,
-//! so completion and signature help read the tokens of the line and not its tree.
+//! A line is usually incomplete while it is typed. The tokens before the cursor do not depend on the text after it, so
+//! completion and signature help read tokens instead of the syntax tree.
 
 mod blocks;
 mod bracket;
@@ -19,18 +19,18 @@ use rowan::TokenAtOffset;
 use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::{Part, SyntaxNode, SyntaxToken, TextRange, TextSize, text_at, text_size};
 
-/// The tokens of a line of code, without trivia.
+/// Tokens in a code line, without trivia.
 #[derive(Debug, Clone)]
 pub(crate) struct LineTokens {
     tokens: Vec<SyntaxToken>,
-    /// The number of tokens that end before the cursor and do not touch it as a word or a string.
+    /// Number of tokens that end before the cursor, not counting a word or string that touches it.
     before: usize,
-    /// The word, number or string at the cursor or directly before it; it follows the tokens before.
+    /// Word, number or string at or directly before the cursor; it follows the first `before` tokens.
     current: Option<SyntaxToken>,
 }
 
 impl LineTokens {
-    /// The line around `offset`; `None` outside of code, and in a comment.
+    /// Line that contains `offset`; `None` outside code and in a comment.
     pub(crate) fn around(root: &SyntaxNode, offset: TextSize) -> Option<Self> {
         if !root.text_range().contains_inclusive(offset) {
             return None;
@@ -52,7 +52,7 @@ impl LineTokens {
         Some(Self { tokens, before, current })
     }
 
-    /// The tokens before the cursor, without the word or string it is in.
+    /// Tokens before the cursor, without the word or string that contains it.
     pub(crate) fn before(&self) -> &[SyntaxToken] {
         self.tokens.part(..self.before)
     }
@@ -62,13 +62,13 @@ impl LineTokens {
         &self.tokens
     }
 
-    /// The word, number or string at the cursor or directly before it.
+    /// Word, number or string at or directly before the cursor.
     pub(crate) fn current(&self) -> Option<&SyntaxToken> {
         self.current.as_ref()
     }
 }
 
-/// The cursor is after `begin` and before `end`, as far as they are written.
+/// Whether the cursor is after `begin` and before `end`, if these exist.
 fn holds_statements(code: &SyntaxNode, offset: TextSize) -> bool {
     let token = |kind| {
         let mut tokens = code.children_with_tokens().filter_map(|child| child.into_token());
@@ -86,7 +86,7 @@ fn ends_line(kind: SyntaxKind) -> bool {
 }
 
 fn before(left: &SyntaxToken, offset: TextSize, skip: bool) -> Vec<SyntaxToken> {
-    // The cursor is in or after a line end, or inside a token of another kind.
+    // The cursor is in or after a line end, or inside any other token.
     let whole = left.text_range().end() <= offset && !skip;
     let first = if whole { Some(left.clone()) } else { left.prev_token() };
     if left.kind() == NEWLINE {
@@ -109,7 +109,7 @@ fn after(right: &SyntaxToken, offset: TextSize, current: Option<&SyntaxToken>) -
     tokens.take_while(|token| !ends_line(token.kind())).filter(|token| !token.kind().is_trivia()).collect()
 }
 
-/// The bytes of a quote at the start of a string, which may be written as a character reference.
+/// Length in bytes of the quote at the start of a string, which may be an escaped quote.
 fn quote(text: &str) -> u32 {
     match text.strip_prefix('&').and_then(|rest| rest.find(';')) {
         Some(end) => u32::try_from(end + 2).unwrap_or(0),
@@ -117,7 +117,7 @@ fn quote(text: &str) -> u32 {
     }
 }
 
-/// The inside of a string, without its quotes.
+/// Range of a string without its quotes.
 pub(crate) fn inside(string: &SyntaxToken) -> TextRange {
     let (range, text) = (string.text_range(), string.text());
     let open = quote(text).min(u32::from(range.len()));
@@ -133,14 +133,14 @@ pub(crate) fn inside(string: &SyntaxToken) -> TextRange {
     TextRange::new(start, end.max(start))
 }
 
-/// The text of a string as the program reads it.
+/// Text of a string with entities decoded.
 pub(crate) fn string_text(string: &SyntaxToken) -> String {
     let inside = inside(string) - string.text_range().start();
     let raw = text_at(string.text(), inside);
     if string.text().starts_with('&') { val3_syntax::decode_entities(raw).into_owned() } else { raw.to_owned() }
 }
 
-/// The bracket that is open at the end of `tokens`.
+/// Index of the innermost bracket that is still open at the end of `tokens`.
 fn open_bracket(tokens: &[SyntaxToken]) -> Option<usize> {
     let mut closed = 0usize;
     tokens.iter().enumerate().rev().find_map(|(index, token)| match token.kind() {
@@ -157,7 +157,7 @@ fn open_bracket(tokens: &[SyntaxToken]) -> Option<usize> {
     })
 }
 
-/// The parts between commas outside of brackets, up to a closing bracket that is not opened here.
+/// Parts between top-level commas, up to a closing bracket without an opening one.
 fn pieces(tokens: &[SyntaxToken]) -> Vec<&[SyntaxToken]> {
     let (mut depth, mut start, mut end) = (0usize, 0, tokens.len());
     let mut found = Vec::new();

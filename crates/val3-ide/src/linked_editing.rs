@@ -1,11 +1,11 @@
-//! Names that are edited together: that of a start tag and of its end tag.
+//! Linked editing of the names in a start tag and its end tag.
 
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::parse;
 use val3_syntax::ast::{AstNode as _, Element};
 use val3_syntax::{SyntaxToken, TextRange, TextSize};
 
-/// The names in the start and end tag of the element whose tag the position is in; `None` elsewhere, and where the two
+/// Names in the start and end tag of the element whose tag contains the position; `None` elsewhere, and if the names
 /// differ.
 pub fn linked_names(db: &dyn Db, file: File, offset: TextSize) -> Option<[TextRange; 2]> {
     let root = parse(db, file).root();

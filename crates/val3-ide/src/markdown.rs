@@ -1,29 +1,29 @@
-//! Text of files as a part of Markdown. VAL 3 comments, names and values are no Markdown: an image of a cloned program would
-//! be loaded when the mouse passes over a name, and `<value>` or `*` would not be shown.
+//! Escaping of file texts in Markdown. VAL 3 comments, names and values are no Markdown: an image in a cloned program
+//! would be loaded when the pointer is on a name, and `<value>` or `*` would not be displayed.
 
-/// A block of code.
+/// VAL 3 code block.
 pub(crate) fn fenced(code: &str) -> String {
     block("val3", code)
 }
 
-/// A block of code in a language. No line of the code can end the block.
+/// Code block in a language. No line of the code can end the block.
 pub(crate) fn block(language: &str, code: &str) -> String {
     let fence = "`".repeat(longest_run(code).max(2) + 1);
     let code = code.replace("\r\n", "\n").replace('\r', "\n");
     format!("{fence}{language}\n{code}\n{fence}\n")
 }
 
-/// Code within a line.
+/// Inline code.
 pub(crate) fn code(text: &str) -> String {
     let text = one_line(text);
     let marks = "`".repeat(longest_run(&text) + 1);
-    // Markdown removes one blank from both ends, if there are two.
+    // Markdown removes one space from both ends if both have one.
     let is_padded = text.starts_with(['`', ' ']) || text.ends_with(['`', ' ']);
     let blank = if is_padded && !text.trim().is_empty() { " " } else { "" };
     if text.is_empty() { String::new() } else { format!("{marks}{blank}{text}{blank}{marks}") }
 }
 
-/// Text within a line or at its start, shown to the letter.
+/// Inline text, displayed literally.
 pub(crate) fn plain(text: &str) -> String {
     let text = one_line(text);
     let text = text.trim();
@@ -38,7 +38,7 @@ pub(crate) fn plain(text: &str) -> String {
     escaped
 }
 
-/// Whether the first character of `rest` is a mark anywhere in a line. An underscore within a word is none.
+/// Whether the first character of `rest` is markup anywhere in a line. An underscore within a word is not.
 fn is_mark(before: &str, rest: &str) -> bool {
     let ends_word = || before.ends_with(char::is_alphanumeric);
     match rest.strip_prefix('_') {
@@ -47,7 +47,7 @@ fn is_mark(before: &str, rest: &str) -> bool {
     }
 }
 
-/// Whether a character begins a list, a heading or another block at the start of a line: `-`, `1.`
+/// Whether a character starts a list, a heading or another block at the start of a line, for example `-` or `1.`.
 fn begins_block(before: &str, letter: char) -> bool {
     match letter {
         '#' | '+' | '-' | '=' | ':' | '>' | '|' => before.is_empty(),
@@ -56,7 +56,7 @@ fn begins_block(before: &str, letter: char) -> bool {
     }
 }
 
-/// Whether a character is the one without which an address is no link: `://`, `www.`
+/// Whether a character is required in automatic links: `://`, `www.`
 fn begins_link(before: &str, rest: &str) -> bool {
     let is_www = || before.get(before.len().saturating_sub(3)..).is_some_and(|end| end.eq_ignore_ascii_case("www"));
     rest.starts_with("://") || rest.starts_with('.') && is_www()
@@ -66,7 +66,7 @@ fn longest_run(text: &str) -> usize {
     text.split(|letter| letter != '`').map(str::len).max().unwrap_or(0)
 }
 
-/// The text with blanks for characters that end lines or are not shown.
+/// Replaces control characters, including line ends, by spaces.
 fn one_line(text: &str) -> String {
     text.replace(|letter: char| letter.is_control(), " ")
 }

@@ -1,4 +1,4 @@
-//! From a name to its definition, type definition and implementations.
+//! Navigation from a name to its definition, type definition and implementations.
 
 use val3_analysis::application::application;
 use val3_analysis::db::{Db, File, FileRange, Project, Sources};
@@ -14,20 +14,20 @@ use val3_syntax::{TextRange, TextSize};
 use crate::FilePosition;
 use crate::owner::owner;
 
-/// Where a jump leads.
+/// Target of a navigation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Target {
-    /// The name under the cursor.
+    /// Range of the name at the cursor.
     pub from: TextRange,
-    /// The target: the name in its declaration, or the start of a file.
+    /// Target: the name in its declaration, or the start of a file.
     pub to: FileRange,
 }
 
-/// Where the name at a position is declared.
+/// Definition of the name at a position.
 pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     let Some((project, found)) = name_at(db, at) else { return Vec::new() };
     let place = match &found.symbol {
-        // At its declaration, a library identifier leads to the library.
+        // The target for a library identifier in its own declaration is the library.
         Symbol::Library(..) | Symbol::Type(..) if is_declaration(found, at.file, project, db) => {
             project_of(db, &found.symbol).map(|project| start_of(project.manifest(db)))
         }
@@ -36,8 +36,8 @@ pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     place.into_iter().map(|to| Target { from: found.range, to }).collect()
 }
 
-/// Where what stands at a position is made known to the project: the entry of a program's file in the project file, the
-/// entry of the library that an item is taken from; else as [`definition`].
+/// Declaration of the name at a position in the project file: the element of a program's file, or the library from
+/// which an item comes. Otherwise like [`definition`].
 pub fn declarations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     let Some((project, found)) = name_at(db, at) else { return Vec::new() };
     let entry = match &found.symbol {
@@ -59,7 +59,7 @@ fn program_entry(db: &dyn Db, project: Project, name: &str) -> Option<FileRange>
     Some(FileRange { file: project.manifest(db), range })
 }
 
-/// The first identifier of the interface.
+/// First library identifier of the interface.
 fn library_entry(db: &dyn Db, project: Project, interface: Project) -> Option<FileRange> {
     let libraries = items(db, project).libraries.iter().filter(|(_, library)| library.interface == Some(interface));
     let alias = libraries.map(|(alias, _)| alias).min()?;
@@ -71,13 +71,13 @@ fn is_declaration(found: &Occurrence, file: File, project: Project, db: &dyn Db)
     declared.is_some_and(|place| place.file == file && place.range == found.range) && file == project.manifest(db)
 }
 
-/// The name at a position, and the project it is read in.
+/// Name at a position, and the project in which it is resolved.
 pub(crate) fn name_at(db: &dyn Db, at: FilePosition) -> Option<(Project, &Occurrence)> {
     let project = owner(db, at.file)?;
     Some((project, occurrence_at(db, project, at.file, at.offset)?))
 }
 
-/// Where a symbol is declared; `None` for what the language brings.
+/// Location of a symbol's declaration; `None` for built-in symbols.
 pub(crate) fn declaration(db: &dyn Db, symbol: &Symbol) -> Option<FileRange> {
     match symbol {
         Symbol::Local(file, name) => declarations::local(db, *file, name.clone()),
@@ -95,7 +95,7 @@ pub(crate) fn declaration(db: &dyn Db, symbol: &Symbol) -> Option<FileRange> {
     }
 }
 
-/// The first `taskCreate` of a task, in the order of the programs' names.
+/// First `taskCreate` of a task, in alphabetical order of the programs.
 fn creation(db: &dyn Db, project: Project, name: &str) -> Option<FileRange> {
     let tasks = application(db, project).tasks.iter();
     let mut creators = tasks.filter(|task| task.start.name.as_deref() == Some(name));
@@ -107,7 +107,7 @@ fn creation(db: &dyn Db, project: Project, name: &str) -> Option<FileRange> {
     Some(FileRange { file, range })
 }
 
-/// The project that a library identifier or a type name means.
+/// Project to which a library identifier or type name resolves.
 fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
     match symbol {
         Symbol::Library(project, name) => items(db, *project).libraries.get(name)?.interface,
@@ -120,7 +120,7 @@ fn start_of(file: File) -> FileRange {
     FileRange { file, range: TextRange::empty(TextSize::new(0)) }
 }
 
-/// The project of the user type that the name at a position is of.
+/// Project of the user type of the name at a position.
 pub fn type_definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     let Some((project, found)) = name_at(db, at) else { return Vec::new() };
     let base = match &found.symbol {
@@ -141,8 +141,8 @@ pub fn type_definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     vec![Target { from: found.range, to: start_of(of.manifest(db)) }]
 }
 
-/// From an item of a library's interface to the same item of every library that can stand in for it: those that are
-/// loaded under an identifier with this interface, and have the item public.
+/// From an item of a library's interface to the same item in all libraries that are loaded under an identifier with
+/// this interface and that make the item public.
 pub fn implementations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     let Some((_, found)) = name_at(db, at) else { return Vec::new() };
     let (interface, name) = match &found.symbol {
@@ -157,19 +157,19 @@ pub fn implementations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     places.map(|to| Target { from: found.range, to }).collect()
 }
 
-/// The libraries that programs load in place of the one that gives an interface.
+/// Libraries that programs load for an interface.
 pub(crate) fn implementing(db: &dyn Db, interface: Project) -> impl Iterator<Item = Project> {
     let pairs = pairs(db).into_iter().filter(move |(of, _)| *of == interface);
     pairs.map(|(_, library)| library)
 }
 
-/// The projects in whose place programs load a library.
+/// Interfaces for which programs load a library.
 pub(crate) fn implemented(db: &dyn Db, library: Project) -> impl Iterator<Item = Project> {
     let pairs = pairs(db).into_iter().filter(move |(_, other)| *other == library);
     pairs.map(|(interface, _)| interface)
 }
 
-/// Every interface with the libraries that are loaded in its place, by path.
+/// Interfaces, each with a library that is loaded for it, sorted by path.
 fn pairs(db: &dyn Db) -> Vec<(Project, Project)> {
     let projects = Sources::get(db).projects(db).values();
     let mut pairs: Vec<(Project, Project)> = projects.flat_map(|project| replacements(db, *project)).copied().collect();

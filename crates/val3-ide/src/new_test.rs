@@ -1,4 +1,4 @@
-//! A new test of a test application: its program, its entry in the project, and its call in `start`.
+//! A new test in a test application: its program, its element in the project file, and its call in `start`.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, Project};
@@ -17,14 +17,15 @@ use crate::edit::{FileEdit, SourceChange};
 use crate::file_operations::relative;
 use crate::folding::find_code;
 
-/// The program that calls the tests on a controller.
+/// Program that calls the tests on a controller.
 const START: &str = "start";
 
-/// Writes a test called `name` in a test application. `tested` is the program that it calls, `total` or `pal:total`: the test
-/// has a local variable for each parameter, and an assertion for each output. The expected values are to be filled in.
+/// Creates a test called `name` in a test application. `tested` is the program that it calls, for example `total` or
+/// `pal:total`. The test has a local variable for each parameter, and an assertion for each output, whose expected
+/// value the user fills in.
 ///
 /// # Errors
-/// The reason why there is no such test, as a sentence without its full stop.
+/// The reason why the test cannot be created, as a sentence without its full stop.
 pub fn new_test(db: &dyn Db, project: Project, name: &str, tested: Option<&str>) -> Result<SourceChange, String> {
     if !has_tests(db, project) {
         return Err("it is no test application".to_owned());
@@ -57,12 +58,12 @@ pub fn new_test(db: &dyn Db, project: Project, name: &str, tested: Option<&str>)
     Ok(change.sorted(db))
 }
 
-/// A line that fails until the test is written.
+/// A line that fails until the test is completed.
 fn unfinished(assert: &str) -> String {
     format!("  call {assert}:fail(\"this test is not written yet\")")
 }
 
-/// The library identifier of the assertions.
+/// Library identifier of the assertions.
 fn alias_of_assertions(db: &dyn Db, project: Project) -> Option<SmolStr> {
     let is_assertions = |library: Project| library.manifest(db).path(db).file_stem() == Some(ASSERTIONS);
     let libraries = items(db, project).libraries.iter();
@@ -72,16 +73,16 @@ fn alias_of_assertions(db: &dyn Db, project: Project) -> Option<SmolStr> {
     found.first().map(|alias| (*alias).clone())
 }
 
-/// The local variables and the lines of a test.
+/// Local variables and code lines of a test.
 #[derive(Default)]
 struct Body {
     locals: Vec<Variable>,
     code: Vec<String>,
-    /// The user types that the test application has to declare, each with its path.
+    /// User types that the test application must declare, as name and path.
     types: Vec<(String, String)>,
 }
 
-/// The program that is tested.
+/// The tested program.
 #[derive(Clone)]
 struct Tested {
     alias: SmolStr,
@@ -89,7 +90,7 @@ struct Tested {
     file: File,
 }
 
-/// The test of a program of a library.
+/// Body of the test for a program of a library.
 fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Body, String> {
     let Tested { alias, project: tested_project, file } = find(db, project, assert, tested)?;
     let called = header(db, file);
@@ -126,7 +127,7 @@ fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Bod
     Ok(body)
 }
 
-/// The library identifier and the file of the program that is tested.
+/// Finds the library identifier and the file of the tested program.
 fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Tested, String> {
     let (wanted, name) = tested.split_once(':').map_or((None, tested), |(alias, name)| (Some(alias), name));
     let libraries = &items(db, project).libraries;
@@ -149,7 +150,7 @@ fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Tes
     }
 }
 
-/// The entry of the user type of a parameter of the tested program: name and path.
+/// Name and path of a parameter's user type.
 fn user_type(db: &dyn Db, project: Project, tested: Project, param: &ParamDecl) -> Result<(String, String), String> {
     let ParamDecl { name, type_name, .. } = param;
     let unknown = || format!("`{name}` has the type `{type_name}`, which cannot be found");
@@ -158,19 +159,19 @@ fn user_type(db: &dyn Db, project: Project, tested: Project, param: &ParamDecl) 
     Ok((type_name.to_string(), path))
 }
 
-/// `l_nSum` for the parameter `x_nSum`.
+/// Name of the local for a parameter: `l_nSum` for `x_nSum`.
 fn local_name(parameter: &str) -> String {
     format!("l_{}", parameter.strip_prefix("x_").unwrap_or(parameter))
 }
 
-/// The name of the variable with the expected value of an output, which a version may limit.
+/// Variable name for an output's expected value. Versions may limit the length.
 fn expected_name(local: &str, number: usize, version: Version) -> String {
     let limit = version.identifier_limit().unwrap_or(usize::MAX);
     let name = format!("{local}Expected");
     if name.len() <= limit { name } else { format!("l_expected{number}") }
 }
 
-/// A variable that can be passed for a parameter.
+/// Variable that can be passed for a parameter.
 fn variable(name: &str, param: &ParamDecl) -> Variable {
     let single = Variable::single(name, &param.type_name);
     match param.container {
@@ -181,12 +182,12 @@ fn variable(name: &str, param: &ParamDecl) -> Variable {
     }
 }
 
-/// The program may change what is passed.
+/// Whether the program may change the argument.
 fn is_output(param: &ParamDecl) -> bool {
     param.by_reference
 }
 
-/// A value to begin with, where one can be written.
+/// Initial value, for types with literals.
 fn default(base: BaseType) -> Option<&'static str> {
     match base {
         BaseType::Num => Some("0"),
@@ -196,13 +197,13 @@ fn default(base: BaseType) -> Option<&'static str> {
     }
 }
 
-/// The assertion takes its expected value from a variable.
+/// Whether the assertion requires a variable for its expected value.
 fn needs_expected(param: &ParamDecl, base: Option<BaseType>) -> bool {
     let is_array = param.container != Container::Element;
     matches!(base, Some(BaseType::Num | BaseType::String)) && is_array || base == Some(BaseType::Point) && !is_array
 }
 
-/// The assertion for an output.
+/// Assertion for an output.
 fn assertion(assert: &str, local: &str, expected: &str, param: &ParamDecl, base: Option<BaseType>) -> String {
     let call = match (base, param.container) {
         (Some(BaseType::Num), Container::Element) => format!("equalNum({local},0,0.001)"),
@@ -221,7 +222,7 @@ fn assertion(assert: &str, local: &str, expected: &str, param: &ParamDecl, base:
     format!("  call {assert}:{call}")
 }
 
-/// The call of the test at the end of `start`; none without this program.
+/// Edit that calls the test at the end of `start`; `None` without this program.
 fn call_in_start(db: &dyn Db, project: Project, name: &str) -> Option<FileEdit> {
     let file = *items(db, project).programs.get(START)?;
     let parse = parse(db, file);
@@ -229,7 +230,7 @@ fn call_in_start(db: &dyn Db, project: Project, name: &str) -> Option<FileEdit> 
     Some(FileEdit { file, range: TextRange::empty(end), text: format!("  call {name}(){}", line_end(db, file)) })
 }
 
-/// How the lines of a file end.
+/// Line end of a file.
 fn line_end(db: &dyn Db, file: File) -> &'static str {
     if file.text(db).contains("\r\n") { "\r\n" } else { "\n" }
 }

@@ -1,10 +1,10 @@
-//! Which project a file belongs to.
+//! Projects to which a file belongs.
 
 use rustc_hash::FxHashMap;
 use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::occurrences::project_files;
 
-/// The projects of each file, in the order of their paths.
+/// Projects by file, sorted by path.
 #[salsa::tracked]
 fn owners(db: &dyn Db, sources: Sources) -> FxHashMap<File, Vec<Project>> {
     let mut projects: Vec<(&String, &Project)> = sources.projects(db).iter().collect();
@@ -18,17 +18,17 @@ fn owners(db: &dyn Db, sources: Sources) -> FxHashMap<File, Vec<Project>> {
     owners
 }
 
-/// The projects that list a file, or whose project file it is.
+/// Projects that list the file, or whose project file it is.
 pub fn projects_of(db: &dyn Db, file: File) -> &[Project] {
     owners(db, Sources::get(db)).get(&file).map_or(&[], Vec::as_slice)
 }
 
-/// Whether a file belongs to a user page: it has names, but neither code nor elements of VAL 3.
+/// Whether the file belongs to a user page. It contains names, but neither VAL 3 code nor VAL 3 elements.
 pub(crate) fn is_page(db: &dyn Db, file: File) -> bool {
     projects_of(db, file).iter().any(|project| project.pages(db).contains(&file))
 }
 
-/// The project as whose part a file is shown: that of its own folder before others.
+/// Project in which a file is displayed: preferably the project in the file's own folder.
 pub fn owner(db: &dyn Db, file: File) -> Option<Project> {
     let projects = projects_of(db, file);
     let folder = file.path(db).parent();

@@ -1,4 +1,4 @@
-//! Initial fathers and blends of positions and motion descriptors in the data files.
+//! Initial fathers and blends of positions and motion descriptors in data files.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -10,22 +10,22 @@ use val3_lang::enumerations::{Enumerator, find_in_file, values};
 use val3_lang::motion::is_blend;
 use val3_lang::types::{AttributeValue, BaseType, DefaultValue, Unit, attributes, field};
 
-/// One value of a position or of a motion descriptor.
+/// Father and blend in a value.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Placement {
-    /// The frame or tool it is relative to, as the file names it: `fTable[0]`.
+    /// Father frame or tool as spelled in the file, for example `fTable[0]`.
     pub(crate) father: Option<SmolStr>,
-    /// How a move with this descriptor is rounded: `joint, leave 50, reach 50`.
+    /// Blend of a motion descriptor, for example `joint, leave 50, reach 50`.
     pub(crate) blend: Option<SmolStr>,
 }
 
-/// The value of global data under a key, as its file says.
+/// Initial value of global data with this key.
 pub(crate) fn placement<'db>(db: &'db dyn Db, project: Project, name: &str, key: &str) -> Option<&'db Placement> {
     let file = items(db, project).data.get(name)?.file;
     placements(db, file).get(name)?.get(key)
 }
 
-/// By name and key.
+/// Values by name and key.
 #[salsa::tracked(lru = 64)]
 fn placements(db: &dyn Db, file: File) -> FxHashMap<SmolStr, FxHashMap<SmolStr, Placement>> {
     let parse = parse(db, file);
@@ -41,7 +41,7 @@ fn of_data(element: Element<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Placemen
     let mut placements: FxHashMap<SmolStr, Placement> =
         element.elements().filter_map(|value| of_value(element, value, ty)).collect();
     if ty == BaseType::Mdesc && decl.sizes == [1] {
-        // A value that is all defaults is not written.
+        // A value that consists only of defaults is omitted from the file.
         placements.entry("0".into()).or_insert_with(|| Placement { father: None, blend: blend(|_| None) });
     }
     Some((decl.name, placements))
@@ -58,14 +58,14 @@ fn of_value(element: Element<'_>, value: Element<'_>, ty: BaseType) -> Option<(S
     Some((key.into(), Placement { father, blend }))
 }
 
-/// In s5 and s6 all values have one father.
+/// Father of all values in s5 and s6.
 fn old_father(element: Element<'_>) -> Option<SmolStr> {
     let father = element.elements().find(|inner| inner.name().ends_with("Father"))?;
     let name = father.value("name").filter(|name| !name.is_empty())?;
     Some(format!("{name}[{}]", father.value("fatherIndex").unwrap_or("0".into())).into())
 }
 
-/// The kind of the blend, and its distances where there is one.
+/// Kind of the blend, and its distances if it has any.
 fn blend(written: impl Fn(&str) -> Option<SmolStr>) -> Option<SmolStr> {
     let mut kind: Option<&Enumerator> = None;
     let mut distances = String::new();

@@ -1,4 +1,4 @@
-//! The projects of the workspace with what they hold, for a tree of applications.
+//! Projects of the workspace and their contents, for a tree view.
 
 mod kinds;
 
@@ -18,12 +18,12 @@ use val3_syntax::TextRange;
 use crate::code_lens::runs_alone;
 use crate::symbols::{OutlineItem, datum_detail, outline};
 
-/// What a project holds.
+/// Contents of a project.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProjectContent {
-    /// The name of its `.pjx`, without the extension.
+    /// File name of the `.pjx`, without the extension.
     pub name: SmolStr,
-    /// Its dialect has user types.
+    /// Whether the project's dialect has user types.
     pub has_types: bool,
     /// Programs, in the order of the `.pjx`.
     pub programs: Vec<TreeItem<TreeProgram>>,
@@ -35,29 +35,29 @@ pub struct ProjectContent {
     pub types: Vec<TreeItem<TreeReference>>,
 }
 
-/// Something that a project holds.
+/// An item of a project.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TreeItem<T> {
-    /// Its name.
+    /// Name.
     pub name: SmolStr,
-    /// Its type, signature or path in a few words; may be empty.
+    /// Type, signature or path in short form; may be empty.
     pub detail: String,
-    /// The file that declares it.
+    /// File with the declaration.
     pub file: File,
-    /// The whole declaration.
+    /// Range of the entire declaration.
     pub range: TextRange,
-    /// The name alone.
+    /// Range of the name.
     pub name_range: TextRange,
-    /// What is particular to its kind.
+    /// Details for its kind.
     pub what: T,
 }
 
 /// A program of the tree.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TreeProgram {
-    /// Other projects may call it.
+    /// Whether other projects may call it.
     pub public: bool,
-    /// It can be run without a caller: `start`, or a program without parameters.
+    /// Whether it can be started without a caller: it is `start`, or has no parameters.
     pub runs: bool,
 }
 
@@ -66,20 +66,20 @@ pub struct TreeProgram {
 pub struct TreeData {
     /// Type, container, sizes and access.
     pub decl: DataDecl,
-    /// The initial value of a single `num`, `bool` or `string`, without quotes.
+    /// Initial value of a single `num`, `bool` or `string`, without quotes.
     pub value: Option<String>,
 }
 
 /// A library identifier or a user type of the tree.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TreeReference {
-    /// The project at its path, if there is one.
+    /// Project at its path; `None` if unresolved.
     pub project: Option<Project>,
-    /// The libraries that programs load in its place, by path.
+    /// Libraries that programs load under this identifier, sorted by path.
     pub loaded: Vec<Project>,
 }
 
-/// What `project` holds, with every entry of its files, also one whose name is declared twice.
+/// Contents of `project`, including items whose name is declared twice.
 pub fn project_content(db: &dyn Db, project: Project) -> ProjectContent {
     let manifest = project.manifest(db);
     let parse = parse(db, manifest);
@@ -108,7 +108,7 @@ pub(crate) fn has_types(root: Element<'_>) -> bool {
     root.name() == "Project"
 }
 
-/// Kept for each file, so that an edit of one does not parse the others again.
+/// Programs of a file. Memoised per file, so that an edit in one file does not read other files again.
 #[salsa::tracked]
 fn programs(db: &dyn Db, file: File) -> Vec<TreeItem<TreeProgram>> {
     let header = program::header(db, file);
@@ -124,7 +124,7 @@ fn programs(db: &dyn Db, file: File) -> Vec<TreeItem<TreeProgram>> {
     outline(db, file).into_iter().map(item).collect()
 }
 
-/// As [`programs`].
+/// Data of a file, memoised like [`programs`].
 #[salsa::tracked]
 fn data_items(db: &dyn Db, file: File) -> Vec<TreeItem<TreeData>> {
     let parse = parse(db, file);
@@ -138,7 +138,7 @@ fn datum(file: File, element: Element<'_>) -> Option<TreeItem<TreeData>> {
     Some(item(file, element, element.attribute("name")?, detail, TreeData { decl, value }))
 }
 
-/// The initial value of data that holds a single `num`, `bool` or `string`.
+/// Initial value of data with a single `num`, `bool` or `string`.
 fn value(element: Element<'_>, decl: &DataDecl) -> Option<String> {
     let (ty, _) = BaseType::from_file_name(&decl.type_name)?;
     let is_single = decl.container != Container::Collection && decl.sizes == [1];

@@ -1,26 +1,26 @@
-//! The projects that an application can name, and the paths by which it does.
+//! Projects that an application can reference, and their paths in references.
 
 use camino::Utf8Path;
 use val3_analysis::db::{Db, Project, Sources};
 use val3_analysis::items::declarations::is_old;
 use val3_analysis::items::project::{find_project, folder};
 
-/// Another project, and a path that names it.
+/// Another project, and a path that refers to it.
 pub(crate) struct Reachable {
     pub(crate) project: Project,
-    /// As programs write it: the folder, where that is enough.
+    /// Path as in programs: only the folder, if that is unambiguous.
     pub(crate) short: String,
-    /// With the project file.
+    /// Path including the project file.
     pub(crate) long: String,
 }
 
 impl Reachable {
-    /// The name of the project file, without its extension.
+    /// File name of the project file, without its extension.
     pub(crate) fn name<'db>(&self, db: &'db dyn Db) -> &'db str {
         self.project.manifest(db).path(db).file_stem().unwrap_or("")
     }
 
-    /// The path as the project file of `project` writes it. s5 and s6 write the folder, without the root.
+    /// Path for the project file of `project`. Files of s5 and s6 contain the folder without the root.
     pub(crate) fn entry(&self, db: &dyn Db, project: Project) -> String {
         let old = || self.short.strip_prefix(DISK).unwrap_or(&self.short);
         if is_old(db, project) { old().to_owned() } else { self.long.clone() }
@@ -29,7 +29,7 @@ impl Reachable {
 
 const DISK: &str = "Disk://";
 
-/// Every other project that `project` can name, by path. Those of other cells are out of reach.
+/// All other projects that `project` can reference, sorted by path. Projects in other cells are unreachable.
 pub(crate) fn reachable(db: &dyn Db, project: Project) -> Vec<Reachable> {
     let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
     projects.retain(|other| *other != project);
@@ -45,7 +45,7 @@ fn named(db: &dyn Db, project: Project, other: Project) -> Option<Reachable> {
     is_other(&long).then_some(Reachable { project: other, short, long })
 }
 
-/// The path of a project file, from a root on; relative to the project where it has no root.
+/// Path of a project file, starting with a root; without roots, relative to the project.
 fn path(db: &dyn Db, project: Project, manifest: &Utf8Path) -> Option<String> {
     if let Some(disk) = project.disk(db) {
         if let Ok(relative) = manifest.strip_prefix(disk) {

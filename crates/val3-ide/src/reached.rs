@@ -1,4 +1,4 @@
-//! Whether and how the arm reaches positions.
+//! Reachability of positions by the arm.
 
 use smol_str::SmolStr;
 use val3_analysis::arm::{ArmOrigin, arm};
@@ -13,18 +13,19 @@ use val3_lang::types::{self, BaseType};
 
 use crate::markdown::code;
 
-/// Why a position is not looked at.
+/// Reason why an untaught position is not examined.
 pub(crate) const UNTAUGHT: &str = "all values are 0: it has not been taught";
 
-/// How the arm reaches a position.
+/// Reachability of a position.
 pub(crate) enum Reached {
-    /// All values are 0: the point was declared and never taught.
+    /// All values are 0: the point was declared but not taught.
     Untaught,
-    /// With the tool of the moves to it if there is one, else with the flange: the joints, or why there are none.
+    /// Tool (or flange) with which it was computed, and the joints, or the reason why there is no solution. The tool is
+    /// the tool of all moves to the position, otherwise the flange.
     WithTool(String, Result<Joints, String>),
 }
 
-/// The arm of a project, if its files name one that the value is for.
+/// Arm of a project; `None` unless the files name an arm and its kind suits the value.
 pub(crate) fn arm_of<'db>(db: &'db dyn Db, project: Project, value: &Position) -> Option<&'db Arm> {
     let arm = arm(db, project).as_ref().ok().filter(|arm| arm.origin == ArmOrigin::Named)?;
     Some(arm.model.as_ref()).filter(|arm| is_for(arm, value))
@@ -35,7 +36,7 @@ fn is_for(arm: &Arm, value: &Position) -> bool {
     value.arm.is_none_or(|arm| arm == kind)
 }
 
-/// How the arm reaches a point, or the origin of a frame, that is at `point` in `world`.
+/// Reachability of a point or frame origin at `point` in `world`.
 pub(crate) fn reached_with_tool(
     db: &dyn Db,
     owner: Project,
@@ -52,7 +53,7 @@ pub(crate) fn reached_with_tool(
     Reached::WithTool(tool, joints.map_err(|reason| reason.to_string()))
 }
 
-/// The tool of all moves to a point, if it is always the same.
+/// Tool of all moves to a point; `None` if they use several tools.
 fn only_tool(db: &dyn Db, owner: Project, path: &str) -> Option<(String, IsometryMatrix3<f64>)> {
     let name = path.split('[').next()?;
     let uses = targets(db, owner).get(name).filter(|uses| !uses.is_open && uses.tools.len() == 1)?;
@@ -60,7 +61,7 @@ fn only_tool(db: &dyn Db, owner: Project, path: &str) -> Option<(String, Isometr
     Some((shown(tool), placement(db, owner, tool).ok()?.pose))
 }
 
-/// The axes that are outside of their ranges.
+/// Descriptions of the axes outside their ranges.
 pub(crate) fn outside(arm: &Arm, joints: &Joints) -> Vec<String> {
     let outside = arm.violations(joints);
     outside
@@ -68,7 +69,7 @@ pub(crate) fn outside(arm: &Arm, joints: &Joints) -> Vec<String> {
         .collect()
 }
 
-/// Why the place of a position is not known.
+/// Reason why the pose of a position is unknown.
 pub(crate) fn not_placed(reason: &Unplaced) -> String {
     match reason {
         Unplaced::Unwritten(path) => format!("its place is not known: {} is not in the data files", code(&shown(path))),
@@ -85,7 +86,7 @@ pub(crate) fn not_placed(reason: &Unplaced) -> String {
     }
 }
 
-/// To thousandths, without a negative zero.
+/// Rounds to thousandths, without a negative zero.
 pub(crate) fn rounded(number: f64) -> f64 {
     (number * 1000.0).round() / 1000.0 + 0.0
 }

@@ -1,4 +1,4 @@
-//! Everywhere a name is used, across files and projects.
+//! References to a name across files and projects.
 
 use memchr::memmem;
 use rustc_hash::FxHashSet;
@@ -11,13 +11,13 @@ use val3_syntax::TextRange;
 use crate::FilePosition;
 use crate::navigate::name_at;
 
-/// Everywhere the name at a position is used; its declaration too if asked for. By path and place.
+/// References to the name at a position, optionally with its declaration, sorted by path and offset.
 pub fn references(db: &dyn Db, at: FilePosition, with_declaration: bool) -> Vec<FileRange> {
     let Some((_, found)) = name_at(db, at) else { return Vec::new() };
     places(db, &found.symbol, with_declaration)
 }
 
-/// As [`references`], of a symbol. The entry of a program in its `.pjx` belongs to the declaration.
+/// Like [`references`], for a symbol. The element of a program in its `.pjx` belongs to the declaration.
 pub(crate) fn places(db: &dyn Db, symbol: &Symbol, with_declaration: bool) -> Vec<FileRange> {
     let declaration = crate::navigate::declaration(db, symbol);
     let entries = match symbol {
@@ -33,14 +33,14 @@ pub(crate) fn places(db: &dyn Db, symbol: &Symbol, with_declaration: bool) -> Ve
     places
 }
 
-/// Every use of a symbol: file, project it is read in, and range.
+/// Uses of a symbol: file, project in which it is resolved, and range.
 pub(crate) fn uses(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, Project, TextRange)> {
-    // Most files do not hold the name at all; the rest need not be looked at.
+    // Most files do not contain the name, and are skipped.
     let finder = memmem::Finder::new(text(symbol));
     let candidates = candidates(db, symbol).into_iter();
     let with_name = candidates.filter(|(project, file)| {
         let lists_programs = matches!(symbol, Symbol::Program(..)) && *file == project.manifest(db);
-        // The entry of a program may have other letter case than its name, and JSON may escape every letter.
+        // The element of a program may differ in letter case from its name, and JSON may escape any letter.
         lists_programs || is_bindings(db, *file) || finder.find(file.text(db).as_bytes()).is_some()
     });
     let places = with_name.flat_map(|(project, file)| {
@@ -49,7 +49,7 @@ pub(crate) fn uses(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, 
     places.collect::<Vec<_>>().into_iter()
 }
 
-/// The name of a symbol.
+/// Name of a symbol.
 pub(crate) fn text(symbol: &Symbol) -> &str {
     match symbol {
         Symbol::Local(_, name)
@@ -68,7 +68,7 @@ pub(crate) fn text(symbol: &Symbol) -> &str {
     }
 }
 
-/// The files in which a symbol can be used.
+/// Files in which a symbol may be used.
 fn candidates(db: &dyn Db, symbol: &Symbol) -> Vec<(Project, File)> {
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {
@@ -85,15 +85,15 @@ fn candidates(db: &dyn Db, symbol: &Symbol) -> Vec<(Project, File)> {
     }
 }
 
-/// Every project, by path.
+/// All projects, sorted by path.
 fn all(db: &dyn Db) -> Vec<Project> {
     let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
     projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
     projects
 }
 
-/// The projects that can name something of `used`: itself, and those that reach it through libraries and user types.
-/// Code can name a field without naming its type: `part:sSlot.nHeight`.
+/// Projects that may use items of `used`: the project itself, and all projects that use it through libraries and user
+/// types. Code can access a field without naming its type, for example `part:sSlot.nHeight`.
 pub(crate) fn projects_using(db: &dyn Db, used: Project) -> Vec<Project> {
     let mut users = FxHashSet::from_iter([used]);
     let projects = all(db);
@@ -108,7 +108,7 @@ pub(crate) fn projects_using(db: &dyn Db, used: Project) -> Vec<Project> {
     }
 }
 
-/// The projects that a project file names.
+/// Projects that a project file references.
 fn names(db: &dyn Db, project: Project) -> impl Iterator<Item = Project> {
     let items = items(db, project);
     let interfaces = items.libraries.values().filter_map(|library| library.interface);
@@ -209,7 +209,7 @@ mod tests {
                 *log.lock().unwrap() += usize::from(format!("{database_key:?}").starts_with("occurrences("));
             }
         });
-        // More than the names of all can be kept of.
+        // More programs than the memoised name tables can hold.
         let programs: String = (0..300).map(|number| format!("program p{number}()\nbegin\n  nA=2\nend\n")).collect();
         let fixture = Fixture::parse(&format!("num nA\nnA=1\n{programs}"));
         let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));

@@ -1,4 +1,4 @@
-//! Giving a name another name, everywhere at once.
+//! Renaming of a name at all its uses.
 
 mod conflicts;
 mod elements;
@@ -21,14 +21,14 @@ use crate::edit::{FileEdit, SourceChange};
 use crate::navigate::{implemented, implementing, name_at};
 use crate::references::{text, uses};
 
-/// Why a name cannot be given another name, in a sentence for the user.
+/// Reason why a name cannot be changed, as a sentence for the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RenameError(pub String);
 
-/// The name, or the key of a collection, at a position if it can be renamed, with its range.
+/// Range and text of the name, or key of a collection, at a position, if it can be renamed.
 ///
 /// # Errors
-/// If there is no name, or one that belongs to the language or the controller.
+/// If there is no name, or if it belongs to the language or the controller.
 pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, String), RenameError> {
     if let Some(found) = keys::key_at(db, at) {
         return Ok((found.range, found.key));
@@ -40,10 +40,10 @@ pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, Strin
     Ok((found.range, text(&found.symbol).to_owned()))
 }
 
-/// The change that calls the name at a position `new_name`, in every file that uses it.
+/// Renames the name at a position to `new_name` in all files.
 ///
 /// # Errors
-/// If the name cannot be changed, or `new_name` is none, is taken, or would mean something else somewhere.
+/// If the name cannot be changed, or if `new_name` is invalid, in use, or would change the meaning of a use.
 pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceChange, RenameError> {
     prepare_rename(db, at)?;
     if let Some(found) = keys::key_at(db, at) {
@@ -67,8 +67,8 @@ pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceCha
     Ok(change)
 }
 
-/// The symbols that go by one name: an item of an interface and the same item of every library that is loaded in its
-/// place, which may in turn be loaded in place of others.
+/// Symbols that share a name: an interface item, and the same item in all libraries that are loaded for the interface,
+/// transitively.
 pub(crate) fn together(db: &dyn Db, symbol: &Symbol) -> Vec<Symbol> {
     let mut symbols = vec![symbol.clone()];
     let mut next = 0;
@@ -83,7 +83,7 @@ pub(crate) fn together(db: &dyn Db, symbol: &Symbol) -> Vec<Symbol> {
     symbols
 }
 
-/// The item of the same name in the projects that stand in for this one's or that it stands in for.
+/// The same item in projects that are loaded for this project's interface, or whose interface this project implements.
 fn same_item(db: &dyn Db, symbol: &Symbol) -> Vec<Symbol> {
     let related = |project: Project| implementing(db, project).chain(implemented(db, project));
     match symbol {
@@ -99,7 +99,7 @@ fn same_item(db: &dyn Db, symbol: &Symbol) -> Vec<Symbol> {
     }
 }
 
-/// The file of a program is renamed with it if it has the program's name, in any letter case.
+/// Old and new path of the program's file, if the file has the program's name in any letter case.
 fn moved_file(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Option<(camino::Utf8PathBuf, camino::Utf8PathBuf)> {
     let Symbol::Program(project, name) = symbol else { return None };
     let path: &Utf8Path = items(db, *project).programs.get(name)?.path(db);

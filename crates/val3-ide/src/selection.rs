@@ -1,4 +1,4 @@
-//! Growing a selection: word, expression, statement, block, element, file.
+//! Selection ranges: word, expression, statement, block, element, file.
 
 use val3_analysis::db::Db;
 use val3_analysis::items::parse;
@@ -6,7 +6,7 @@ use val3_syntax::{SyntaxKind, TextRange};
 
 use crate::FilePosition;
 
-/// The ranges around a position, from the innermost on; each holds the one before.
+/// Ranges around a position, from the innermost to the outermost; each contains the previous one.
 pub fn selections(db: &dyn Db, at: FilePosition) -> Vec<TextRange> {
     let root = parse(db, at.file).root();
     if !root.text_range().contains_inclusive(at.offset) {
@@ -22,7 +22,7 @@ pub fn selections(db: &dyn Db, at: FilePosition) -> Vec<TextRange> {
     ranges
 }
 
-/// The text between the quotes, which may be written as character references.
+/// Range between the quotes, which may be escaped.
 fn within_quotes(range: TextRange, text: &str) -> TextRange {
     let quote = if text.starts_with("&quot;") { 6u32 } else { 1 };
     let closed = text.len() > 1 && (text.ends_with(['"', '\'']) || text.ends_with("&quot;"));
@@ -38,7 +38,7 @@ mod tests {
     use super::*;
     use crate::testing::MarkedListing;
 
-    /// The texts of the ranges, inner ones first; of long ones the first line.
+    /// Checks the texts of the ranges, inner ones first; only the first line of a long text.
     fn check(listing: &str, expected: Expect) {
         let marked = MarkedListing::new(listing);
         let text: &str = marked.at().file.text(marked.db());

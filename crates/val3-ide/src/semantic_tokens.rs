@@ -1,4 +1,4 @@
-//! The kind of each word of a file, for colours.
+//! Semantic tokens: the kinds of words in a file, for syntax highlighting.
 
 use rowan::NodeOrToken;
 use val3_analysis::db::{Db, File, Project};
@@ -13,14 +13,14 @@ use val3_syntax::{Part, SyntaxKind, TextRange};
 
 use crate::owner::owner;
 
-/// A coloured word.
+/// A semantic token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SemanticToken {
-    /// Its range, which never contains a line end.
+    /// Range, which never contains a line end.
     pub range: TextRange,
-    /// Its kind.
+    /// Kind.
     pub kind: TokenKind,
-    /// More about it: a set of [`TokenModifier`] bits.
+    /// Modifiers: a set of [`TokenModifier`] bits.
     pub modifiers: u32,
 }
 
@@ -33,14 +33,14 @@ macro_rules! names {
         }
 
         impl $enum {
-            /// The names for the client, in the order of their numbers.
+            /// Names in the protocol, in the order of the discriminants.
             pub const NAMES: &'static [&'static str] = &[$($text),*];
         }
     };
 }
 
 names! {
-    /// The kinds of words.
+    /// Kinds of tokens.
     TokenKind {
         /// A keyword.
         Keyword = "keyword",
@@ -66,45 +66,45 @@ names! {
         Type = "type",
         /// A field.
         Field = "property",
-        /// A value of an enumeration.
+        /// An enumerator.
         Enumerator = "enumMember",
     }
 }
 
 names! {
-    /// Modifiers of a word.
+    /// Modifiers of a token.
     TokenModifier {
-        /// It is declared here.
+        /// Declared here.
         Declaration = "declaration",
-        /// It gets a value here.
+        /// Assigned here.
         Modification = "modification",
-        /// It is global data.
+        /// Global data.
         Global = "global",
-        /// It is a local variable.
+        /// A local variable.
         Local = "local",
-        /// It is a parameter passed by reference.
+        /// A parameter passed by reference.
         ByReference = "byReference",
-        /// Other projects may use it.
+        /// Usable by other projects.
         Public = "public",
-        /// It belongs to a library.
+        /// Belongs to a library.
         OfLibrary = "library",
-        /// It comes with the language.
+        /// Built into the language.
         DefaultLibrary = "defaultLibrary",
-        /// Newer controllers lack it.
+        /// Not supported by newer controllers.
         Deprecated = "deprecated",
-        /// It needs an add-on.
+        /// Requires an add-on.
         AddOn = "addOn",
     }
 }
 
 impl TokenModifier {
-    /// The bit of the modifier.
+    /// Bit of the modifier.
     pub fn bit(self) -> u32 {
         1 << self as u32
     }
 }
 
-/// The words of a file, or of a part of it, in the order of the text.
+/// Semantic tokens of a file or a range, in the order of the text.
 pub fn semantic_tokens(db: &dyn Db, file: File, within: Option<TextRange>) -> Vec<SemanticToken> {
     let project = owner(db, file);
     let names = project.map_or(&[][..], |project| occurrences(db, project, file).as_slice());
@@ -117,7 +117,7 @@ pub fn semantic_tokens(db: &dyn Db, file: File, within: Option<TextRange>) -> Ve
 struct Collector<'db> {
     db: &'db dyn Db,
     project: Option<Project>,
-    /// The names of the file that were not passed yet, in the order of the text.
+    /// Names that were not processed yet, in the order of the text.
     names: &'db [Occurrence],
     within: Option<TextRange>,
     found: Vec<SemanticToken>,
@@ -147,7 +147,7 @@ impl Collector<'_> {
             return;
         }
         match token.kind() {
-            // An attribute holds names, as a whole or in a part.
+            // An attribute contains names in its entire value or in a part of it.
             SyntaxKind::IDENT | SyntaxKind::XML_STRING => self.names_in(range),
             kind if in_code => {
                 self.found.extend(plain(kind).map(|kind| SemanticToken { range, kind, modifiers: 0 }));
@@ -165,7 +165,7 @@ impl Collector<'_> {
     }
 }
 
-/// Words of the code that are no names.
+/// Kind of a code token that is no name.
 fn plain(kind: SyntaxKind) -> Option<TokenKind> {
     Some(match kind {
         SyntaxKind::COMMENT => TokenKind::Comment,
@@ -215,7 +215,7 @@ fn token(db: &dyn Db, here: Project, found: &Occurrence) -> SemanticToken {
     SemanticToken { range: found.range, kind, modifiers }
 }
 
-/// The data of another project that is no library of this one are fields of a user type.
+/// Whether data in `project` are fields of a user type, because it is no library of `here`.
 fn is_field(db: &dyn Db, here: Project, project: Project) -> bool {
     project != here && !items(db, here).libraries.values().any(|library| library.interface == Some(project))
 }

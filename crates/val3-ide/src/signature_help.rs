@@ -1,5 +1,5 @@
-//! The parameters of the call around the cursor, with the form that fits so far; the fields of a literal, and the
-//! indexes of an array.
+//! Signature help: the parameters of the call at the cursor, with the best matching form, literal fields, and array
+//! indexes.
 
 mod brackets;
 
@@ -14,29 +14,29 @@ use crate::hover::program_comment;
 use crate::line::{CallSite, Callee, LineTokens, Names};
 use crate::owner::owner;
 
-/// The forms of a call.
+/// Forms of a call.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SignatureHelp {
-    /// Every form.
+    /// All forms.
     pub forms: Vec<Form>,
-    /// The form that fits the arguments so far.
+    /// Index of the form that matches the existing arguments.
     pub active_form: usize,
-    /// The argument that the cursor is in.
+    /// Index of the argument at the cursor.
     pub active_parameter: usize,
 }
 
 /// One form of a call.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Form {
-    /// The line: `num movej(joint jPosition, tool tTool, mdesc mDesc)`.
+    /// Signature line, for example `num movej(joint jPosition, tool tTool, mdesc mDesc)`.
     pub line: String,
-    /// The range of each parameter in the line, in bytes.
+    /// Parameter ranges in the line, in bytes.
     pub parameters: Vec<(u32, u32)>,
-    /// A sentence about it.
+    /// A sentence about the form.
     pub documentation: String,
 }
 
-/// The call around a position.
+/// Signature help at a position.
 pub fn signature_help(db: &dyn Db, at: FilePosition) -> Option<SignatureHelp> {
     let project = owner(db, at.file)?;
     let line = LineTokens::around(&parse(db, at.file).root(), at.offset)?;
@@ -57,7 +57,8 @@ pub fn signature_help(db: &dyn Db, at: FilePosition) -> Option<SignatureHelp> {
     Some(SignatureHelp { forms: vec![program(&names, &call.callee)?], active_form: 0, active_parameter })
 }
 
-/// After a library identifier, the forms for libraries are shown, elsewhere the others; all if there are none.
+/// Whether the form suits a call with or without a library identifier. If an instruction has no suitable form, all
+/// forms suit.
 fn suits_place(form: &Overload, found: &Instruction, callee: &Callee) -> bool {
     let on_library = callee.library.is_some();
     form.on_library == on_library || found.overloads.iter().all(|form| form.on_library != on_library)
@@ -69,7 +70,7 @@ fn instruction_form(found: &Instruction, form: &Overload) -> Form {
     Form { parameters: places(&line, params), documentation: page::summary(found.page), line }
 }
 
-/// The ranges of the parameters in a line, in order.
+/// Ranges of the parameters in a line, in order.
 fn places(line: &str, params: impl Iterator<Item = String>) -> Vec<(u32, u32)> {
     let mut from = line.find(['(', ' ']).map_or(0, |at| at + 1);
     let place = |param: String| {
@@ -80,7 +81,7 @@ fn places(line: &str, params: impl Iterator<Item = String>) -> Vec<(u32, u32)> {
     params.map_while(place).collect()
 }
 
-/// The form with room for the arguments whose types agree best.
+/// Index of the form with enough parameters and the most matching argument types.
 fn best_form(forms: &[&Overload], types: &[Ty], active: usize) -> usize {
     let fits = |form: &Overload| {
         let agreeing = form.params.iter().zip(types).filter(|(param, ty)| match (param.ty, ty.base) {
@@ -89,11 +90,11 @@ fn best_form(forms: &[&Overload], types: &[Ty], active: usize) -> usize {
         });
         (form.params.len() > active, form.params.len() >= types.len(), agreeing.count())
     };
-    // Of equally suitable forms, the first one is taken.
+    // If several forms are equally suitable, the first one is used.
     forms.iter().enumerate().rev().max_by_key(|(_, form)| fits(form)).map_or(0, |(index, _)| index)
 }
 
-/// The program that a callee names.
+/// Program of a callee.
 fn program(names: &Names<'_>, callee: &Callee) -> Option<Form> {
     let signature = names.signature(callee)?;
     let params: Vec<String> = signature
@@ -315,7 +316,7 @@ mod tests {
             > num nAll[0..6] | 0..6
         "#]],
         );
-        // Without knowledge here, the call around it decides.
+        // If the index is unknown, the help shows the surrounding call.
         check(
             "put(nUnknown[$0",
             expect![[r#"

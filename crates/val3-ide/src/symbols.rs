@@ -1,4 +1,4 @@
-//! The outline of a file, and the search for names in the whole workspace.
+//! The outline of a file, and the symbol search in the workspace.
 
 mod outline;
 mod workspace;
@@ -11,7 +11,7 @@ use smol_str::SmolStr;
 use val3_analysis::db::FileRange;
 use val3_syntax::TextRange;
 
-/// The kind of an entry of the outline.
+/// Kind of a symbol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum SymbolKind {
     /// A project.
@@ -30,32 +30,32 @@ pub enum SymbolKind {
     Type,
 }
 
-/// An entry of the outline.
+/// An item of the outline.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutlineItem {
-    /// The name.
+    /// Name.
     pub name: SmolStr,
-    /// The type or signature, in a few words; may be empty.
+    /// Type or signature in short form; may be empty.
     pub detail: String,
-    /// Its kind.
+    /// Kind.
     pub kind: SymbolKind,
-    /// The whole declaration.
+    /// Range of the entire declaration.
     pub range: TextRange,
-    /// The name alone.
+    /// Range of the name.
     pub name_range: TextRange,
-    /// Entries inside of it.
+    /// Nested items.
     pub children: Vec<OutlineItem>,
 }
 
-/// A name of the workspace.
+/// A symbol of the workspace.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WorkspaceSymbol {
-    /// The name.
+    /// Name.
     pub name: SmolStr,
-    /// The project it belongs to.
+    /// Project to which it belongs.
     pub container: String,
-    /// Its kind.
+    /// Kind.
     pub kind: SymbolKind,
-    /// Where its name is declared.
+    /// Location of the name in its declaration.
     pub place: FileRange,
 }

@@ -1,4 +1,4 @@
-//! The programs that are tests.
+//! Programs that are tests.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, FileRange, Project};
@@ -10,13 +10,13 @@ use val3_lang::test_names;
 /// A program that is a test.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TestProgram {
-    /// Its name.
+    /// Program name.
     pub name: SmolStr,
-    /// Where its name is declared.
+    /// Location of the name in its declaration.
     pub place: FileRange,
 }
 
-/// The tests of a project, by name.
+/// Tests of a project, sorted by name.
 pub fn test_programs(db: &dyn Db, project: Project) -> Vec<TestProgram> {
     if !has_tests(db, project) {
         return Vec::new();

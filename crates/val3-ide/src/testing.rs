@@ -1,4 +1,4 @@
-//! For tests: a listing with `$0` at the cursor.
+//! Test support: a listing with the cursor at `$0`.
 
 use camino::Utf8PathBuf;
 use val3_analysis::db::{Database, Db, File, FileRange, Sources};
@@ -9,12 +9,12 @@ use val3_test::{Fixture, ROOT};
 
 use crate::FilePosition;
 
-/// The database of a listing and the place of `$0` in it, if it has one.
+/// Database of a listing, and the position of `$0` if it exists.
 pub(crate) struct MarkedListing {
     pub(crate) system: Memory,
     pub(crate) workspace: Workspace,
     pub(crate) position: Option<FilePosition>,
-    /// The text between two `$0`.
+    /// Range between two `$0`.
     pub(crate) selected: Option<TextRange>,
 }
 
@@ -43,7 +43,7 @@ impl MarkedListing {
         &self.workspace.db
     }
 
-    /// The position of `$0`.
+    /// Position of `$0`.
     pub(crate) fn at(&self) -> FilePosition {
         self.position.unwrap()
     }
@@ -58,7 +58,7 @@ fn file(db: &dyn Db, path: &str) -> File {
     *Sources::get(db).files(db).values().find(|file| *file.path(db) == wanted).unwrap()
 }
 
-/// `main/start.pgx:5 nCount`
+/// Formats a location, for example `main/start.pgx:5 nCount`.
 pub(crate) fn shown(db: &dyn Db, place: FileRange) -> String {
     let text = place.file.text(db);
     let range = std::ops::Range::<usize>::from(place.range);
@@ -68,7 +68,7 @@ pub(crate) fn shown(db: &dyn Db, place: FileRange) -> String {
     format!("{path}:{line} {}", &text[range])
 }
 
-/// As [`shown`], one a line.
+/// Like [`shown`], one line for each location.
 pub(crate) fn shown_all(db: &dyn Db, places: impl IntoIterator<Item = FileRange>) -> String {
     places.into_iter().map(|place| shown(db, place) + "\n").collect()
 }

@@ -1,4 +1,4 @@
-//! A workspace on which changes are tried before they are offered.
+//! Trial database, in which changes are tried before they are offered.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -18,18 +18,19 @@ use val3_check::{Checked, Unit, check_unit, finish, units};
 use crate::owner::projects_of;
 use crate::references::projects_using;
 
-/// Some projects in a database of their own.
+/// Some projects in a separate database.
 pub(crate) struct Trial<'s> {
     workspace: Workspace,
     files: OverlayFs<&'s dyn System>,
-    /// The project files.
+    /// Paths of the project files.
     paths: Vec<Utf8PathBuf>,
-    /// Called between units. It unwinds if the result is no longer wanted.
+    /// Called between units. It may unwind if the result is no longer needed.
     check_cancelled: &'s dyn Fn(),
 }
 
 impl<'s> Trial<'s> {
-    /// The projects that fixes can affect: those with files that `fixes` edit, and all projects that use them.
+    /// Creates a trial with the projects that fixes can affect: the projects whose files `fixes` edit, and all projects
+    /// that use them.
     pub(crate) fn of_fixes<'f>(
         db: &dyn Db,
         system: &'s dyn System,
@@ -42,7 +43,7 @@ impl<'s> Trial<'s> {
         Self::of(db, system, affected, check_cancelled)
     }
 
-    /// `projects`, and what they refer to.
+    /// Creates a trial with `projects` and all projects that they reference.
     pub(crate) fn of(
         db: &dyn Db,
         system: &'s dyn System,
@@ -57,7 +58,7 @@ impl<'s> Trial<'s> {
         trial
     }
 
-    /// The findings of one data file, and the file itself.
+    /// A data file and its findings.
     pub(crate) fn data_findings(&self, path: &Utf8Path) -> Option<(File, Vec<Diagnostic>)> {
         let db = &self.workspace.db;
         let file = *Sources::get(db).files(db).get(&path_key(path.as_str()))?;

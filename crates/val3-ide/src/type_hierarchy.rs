@@ -1,4 +1,4 @@
-//! User types: which types a type has fields of, and which have fields of it.
+//! Type hierarchy of user types: the types of a type's fields, and the types with fields of a type.
 
 use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::items::project::{fields, items, resolve_type};
@@ -11,14 +11,14 @@ use crate::navigate::name_at;
 /// A user type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TypeItem {
-    /// Its name, that of its `.pjx`.
+    /// Type name, which is the name of the `.pjx`.
     pub name: String,
     /// The `.pjx`.
     pub file: File,
 }
 
-/// The user type at a position: the one that is named there or is the type of what is named, else the project's own if
-/// it is one.
+/// User type at a position: the named type, or the type of the named symbol. The fallback is the project itself if it
+/// is a user type.
 pub fn type_item(db: &dyn Db, at: FilePosition) -> Option<TypeItem> {
     let (project, found) = name_at(db, at)?;
     let of = match &found.symbol {
@@ -29,7 +29,7 @@ pub fn type_item(db: &dyn Db, at: FilePosition) -> Option<TypeItem> {
     of.or_else(|| is_type(db, project).then_some(project)).map(|project| item(db, project))
 }
 
-/// The types that contain a type: those with fields of it.
+/// Types with a field of the given type.
 pub fn supertypes(db: &dyn Db, of: File) -> Vec<TypeItem> {
     let Some(own) = project_of(db, of) else { return Vec::new() };
     let holds = |project: &Project| {
@@ -38,7 +38,7 @@ pub fn supertypes(db: &dyn Db, of: File) -> Vec<TypeItem> {
     projects(db).into_iter().filter(holds).map(|project| item(db, project)).collect()
 }
 
-/// The types of a type's fields.
+/// Types of a type's fields.
 pub fn subtypes(db: &dyn Db, of: File) -> Vec<TypeItem> {
     let Some(own) = project_of(db, of) else { return Vec::new() };
     let mut found: Vec<Project> = fields(db, own).values().filter_map(|field| user(field.base)).collect();
@@ -51,7 +51,7 @@ fn user(base: Base) -> Option<Project> {
     if let Base::User(project) = base { Some(project) } else { None }
 }
 
-/// Some project uses it as a type.
+/// Whether a project uses it as a type.
 fn is_type(db: &dyn Db, project: Project) -> bool {
     projects(db).into_iter().any(|other| {
         let types = &items(db, other).types;

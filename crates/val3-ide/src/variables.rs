@@ -1,4 +1,4 @@
-//! The parameters and locals of a program, for editors that show them as a table and change them there.
+//! Parameters and locals of a program, for editors that display and edit them as a table.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File};
@@ -15,43 +15,44 @@ use crate::declare::is_old_program;
 use crate::edit::SourceChange;
 use crate::owner::owner;
 
-/// What a program declares.
+/// Variables of a program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Variables {
-    /// The name of the program.
+    /// Program name.
     pub program: SmolStr,
     /// Parameters in order.
     pub parameters: Vec<Variable>,
     /// Locals in order.
     pub locals: Vec<Variable>,
-    /// The names of the types that variables can have here.
+    /// Names of the types that variables may have.
     pub types: Vec<SmolStr>,
-    /// The program has the form of s5 and s6, in which arrays have one dimension and nothing is a collection.
+    /// Whether the program has the dialect of s5 and s6, in which arrays have one dimension and collections do not
+    /// exist.
     pub is_old: bool,
-    /// Why the program cannot have other parameters, as a sentence for the user; `None` if it can.
+    /// Reason why the parameters cannot be changed, as a sentence for the user; `None` if they can.
     pub fixed: Option<String>,
 }
 
 /// A parameter or a local.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Variable {
-    /// The name.
+    /// Name.
     pub name: SmolStr,
-    /// The type as the file writes it.
+    /// Type name as spelled in the file.
     pub type_name: SmolStr,
-    /// An element, array or collection. A local is an array, even if it has one value.
+    /// Element, array or collection. A local is an array, even if it has one value.
     pub container: Container,
-    /// Sizes of the dimensions of a local; empty for parameters.
+    /// Sizes of a local's dimensions; empty for parameters.
     pub sizes: Vec<u32>,
-    /// A parameter that is passed by reference.
+    /// Whether it is a parameter passed by reference.
     pub by_reference: bool,
-    /// The name in the declaration.
+    /// Range of the name in the declaration.
     pub range: TextRange,
-    /// Number of times that the code names it.
+    /// Number of uses in the code.
     pub uses: usize,
 }
 
-/// The parameters and locals of the program in a file; `None` if it has no program, or one whose declarations cannot be
+/// Parameters and locals of the program in a file; `None` if the file has no program, or if its declarations cannot be
 /// read.
 pub fn variables(db: &dyn Db, file: File) -> Option<Variables> {
     let project = owner(db, file)?;
@@ -99,17 +100,17 @@ fn locals(db: &dyn Db, file: File, header: &Header) -> Vec<Variable> {
     header.locals.iter().zip(all_locals(db, file)).map(described).collect()
 }
 
-/// As [`change_signature`], for a user who may give variables types that do not suit their uses.
+/// Like [`change_signature`], for a user who may choose types that do not fit the uses.
 ///
 /// # Errors
-/// As [`change_signature`], and if the change would add an error somewhere.
+/// Like [`change_signature`], and also if the change would add an error anywhere.
 pub fn edit_variables(
     context: FixContext<'_>,
     file: File,
     wanted: &NewVariables,
 ) -> Result<SourceChange, SignatureError> {
     let change = change_signature(context.db, file, wanted)?;
-    // Names that follow, and variables that change places or go, leave every type as it was.
+    // Renaming, reordering and removing variables does not change any type.
     if !wanted.adds_or_retypes(header(context.db, file)) {
         return Ok(change);
     }
@@ -150,7 +151,7 @@ mod tests {
         assert!(variables(marked.db(), marked.at().file).unwrap().fixed.unwrap().contains("the controller"));
     }
 
-    /// The reason why the variables cannot be changed so.
+    /// Reason why the change is rejected.
     fn refused(change: impl Fn(&mut NewVariables)) -> String {
         let marked = MarkedListing::new(LISTING);
         let (db, file) = (marked.db(), marked.at().file);

@@ -1,4 +1,4 @@
-//! A position in the XML of a project, data or program file.
+//! Context of a position in the XML of a project, data or program file.
 
 use camino::Utf8Path;
 use val3_analysis::db::{Db, File, Project};
@@ -17,7 +17,7 @@ pub(crate) struct XmlContext<'t> {
 }
 
 impl<'t> XmlContext<'t> {
-    /// The position `offset` of a file, and the name or value there.
+    /// Context at `offset` of a file, and the range of the name or value there.
     pub(crate) fn at(db: &'t dyn Db, file: File, offset: TextSize) -> Option<(Self, TextRange)> {
         let cursor = XmlCursor::at(file.text(db), offset)?;
         let range = match &cursor.place {
@@ -29,29 +29,29 @@ impl<'t> XmlContext<'t> {
         Some((Self { file, cursor }, range))
     }
 
-    /// The name of the element around the tag or the text.
+    /// Name of the innermost element around the position.
     pub(crate) fn parent(&self) -> &'t str {
         self.cursor.parent().map_or("", |parent| parent.name)
     }
 
-    /// The declarations around the position, innermost first: the tag, and the name of the element it is in.
+    /// Declarations around the position, innermost first, each with its parent element's name.
     pub(crate) fn declarations(&self) -> impl Iterator<Item = (&Tag<'t>, &'t str)> {
         let around: Vec<&Tag<'t>> = self.cursor.around().collect();
         let parents = around.iter().skip(1).map(|parent| parent.name).chain([""]).collect::<Vec<_>>();
         around.into_iter().zip(parents).filter(|(tag, parent)| type_name(tag, parent).is_some())
     }
 
-    /// The types of the data, fields, parameters or locals around the position, innermost first.
+    /// Types of the data, fields, parameters or locals around the position, innermost first.
     pub(crate) fn types(&self) -> impl Iterator<Item = &'t str> {
         self.declarations().filter_map(|(tag, parent)| type_name(tag, parent))
     }
 
-    /// The type of the innermost declaration around the position.
+    /// Type of the innermost declaration around the position.
     pub(crate) fn base(&self, db: &dyn Db, project: Project) -> Option<Base> {
         resolve_type(&items(db, project).types, self.types().next()?)
     }
 
-    /// The built-in type of the values here, with its arm.
+    /// Built-in type of the values here, with its arm kind.
     pub(crate) fn builtin(&self, db: &dyn Db, project: Project) -> Option<(BaseType, Option<Arm>)> {
         match self.base(db, project)? {
             Base::Builtin(ty, arm) => Some((ty, arm.or(items(db, project).arm))),
@@ -60,7 +60,7 @@ impl<'t> XmlContext<'t> {
     }
 }
 
-/// The type that a tag names; in the old dialect an entry of a `…Section` is called as its type.
+/// Type that a tag names. In the old dialect, an element in a `…Section` has its type's name.
 fn type_name<'t>(tag: &Tag<'t>, parent: &str) -> Option<&'t str> {
     tag.value("type").or_else(|| parent.ends_with("Section").then_some(tag.name)).filter(|name| !name.is_empty())
 }

@@ -1,5 +1,5 @@
-//! Where in the XML of a file a position is. A tag that is being written is seldom whole, so this reads the text and
-//! not the tree: what is before the position means the same whatever follows.
+//! Syntactic position in the XML of a file. A tag is usually incomplete while it is typed, so this module reads the
+//! text instead of the tree. The text before the position is interpreted independently of the text after it.
 
 use memchr::{memchr, memmem};
 use val3_syntax::{Part, TextRange, TextSize, text_at, text_size};
@@ -7,49 +7,49 @@ use val3_syntax::{Part, TextRange, TextSize, text_at, text_size};
 /// A start tag, possibly incomplete.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Tag<'t> {
-    /// The name of the element.
+    /// Element name.
     pub(crate) name: &'t str,
-    /// Names and raw values.
+    /// Attribute names and raw values.
     pub(crate) attributes: Vec<(&'t str, &'t str)>,
 }
 
 impl<'t> Tag<'t> {
-    /// The raw value of an attribute.
+    /// Raw attribute value.
     pub(crate) fn value(&self, name: &str) -> Option<&'t str> {
         self.attributes.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
     }
 }
 
-/// The syntactic context of a position.
+/// Syntactic context of a position.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum XmlPlace<'t> {
-    /// Text between tags: the word at the position.
+    /// Text between tags, with the word at the position.
     Content(TextRange),
-    /// The name of a start tag.
+    /// A start tag's name.
     ElementName(TextRange),
-    /// The name of an end tag.
+    /// An end tag's name.
     EndTag(TextRange),
-    /// The name of an attribute; empty between attributes.
+    /// An attribute name; empty between attributes.
     AttributeName(TextRange),
-    /// The value of the attribute of this name, without quotes.
+    /// The value of the attribute with this name, without quotes.
     Value(&'t str, TextRange),
 }
 
 /// A position in XML.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct XmlCursor<'t> {
-    /// The elements around the position, outermost first.
+    /// Elements around the position, from the outermost to the innermost.
     pub(crate) open: Vec<Tag<'t>>,
-    /// The tag that the position is in.
+    /// Tag that contains the position.
     pub(crate) tag: Option<Tag<'t>>,
-    /// The syntactic context of the position.
+    /// Syntactic context.
     pub(crate) place: XmlPlace<'t>,
-    /// The other elements in the innermost one around, in order, with the values of their attributes.
+    /// Other children of the innermost element, in order, with their attributes.
     pub(crate) siblings: Vec<Tag<'t>>,
 }
 
 impl<'t> XmlCursor<'t> {
-    /// The position `offset` of a text; `None` in a comment, a declaration or a CDATA section.
+    /// Context at `offset` of a text; `None` in a comment, a declaration or a CDATA section.
     pub(crate) fn at(text: &'t str, offset: TextSize) -> Option<Self> {
         let mut scan = Scan { text, open: Vec::new(), siblings: vec![Vec::new()] };
         let (at, end) = scan.find(usize::from(offset))?;
@@ -61,24 +61,24 @@ impl<'t> XmlCursor<'t> {
         Some(Self { open, tag: at.tag, place: at.place, siblings })
     }
 
-    /// The innermost element around the position.
+    /// Innermost element around the position.
     pub(crate) fn parent(&self) -> Option<&Tag<'t>> {
         self.open.last()
     }
 
-    /// The elements around the position, the tag it is in first, then innermost first.
+    /// The tag that contains the position, and the elements around it, innermost first.
     pub(crate) fn around(&self) -> impl Iterator<Item = &Tag<'t>> {
         self.tag.iter().chain(self.open.iter().rev())
     }
 }
 
-/// The context found at a position.
+/// Context found at a position.
 struct FoundContext<'t> {
     tag: Option<Tag<'t>>,
     place: XmlPlace<'t>,
 }
 
-/// One piece of markup that begins with `<`.
+/// A piece of markup that begins with `<`.
 enum Markup<'t> {
     /// A comment, a declaration or a CDATA section.
     Other,
@@ -93,7 +93,7 @@ enum Markup<'t> {
 
 struct StartTag<'t> {
     name: TextRange,
-    /// Names with values, each with its place.
+    /// Ranges of the attribute names and values.
     attributes: Vec<(TextRange, TextRange)>,
     read: Tag<'t>,
 }
@@ -101,12 +101,12 @@ struct StartTag<'t> {
 struct Scan<'t> {
     text: &'t str,
     open: Vec<Tag<'t>>,
-    /// For each element that is open, and for the file, what it contains so far.
+    /// Children read so far, for the file and for each open element.
     siblings: Vec<Vec<Tag<'t>>>,
 }
 
 impl<'t> Scan<'t> {
-    /// Reads the markup up to a position. Returns what is there, and where that ends.
+    /// Scans the markup up to a position. Returns the context and the markup's end.
     fn find(&mut self, offset: usize) -> Option<(FoundContext<'t>, usize)> {
         let mut at = 0;
         loop {
@@ -124,7 +124,7 @@ impl<'t> Scan<'t> {
         }
     }
 
-    /// The text before `end` ends a piece of markup.
+    /// Whether the text before `end` ends a tag.
     fn is_closed(&self, end: usize) -> bool {
         self.text.get(..end).is_some_and(|before| before.ends_with('>'))
     }
@@ -133,7 +133,7 @@ impl<'t> Scan<'t> {
         memchr(b'<', self.text.as_bytes().get(from..)?).map(|at| from + at)
     }
 
-    /// The place of a position in a piece of markup.
+    /// Context of a position inside a piece of markup.
     fn inside(&self, markup: Markup<'t>, start: usize, offset: usize) -> Option<FoundContext<'t>> {
         let position = size(offset);
         match markup {
@@ -153,7 +153,7 @@ impl<'t> Scan<'t> {
     fn enter(&mut self, markup: Markup<'t>) {
         match markup {
             Markup::Other => {}
-            // An end tag of an element that is not open is a slip.
+            // An end tag without an open element is ignored.
             Markup::End { name } => {
                 if let Some(at) = self.open.iter().rposition(|open| open.name == name) {
                     self.open.truncate(at);
@@ -172,9 +172,9 @@ impl<'t> Scan<'t> {
         }
     }
 
-    /// The text after `from` in the innermost of `depth` open elements.
+    /// Children after `from` in the innermost of `depth` open elements.
     fn rest(&mut self, from: usize, depth: usize) -> Vec<Tag<'t>> {
-        // The levels further out are not collected.
+        // Children of outer elements are not collected.
         self.siblings = vec![Vec::new(); depth + 1];
         let mut at = from;
         while let Some(start) = self.next_angle(at) {
@@ -210,7 +210,7 @@ impl<'t> StartTag<'t> {
     }
 }
 
-/// The piece of markup at `start`, and where it ends.
+/// Piece of markup at `start`, and its end.
 fn markup(text: &str, start: usize) -> (Markup<'_>, usize) {
     let rest = text.part(start..);
     for (open, close) in [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>"), ("<!", ">")] {
@@ -247,7 +247,7 @@ fn start_tag(text: &str, start: usize) -> (Markup<'_>, usize) {
             return (Markup::Start { tag, opens }, at + if opens { 1 } else { 2 });
         }
         let Some(next) = rest.chars().next().filter(|next| *next != '<') else {
-            // The tag is being written: what follows on other lines is none of it.
+            // The tag is incomplete, so the text on later lines does not belong to it.
             return (Markup::Start { tag, opens: false }, at);
         };
         let name = name_at(rest);
@@ -262,7 +262,7 @@ fn start_tag(text: &str, start: usize) -> (Markup<'_>, usize) {
     }
 }
 
-/// The value after the name of an attribute, without quotes, and where it ends. A value that is not there is empty.
+/// Range of the value after an attribute name, without quotes, and its end. A missing value is empty.
 fn value_at(text: &str, name_end: usize) -> (TextRange, usize) {
     let none = (TextRange::empty(size(name_end)), name_end);
     let rest = text.part(name_end..);
@@ -283,7 +283,7 @@ fn value_at(text: &str, name_end: usize) -> (TextRange, usize) {
     }
 }
 
-/// A value that reaches into another tag or attribute lacks its closing quote.
+/// End of a value without a closing quote. A value that contains another tag or attribute has no closing quote.
 fn end_of_unclosed(value: &str) -> Option<usize> {
     if value.contains(['<', '\n', '\r']) {
         return Some(line_of(value));
@@ -292,7 +292,7 @@ fn end_of_unclosed(value: &str) -> Option<usize> {
     Some(value.get(..name)?.trim_end().len())
 }
 
-/// The length of what is on the first line, without the end of a tag.
+/// Length of the text on the first line, without the end of a tag.
 fn line_of(text: &str) -> usize {
     let line = text.split(['<', '\n', '\r']).next().unwrap_or("");
     line.trim_end().trim_end_matches("/>").trim_end_matches('>').trim_end().len()
@@ -307,7 +307,7 @@ fn is_name(letter: char) -> bool {
     letter.is_alphanumeric() || matches!(letter, '_' | ':' | '.' | '-')
 }
 
-/// The word around a position.
+/// Word around a position.
 fn word_around(text: &str, offset: usize) -> TextRange {
     let (before, after) = text.split_at_checked(offset).unwrap_or((text, ""));
     let start = before.trim_end_matches(is_name).len();
@@ -326,7 +326,7 @@ fn size(at: usize) -> TextSize {
 mod tests {
     use super::*;
 
-    /// The place of `|`, the elements around it, and what else is in the innermost.
+    /// Context of `|`, the elements around it, and the siblings.
     fn shown(marked: &str) -> String {
         let offset = marked.find('|').unwrap();
         let text = marked.replacen('|', "", 1);

@@ -1,30 +1,29 @@
-//! Entries of the lists in XML: `<Locals>`, `<Datas>`, `<Programs>`.
+//! Insertion of elements into XML lists such as `<Locals>`, `<Datas>`, `<Programs>`.
 
 use val3_analysis::xml::Element;
 pub(crate) use val3_syntax::xml::{escaped, whole_line};
 use val3_syntax::xml::{indentation, line_end};
 use val3_syntax::{Part, TextRange, TextSize};
 
-/// One level of indentation in the XML that the tools write.
+/// One level of indentation in XML written by the tools.
 const LEVEL: &str = "  ";
 
-/// A list and how an entry gets into it.
+/// A list, and the information required to insert elements.
 pub(crate) struct XmlList<'a> {
-    /// The text of the file.
+    /// Text of the file.
     pub(crate) text: &'a str,
-    /// The element that contains the list.
+    /// Parent element of the list.
     pub(crate) parent: Element<'a>,
-    /// The name of the list.
+    /// Element name of the list.
     pub(crate) name: &'a str,
-    /// Additional attributes of its start tag, with a blank before them, if it has to be created.
+    /// Start tag attributes, with a leading space, if the list must be created.
     pub(crate) attributes: &'a str,
-    /// The elements that follow it, if it has to be created.
+    /// Elements that follow it, if the list must be created.
     pub(crate) followers: &'a [&'a str],
 }
 
 impl XmlList<'_> {
-    /// Where and what to write so that the list ends with the lines of `entry`; `None` where the file has no place
-    /// for the list.
+    /// Edit that appends the lines of `entry` to the list; `None` if the file has no suitable position for the list.
     pub(crate) fn append(&self, entry: &[String]) -> Option<(TextRange, String)> {
         match self.parent.child(&[self.name]) {
             Some(list) => Some(self.with_entry(list, entry)),
@@ -51,7 +50,7 @@ impl XmlList<'_> {
         (TextRange::empty(tag.end()), entry + if has_line { "" } else { &end })
     }
 
-    /// Before the first follower, or else as the last element.
+    /// Creates the list before the first follower, otherwise as the last element.
     fn with_list(&self, entry: &[String]) -> Option<(TextRange, String)> {
         let follower = self.parent.elements().find(|element| self.followers.contains(&element.name()));
         let sibling = follower.or_else(|| self.parent.elements().last())?;
@@ -68,7 +67,7 @@ impl XmlList<'_> {
         })
     }
 
-    /// The lines of an entry, each on a line of its own where the list is written so.
+    /// Element text, on separate lines if the list uses separate lines.
     fn lines(&self, entry: &[String], indentation: Option<&str>) -> String {
         match indentation {
             Some(blanks) => entry.iter().map(|line| format!("{}{blanks}{line}", self.line_end())).collect(),

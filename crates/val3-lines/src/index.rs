@@ -1,4 +1,4 @@
-//! The index of a text.
+//! Line index of a text.
 
 use std::ops::Range;
 
@@ -9,12 +9,12 @@ use crate::{Columns, LineColumn, Unit, protocol_line_ends};
 
 const MARK: char = '\u{feff}';
 
-/// Where the lines and the characters of more than one byte are.
+/// Positions of the lines and of the multi-byte characters in a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LineIndex {
-    /// The lines; never empty, ascending.
+    /// Lines, ascending; never empty.
     lines: Vec<Line>,
-    /// Characters of more than one byte, ascending.
+    /// Multi-byte characters, ascending.
     wide: Vec<WideCharacter>,
     starts_with_mark: bool,
     len: u32,
@@ -23,17 +23,17 @@ pub struct LineIndex {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Line {
     start: u32,
-    /// The start of its line end.
+    /// Start of the line end.
     end: u32,
 }
 
 impl LineIndex {
-    /// The index of `text`. A `\r` without `\n` ends no line.
+    /// Index of `text`. A `\r` without `\n` does not end a line.
     pub fn new(text: &str) -> Self {
         Self::with_breaks(text, memchr_iter(b'\n', text.as_bytes()))
     }
 
-    /// The index of `text` for the Language Server Protocol: `\r` alone ends a line as well.
+    /// Index of `text` for the Language Server Protocol, in which `\r` without `\n` also ends a line.
     pub fn for_protocol(text: &str) -> Self {
         Self::with_breaks(text, protocol_line_ends(text))
     }
@@ -52,18 +52,19 @@ impl LineIndex {
         }
     }
 
-    /// The line of an offset, from 0. An offset after the end of the text means the end.
+    /// Line that contains an offset, from 0. An offset after the end of the text counts as the end.
     pub fn line(&self, offset: usize) -> usize {
         let offset = small(offset);
         self.lines.partition_point(|line| line.start <= offset) - 1
     }
 
-    /// The bytes of a line (from 0) without its line end, `None` after the last line.
+    /// Byte range of a line (from 0) without its line end; `None` after the last line.
     pub fn line_range(&self, line: usize) -> Option<Range<usize>> {
         self.lines.get(line).map(|line| line.start as usize..line.end as usize)
     }
 
-    /// The position of an offset. An offset after the end means the end, one inside a character its start.
+    /// Converts an offset to a position. An offset after the end counts as the end, an offset inside a character as its
+    /// start.
     pub fn line_column(&self, offset: usize, columns: Columns) -> LineColumn {
         let offset = self.boundary(small(offset).min(self.len));
         let line = self.line(offset as usize);
@@ -72,8 +73,8 @@ impl LineIndex {
         LineColumn { line: small(line), column: column.saturating_sub(self.uncounted(line, columns)) }
     }
 
-    /// The offset of a position. After the end of a line it is that end, inside a character its start, after the last
-    /// line the end of the text.
+    /// Converts a position to an offset. A position after the end of a line counts as the line's end, a position inside
+    /// a character as its start, and a position after the last line as the end of the text.
     pub fn offset(&self, position: LineColumn, columns: Columns) -> usize {
         let number = position.line as usize;
         let Some(line) = self.lines.get(number) else { return self.len as usize };
@@ -93,28 +94,28 @@ impl LineIndex {
         at.saturating_add(left).min(line.end) as usize
     }
 
-    /// The number of characters before an offset.
+    /// Number of characters before an offset.
     pub fn characters(&self, offset: usize) -> usize {
         self.units(self.boundary(small(offset).min(self.len)), Unit::Utf32) as usize
     }
 
-    /// The columns of the byte order mark, if this line begins with it and it does not count.
+    /// Width of the byte order mark, if this line begins with it and it does not count; otherwise 0.
     fn uncounted(&self, line: usize, columns: Columns) -> u32 {
         let is_uncounted = line == 0 && self.starts_with_mark && !columns.count_mark;
         self.wide.first().filter(|_| is_uncounted).map_or(0, |mark| mark.width(columns.unit))
     }
 
-    /// Units before a character boundary.
+    /// Number of units before a character boundary.
     fn units(&self, offset: u32, unit: Unit) -> u32 {
         offset - self.last_wide(offset).map_or(0, |wide| wide.surplus(unit))
     }
 
-    /// The start of the character that contains an offset.
+    /// Start of the character that contains an offset.
     fn boundary(&self, offset: u32) -> u32 {
         self.last_wide(offset).filter(|wide| offset < wide.end()).map_or(offset, |wide| wide.at)
     }
 
-    /// The last character of more than one byte that begins before an offset.
+    /// Last multi-byte character that begins before an offset.
     fn last_wide(&self, offset: u32) -> Option<&WideCharacter> {
         let passed = self.wide.partition_point(|wide| wide.at < offset);
         self.wide.get(passed.checked_sub(1)?)
@@ -122,13 +123,13 @@ impl LineIndex {
 }
 
 impl Default for LineIndex {
-    /// The index of an empty text.
+    /// Index for an empty text.
     fn default() -> Self {
         Self::new("")
     }
 }
 
-/// Texts of more than 4 GB are not indexed to their end.
+/// Converts to `u32`. Texts are only indexed up to 4 GB.
 fn small(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }

@@ -1,8 +1,8 @@
-//! Lines and columns of a text, for messages to people and for the protocols of editors.
+//! Conversion between bytes and lines with columns, for messages to users and for editor protocols.
 //!
-//! Everything below the binaries counts in bytes. This crate is the one place where bytes become lines and columns, and
-//! the other way round. A line ends with `\n`; a `\r` before it belongs to the line end. A `\r` alone ends no line, as in
-//! git, Vim and Emacs, except in positions of the Language Server Protocol, which defines it as a line end.
+//! All crates below the binaries count bytes. Only this crate converts bytes to lines and columns, and back. A line
+//! ends with `\n`, and a `\r` before it belongs to the line end. A `\r` without `\n` does not end a line, as in git,
+//! Vim and Emacs. The exception are positions of the Language Server Protocol, which defines it as a line end.
 
 mod index;
 mod wide;
@@ -12,29 +12,29 @@ use std::ops::Range;
 pub use index::LineIndex;
 use memchr::memchr2_iter;
 
-/// The unit of a column.
+/// Unit of a column.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Unit {
     /// Bytes.
     Utf8,
-    /// Units of UTF-16, which every client of a language server understands.
+    /// UTF-16 code units, which every language client supports.
     #[default]
     Utf16,
     /// Characters.
     Utf32,
 }
 
-/// How columns are counted.
+/// Counting of columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Columns {
-    /// Their unit.
+    /// Unit.
     pub unit: Unit,
-    /// Whether a byte order mark at the start of the text counts. Editors do not show it.
+    /// Whether a byte order mark at the start of the text counts. Editors do not display it.
     pub count_mark: bool,
 }
 
 impl Columns {
-    /// Characters as an editor shows them.
+    /// Characters as displayed by an editor.
     pub const SHOWN_CHARACTERS: Self = Self { unit: Unit::Utf32, count_mark: false };
     /// All bytes.
     pub const BYTES: Self = Self { unit: Unit::Utf8, count_mark: true };
@@ -49,8 +49,8 @@ pub struct LineColumn {
     pub column: u32,
 }
 
-/// The bytes between two positions of the Language Server Protocol in a text without an index, in any order of the
-/// positions. Only their lines are indexed, so that an edit of a large text is fast. The byte order mark counts.
+/// Byte range between two Language Server Protocol positions, in any order, in a text without an index. Only the lines
+/// of the positions are indexed, so that edits of large texts are fast. The byte order mark counts.
 pub fn range_between(text: &str, one: LineColumn, other: LineColumn, unit: Unit) -> Range<usize> {
     let first = one.line.min(other.line);
     let start = line_start(text, first);
@@ -62,14 +62,14 @@ pub fn range_between(text: &str, one: LineColumn, other: LineColumn, unit: Unit)
     one.min(other)..one.max(other)
 }
 
-/// The start of a line; after the last line, the end of the text.
+/// Start of a line; after the last line, the end of the text.
 fn line_start(text: &str, line: u32) -> usize {
     let Some(before) = line.checked_sub(1) else { return 0 };
     let end = protocol_line_ends(text).nth(before as usize);
     end.map_or(text.len(), |end| end + 1)
 }
 
-/// The last bytes of the line ends `\n`, `\r\n` and `\r`.
+/// Offsets of the last bytes of the line ends `\n`, `\r\n` and `\r`.
 fn protocol_line_ends(text: &str) -> impl Iterator<Item = usize> + Clone {
     let bytes = text.as_bytes();
     let is_last = move |at: &usize| bytes.get(*at) == Some(&b'\n') || bytes.get(at + 1) != Some(&b'\n');

@@ -1,32 +1,32 @@
-//! Characters of more than one byte.
+//! Multi-byte characters.
 
 use crate::Unit;
 
-/// A character of more than one byte.
+/// A multi-byte character.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct WideCharacter {
-    /// Its first byte.
+    /// Offset.
     pub(crate) at: u32,
-    /// Its bytes.
+    /// Length in bytes.
     pub(crate) len: u32,
-    /// Number of bytes minus number of characters of the text up to the end of this one.
+    /// Number of bytes minus number of characters in the text, up to the end of this character.
     over_characters: u32,
-    /// Number of bytes minus number of UTF-16 units up to the end of this one.
+    /// Number of bytes minus number of UTF-16 units in the text, up to the end of this character.
     over_utf16: u32,
 }
 
 impl WideCharacter {
-    /// The byte after it.
+    /// Offset of the byte after it.
     pub(crate) fn end(&self) -> u32 {
         self.at + self.len
     }
 
-    /// The columns that it takes.
+    /// Width in columns.
     pub(crate) fn width(&self, unit: Unit) -> u32 {
         self.len - surplus(self.len, unit)
     }
 
-    /// Number of bytes minus number of units of the text up to the end of this character.
+    /// Number of bytes minus number of units in the text, up to the end of this character.
     pub(crate) fn surplus(&self, unit: Unit) -> u32 {
         match unit {
             Unit::Utf8 => 0,
@@ -36,7 +36,7 @@ impl WideCharacter {
     }
 }
 
-/// The characters of more than one byte, ascending. Texts and lines without any are skipped fast.
+/// Multi-byte characters of a text, ascending. ASCII texts and ASCII lines are skipped quickly.
 pub(crate) fn wide_characters(text: &str) -> Vec<WideCharacter> {
     let (mut wide, mut start) = (Vec::new(), 0_u32);
     if text.is_ascii() {
@@ -57,7 +57,7 @@ pub(crate) fn wide_characters(text: &str) -> Vec<WideCharacter> {
     wide
 }
 
-/// Bytes minus units of a character of `len` bytes.
+/// Number of bytes minus number of units in a character with `len` bytes.
 fn surplus(len: u32, unit: Unit) -> u32 {
     match unit {
         Unit::Utf8 => 0,
@@ -66,7 +66,7 @@ fn surplus(len: u32, unit: Unit) -> u32 {
     }
 }
 
-/// Bytes of the character that begins with this byte of UTF-8.
+/// Length in bytes of the UTF-8 character that begins with this byte.
 fn bytes(first: u8) -> u32 {
     match first {
         0xF0.. => 4,

@@ -1,4 +1,4 @@
-//! From the values of the features to those of the protocol. Nothing else makes protocol values from them.
+//! Conversion of feature results to protocol values. No other module creates protocol values from them.
 
 mod change;
 mod markup;
@@ -21,16 +21,16 @@ use val3_lines::LineIndex;
 use crate::lines::Lines;
 use crate::snapshot::Snapshot;
 
-/// The source of findings.
+/// Source name of diagnostics.
 const SOURCE: &str = "val3";
 
-/// The findings of a project, by file. Findings in a project file that does not exist are left out.
+/// Diagnostics of a project, by file. Diagnostics of a project file that does not exist are omitted.
 pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Vec<Diagnostic>)> {
     let Some(settings) = snapshot.settings else { return Vec::new() };
     let mut files: Vec<(File, Vec<Diagnostic>)> = Vec::new();
     for found in &ide::project_diagnostics(snapshot.db(), settings, &snapshot.projects, project) {
         let file = found.place.file;
-        // There may be many findings, and a writer waits for the end of this loop.
+        // There may be many diagnostics, and a write blocks until this loop ends.
         snapshot.db.unwind_if_revision_cancelled();
         if !snapshot.is_shown(file) {
             continue;
@@ -44,13 +44,14 @@ pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Ve
     files.into_iter().map(|(file, found)| (snapshot.uri(file), found)).collect()
 }
 
-/// The findings of a project in one of its programs, where they are known before those in the others.
+/// Diagnostics of one program in a project, available before the other programs are checked. `None` without settings or
+/// if the project does not contain the program.
 pub(crate) fn program_diagnostics(snapshot: &Snapshot, project: Project, file: File) -> Option<Vec<Diagnostic>> {
     let found = ide::program_diagnostics(snapshot.db(), snapshot.settings?, project, file)?;
     Some(found.iter().map(|found| diagnostic(snapshot, found)).collect())
 }
 
-/// One finding.
+/// Converts one diagnostic.
 pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diagnostic {
     let note = |at: FileRange, message: &str| DiagnosticRelatedInformation {
         location: snapshot.location(at),
@@ -72,12 +73,13 @@ pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diag
     }
 }
 
-/// The message, and the help on a line of its own.
+/// Message text, followed by the help on its own line.
 fn message(message: &str, help: &str) -> String {
     if help.is_empty() { message.to_owned() } else { format!("{message}\nhelp: {help}") }
 }
 
-/// Unused items are hints, which editors fade and do not list, unless a configuration raises their level.
+/// Severity of a diagnostic. Unused items are hints, which editors fade and do not list, unless a configuration raises
+/// their level.
 fn severity(found: &check::Diagnostic) -> DiagnosticSeverity {
     match found.severity {
         severity if is_unused(found.rule) && severity <= found.rule.severity => DiagnosticSeverity::HINT,
@@ -87,14 +89,14 @@ fn severity(found: &check::Diagnostic) -> DiagnosticSeverity {
     }
 }
 
-/// The rules about what is declared and never used, or never read.
+/// Codes of the rules about declarations that are never used or never read.
 const UNUSED: RangeInclusive<&str> = "V0113"..="V0120";
 
 fn is_unused(rule: &Rule) -> bool {
     UNUSED.contains(&rule.code)
 }
 
-/// How an editor may show what is not needed.
+/// Tag by which an editor fades or strikes out the code.
 fn tag(rule: &Rule) -> Option<DiagnosticTag> {
     if is_unused(rule) || rule.name.starts_with("unused-") || rule.name.starts_with("unreachable-") {
         return Some(DiagnosticTag::UNNECESSARY);
@@ -102,7 +104,7 @@ fn tag(rule: &Rule) -> Option<DiagnosticTag> {
     rule.name.contains("deprecated").then_some(DiagnosticTag::DEPRECATED)
 }
 
-/// The faults of configurations, by file.
+/// Configuration faults, by file.
 pub(crate) fn configuration_faults(snapshot: &Snapshot) -> Vec<(Url, Vec<Diagnostic>)> {
     let mut files: Vec<(Url, Vec<Diagnostic>)> = Vec::new();
     for error in snapshot.faults.iter() {
@@ -116,7 +118,7 @@ pub(crate) fn configuration_faults(snapshot: &Snapshot) -> Vec<(Url, Vec<Diagnos
     files
 }
 
-/// One fault of a configuration.
+/// Converts one configuration fault.
 pub(crate) fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
     let index = LineIndex::for_protocol(&error.text);
     let lines = Lines::new(&error.text, &index, snapshot.session.encoding, true);
@@ -132,7 +134,7 @@ pub(crate) fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> D
     }
 }
 
-/// The symbol kind of an outline entry.
+/// Protocol symbol kind for an outline item.
 pub(crate) fn symbol_kind(kind: ide::SymbolKind) -> SymbolKind {
     match kind {
         ide::SymbolKind::Project => SymbolKind::PACKAGE,
@@ -143,7 +145,7 @@ pub(crate) fn symbol_kind(kind: ide::SymbolKind) -> SymbolKind {
     }
 }
 
-/// The item kind of a completion.
+/// Protocol item kind for a completion.
 pub(crate) fn completion_kind(kind: ide::CompletionKind) -> CompletionItemKind {
     match kind {
         ide::CompletionKind::Local | ide::CompletionKind::Parameter | ide::CompletionKind::Data => {
@@ -164,7 +166,7 @@ pub(crate) fn completion_kind(kind: ide::CompletionKind) -> CompletionItemKind {
     }
 }
 
-/// Why something folds.
+/// Kind of a folding range; `None` for blocks of code.
 pub(crate) fn fold_kind(kind: ide::FoldKind) -> Option<FoldingRangeKind> {
     match kind {
         ide::FoldKind::Comment => Some(FoldingRangeKind::Comment),
@@ -173,7 +175,7 @@ pub(crate) fn fold_kind(kind: ide::FoldKind) -> Option<FoldingRangeKind> {
     }
 }
 
-/// Edits of one file.
+/// Converts edits in one file.
 pub(crate) fn edits<'e>(
     snapshot: &Snapshot,
     file: File,
@@ -183,7 +185,7 @@ pub(crate) fn edits<'e>(
     edits.into_iter().map(|(range, text)| TextEdit { range: lines.range(range), new_text: text.to_owned() }).collect()
 }
 
-/// Locations, or links that know what they lead away from.
+/// Locations, or location links with the source range if the client supports them.
 pub(crate) fn targets(snapshot: &Snapshot, from: File, targets: &[ide::Target]) -> GotoDefinitionResponse {
     let targets = targets.iter().filter(|target| snapshot.is_shown(target.to.file));
     if snapshot.session.client.has_links {

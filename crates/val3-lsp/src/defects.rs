@@ -1,5 +1,5 @@
-//! Known defects of servers on tower-lsp. Each test first shows the defect on a server that is written in the usual way
-//! (`naive`), then that this server does not have it.
+//! Known defects of servers that are built on tower-lsp in the usual way. Each test first shows the defect in a usual
+//! server (`naive`), then its absence in this server.
 
 mod naive;
 mod probes;
@@ -28,7 +28,7 @@ fn spin(client: &mut Client) -> i64 {
     id
 }
 
-/// Edits, each followed by a request. Returns the versions of the answers, without refused requests.
+/// Sends edits, each followed by a request. Returns the requested and the returned versions, without rejected requests.
 fn versions_seen(client: &mut Client, edits: i64) -> Vec<(i64, i64)> {
     client.open(PATH, "");
     let asked: Vec<(i64, i64)> = (2..2 + edits)
@@ -81,7 +81,7 @@ fn a_request_can_be_cancelled_while_it_computes() {
     let mut client = naive();
     let id = client.request("test/busy", json!({}));
     client.notify("$/cancelRequest", json!({ "id": id }));
-    // It was read when there was nothing left to cancel.
+    // The notification was read after the request had ended.
     assert!(client.answer(id).get("result").is_some(), "the usual server cancels as well: the test shows nothing");
 
     let mut client = ours();
@@ -90,7 +90,7 @@ fn a_request_can_be_cancelled_while_it_computes() {
     client.notify("$/cancelRequest", json!({ "id": id }));
     assert_eq!(client.answer(id)["error"]["code"], -32800);
     assert!(started.elapsed() < Duration::from_secs(1));
-    // The computation itself ended too: otherwise a write would wait for it for ever.
+    // The computation has ended too, otherwise a write would wait forever.
     client.open(PATH, "");
     assert_eq!(client.ask("test/version", json!({ "uri": uri(PATH) })), 1);
     assert_eq!(client.end(), 0);
@@ -137,7 +137,7 @@ fn exit_ends_the_server_while_the_input_is_open() {
     client.notify("exit", Value::Null);
     assert_eq!(client.exit_code(), 0);
     assert!(started.elapsed() < Duration::from_secs(2));
-    // Also when every thread computes.
+    // The server also ends while all threads are busy.
     let mut client = ours();
     (0..40).for_each(|_| _ = client.request("test/spin", json!({})));
     client.told("test/spinning");
@@ -147,7 +147,8 @@ fn exit_ends_the_server_while_the_input_is_open() {
 
 #[test]
 fn requests_of_the_server_block_nothing() {
-    // Each handler asks the client, which does not answer: four of them are all that the usual server has.
+    // Each handler waits for a response that the client never sends. The usual server runs at most four handlers at a
+    // time.
     let mut client = naive();
     (0..8).for_each(|_| _ = client.request("test/askClient", json!({})));
     let id = client.request("test/version", json!({ "uri": uri(PATH) }));
@@ -163,8 +164,8 @@ fn requests_of_the_server_block_nothing() {
 
 #[test]
 fn a_client_that_does_not_read_blocks_nothing() {
-    // Far more than a pipe takes, in both directions. The usual server stops reading when its output is full, so that
-    // the client would write for ever; that is not shown here, since the test itself would hang.
+    // Far more than a pipe holds, in both directions. The usual server stops reading when its output is full, so that
+    // the client would block forever. The test does not show it, because it would hang itself.
     let (input, mut to_server) = std::io::pipe().unwrap();
     let (from_server, output) = std::io::pipe().unwrap();
     let server = std::thread::spawn(move || probed(input, output));

@@ -1,5 +1,5 @@
-//! Documents that no project lists: each gets a project of its own, in which names that the document does not declare
-//! may exist. So features work, and faults that only a project could show are not reported.
+//! Documents that no project lists. Each belongs to its own generated project, in which undeclared names may exist.
+//! Features therefore work, and faults that depend on the project are not reported.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Sources};
@@ -7,10 +7,11 @@ use val3_analysis::paths::path_key;
 
 use crate::documents::Documents;
 
-/// The end of the path of the project file.
+/// Suffix of the project file's path.
 const ENDING: &str = ".loose.pjx";
 
-/// The documents of VAL 3 that no project lists, by path. Those in `before` are listed by the project they got.
+/// Open VAL 3 documents that no project lists, by path. Documents in `before` count as unlisted although their own
+/// detached project lists them.
 pub(crate) fn documents(documents: &Documents, db: &Database, before: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
     let listed = |path: &Utf8Path| {
         let Some(sources) = Sources::try_get(db) else { return false };
@@ -30,17 +31,18 @@ fn is_part(path: &Utf8Path) -> bool {
     is("pgx") || is("dtx")
 }
 
-/// The path of the project file that a document gets; there is no such file.
+/// Path of the project file for a document. No such file exists on the disk.
 pub(crate) fn manifest_path(document: &Utf8Path) -> Utf8PathBuf {
     format!("{document}{ENDING}").into()
 }
 
-/// Whether a path is that of such a project file.
+/// Whether a path names the project file of a detached document.
 pub(crate) fn is_manifest(path: &Utf8Path) -> bool {
     path.as_str().ends_with(ENDING)
 }
 
-/// The project file of a document. It lacks its end, since the document may use names that it would declare.
+/// Project file text for a document. Its end is missing, because the document may use names that a complete project
+/// would declare there.
 pub(crate) fn manifest(document: &Utf8Path) -> String {
     let name = document.file_name().unwrap_or("").replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;");
     let is_data = document.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("dtx"));

@@ -1,4 +1,4 @@
-//! Contents that clients show besides findings and that edits of other files may change.
+//! Displayed contents other than diagnostics that edits of other files may change.
 
 use std::hash::{Hash as _, Hasher as _};
 
@@ -6,33 +6,34 @@ use rustc_hash::{FxHashMap, FxHasher};
 use serde::Serialize;
 use tower_lsp::lsp_types::{Range, Url};
 
-/// The last answers that the client got, by document.
+/// Latest responses sent to the client, by document.
 #[derive(Debug, Default)]
 pub(crate) struct DisplayCache {
     by_uri: FxHashMap<Url, DisplayedDocument>,
-    /// The texts that the server makes of files.
+    /// Texts that the server generates for files.
     texts: FxHashMap<Url, Fingerprint>,
 }
 
-/// The contents that are shown for one document.
+/// Displayed contents for one document.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct DisplayedDocument {
-    /// The version of the text that it belongs to.
+    /// Document version for which the contents were computed.
     pub(crate) version: i32,
-    /// The hints in a range.
+    /// Range and fingerprint of the inlay hints.
     pub(crate) hints: Option<(Range, Fingerprint)>,
-    /// The places of the lenses.
+    /// Fingerprint of the code lenses' ranges.
     pub(crate) lenses: Option<Fingerprint>,
-    /// The lenses on the screen, by their lines, with their numbers of uses.
+    /// Visible code lenses by range, with their usage counts.
     pub(crate) uses: Vec<(Range, usize)>,
 }
 
-/// The same for the same answer.
+/// Hash of a response: equal for equal responses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Fingerprint(u64);
 
 impl Fingerprint {
-    /// That of an answer. Answers are JSON, so that a fault of writing them does not occur; it would count as change.
+    /// Fingerprint of a response. Responses are serialisable, so writing one as JSON does not fail; a failure would
+    /// count as a change.
     pub(crate) fn of(answer: &impl Serialize) -> Self {
         let mut hasher = FxHasher::default();
         serde_json::to_string(answer).unwrap_or_default().hash(&mut hasher);
@@ -41,7 +42,7 @@ impl Fingerprint {
 }
 
 impl DisplayCache {
-    /// The contents of one version of a document, to be changed. They are empty if they belong to another version.
+    /// Mutable displayed contents for one document version. They are reset if they belong to another version.
     pub(crate) fn entry(&mut self, uri: &Url, version: i32) -> &mut DisplayedDocument {
         let nothing = || DisplayedDocument { version, hints: None, lenses: None, uses: Vec::new() };
         let shown = self.by_uri.entry(uri.clone()).or_insert_with(nothing);
@@ -51,27 +52,27 @@ impl DisplayCache {
         shown
     }
 
-    /// Replaces what is known about a document.
+    /// Replaces the displayed contents of a document.
     pub(crate) fn keep(&mut self, uri: Url, shown: DisplayedDocument) {
         self.by_uri.insert(uri, shown);
     }
 
-    /// The document was closed.
+    /// Removes a closed document.
     pub(crate) fn forget(&mut self, uri: &Url) {
         self.by_uri.remove(uri);
     }
 
-    /// The client has this text.
+    /// Stores the fingerprint of a text that the client has received.
     pub(crate) fn keep_text(&mut self, uri: Url, text: Fingerprint) {
         self.texts.insert(uri, text);
     }
 
-    /// The texts that the client has.
+    /// Texts that the client has received.
     pub(crate) fn texts(&self) -> impl Iterator<Item = (&Url, &Fingerprint)> {
         self.texts.iter()
     }
 
-    /// The client has nothing that may become stale.
+    /// Whether the client has no contents that may become stale.
     pub(crate) fn is_empty(&self) -> bool {
         self.by_uri.is_empty() && self.texts.is_empty()
     }
@@ -83,7 +84,7 @@ impl DisplayCache {
 }
 
 impl DisplayedDocument {
-    /// A lens shows a number of uses.
+    /// Stores the usage count of a lens.
     pub(crate) fn counted(&mut self, lens: Range, uses: usize) {
         match self.uses.iter_mut().find(|(range, _)| *range == lens) {
             Some((_, known)) => *known = uses,

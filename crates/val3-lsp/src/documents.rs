@@ -1,4 +1,4 @@
-//! The documents that the client has open: their text counts instead of the stored one.
+//! Documents open in the client, whose texts replace the stored files.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -15,51 +15,51 @@ use crate::requests::data::KeptTables;
 /// An open document.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Document {
-    /// Its URI as the client spells it.
+    /// URI in the client's spelling.
     pub(crate) uri: Url,
-    /// Where it lies, or would.
+    /// Path of the file, which need not exist.
     pub(crate) path: Utf8PathBuf,
-    /// The version of the text, counted by the client.
+    /// Text version, counted by the client.
     pub(crate) version: i32,
-    /// The text.
+    /// Text.
     pub(crate) text: Arc<str>,
 }
 
-/// The findings in a document that the client has.
+/// Findings of a document that the client has.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Report {
-    /// The version they are of.
+    /// Document version of the findings.
     pub(crate) version: i32,
-    /// The same for the same findings.
+    /// Result id: equal for equal findings.
     pub(crate) id: String,
 }
 
-/// All of them.
+/// Open documents, and the contents that the client has cached for them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Documents {
     by_uri: FxHashMap<Url, Document>,
-    /// The document whose text counts, by the path key of its file: of several that name one file, the one that was
-    /// opened last.
+    /// URI of the document that determines a file's text, by path key. If several documents name one file, it is the
+    /// last one opened.
     by_path: FxHashMap<String, Url>,
-    /// The semantic tokens that the client has of each document. All snapshots share them, because clients ask for the
-    /// difference to the last answer.
+    /// Semantic tokens that the client has, by document. All snapshots share them, because clients request the
+    /// difference from the last response.
     tokens: Arc<Mutex<FxHashMap<Url, SemanticTokens>>>,
-    /// The findings that the client has pulled last, shared for the same reason.
+    /// Findings of the client's last pull, shared for the same reason.
     reports: Arc<Mutex<FxHashMap<Url, Report>>>,
-    /// The tables of data files that it shows, likewise.
+    /// Tables of data files that the client shows, shared for the same reason.
     tables: Arc<Mutex<FxHashMap<Url, KeptTables>>>,
-    /// The hints and lenses that it shows, likewise.
+    /// Inlay hints and code lenses that the client shows, shared for the same reason.
     display_cache: Arc<Mutex<DisplayCache>>,
 }
 
 impl Documents {
-    /// Adds a document, or replaces the one of this URI.
+    /// Adds a document, or replaces the document with this URI.
     pub(crate) fn open(&mut self, document: Document) {
         self.by_path.insert(path_key(document.path.as_str()), document.uri.clone());
         self.by_uri.insert(document.uri.clone(), document);
     }
 
-    /// Takes a document out.
+    /// Removes and returns a document.
     pub(crate) fn close(&mut self, uri: &Url) -> Option<Document> {
         let document = self.by_uri.remove(uri)?;
         let key = path_key(document.path.as_str());
@@ -77,49 +77,49 @@ impl Documents {
         Some(document)
     }
 
-    /// The document of a URI.
+    /// Document with this URI.
     pub(crate) fn get(&self, uri: &Url) -> Option<&Document> {
         self.by_uri.get(uri)
     }
 
-    /// As [`get`](Self::get), to be changed.
+    /// Like [`get`](Self::get), mutable.
     pub(crate) fn get_mut(&mut self, uri: &Url) -> Option<&mut Document> {
         self.by_uri.get_mut(uri)
     }
 
-    /// The document whose text counts for the file at a path, whatever the letter case.
+    /// Document that determines the text of the file at a path. Letter case is ignored.
     pub(crate) fn at(&self, path: &Utf8Path) -> Option<&Document> {
         self.by_uri.get(self.by_path.get(&path_key(path.as_str()))?)
     }
 
-    /// Whether the text of a document counts for its file: the file has no later open document.
+    /// Whether the document determines its file's text: no other document with the same path was opened later.
     pub(crate) fn is_effective(&self, document: &Document) -> bool {
         self.at(&document.path).is_some_and(|effective| effective.uri == document.uri)
     }
 
-    /// The documents whose text counts.
+    /// Documents that determine their file's text.
     pub(crate) fn effective(&self) -> impl Iterator<Item = &Document> {
         self.by_path.values().filter_map(|uri| self.by_uri.get(uri))
     }
 
-    /// Notes the colours that the client gets.
+    /// Stores the semantic tokens sent to the client.
     pub(crate) fn keep_tokens(&self, uri: &Url, tokens: &SemanticTokens) {
         self.tokens().insert(uri.clone(), tokens.clone());
     }
 
-    /// The colours that the client got last.
+    /// Semantic tokens last sent to the client.
     pub(crate) fn kept_tokens(&self, uri: &Url) -> Option<SemanticTokens> {
         self.tokens().get(uri).cloned()
     }
 
-    /// Notes the tables that the client gets of an open document.
+    /// Stores the tables sent to the client for an open document.
     pub(crate) fn keep_tables(&self, uri: &Url, tables: KeptTables) {
         if self.by_uri.contains_key(uri) {
             self.tables().insert(uri.clone(), tables);
         }
     }
 
-    /// The tables that the client got last.
+    /// Tables last sent to the client.
     pub(crate) fn kept_tables(&self, uri: &Url) -> Option<KeptTables> {
         self.tables().get(uri).cloned()
     }
@@ -132,12 +132,12 @@ impl Documents {
         self.tokens.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Notes the findings that the client gets.
+    /// Stores the findings sent to the client.
     pub(crate) fn keep_report(&self, uri: &Url, report: Report) {
         self.lock_reports().insert(uri.clone(), report);
     }
 
-    /// The findings that the client got last, of every document.
+    /// Findings last sent to the client, for all documents.
     pub(crate) fn reports(&self) -> Vec<(Url, Report)> {
         self.lock_reports().iter().map(|(uri, report)| (uri.clone(), report.clone())).collect()
     }
@@ -146,19 +146,19 @@ impl Documents {
         self.reports.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The hints and lenses that the client shows.
+    /// Inlay hints and code lenses that the client shows.
     pub(crate) fn display_cache(&self) -> MutexGuard<'_, DisplayCache> {
         self.display_cache.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Every document.
+    /// All open documents.
     pub(crate) fn iter(&self) -> impl Iterator<Item = &Document> {
         self.by_uri.values()
     }
 }
 
 impl Document {
-    /// Makes the changes in their order; each counts in the text that the one before leaves.
+    /// Applies the changes in order; each change applies to the result of the previous ones.
     pub(crate) fn change(&mut self, changes: Vec<TextDocumentContentChangeEvent>, encoding: Unit) {
         let mut text = String::from(&*self.text);
         for change in changes {

@@ -1,11 +1,11 @@
-//! The end of the handshake: from now on the client can be asked.
+//! `initialized`: the end of the handshake, after which the server may send requests.
 
 use tower_lsp::lsp_types::InitializedParams;
 
 use crate::server_state::ServerState;
 use crate::watching;
 
-/// The client is ready to be asked.
+/// Marks the client as initialized, registers file watchers and requests the settings.
 pub(crate) fn initialized(server: &mut ServerState, _: InitializedParams) {
     server.ready();
     watching::start(server);

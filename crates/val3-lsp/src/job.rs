@@ -1,4 +1,4 @@
-//! A request that is ready to be computed.
+//! A parsed request, ready to be computed.
 
 use std::sync::Arc;
 
@@ -7,36 +7,36 @@ use tower_lsp::jsonrpc::Result;
 use crate::pool::Priority;
 use crate::snapshot::Snapshot;
 
-/// A request, read and ready to be computed; more than once, if edits come in between.
+/// A parsed request. It is computed again if an edit cancels the computation.
 #[derive(Clone)]
 pub(crate) struct Job {
-    /// Its method, for messages.
+    /// Method name, for messages.
     pub(crate) method: &'static str,
-    /// Where it is computed.
+    /// Priority of the thread that computes it.
     pub(crate) priority: Priority,
-    /// Handling of a change of the text meanwhile.
+    /// Handling of edits during the computation.
     pub(crate) on_edit: OnEdit,
-    /// Gives the answer.
+    /// Computation of the response.
     pub(crate) compute: Compute,
 }
 
-/// The computation of an answer, which is JSON; `None` if only a part of it has been computed.
+/// Function that computes the result as JSON; `None` if only a part has been computed.
 pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<Option<String>> + Send + Sync>;
 
-/// The outcome of a request that is computed in parts, so that data of one part are freed before the next.
+/// Outcome of a request that is computed in parts. The data of a completed part are freed before the next part.
 #[derive(Debug)]
 pub(crate) enum Part<T> {
-    /// The answer.
+    /// Final result.
     Last(T),
-    /// The request is computed again; the database keeps the results of this part.
+    /// A part is complete and the request is computed again; the database keeps the results of this part.
     More,
 }
 
-/// Handling of a request when an edit changes its subject before it is answered.
+/// Handling of a request if an edit changes its document before the response.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum OnEdit {
-    /// Its position means another place now: ContentModified.
+    /// The position is no longer valid: `ContentModified` is returned.
     Refuse,
-    /// The request is about the current document. It is computed again.
+    /// The request concerns the current document and is computed again.
     Retry,
 }

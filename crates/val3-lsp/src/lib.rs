@@ -1,8 +1,8 @@
-//! The language server of VAL 3.
+//! Language server for VAL 3.
 //!
-//! tower-lsp moves the messages and nothing else: every message is handed to one inbox in the order in which it was
-//! read, one thread (the main loop) takes them out and is the only writer of the database, and what takes time is
-//! computed on snapshots by a pool of threads. `docs/adr/0010-language-server.md` says why.
+//! tower-lsp only transports messages. Every message enters one inbox in the order in which it was read. One thread,
+//! the main loop, processes the inbox and is the only writer of the database. Slow requests are computed on snapshots
+//! by a thread pool. `docs/adr/0010-language-server.md` gives the reasons.
 
 #![allow(clippy::disallowed_methods, reason = "a server has threads, a clock and a process to watch")]
 

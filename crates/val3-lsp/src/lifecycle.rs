@@ -1,4 +1,4 @@
-//! The first and the last messages of a session, which tower-lsp takes itself.
+//! The first and last messages of a session, which tower-lsp handles itself.
 
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::lsp_types::{InitializeParams, InitializeResult, InitializedParams, ServerInfo};
@@ -10,7 +10,7 @@ use crate::parent_process;
 use crate::requests::capabilities;
 use crate::session::Session;
 
-/// The part of the session that tower-lsp itself keeps track of.
+/// State for the messages that tower-lsp handles itself.
 pub(crate) struct Lifecycle {
     pub(crate) inbox: Inbox,
     pub(crate) log: Log,
@@ -38,7 +38,7 @@ impl LanguageServer for Lifecycle {
     async fn initialized(&self, _: InitializedParams) {}
 
     async fn shutdown(&self) -> Result<()> {
-        // Not by way of the main loop: the process may end before its turn comes.
+        // Not through the main loop: the process may end before the loop reads the message.
         self.log.write("the session ends");
         Ok(())
     }

@@ -1,22 +1,22 @@
-//! Positions of the protocol in the text of a file.
+//! Protocol positions in the text of a file.
 
 use tower_lsp::lsp_types::{Position, Range};
 use val3_analysis::db::{Db, File};
 use val3_lines::{Columns, LineColumn, LineIndex, Unit, range_between};
 use val3_syntax::{Part, TextRange, TextSize};
 
-/// The lines of a file; kept while its text stays the same, since it is small.
+/// Line index of a file, memoised until the text changes.
 #[salsa::tracked(no_eq)]
 pub(crate) fn line_index(db: &dyn Db, file: File) -> LineIndex {
     LineIndex::for_protocol(file.text(db))
 }
 
-/// The bytes of a range of an open document.
+/// Byte range of a protocol range in an open document.
 pub(crate) fn byte_range(text: &str, range: Range, unit: Unit) -> std::ops::Range<usize> {
     range_between(text, line_column(range.start), line_column(range.end), unit)
 }
 
-/// A text with its lines.
+/// Text with its line index.
 pub(crate) struct Lines<'a> {
     text: &'a str,
     index: &'a LineIndex,
@@ -24,23 +24,23 @@ pub(crate) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// `hides_mark` for a stored text: the text that an editor shows begins after the byte order mark.
+    /// `hides_mark` is true for a stored text: an editor's text begins after the byte order mark.
     pub(crate) fn new(text: &'a str, index: &'a LineIndex, unit: Unit, hides_mark: bool) -> Self {
         Self { text, index, columns: Columns { unit, count_mark: !hides_mark } }
     }
 
-    /// The position of an offset. An offset after the end means the end.
+    /// Converts an offset to a position. An offset after the end of the text returns the end.
     pub(crate) fn position(&self, offset: TextSize) -> Position {
         let LineColumn { line, column } = self.index.line_column(offset.into(), self.columns);
         Position { line, character: column }
     }
 
-    /// The positions of both ends.
+    /// Positions of both ends.
     pub(crate) fn range(&self, range: TextRange) -> Range {
         Range { start: self.position(range.start()), end: self.position(range.end()) }
     }
 
-    /// The columns that a part of a line takes.
+    /// Number of columns in a part of a line.
     pub(crate) fn width(&self, range: TextRange) -> u32 {
         let text = self.text.part(usize::from(range.start())..usize::from(range.end()));
         let width = match self.columns.unit {
@@ -52,12 +52,13 @@ impl<'a> Lines<'a> {
         u32::try_from(width).unwrap_or(u32::MAX)
     }
 
-    /// The offset of a position. After the end of a line it is that end, inside a character its start.
+    /// Converts a position to an offset. A position after the end of a line returns the line's end, a position inside a
+    /// character the character's start.
     pub(crate) fn offset(&self, position: Position) -> TextSize {
         TextSize::try_from(self.index.offset(line_column(position), self.columns)).unwrap_or_default()
     }
 
-    /// The offsets of both ends, in order.
+    /// Offsets of both ends, in ascending order.
     pub(crate) fn text_range(&self, range: Range) -> TextRange {
         let (start, end) = (self.offset(range.start), self.offset(range.end));
         TextRange::new(start.min(end), end.max(start))

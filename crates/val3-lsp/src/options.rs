@@ -1,4 +1,4 @@
-//! The settings of the editor. Settings of the programs themselves belong in `val3.toml`.
+//! Editor settings. Settings of the programs themselves belong in `val3.toml`.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -6,48 +6,48 @@ use val3_check::settings::{Selection, meant_by};
 use val3_ide::InlayHintSettings;
 use val3_lang::suggest::{nearest, question};
 
-/// The section of the editor's settings.
+/// Section name in the editor's settings.
 pub(crate) const SECTION: &str = "val3";
 
-/// Settings of this section that editors keep for themselves and send along.
+/// Settings in this section that editors use themselves and also send.
 const OF_EDITORS: [&str; 5] = ["codeView", "commands", "dataEditor", "server", "trace"];
 
-/// The settings of the editor.
+/// Editor settings.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(crate) struct Options {
     /// Findings.
     pub(crate) check: CheckOptions,
-    /// Short remarks between the words of the code.
+    /// Inlay hints.
     pub(crate) inlay_hints: InlayHintOptions,
 }
 
-/// Which findings are shown, and how they get to the editor.
+/// Selection and delivery of findings.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(crate) struct CheckOptions {
-    /// The only findings that are wanted, as codes, beginnings of codes or names; empty for all.
+    /// Selected findings, as codes, code prefixes or names; empty selects all.
     pub(crate) select: Vec<String>,
-    /// Findings that are not wanted.
+    /// Ignored findings, in the same form.
     pub(crate) ignore: Vec<String>,
-    /// Which side begins: the server, the client, or the one that the client prefers.
+    /// Whether the server pushes findings, the client pulls them, or the client's capabilities decide.
     pub(crate) delivery: Delivery,
 }
 
-/// How findings get to the editor.
+/// Delivery of findings.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Delivery {
-    /// The client asks if it can, otherwise the server sends.
+    /// The client pulls if it supports that, otherwise the server pushes.
     #[default]
     Auto,
-    /// The server sends them.
+    /// The server pushes.
     Push,
-    /// The client asks for them.
+    /// The client pulls.
     Pull,
 }
 
-/// Which remarks are shown; all that are not switched off.
+/// Enabled inlay hints; all are enabled by default.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(crate) struct InlayHintOptions {
@@ -65,7 +65,7 @@ impl Default for InlayHintOptions {
 }
 
 impl InlayHintOptions {
-    /// As the hints take them.
+    /// Converts to the settings of the feature.
     pub(crate) fn settings(self) -> InlayHintSettings {
         let Self { parameter_names, literal_types, point_frames, blends } = self;
         InlayHintSettings { parameter_names, literal_types, point_frames, blends }
@@ -73,8 +73,8 @@ impl InlayHintOptions {
 }
 
 impl Options {
-    /// Reads what the client sent: the section itself, or an object that holds it. Unreadable settings have their
-    /// default, and the second value gives the reasons.
+    /// Reads the settings from the client: the section itself, or an object that contains it. Invalid settings keep
+    /// their default, and the second value contains the error messages.
     pub(crate) fn read(value: &Value) -> (Self, Vec<String>) {
         let value = value.get(SECTION).unwrap_or(value);
         let mut faults = Vec::new();
@@ -89,7 +89,8 @@ impl Options {
         (options, faults)
     }
 
-    /// As [`read`](Self::read), of what a client sends without being asked: some send the settings of all servers.
+    /// Like [`read`](Self::read), for settings that the client pushes. Some clients push the settings of all servers,
+    /// so an object without any known key is ignored.
     pub(crate) fn read_sent(value: &Value) -> (Self, Vec<String>) {
         let is_ours = |key: &String| key == SECTION || OF_EDITORS.contains(&key.as_str()) || is_known(key);
         match value.as_object().is_some_and(|given| given.keys().any(is_ours)) {
@@ -98,7 +99,7 @@ impl Options {
         }
     }
 
-    /// The findings that are wanted.
+    /// Selected findings.
     pub(crate) fn selection(&self) -> Selection {
         let CheckOptions { select, ignore, .. } = &self.check;
         let codes =
@@ -110,7 +111,7 @@ impl Options {
 }
 
 impl CheckOptions {
-    /// The words of `select` and `ignore` that name no finding.
+    /// Words in `select` and `ignore` that match no rule.
     fn unknown_words(&self) -> impl Iterator<Item = String> {
         let lists = [("select", &self.select), ("ignore", &self.ignore)];
         let words = lists.into_iter().flat_map(|(key, words)| words.iter().map(move |word| (key, word)));
@@ -120,12 +121,12 @@ impl CheckOptions {
     }
 }
 
-/// A key of the section.
+/// Whether the section has this key.
 fn is_known(key: &str) -> bool {
     serde_json::to_value(Options::default()).is_ok_and(|settings| settings.get(key).is_some())
 }
 
-/// Puts the settings that a client gave in the place of the usual ones.
+/// Overwrites the defaults with the client's settings.
 fn merge(settings: &mut Map<String, Value>, given: &Map<String, Value>, path: &[&str], faults: &mut Vec<String>) {
     let keys: Vec<String> = settings.keys().cloned().collect();
     for (key, value) in given.iter().filter(|(_, value)| !value.is_null()) {
@@ -150,7 +151,7 @@ fn unknown(name: &str, key: &str, keys: &[String]) -> String {
     format!("there is no setting `{name}`; {help}")
 }
 
-/// The settings in which a single one has a value.
+/// Settings that contain one value at the key path.
 fn nested(path: &[&str], value: &Value) -> Value {
     path.iter().rev().fold(value.clone(), |inner, key| Map::from_iter([((*key).to_owned(), inner)]).into())
 }
@@ -188,7 +189,7 @@ mod tests {
             the setting `val3.inlayHints.blends` cannot be read: invalid type: string "no", expected a boolean
             the setting `val3.check.ignore`: no rule has the code or name `V9999`"#]]
         .assert_eq(&faults.join("\n"));
-        // The others count.
+        // Valid settings next to an invalid one are applied.
         assert!(options.selection().never.contains("V0101"));
         assert!(!options.inlay_hints.parameter_names && options.inlay_hints.blends);
         let (options, faults) = Options::read(&json!({ "check": 3 }));

@@ -11,17 +11,17 @@ use tower_lsp::lsp_types::{LogMessageParams, MessageType, ShowMessageParams};
 
 use crate::transport::{Pump, frame};
 
-/// The way to the client; it never waits.
+/// Sender of messages to the client; it never blocks.
 #[derive(Clone)]
 pub(crate) struct Outbox {
     pump: Pump,
     next: Arc<AtomicI64>,
-    /// The methods of the requests without an answer, by id.
+    /// Methods of pending requests, by id.
     waiting: Arc<Mutex<FxHashMap<i64, &'static str>>>,
 }
 
 impl Outbox {
-    /// An outbox that writes to `pump`.
+    /// Creates an outbox that writes to `pump`.
     pub(crate) fn new(pump: Pump) -> Self {
         Self { pump, next: Arc::default(), waiting: Arc::default() }
     }
@@ -39,7 +39,8 @@ impl Outbox {
         id
     }
 
-    /// The client answered: the method of the request. An answer without a waiting request has none.
+    /// Removes a pending request after its response, and returns its method. `None` if no request with this id is
+    /// pending.
     pub(crate) fn answered(&self, id: i64) -> Option<&'static str> {
         self.waiting().remove(&id)
     }
@@ -53,7 +54,7 @@ impl Outbox {
         self.notify::<ShowMessage>(ShowMessageParams { typ, message: message.to_owned() });
     }
 
-    /// Writes a line into the log that the client shows.
+    /// Writes a line to the client's log.
     pub(crate) fn log(&self, typ: MessageType, message: &str) {
         self.notify::<LogMessage>(LogMessageParams { typ, message: message.to_owned() });
     }

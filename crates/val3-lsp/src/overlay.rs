@@ -1,4 +1,4 @@
-//! The disk with the texts of open documents in front of it.
+//! The disk, overlaid with the texts of open documents.
 
 use std::sync::Arc;
 
@@ -9,8 +9,7 @@ use crate::detached;
 use crate::documents::Documents;
 use crate::snapshot::Snapshot;
 
-/// The files that the loader reads: open documents, and the project files that those without a project get, hide
-/// stored files.
+/// Files for the loader: open documents and the project files of detached documents hide stored files.
 pub(crate) fn files(documents: &Documents, detached: &[Utf8PathBuf]) -> OverlayFs<Disk> {
     let mut files = OverlayFs::new(Disk);
     documents.effective().for_each(|document| files.edit(&document.path, Arc::clone(&document.text)));
@@ -18,7 +17,7 @@ pub(crate) fn files(documents: &Documents, detached: &[Utf8PathBuf]) -> OverlayF
     files
 }
 
-/// The files of a snapshot.
+/// Files of a snapshot.
 pub(crate) fn files_of(snapshot: &Snapshot) -> OverlayFs<Disk> {
     let mut files = files(&snapshot.documents, &[]);
     for project in snapshot.projects.iter().map(|project| project.manifest(&snapshot.db)) {

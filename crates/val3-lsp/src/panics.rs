@@ -1,11 +1,11 @@
-//! Faults of the server itself: they end what was being done, and nothing else.
+//! Containment of panics: a bug in the server ends only the current work.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use tower_lsp::jsonrpc::{Error, ErrorCode};
 
-/// Does something; if it panics, gives the reason.
+/// Executes `work`. If it panics, returns the panic message.
 pub(crate) fn contained<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|payload| reason(&*payload))
 }
@@ -16,13 +16,13 @@ fn reason(payload: &(dyn Any + Send)) -> String {
     text.unwrap_or_else(|| "no reason is known".to_owned())
 }
 
-/// The answer to a request that failed.
+/// Error response for a request that panicked.
 pub(crate) fn internal_error(method: &str, reason: &str) -> Error {
     let message = format!("`{method}` failed because of a fault in the language server: {reason}");
     Error { code: ErrorCode::InternalError, message: message.into(), data: None }
 }
 
-/// The answer to a request that was lost.
+/// Error response for a request that was dropped.
 pub(crate) fn lost() -> Error {
     Error { code: ErrorCode::InternalError, message: "the server ends".into(), data: None }
 }

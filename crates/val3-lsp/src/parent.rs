@@ -1,4 +1,4 @@
-//! The project above a document that lies outside of the workspace.
+//! Project of a document outside the workspace.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::inside;
@@ -6,11 +6,10 @@ use val3_analysis::system::{Kind, System};
 
 use crate::documents::Document;
 
-/// Folders above a document that are searched for the project it belongs to.
+/// Number of folders above a document that are searched for its project.
 const HEIGHT: usize = 3;
 
-/// The project file that a document outside of `folders` is a part of: the nearest folder at or above it that holds
-/// one.
+/// Project file for a document outside `folders`: in the nearest folder above the document that contains one.
 pub(crate) fn project_above(system: &dyn System, document: &Document, folders: &[Utf8PathBuf]) -> Option<Utf8PathBuf> {
     if document.uri.scheme() != "file" || folders.iter().any(|folder| inside(&document.path, folder).is_some()) {
         return None;

@@ -1,17 +1,18 @@
-//! Ends a server whose client has died.
+//! Ends the server when its client process has ended.
 
 use std::time::Duration;
 
 #[cfg(target_os = "linux")]
 use val3_files::FileClass;
 
-/// How often the client is looked for.
+/// Polling interval for the client process.
 const INTERVAL: Duration = Duration::from_secs(2);
 
-/// Ends the process when the client's process has ended. Without support of the system, the end of the input does so.
+/// Ends this process when the client process has ended. On systems without support, the end of the input ends the
+/// server.
 pub(crate) fn die_with(client: u32) {
     if !is_alive(client) {
-        // It cannot be seen from here, for instance from within a container.
+        // The client process is not visible, for example from inside a container.
         return;
     }
     let watch = move || {
@@ -20,13 +21,13 @@ pub(crate) fn die_with(client: u32) {
         }
         std::process::exit(1);
     };
-    // Without this thread the end of the input ends the server as well.
+    // Without this thread, the end of the input still ends the server.
     let _ = std::thread::Builder::new().name("client".to_owned()).spawn(watch);
 }
 
 #[cfg(target_os = "linux")]
 fn is_alive(process: u32) -> bool {
-    // A zombie runs no more, though its parent has not asked for its end yet.
+    // A zombie process has ended, although its parent has not collected its exit status yet.
     val3_files::read_text(format!("/proc/{process}/stat").as_str().into(), FileClass::Settings)
         .is_ok_and(|stat| !stat.rsplit(')').next().is_some_and(|rest| rest.trim_start().starts_with('Z')))
 }

@@ -1,28 +1,28 @@
-//! The threads that compute: some for requests that the user waits for, and some for the rest.
+//! Thread pool: some threads for requests that the user waits for, and some for background work.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
-/// Bytes of stack a thread, ample for the deepest nesting the parser takes.
+/// Stack size of a thread in bytes, sufficient for the deepest nesting that the parser accepts.
 const STACK_SIZE: usize = 16 << 20;
 
-/// Most threads of one priority: more would only wait for memory.
+/// Thread limit for each priority; more threads would only wait for memory.
 const MOST_THREADS: usize = 8;
 
 type Job = Box<dyn FnOnce() + Send>;
 
-/// The urgency of a job.
+/// Priority of a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Priority {
-    /// The user waits for it.
+    /// The user waits for the result.
     Latency,
-    /// It runs in the background.
+    /// Background work.
     Background,
 }
 
-/// A fixed number of threads for each priority; neither takes threads from the other.
+/// A fixed number of threads for each priority. A thread executes only jobs with its priority.
 #[derive(Clone)]
 pub(crate) struct Pool {
     latency: Sender<Job>,
@@ -31,26 +31,26 @@ pub(crate) struct Pool {
 }
 
 impl Pool {
-    /// Starts the threads. They end when the pool and its copies are dropped and their jobs are done.
+    /// Starts the threads. They end when the pool and its clones are dropped and all jobs are complete.
     pub(crate) fn start() -> std::io::Result<Self> {
         let threads = thread::available_parallelism().map_or(1, usize::from).min(MOST_THREADS);
-        // One more thread keeps a long request from holding up a short one.
+        // With one additional thread, a long request does not delay a short one.
         let latency = workers("latency", threads + 1)?;
         Ok(Self { latency, background: workers("background", threads)?, threads })
     }
 
-    /// The number of background threads.
+    /// Number of background threads.
     pub(crate) fn threads(&self) -> usize {
         self.threads
     }
 
-    /// Adds a job. It must catch its own panics if its result is waited for.
+    /// Adds a job. The job must catch its own panics if another thread waits for its result.
     pub(crate) fn spawn(&self, priority: Priority, job: impl FnOnce() + Send + 'static) {
         let queue = match priority {
             Priority::Latency => &self.latency,
             Priority::Background => &self.background,
         };
-        // The threads live as long as their queue.
+        // The threads live as long as their queue, so sending cannot fail.
         let _ = queue.send(Box::new(job));
     }
 }
@@ -70,7 +70,7 @@ fn work(jobs: &Mutex<Receiver<Job>>) {
     loop {
         let job = jobs.lock().unwrap_or_else(PoisonError::into_inner).recv();
         let Ok(job) = job else { return };
-        // A panic of a job must not end its thread. The job itself has already reported it.
+        // A panic in a job must not end the thread. The job has already reported it.
         let _ = catch_unwind(AssertUnwindSafe(job));
     }
 }

@@ -1,4 +1,4 @@
-//! Work whose progress the client shows.
+//! Progress reports shown by the client.
 
 use std::cell::Cell;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,7 +11,7 @@ use tower_lsp::lsp_types::{
 
 use crate::outbox::Outbox;
 
-/// Work that the client shows until this is dropped.
+/// Progress report that the client shows until it is dropped.
 pub(crate) struct Progress {
     outbox: Outbox,
     token: ProgressToken,
@@ -19,7 +19,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// The work begins. The client has made the token or agreed to it.
+    /// Begins a progress report. The client has created or accepted the token.
     pub(crate) fn begin(outbox: Outbox, token: ProgressToken, message: &str) -> Self {
         let progress = Self { outbox, token, percentage: Cell::new(0) };
         progress.tell(WorkDoneProgress::Begin(WorkDoneProgressBegin {
@@ -31,7 +31,7 @@ impl Progress {
         progress
     }
 
-    /// Another project is checked. Steps below one per cent are not worth a message.
+    /// Reports the number of checked projects. Changes below one per cent are not sent.
     pub(crate) fn checked(&self, done: usize, all: usize) {
         let percentage = u32::try_from(100 * done / all.max(1)).unwrap_or(100);
         if self.percentage.replace(percentage) != percentage {
@@ -55,32 +55,32 @@ impl Drop for Progress {
     }
 }
 
-/// The progress of the first scan: the files are read, and checked unless the client asks for findings.
+/// Progress of the first scan: files are read, and also checked if the server pushes findings.
 #[derive(Default)]
 pub(crate) enum ScanProgress {
     /// Not begun.
     #[default]
     Before,
-    /// The client was asked whether it shows it.
+    /// The client was requested to create the token.
     Asked,
-    /// The client shows it.
+    /// The client shows the progress.
     Shown(Progress),
-    /// It is over, or the client does not show it.
+    /// Complete, or not supported by the client.
     Over,
 }
 
-/// A token that the client agreed to, for the first time that it asks for the findings of the workspace. They come at
-/// once later.
+/// Token accepted by the client, for its first pull of workspace findings. Later pulls are fast and need no progress
+/// report.
 #[derive(Clone, Default)]
 pub(crate) struct FirstPull(Arc<Mutex<Option<ProgressToken>>>);
 
 impl FirstPull {
-    /// The client agreed to the token.
+    /// Stores the accepted token.
     pub(crate) fn agreed(&self, token: ProgressToken) {
         *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(token);
     }
 
-    /// Takes the token.
+    /// Removes and returns the token.
     pub(crate) fn take(&self) -> Option<ProgressToken> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
     }

@@ -1,4 +1,4 @@
-//! Findings as the client has them: sent with the version they are of, and only when they are others.
+//! Pushed findings: sent with their document version, and only if they have changed.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tower_lsp::lsp_types::notification::PublishDiagnostics;
@@ -10,34 +10,34 @@ use crate::documents::{Document, Documents};
 use crate::outbox::Outbox;
 use crate::snapshot::Snapshot;
 
-/// The origin of a finding.
+/// Origin of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum FindingSource {
-    /// The reader of configurations.
+    /// Reader of configurations.
     Configuration,
-    /// The check of a project.
+    /// Check of a project.
     Project(Project),
 }
 
-/// The findings of a project by file.
+/// Findings from one origin, by file.
 #[derive(Debug, PartialEq)]
 pub(crate) struct ProjectFindings {
-    /// Whose they are.
+    /// Origin of the findings.
     pub(crate) finder: FindingSource,
-    /// Every file with findings, and every open file, also those without.
+    /// All files with findings, and all open files.
     pub(crate) files: Vec<(Url, Vec<Diagnostic>)>,
 }
 
-/// The findings that were sent.
+/// Findings sent to the client.
 #[derive(Debug, Default)]
 pub(crate) struct Published {
-    /// The latest findings, by origin and file.
+    /// Latest findings, by origin and file.
     found: FxHashMap<FindingSource, FxHashMap<Url, Vec<Diagnostic>>>,
-    /// The findings that the client has.
+    /// Document version and findings that the client has, by file.
     sent: FxHashMap<Url, (Option<i32>, Vec<Diagnostic>)>,
 }
 
-/// The position of a finding in a list.
+/// Sort key of a finding.
 fn place(diagnostic: &Diagnostic) -> (u32, u32, Option<&str>, &str) {
     let Diagnostic { range, code, message, .. } = diagnostic;
     let code = match code {
@@ -47,7 +47,7 @@ fn place(diagnostic: &Diagnostic) -> (u32, u32, Option<&str>, &str) {
     (range.start.line, range.start.character, code, message)
 }
 
-/// The findings of a project on a snapshot.
+/// Findings of a project, computed on a snapshot.
 pub(crate) fn findings(snapshot: &Snapshot, project: Project) -> ProjectFindings {
     let mut files: Vec<(Url, Vec<Diagnostic>)> = diagnostics(snapshot, project);
     let with_findings: FxHashSet<&Url> = files.iter().map(|(uri, _)| uri).collect();
@@ -61,12 +61,12 @@ pub(crate) fn findings(snapshot: &Snapshot, project: Project) -> ProjectFindings
 }
 
 impl Published {
-    /// Takes in the findings of a project and sends what is new to the client.
+    /// Stores the findings from one origin and sends the changed files to the client.
     pub(crate) fn project(&mut self, found: ProjectFindings, documents: &Documents, outbox: &Outbox) {
         let now: FxHashMap<Url, Vec<Diagnostic>> = found.files.into_iter().collect();
         let known = self.found.remove(&found.finder).unwrap_or_default();
         let gone = known.keys().filter(|uri| !now.contains_key(*uri));
-        // Every version of an open document has its findings, also where they are the same.
+        // Findings are sent for every version of a document, even if they are unchanged.
         let is_news = |uri: &Url, found| known.get(uri) != Some(found) || documents.get(uri).is_some();
         let news = now.iter().filter(|(uri, found)| is_news(uri, found)).map(|(uri, _)| uri);
         let changed: Vec<Url> = gone.chain(news).cloned().collect();
@@ -74,7 +74,7 @@ impl Published {
         changed.iter().for_each(|uri| self.send(uri, documents, outbox));
     }
 
-    /// Takes in the findings of a project in one file, before those in its others are known.
+    /// Stores and sends the findings of a project in one file, before its other files are checked.
     pub(crate) fn file(
         &mut self,
         project: Project,
@@ -86,7 +86,7 @@ impl Published {
         self.send(&uri, documents, outbox);
     }
 
-    /// Projects that are no more have no findings.
+    /// Removes the findings of projects that no longer exist.
     pub(crate) fn keep(&mut self, projects: &[Project], documents: &Documents, outbox: &Outbox) {
         let kept: FxHashSet<Project> = projects.iter().copied().collect();
         let is_gone =
@@ -98,19 +98,19 @@ impl Published {
         }
     }
 
-    /// A document was closed: what is sent about its file has no version.
+    /// Records that a document was closed: its findings are then sent without a version.
     pub(crate) fn closed(&mut self, document: &Document) {
         if let Some((version, _)) = self.sent.get_mut(&document.uri) {
             *version = None;
         }
     }
 
-    /// Sends the findings in a file, unless the client has them.
+    /// Sends the findings in a file, unless the client already has them.
     fn send(&mut self, uri: &Url, documents: &Documents, outbox: &Outbox) {
         let found = self.found.values().filter_map(|files| files.get(uri));
         let mut diagnostics: Vec<Diagnostic> = found.flatten().cloned().collect();
         diagnostics.sort_by(|a, b| place(a).cmp(&place(b)));
-        // A file that two projects share has most of its findings twice.
+        // Two projects that share a file report most findings in it twice.
         diagnostics.dedup();
         let version = documents.get(uri).map(|document| document.version);
         let is_sent = match self.sent.get(uri) {

@@ -1,6 +1,6 @@
-//! The answer that a client waits for. It is given once: the first answer counts.
+//! Response to a request. Only the first result counts.
 //!
-//! It is written on the thread that computed it, so that a long answer does not delay the others.
+//! It is written by the thread that computed it, so that a long response does not delay others.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
@@ -11,8 +11,8 @@ use tower_lsp::jsonrpc::{Error, Id, Result};
 use crate::panics;
 use crate::transport::{Pump, frame};
 
-/// Gives the answer to one request, unless it was cancelled before. A request whose last reply is dropped is answered
-/// with an error, so that the client never waits for ever.
+/// Sends the response to one request, unless the request was cancelled. If the last clone is dropped without a
+/// response, an error is sent, so that the client never waits forever.
 #[derive(Clone)]
 pub(crate) struct Reply(Arc<Inner>);
 
@@ -26,24 +26,24 @@ struct Inner {
 #[derive(Default)]
 struct State {
     is_answered: bool,
-    /// Stops the computation that is under way.
+    /// Token that cancels the current computation.
     running: Option<CancellationToken>,
 }
 
 impl Reply {
-    /// Answers with a result, which is JSON, or an error. Of several answers the first counts.
+    /// Sends a result in JSON or an error. Only the first call has an effect.
     pub(crate) fn give(&self, answer: Result<String>) {
         self.0.give(answer);
     }
 
-    /// Starts a computation that `token` stops. False if its answer is no longer waited for.
+    /// Registers a computation that `token` cancels. Returns false if the request no longer needs a result.
     pub(crate) fn begins(&self, token: CancellationToken) -> bool {
         let mut state = self.0.state();
         state.running = Some(token);
         !state.is_answered
     }
 
-    /// Answers that the request was cancelled, and stops the computation.
+    /// Responds that the request was cancelled, and cancels the computation.
     fn cancel(&self) {
         self.give(Err(Error::request_cancelled()));
         if let Some(running) = &self.0.state().running {
@@ -81,12 +81,13 @@ fn json(value: &impl serde::Serialize) -> String {
     serde_json::to_string(value).unwrap_or_else(|_| "null".to_owned())
 }
 
-/// The requests that wait for an answer.
+/// Requests without a response yet.
 #[derive(Clone, Default)]
 pub(crate) struct Waiting(Arc<Mutex<FxHashMap<Id, Weak<Inner>>>>);
 
 impl Waiting {
-    /// Notes a request, whose answer goes to `pump`. Of two with one id the later can be cancelled.
+    /// Registers a request, whose response is written to `pump`. If an id is used twice, only the later request can be
+    /// cancelled.
     pub(crate) fn begin(&self, id: Id, pump: &Pump) -> Reply {
         let state = Mutex::default();
         let reply = Reply(Arc::new(Inner { id: id.clone(), pump: pump.clone(), waiting: self.clone(), state }));
@@ -94,7 +95,7 @@ impl Waiting {
         reply
     }
 
-    /// Cancels a request, if it still waits.
+    /// Cancels a request if it has no response yet.
     pub(crate) fn cancel(&self, id: &Id) {
         let waiting = self.map().get(id).and_then(Weak::upgrade);
         if let Some(waiting) = waiting {
@@ -102,7 +103,7 @@ impl Waiting {
         }
     }
 
-    /// Forgets an answered request. A later one with the same id keeps its entry.
+    /// Removes a request after its response. A later request with the same id stays registered.
     fn end(&self, answered: &Inner) {
         let mut waiting = self.map();
         if waiting.get(&answered.id).is_some_and(|entry| std::ptr::eq(entry.as_ptr(), answered)) {
@@ -119,7 +120,7 @@ impl Waiting {
 mod tests {
     use super::*;
 
-    /// Keeps the written bytes.
+    /// Stores the written bytes.
     #[derive(Clone, Default)]
     struct Written(Arc<Mutex<Vec<u8>>>);
 

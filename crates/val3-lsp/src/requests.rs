@@ -1,4 +1,4 @@
-//! The requests and notifications of clients: one file for each request, one line here.
+//! Client requests and notifications: one file for each request, one line here.
 
 mod call_hierarchy;
 mod capabilities;
@@ -45,7 +45,7 @@ use crate::pool::Priority::{Background, Latency};
 use crate::routes::Routes;
 use crate::{initialize, sync, watching, workspace_folders};
 
-/// Every handler by its method.
+/// All handlers by method.
 pub(crate) fn routes() -> Routes {
     let mut routes = Routes::default();
     notifications(&mut routes);
@@ -55,7 +55,7 @@ pub(crate) fn routes() -> Routes {
     routes
 }
 
-/// Features that show something around the text or in it.
+/// Features that show information in or next to the text.
 fn showing(routes: &mut Routes) {
     routes.on::<r::HoverRequest>(Latency, Refuse, hover::hover);
     routes.on::<r::DocumentHighlightRequest>(Latency, Refuse, document_highlight::document_highlight);
@@ -85,7 +85,7 @@ fn showing(routes: &mut Routes) {
     routes.on::<data::DataPoses>(Latency, Retry, data::data_poses);
 }
 
-/// Ways from one place to another.
+/// Navigation features.
 fn navigation(routes: &mut Routes) {
     routes.on::<r::GotoDefinition>(Latency, Refuse, definition::definition);
     routes.on::<r::GotoDeclaration>(Latency, Refuse, definition::declaration);
@@ -103,7 +103,7 @@ fn navigation(routes: &mut Routes) {
     routes.on::<r::DocumentLinkRequest>(Latency, Retry, document_link::document_link);
 }
 
-/// Features that change texts.
+/// Features that change text.
 fn writing(routes: &mut Routes) {
     routes.on::<r::Completion>(Latency, Refuse, completion::completion);
     routes.on::<r::ResolveCompletionItem>(Latency, Retry, completion::resolve);

@@ -1,4 +1,4 @@
-//! From a message to the handler of its method. Messages are handed on while they are read, in their order.
+//! Routes messages by method to their handlers, in the order in which they are read.
 
 use std::convert::Infallible;
 use std::panic::AssertUnwindSafe;
@@ -19,10 +19,10 @@ use crate::requests;
 use crate::routes::{Route, Routes};
 use crate::transport::Pump;
 
-/// The error of a request that comes before `initialize`.
+/// Error code for a request before `initialize`.
 const NOT_INITIALIZED: i64 = -32002;
 
-/// How far the life of the session has come.
+/// Phase of the session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum SessionPhase {
     Fresh,
@@ -30,10 +30,10 @@ enum SessionPhase {
     Down,
 }
 
-/// The service that tower-lsp calls with each message, on the task that reads.
+/// Service that tower-lsp calls with each message, on the task that reads.
 ///
-/// Messages that must keep their order are posted in `call` itself, before the next message is read. So no handler is
-/// overtaken, and none blocks the reader. Only `initialize` and `shutdown` reach tower-lsp's own service.
+/// Messages are posted to the inbox in `call` itself, before the next message is read. Their order is therefore kept,
+/// and no handler blocks the reader. Only `initialize` and `shutdown` reach tower-lsp's own service.
 pub(crate) struct Router<S: LanguageServer> {
     lifecycle: LspService<S>,
     life: SessionPhase,
@@ -44,11 +44,11 @@ pub(crate) struct Router<S: LanguageServer> {
     exit: UnboundedSender<bool>,
 }
 
-/// The future of an answer; `None` where there is none to give.
+/// Future of a response; `None` if the router itself sends no response.
 type ResponseFuture = BoxFuture<'static, Result<Option<Response>, Infallible>>;
 
 impl<S: LanguageServer> Router<S> {
-    /// Receives `exit` when the client ends the session, and whether it had shut down the session before.
+    /// Creates the router. When the client sends `exit`, the router sends to `exit` whether `shutdown` came before.
     pub(crate) fn new(
         lifecycle: LspService<S>,
         routes: Routes,
@@ -62,7 +62,7 @@ impl<S: LanguageServer> Router<S> {
     fn dispatch(&mut self, request: Request) -> ResponseFuture {
         match (request.method(), self.life) {
             ("exit", life) => {
-                // The receiver is gone when the process ends for another reason.
+                // The receiver no longer exists if the process is already ending.
                 let _ = self.exit.send(life == SessionPhase::Down);
                 nothing()
             }
@@ -77,8 +77,8 @@ impl<S: LanguageServer> Router<S> {
         }
     }
 
-    /// A step in the life of the session. The first poll happens here: what the handler does before it waits, it
-    /// does in the order of the messages.
+    /// Passes `initialize` or `shutdown` to tower-lsp. The first poll happens here, so the handler's code before its
+    /// first wait is executed in message order.
     fn turn(&mut self, request: Request) -> ResponseFuture {
         let begins = request.method() == "initialize";
         let readable = !begins || request.params().is_none_or(Value::is_object);
@@ -135,7 +135,7 @@ impl<S: LanguageServer> Router<S> {
         }
     }
 
-    /// The thread that computes the answer writes it.
+    /// Posts the request to the main loop. The thread that computes the response also writes it.
     fn ask(&self, id: Id, job: Job) -> ResponseFuture {
         let reply = self.waiting.begin(id, &self.pump);
         self.inbox.post(move |server| server.compute(job, reply));
@@ -143,7 +143,7 @@ impl<S: LanguageServer> Router<S> {
     }
 }
 
-/// The answer to `initialize` with what its type in lsp-types has no field for.
+/// Adds the capabilities that have no field in lsp-types to the response to `initialize`.
 fn complete(response: Response) -> Response {
     let (id, result) = response.into_parts();
     let result = result.map(|mut answer| {
@@ -155,8 +155,9 @@ fn complete(response: Response) -> Response {
     Response::from_parts(id, result)
 }
 
-/// tower-lsp refuses parameters of `shutdown`, and many clients send `null` or `{}` along. In lsp-types 0.94 the
-/// ability `workspace.diagnostics` has another name than in the protocol.
+/// Rewrites a request that lsp-types or tower-lsp would reject. tower-lsp rejects parameters of `shutdown`, but many
+/// clients send `null` or `{}`. lsp-types 0.94 uses another name than the protocol for the capability
+/// `workspace.diagnostics`.
 fn readable_by_types(request: Request) -> Request {
     match request.into_parts() {
         (method, Some(id), _) if method == "shutdown" => Request::build(method).id(id).finish(),

@@ -1,4 +1,4 @@
-//! The handlers by the method of their messages.
+//! Handlers by method.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -12,23 +12,23 @@ use crate::pool::Priority;
 use crate::server_state::ServerState;
 use crate::snapshot::{Refusal, Snapshot};
 
-/// The handling of one notification, for the main loop.
+/// Parsed notification, to be executed by the main loop.
 type NotificationHandler = Box<dyn FnOnce(&mut ServerState) + Send>;
 
-/// The handler of a method, which reads the parameters of a message.
+/// Handler of a method; it parses the parameters of a message.
 pub(crate) enum Route {
-    /// Of a request.
+    /// Handler of a request.
     Request(Box<dyn Fn(Value) -> Result<Job> + Send>),
-    /// Of a notification.
+    /// Handler of a notification.
     Notification(Box<dyn Fn(Value) -> Result<NotificationHandler> + Send>),
 }
 
-/// The handlers by method.
+/// Handlers by method.
 #[derive(Default)]
 pub(crate) struct Routes(FxHashMap<&'static str, Route>);
 
 impl Routes {
-    /// A request that is computed on a snapshot.
+    /// Adds a request that is computed on a snapshot.
     pub(crate) fn on<R>(
         &mut self,
         priority: Priority,
@@ -47,7 +47,7 @@ impl Routes {
         self.0.insert(R::METHOD, Route::Request(Box::new(read)));
     }
 
-    /// A request that is computed in parts, with a state of its own from one part to the next.
+    /// Adds a request that is computed in parts, with a state that is passed from part to part.
     pub(crate) fn on_in_parts<R, S>(
         &mut self,
         priority: Priority,
@@ -74,7 +74,7 @@ impl Routes {
         self.0.insert(R::METHOD, Route::Request(Box::new(read)));
     }
 
-    /// A notification, which the main loop takes itself.
+    /// Adds a notification that the main loop handles itself.
     pub(crate) fn notify<N>(&mut self, handler: fn(&mut ServerState, N::Params))
     where
         N: tower_lsp::lsp_types::notification::Notification,
@@ -87,7 +87,7 @@ impl Routes {
         self.0.insert(N::METHOD, Route::Notification(Box::new(read)));
     }
 
-    /// The handler of a method.
+    /// Handler of a method.
     pub(crate) fn get(&self, method: &str) -> Option<&Route> {
         self.0.get(method)
     }

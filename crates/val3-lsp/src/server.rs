@@ -1,4 +1,4 @@
-//! The server as a whole: threads, pipes and the end.
+//! The server process: threads, pipes and termination.
 
 use std::io::{self, BufRead, BufReader, Write};
 use std::thread;
@@ -19,32 +19,32 @@ use crate::routes::Routes;
 use crate::server_state::ServerState;
 use crate::transport::{Intake, Pump, PumpWriter, read};
 
-/// Bytes of stack of the main loop, which parses as well.
+/// Stack size of the main loop in bytes; the main loop also parses.
 const STACK_SIZE: usize = 16 << 20;
 
-/// How the server is started.
+/// Start options of the server.
 #[derive(Debug, Clone)]
 pub struct ServerOptions {
-    /// A file for the log.
+    /// Path of the log file.
     pub log: Option<Utf8PathBuf>,
-    /// The program `val3`, with which clients execute tests.
+    /// The executable `val3`, with which clients execute tests.
     pub executable: String,
-    /// The version that clients show.
+    /// Version that clients show.
     pub version: String,
 }
 
 impl Default for ServerOptions {
-    /// No log, the `val3` of the PATH, and the version of the library.
+    /// No log, the `val3` in the PATH, and the version of the library.
     fn default() -> Self {
         Self { log: None, executable: "val3".to_owned(), version: env!("CARGO_PKG_VERSION").to_owned() }
     }
 }
 
-/// Serves one client until it ends the session, and gives the exit code: 0 after `shutdown` and `exit`, 1 where it
-/// ended otherwise. The threads that are left when it returns end with the process.
+/// Serves one client until the session ends, and returns the exit code: 0 after `shutdown` and `exit`, otherwise 1.
+/// Threads that still run when it returns end with the process.
 ///
 /// # Errors
-/// If the log cannot be opened, or the system gives no threads.
+/// If the log cannot be opened or a thread cannot be started.
 pub fn run(
     input: impl io::Read + Send + 'static,
     output: impl Write + Send + 'static,
@@ -53,7 +53,7 @@ pub fn run(
     serve(input, output, options, routes())
 }
 
-/// As [`run`], with other handlers; for tests.
+/// Like [`run`], with other handlers, for tests.
 pub(crate) fn serve(
     input: impl io::Read + Send + 'static,
     output: impl Write + Send + 'static,
@@ -62,7 +62,7 @@ pub(crate) fn serve(
 ) -> io::Result<u8> {
     let (exit, exited) = unbounded_channel();
     let closed = exit.clone();
-    // The end may have another reason by then.
+    // Sending fails if the server is already ending for another reason.
     let pump = Pump::start(output, move || _ = closed.send(false))?;
     let (inbox, messages) = Inbox::new();
     let outbox = Outbox::new(pump.clone());
@@ -75,7 +75,7 @@ pub(crate) fn serve(
     let version = options.version.clone();
     let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone(), log: log.clone(), version });
     let router = Router::new(lifecycle, routes, inbox, pump.clone(), exit);
-    // No limit: what limits the work is the pool.
+    // No limit here, because the thread pool limits the work.
     let server = Server::new(intake, PumpWriter(pump.clone()), socket).concurrency_level(usize::MAX);
     let runtime = tokio::runtime::Builder::new_current_thread().build()?;
     let code = runtime.block_on(end_of(server.serve(router), exited));
@@ -84,11 +84,12 @@ pub(crate) fn serve(
     Ok(code)
 }
 
-/// The first of these ends the server: `exit` of the client, the end of its input, or an output that it has closed.
+/// Waits for the end of the session, and returns the exit code. The session ends with `exit`, the end of the input, or
+/// a closed output.
 async fn end_of(serving: impl Future<Output = ()>, mut exited: UnboundedReceiver<bool>) -> u8 {
     let was_shut_down = tokio::select! {
         was_shut_down = exited.recv() => was_shut_down,
-        // The exit may have been read together with the end of the input.
+        // `exit` may have been read together with the end of the input.
         () = serving => exited.try_recv().ok(),
     };
     u8::from(was_shut_down != Some(true))

@@ -1,4 +1,4 @@
-//! The state of the server, which only the main loop may change. The steps of that loop are the modules below.
+//! Server state, which only the main loop may change. The modules below contain the steps of the main loop.
 
 mod checking;
 mod client_requests;
@@ -37,69 +37,70 @@ use crate::published::Published;
 use crate::session::Session;
 use crate::snapshot::Snapshot;
 
-/// Takes an answer of the client; `None` if it refused.
+/// Handler of a client's response; it receives `None` if the client returned an error.
 type AnswerHandler = Box<dyn FnOnce(&mut ServerState, Option<Value>) + Send>;
 
-/// Trees that are kept; they are cheap to make again.
+/// Limit of cached syntax trees, which are cheap to parse again.
 pub(crate) const TREES: usize = 64;
 
-/// A request that leaves more trees has results of queries in proportion: they are freed after it.
+/// Number of syntax trees above which cached query results are freed after a request, because their number grows in
+/// proportion.
 pub(crate) const MANY_TREES: usize = 512;
 
-/// The state of the server. One thread owns it; all others see snapshots.
+/// Server state. One thread owns it; all other threads read snapshots.
 pub(crate) struct ServerState {
-    /// Information that the client has given about itself.
+    /// Information from the client's `initialize` and its settings.
     pub(crate) session: Arc<Session>,
-    /// The open documents.
+    /// Open documents.
     pub(crate) documents: Arc<Documents>,
-    /// The way to the client.
+    /// Sender of messages to the client.
     pub(crate) outbox: Outbox,
-    /// The way to this loop.
+    /// Sender of messages to the main loop.
     pub(crate) inbox: Inbox,
-    /// The file events that the client has registered for.
+    /// Latest diagnostics by origin, and the diagnostics that the client has.
     pub(crate) published: Published,
-    /// Which projects are to be checked.
+    /// Pending checks.
     pub(crate) checks: Checks,
-    /// The threads that compute.
+    /// Thread pool.
     pub(crate) pool: Pool,
-    /// How far the first scan has come.
+    /// Progress of the first scan.
     pub(crate) progress: ScanProgress,
-    /// For the first time that the client asks for the findings of the workspace.
+    /// Progress token for the client's first pull of workspace findings.
     first_pull: FirstPull,
-    /// Watches the disk where the client does not.
+    /// Watcher of the disk, used if the client does not watch files.
     pub(crate) watcher: Option<notify::RecommendedWatcher>,
-    /// The client can be asked.
+    /// Whether the client is initialized, so that the server may send requests.
     pub(crate) is_ready: bool,
     workspace: Workspace,
     projects: Arc<Vec<Project>>,
     settings: Option<CheckSettings>,
-    /// Files that have to be read again before anything is asked.
+    /// Files to be read again before anything is computed.
     stale: Option<Stale>,
-    /// Counts the edits of documents.
+    /// Number of document edits since the start.
     edits: u64,
-    /// Shared by all readers of the database.
+    /// Shared by all readers of the database, so that its reference count is their number plus one.
     readers: Arc<()>,
-    /// The database keeps results of earlier states.
+    /// Whether the database still holds results of earlier revisions.
     has_surplus: bool,
-    /// Documents outside of every project have a project of their own.
+    /// Documents that no project lists; each belongs to its own generated project.
     detached: Vec<Utf8PathBuf>,
-    /// The faults of configurations.
+    /// Configuration faults.
     faults: Arc<Vec<ConfigError>>,
-    /// The client asks for them, so that they are not sent as well.
+    /// Whether the client pulls configuration faults, which are then not pushed.
     asks_for_configurations: bool,
-    /// Posts to this loop that the client asks for them.
+    /// Posts to the main loop that the client pulls configuration faults.
     pulls_configurations: Arc<dyn Fn() + Send + Sync>,
-    /// The handlers of answers that the client has not given yet, by the id of the request.
+    /// Handlers of pending responses, by request id.
     answer_handlers: FxHashMap<i64, AnswerHandler>,
-    /// The messages that the user has already received.
+    /// Messages already shown to the user.
     complained: FxHashSet<String>,
     log: Log,
-    /// The program that executes tests.
+    /// The executable that executes tests.
     executable: Arc<str>,
 }
 
 impl ServerState {
-    /// A server in which nothing is open.
+    /// Creates a server without open folders and documents.
     pub(crate) fn new(inbox: Inbox, outbox: Outbox, pool: Pool, log: Log, executable: &str) -> Self {
         let own = inbox.clone();
         Self {
@@ -132,7 +133,7 @@ impl ServerState {
         }
     }
 
-    /// The current state. A write waits until it is dropped.
+    /// Snapshot of the current state. A write blocks until all snapshots are dropped.
     pub(crate) fn snapshot(&self) -> Snapshot {
         Snapshot {
             db: self.workspace.db.clone(),
@@ -150,61 +151,61 @@ impl ServerState {
         }
     }
 
-    /// The client said what it is: its folders are read.
+    /// Starts the session: the client's folders are marked to be read.
     pub(crate) fn begin(&mut self, session: Session) {
         self.session = Arc::new(session);
         self.all_is_stale();
     }
 
-    /// The client can be asked from now on.
+    /// Marks the client as initialized, so that the server may send requests.
     pub(crate) fn ready(&mut self) {
         self.is_ready = true;
         self.ask_for_progress();
     }
 
-    /// The database, to be read.
+    /// The database, for reading.
     pub(crate) fn database(&self) -> &Database {
         &self.workspace.db
     }
 
-    /// The projects that are judged.
+    /// Checked projects.
     pub(crate) fn projects(&self) -> &[Project] {
         &self.projects
     }
 
-    /// The file at a path, if it is part of a project.
+    /// File at a path; `None` if no project contains it.
     pub(crate) fn file(&self, path: &Utf8Path) -> Option<File> {
         Sources::try_get(&self.workspace.db)?.files(&self.workspace.db).get(&path_key(path.as_str())).copied()
     }
 
-    /// Whether files of projects were read in a folder.
+    /// Whether the folder contains files of a project that were read.
     pub(crate) fn has_files_in(&self, folder: &Utf8Path) -> bool {
         let Some(sources) = Sources::try_get(&self.workspace.db) else { return false };
         let mut files = sources.files(&self.workspace.db).values();
         files.any(|file| inside(file.path(&self.workspace.db), folder).is_some())
     }
 
-    /// A file could not be read.
+    /// Whether the file could not be read.
     pub(crate) fn is_unreadable(&self, file: File) -> bool {
         matches!(file.status(&self.workspace.db), FileStatus::Unreadable(_))
     }
 
-    /// A file, or everything in a folder, has to be read again.
+    /// Marks a file, or all files in a folder, to be read again.
     pub(crate) fn is_stale(&mut self, path: &Utf8Path) {
         self.stale.get_or_insert_with(Stale::settings).add(path);
     }
 
-    /// Everything has to be read again.
+    /// Marks all files to be read again.
     pub(crate) fn all_is_stale(&mut self) {
         self.stale = Some(Stale::Everything);
     }
 
-    /// The user changed the settings.
+    /// Marks the settings to be read again.
     pub(crate) fn settings_are_stale(&mut self) {
         self.stale.get_or_insert_with(Stale::settings);
     }
 
-    /// An edit of a document: whatever is being computed stops.
+    /// Applies an edit of a document and cancels all running computations.
     pub(crate) fn edited(&mut self, file: Option<File>, text: &Arc<str>) {
         self.edits += 1;
         if let Some(file) = file
@@ -212,7 +213,8 @@ impl ServerState {
         {
             self.workspace.db.trigger_cancellation();
             self.has_surplus = true;
-            // An edited file is likely to be edited again: later edits do not count as changes of stored files.
+            // An edited file is likely to be edited again. The low durability keeps later edits from invalidating
+            // results that depend on stored files only.
             file.set_text(&mut self.workspace.db).with_durability(Durability::LOW).to(Arc::clone(text));
             self.checks.edited(file);
         }
@@ -223,7 +225,7 @@ impl ServerState {
         db.trees().count() > MANY_TREES
     }
 
-    /// Frees data that is not needed at the moment.
+    /// Frees cached data.
     pub(crate) fn forget_surplus(&mut self) {
         self.has_surplus = false;
         self.workspace.db.trees().keep_latest(TREES);

@@ -1,4 +1,4 @@
-//! The session: information that the client gives about itself.
+//! The session: information from the client about itself.
 
 use camino::Utf8PathBuf;
 use serde_json::Value;
@@ -12,73 +12,73 @@ use val3_lines::Unit;
 use crate::options::{Delivery, Options, SECTION};
 use crate::uri;
 
-/// One client and what was agreed with it.
+/// A client and the parameters agreed with it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Session {
-    /// The unit of columns.
+    /// Unit of columns.
     pub(crate) encoding: Unit,
-    /// The folders it has open.
+    /// Open folders.
     pub(crate) folders: Vec<Utf8PathBuf>,
-    /// The user's settings.
+    /// User's settings.
     pub(crate) options: Options,
-    /// Its capabilities.
+    /// Client capabilities.
     pub(crate) client: ClientAbilities,
-    /// The commands of ours that it brings.
+    /// Commands of this server that the client implements.
     pub(crate) commands: ClientCommands,
-    /// The trace level that it wants.
+    /// Trace level.
     pub(crate) trace: Trace,
 }
 
-/// The capabilities of a client that make a difference here.
+/// Client capabilities; each field is true if the client supports the feature.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct ClientAbilities {
-    /// It reports files that change on the disk if it is asked to.
+    /// Registration of file watchers.
     pub(crate) watches_files: bool,
-    /// It asks for findings.
+    /// Pull of diagnostics.
     pub(crate) pulls: bool,
-    /// It asks for findings again on request.
+    /// `workspace/diagnostic/refresh`.
     pub(crate) pulls_again: bool,
-    /// It can be asked for settings.
+    /// `workspace/configuration`.
     pub(crate) has_settings: bool,
-    /// It reports changed settings if it is asked to.
+    /// Registration for `workspace/didChangeConfiguration`.
     pub(crate) reports_settings: bool,
-    /// It shows how far work has come.
+    /// Progress reports started by the server.
     pub(crate) shows_progress: bool,
-    /// It can jump to links with an origin.
+    /// Location links with an origin range.
     pub(crate) has_links: bool,
-    /// It fills in snippets.
+    /// Snippets.
     pub(crate) has_snippets: bool,
-    /// It takes a completion when one of the named characters is typed.
+    /// Commit characters of completion items.
     pub(crate) has_commit_characters: bool,
-    /// How it wants longer texts.
+    /// Text formats.
     pub(crate) formats: Formats,
-    /// It makes edits that the server asks for.
+    /// `workspace/applyEdit`.
     pub(crate) applies_edits: bool,
-    /// It creates, renames and deletes files as part of an edit.
+    /// File operations within an edit.
     pub(crate) changes_files: FileChanges,
-    /// It knows code actions with a kind; others know commands alone.
+    /// `CodeAction` literals; other clients accept only `Command`.
     pub(crate) has_code_actions: bool,
-    /// It asks for the edit of a code action when that is chosen.
+    /// Resolving code action edits when an action is chosen.
     pub(crate) resolves_edits: bool,
-    /// It shows code actions that cannot be done, with the reason.
+    /// Disabled code actions with a reason.
     pub(crate) shows_disabled: bool,
-    /// It asks for the range of a symbol of the workspace when that is chosen.
+    /// Resolving workspace symbol ranges when a symbol is chosen.
     pub(crate) resolves_symbols: bool,
-    /// It asks for the locations of an inlay hint when the pointer is on it.
+    /// Resolving inlay hint locations when the pointer is on the hint.
     pub(crate) resolves_hints: bool,
-    /// It asks for inlay hints again on request.
+    /// `workspace/inlayHint/refresh`.
     pub(crate) refreshes_hints: bool,
-    /// It asks for code lenses again on request.
+    /// `workspace/codeLens/refresh`.
     pub(crate) refreshes_lenses: bool,
-    /// It knows edits that name the version they are made for.
+    /// Edits with document versions.
     pub(crate) has_document_changes: bool,
-    /// It shows an outline with levels.
+    /// Nested document symbols.
     pub(crate) has_nested_symbols: bool,
-    /// It folds whole lines only.
+    /// Only entire lines are folded.
     pub(crate) folds_lines: bool,
 }
 
-/// How a client wants the texts of hovers, and of the documentation of completions and signatures.
+/// Text formats for hovers and for the documentation of completions and signatures.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Formats {
     pub(crate) hovers: TextFormat,
@@ -86,19 +86,19 @@ pub(crate) struct Formats {
     pub(crate) signatures: TextFormat,
 }
 
-/// How a client wants a text.
+/// Text format of a client.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum TextFormat {
-    /// As Markdown, which is said of it.
+    /// Markdown, sent as `MarkupContent`.
     Markdown,
-    /// As plain text, which is said of it.
+    /// Plain text, sent as `MarkupContent`.
     PlainMarkup,
-    /// It names no format: a string alone.
+    /// The client states no format: a plain string is sent.
     #[default]
     Plain,
 }
 
-/// The file operations that a client can perform as part of an edit.
+/// File operations that a client supports within edits.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct FileChanges {
     pub(crate) creates: bool,
@@ -106,7 +106,7 @@ pub(crate) struct FileChanges {
     pub(crate) deletes: bool,
 }
 
-/// The commands that a client brings for what the protocol does not know, named in `initializationOptions.commands`.
+/// Commands that a client implements in addition to the protocol, listed in `initializationOptions.commands`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct ClientCommands {
     /// [`RUN`](Self::RUN)
@@ -126,17 +126,17 @@ pub(crate) struct ClientCommands {
 }
 
 impl ClientCommands {
-    /// Runs the application of a `.pjx`. Argument: its URI.
+    /// Runs the application of a `.pjx`. Argument: the URI of the `.pjx`.
     pub(crate) const RUN: &str = "val3.run";
-    /// Debugs it. Argument: its URI.
+    /// Debugs the application of a `.pjx`. Argument: the URI of the `.pjx`.
     pub(crate) const DEBUG: &str = "val3.debug";
-    /// Executes a test of the application of a `.pjx`. Arguments: its URI and the name of the program.
+    /// Executes a test. Arguments: the URI of the `.pjx` and the program name.
     pub(crate) const RUN_TEST: &str = "val3.runTest";
-    /// Debugs it. Arguments: the same.
+    /// Debugs a test. Arguments: the URI of the `.pjx` and the program name.
     pub(crate) const DEBUG_TEST: &str = "val3.debugTest";
-    /// Shows places. Arguments: the URI and the position they are asked for at, and the locations.
+    /// Shows references. Arguments: the URI and position of the request, and the locations.
     pub(crate) const SHOW_REFERENCES: &str = "val3.showReferences";
-    /// Starts the renaming of a name. Arguments: the URI and the range of the name.
+    /// Starts a rename. Arguments: the URI and the range of the name.
     pub(crate) const RENAME: &str = "val3.rename";
     /// Selects a text, which the user replaces. Arguments: the URI and the range of the text.
     pub(crate) const SELECT: &str = "val3.select";
@@ -157,18 +157,18 @@ impl ClientCommands {
     }
 }
 
-/// How much a client wants to know.
+/// Trace level of a client.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Trace {
-    /// Nothing.
+    /// No trace.
     #[default]
     Off,
-    /// Which requests are computed.
+    /// Computed requests.
     On,
 }
 
 impl Session {
-    /// Reads the first message of a client; the second value says what is wrong with its settings.
+    /// Reads the `initialize` parameters. The second value contains the error messages for invalid settings.
     pub(crate) fn new(params: &InitializeParams) -> (Self, Vec<String>) {
         let (options, faults) = Options::read(params.initialization_options.as_ref().unwrap_or(&Value::Null));
         let session = Self {
@@ -186,7 +186,7 @@ impl Session {
         (session, faults)
     }
 
-    /// The client asks for findings; the server sends none.
+    /// Whether the client pulls findings, so that the server pushes none.
     pub(crate) fn is_asked_for_findings(&self) -> bool {
         match self.options.check.delivery {
             Delivery::Auto => self.client.pulls,
@@ -196,7 +196,8 @@ impl Session {
     }
 }
 
-/// UTF-8 where the client knows it, since texts are kept in it; otherwise what every client knows.
+/// Position encoding: UTF-8 if the client supports it, because texts are stored in UTF-8; otherwise UTF-16, which all
+/// clients support.
 fn encoding(params: &InitializeParams) -> Unit {
     let general = params.capabilities.general.as_ref();
     let offered = general.and_then(|general| general.position_encodings.as_deref()).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Documents that are opened, changed, saved and closed.
+//! Opening, changing, saving and closing of documents.
 
 use std::sync::Arc;
 
@@ -12,9 +12,9 @@ use crate::documents::Document;
 use crate::server_state::ServerState;
 use crate::uri;
 
-/// A document was opened: its text counts from now on.
+/// Adds an opened document, whose text replaces the stored file.
 pub(crate) fn opened(server: &mut ServerState, params: DidOpenTextDocumentParams) {
-    // A client that opens documents has begun, whether it says so or not.
+    // Some clients open documents without sending `initialized`.
     server.ready();
     let item = params.text_document;
     let Some(path) = uri::path(&item.uri, Some(&item.language_id)) else {
@@ -26,13 +26,13 @@ pub(crate) fn opened(server: &mut ServerState, params: DidOpenTextDocumentParams
     let file = server.file(&path);
     server.edited(file, &text);
     match file {
-        // An editor shows a stored file without its byte order mark. That alone moves no reference.
+        // An editor shows a stored file without its byte order mark. That difference does not invalidate references.
         Some(file) if !shapes_workspace(&path) && !server.is_unreadable(file) => server.checks.edited(file),
         _ => server.is_stale(&path),
     }
 }
 
-/// A document was changed.
+/// Applies changes to a document.
 pub(crate) fn changed(server: &mut ServerState, params: DidChangeTextDocumentParams) {
     let encoding = server.session.encoding;
     let uri = params.text_document.uri;
@@ -57,13 +57,13 @@ pub(crate) fn changed(server: &mut ServerState, params: DidChangeTextDocumentPar
     }
 }
 
-/// A document was saved: its text is known, but not how it is stored now.
+/// Marks the file of a saved document to be read again: its text is known, but its stored encoding may have changed.
 pub(crate) fn saved(server: &mut ServerState, params: DidSaveTextDocumentParams) {
     let path = server.documents.get(&params.text_document.uri).map(|document| document.path.clone());
     path.iter().for_each(|path| server.is_stale(path));
 }
 
-/// A document was closed: the stored text counts again.
+/// Removes a closed document; the stored file is in effect again.
 pub(crate) fn closed(server: &mut ServerState, params: DidCloseTextDocumentParams) {
     let Some(document) = Arc::make_mut(&mut server.documents).close(&params.text_document.uri) else { return };
     server.published.closed(&document);
@@ -73,7 +73,7 @@ pub(crate) fn closed(server: &mut ServerState, params: DidCloseTextDocumentParam
     server.is_stale(&document.path);
 }
 
-/// Files that say which other files there are.
+/// Whether the file determines which other files belong to the workspace.
 pub(crate) fn shapes_workspace(path: &Utf8Path) -> bool {
     let is_manifest = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"));
     is_manifest || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(val3_config::FILE_NAME))

@@ -1,4 +1,4 @@
-//! The bytes: frames are read on one thread and written on another, so that neither side ever holds up the other.
+//! Transport of bytes: one thread reads frames and another writes them, so that neither direction blocks the other.
 
 mod frame;
 mod intake;

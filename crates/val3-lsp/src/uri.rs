@@ -1,10 +1,10 @@
-//! URIs and paths. Documents that are no files (`untitled:`) get a path that no disk has.
+//! URIs and paths. Documents that are no files (`untitled:`) have a path that does not exist on any disk.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use percent_encoding::percent_decode_str;
 use tower_lsp::lsp_types::Url;
 
-/// The path of a document; `None` where it is no UTF-8. `language` says what an untitled document is.
+/// Document path; `None` if it is not valid UTF-8. `language` determines the extension for untitled documents.
 pub(crate) fn path(uri: &Url, language: Option<&str>) -> Option<Utf8PathBuf> {
     if uri.scheme() == "file" {
         return Utf8PathBuf::from_path_buf(uri.to_file_path().ok()?).ok();
@@ -20,7 +20,7 @@ pub(crate) fn path(uri: &Url, language: Option<&str>) -> Option<Utf8PathBuf> {
     Some(Utf8PathBuf::from(format!("/{}:/{name}{ending}", uri.scheme())))
 }
 
-/// The URI of a path on the disk.
+/// URI of a path.
 pub(crate) fn of(path: &Utf8Path) -> Url {
     if let Some((scheme, name)) = path.as_str().trim_start_matches('/').split_once(":/")
         && scheme.len() > 1
@@ -31,7 +31,7 @@ pub(crate) fn of(path: &Utf8Path) -> Url {
     Url::from_file_path(path).unwrap_or_else(|()| relative(path))
 }
 
-/// A path that is not absolute, which no loader gives.
+/// URI of a relative path; loaders only return absolute paths.
 fn relative(path: &Utf8Path) -> Url {
     Url::from_file_path(Utf8Path::new("/").join(path)).unwrap_or_else(|()| nowhere())
 }

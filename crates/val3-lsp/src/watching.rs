@@ -1,4 +1,4 @@
-//! Files that change on the disk: the client reports them, or the server watches them.
+//! File changes on the disk, reported by the client or watched by the server.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use notify::event::{EventKind, ModifyKind};
@@ -15,26 +15,26 @@ use crate::inbox::Inbox;
 use crate::server_state::ServerState;
 use crate::uri;
 
-/// Everything is watched. A folder that is moved or deleted is one event, whatever its name, and most clients
-/// distinguish letter case in patterns.
+/// All files are watched. A moved or deleted folder is reported as one event with any name, and most clients match
+/// patterns case-sensitively.
 const PATTERN: &str = "**/*";
 
-/// The endings of the files that matter: those of projects, of the cell around them, and configurations.
+/// Relevant file extensions: projects, the surrounding cell, and configurations.
 const ENDINGS: [&str; 6] = ["pgx", "dtx", "pjx", "toml", "cfx", "xml"];
 
-/// The endings of the files that matter in the folder of an application's user pages.
+/// Relevant file extensions in the folder of an application's user pages.
 const OF_PAGES: [&str; 2] = ["json", "html"];
 
-/// The change of a path.
+/// Kind of a change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Change {
-    /// The file has another text.
+    /// The contents of the file have changed.
     Content,
     /// The file or folder was created, deleted or moved.
     Existence,
 }
 
-/// Begins to watch.
+/// Starts watching.
 pub(crate) fn start(server: &mut ServerState) {
     if server.session.client.watches_files {
         server.outbox.request::<RegisterCapability>(registration());
@@ -54,7 +54,7 @@ fn registration() -> RegistrationParams {
     RegistrationParams { registrations: vec![registration] }
 }
 
-/// The client reports files and folders that changed.
+/// Handles changes reported by the client.
 pub(crate) fn changed(server: &mut ServerState, params: DidChangeWatchedFilesParams) {
     let changes = params.changes.iter().filter_map(|event| {
         let is_content = event.typ == FileChangeType::CHANGED;
@@ -63,7 +63,7 @@ pub(crate) fn changed(server: &mut ServerState, params: DidChangeWatchedFilesPar
     files_changed(server, changes.collect());
 }
 
-/// Files and folders changed on the disk. The text of an open document counts all the same.
+/// Handles changed files and folders. For an open document, its text stays in effect.
 pub(crate) fn files_changed(server: &mut ServerState, changes: Vec<(Utf8PathBuf, Change)>) {
     for (path, change) in changes {
         if matters(&path) || change == Change::Existence && may_be_folder(server, &path) {
@@ -72,7 +72,7 @@ pub(crate) fn files_changed(server: &mut ServerState, changes: Vec<(Utf8PathBuf,
     }
 }
 
-/// Whether this is, or was, a folder that may hold files of projects. A deleted folder is recognised by its files.
+/// Whether the path is or was a folder that may contain files of projects. A deleted folder is recognised by its files.
 fn may_be_folder(server: &ServerState, path: &Utf8Path) -> bool {
     match Disk.kind(path) {
         Some(kind) => kind == Kind::Folder,
@@ -80,7 +80,7 @@ fn may_be_folder(server: &ServerState, path: &Utf8Path) -> bool {
     }
 }
 
-/// Watches the folders of the workspace without the client.
+/// Watches the folders of the workspace if the client does not.
 fn watch_disk(server: &mut ServerState) {
     let inbox = server.inbox.clone();
     let watcher = notify::recommended_watcher(move |event: notify::Result<Event>| tell(&inbox, event));
@@ -112,11 +112,11 @@ fn tell(inbox: &Inbox, event: notify::Result<Event>) {
     }
 }
 
-/// The changes that an event reports; `None` for mere access.
+/// Change reported by an event; `None` for read access.
 fn change(kind: EventKind) -> Option<Change> {
     match kind {
         EventKind::Access(_) => None,
-        // Some systems report a folder whenever something in it changes.
+        // Some systems report a folder whenever a file in it changes.
         EventKind::Modify(kind) if !matches!(kind, ModifyKind::Name(_)) => Some(Change::Content),
         _ => Some(Change::Existence),
     }

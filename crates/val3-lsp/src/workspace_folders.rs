@@ -1,4 +1,4 @@
-//! Folders that come and go, and settings that change.
+//! Changes of workspace folders, settings and the trace level.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use crate::session::Trace;
 use crate::uri;
 use crate::watching;
 
-/// Folders were added or removed.
+/// Handles added and removed folders.
 pub(crate) fn folders_changed(server: &mut ServerState, params: DidChangeWorkspaceFoldersParams) {
     let session = Arc::make_mut(&mut server.session);
     let path = |uri| uri::path(uri, None).map(|path| normalise(&path));
@@ -30,7 +30,8 @@ pub(crate) fn folders_changed(server: &mut ServerState, params: DidChangeWorkspa
     server.all_is_stale();
 }
 
-/// The settings of the editor changed. Clients that can be asked send nothing of use along.
+/// Handles changed editor settings. Clients that support `workspace/configuration` send nothing usable here, so the
+/// settings are requested.
 pub(crate) fn settings_changed(server: &mut ServerState, params: DidChangeConfigurationParams) {
     if server.session.client.has_settings {
         server.ask_for_settings();
@@ -39,7 +40,7 @@ pub(crate) fn settings_changed(server: &mut ServerState, params: DidChangeConfig
     }
 }
 
-/// The client wants to know more or less.
+/// Handles a changed trace level.
 pub(crate) fn trace_set(server: &mut ServerState, params: SetTraceParams) {
     let is_off = params.value == TraceValue::Off;
     Arc::make_mut(&mut server.session).trace = if is_off { Trace::Off } else { Trace::On };

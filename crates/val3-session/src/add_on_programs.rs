@@ -1,4 +1,4 @@
-//! Checks of the programs that are called in place of instructions of add-ons (`run.add-ons` in `val3.toml`).
+//! Checks of the programs that are called in place of add-on instructions (`run.add-ons` in `val3.toml`).
 
 use camino::Utf8Path;
 use val3_analysis::add_on_programs::{self, AddOnLibrary, AddOnProgram};
@@ -13,11 +13,11 @@ use val3_lines::LineIndex;
 
 use crate::error::SessionError;
 
-/// The libraries with such programs that an application and its libraries load, by identifier.
+/// Libraries with such programs that an application and its libraries load, by identifier.
 ///
 /// # Errors
-/// A setting names a program that cannot be called, or two settings files give libraries in different folders the same
-/// identifier.
+/// If a setting names a program that cannot be called, or if two settings files use the same identifier for libraries
+/// in different folders.
 pub(crate) fn libraries(db: &Database) -> Result<Vec<AddOnLibrary>, SessionError> {
     let mut found: Vec<AddOnLibrary> = Vec::new();
     for (configuration, user) in configurations(db) {
@@ -40,7 +40,7 @@ pub(crate) fn libraries(db: &Database) -> Result<Vec<AddOnLibrary>, SessionError
     Ok(found)
 }
 
-/// The settings files of all projects that were read, each with one of the projects, in the order of the projects' paths.
+/// Settings files of all projects that were read, each with one project that uses it, sorted by the project's path.
 fn configurations(db: &dyn Db) -> Vec<(Configuration, Project)> {
     let mut projects: Vec<_> = Sources::get(db).projects(db).iter().collect();
     projects.sort_unstable_by_key(|(key, _)| *key);
@@ -111,8 +111,8 @@ fn no_program(db: &dyn Db, library: Project, setting: &StandInProgram) -> Fault 
     (format!("`{project}` has no program `{name}`"), question(nearest(name, programs)).unwrap_or_else(list))
 }
 
-/// Checks that the program has the parameters of the instruction, as the tables of the cell declare it. Without a table the
-/// calls are checked instead.
+/// Checks that the program has the parameters of the instruction, as declared in the cell's tables. Without a table,
+/// the calls are checked instead.
 fn check_signature(db: &dyn Db, user: Project, instruction: &str, program: &AddOnProgram) -> Result<(), Fault> {
     let params = program.params(db);
     if let Some(param) = params.iter().find(|param| param.base.builtin().is_none()) {

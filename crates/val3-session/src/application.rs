@@ -1,4 +1,4 @@
-//! An opened application: its refusals, its image, its controller.
+//! An opened application: its compiler errors, its image, its controller.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -22,21 +22,21 @@ use crate::settings::ControllerSettings;
 use crate::stand_ins::{self, StandIn, StandInFault};
 use crate::{arm, controller, grants, io_library, readable};
 
-/// An application with everything that it refers to.
+/// An application with everything that it references.
 pub struct Application {
     workspace: Workspace,
     project: Project,
-    /// The libraries that are loaded in place of others.
+    /// Libraries that are loaded in place of others.
     stand_ins: Vec<StandIn>,
 }
 
 impl Application {
-    /// Reads the application at `path`, which is absolute: its `.pjx`, its folder, whatever lies below it, or a folder
-    /// that holds one application. Of several applications, the only one without tests that has the program `program` is
-    /// meant. The others are not kept.
+    /// Reads the application at the absolute `path`: a `.pjx`, its folder, anything below that folder, or a folder that
+    /// contains one application. If there are several applications, `program` selects the only one with this program
+    /// that is no test application. All others are discarded.
     ///
     /// # Errors
-    /// `path` does not hold exactly one such application, or a `val3.toml` is at fault.
+    /// If `path` does not contain exactly one such application, or if a `val3.toml` is invalid.
     pub fn open(system: &dyn System, path: &Utf8Path, program: Option<&str>) -> Result<Self, SessionError> {
         let workspace = load::load(system, &[path.to_owned()])?;
         let project = only_application(&workspace, path, program)?;
@@ -47,11 +47,12 @@ impl Application {
         Ok(Self::of(workspace, project))
     }
 
-    /// Reads the application with this project file, and the stand-ins of its `val3.toml`. They are loaded in place of
-    /// libraries on its controller. `others` are further ones, by identifier with absolute paths, which take precedence.
+    /// Reads the application with this project file, and the stand-ins in its `val3.toml`, which its controller loads
+    /// in place of libraries. `others` are further stand-ins with absolute paths, by identifier, and take precedence.
     ///
     /// # Errors
-    /// There is no such application, the path of a stand-in leads to no library, or a `val3.toml` is at fault.
+    /// If the application does not exist, if the path of a stand-in contains no library, or if a `val3.toml` is
+    /// invalid.
     pub fn open_with_stand_ins(
         system: &dyn System,
         manifest: &Utf8Path,
@@ -73,91 +74,92 @@ impl Application {
         Ok(Self { workspace, project, stand_ins })
     }
 
-    /// The application of a project that has been read.
+    /// The application of a project that was read before.
     pub fn of(workspace: Workspace, project: Project) -> Self {
         Self { workspace, project, stand_ins: Vec::new() }
     }
 
-    /// The reasons why stand-ins cannot take the places of the libraries; empty if they can.
+    /// Reasons why stand-ins cannot replace their libraries; empty if they can.
     pub fn stand_in_faults(&self) -> Vec<StandInFault> {
         stand_ins::faults(self.db(), self.project, &self.stand_ins)
     }
 
-    /// The database with its files.
+    /// Database with its files.
     pub fn db(&self) -> &Database {
         &self.workspace.db
     }
 
-    /// The database, to be changed.
+    /// Database, mutable.
     pub(crate) fn db_mut(&mut self) -> &mut Database {
         &mut self.workspace.db
     }
 
-    /// The project of the application.
+    /// Project of the application.
     pub fn project(&self) -> Project {
         self.project
     }
 
-    /// All that was read.
+    /// Converts the application to its workspace.
     pub fn into_workspace(self) -> Workspace {
         self.workspace
     }
 
-    /// Chooses the arm, whatever the configuration of the application says.
+    /// Sets the arm, with precedence over the application's configuration.
     ///
     /// # Errors
-    /// There is no arm called `name`.
+    /// If no arm is called `name`.
     pub fn set_arm(&mut self, name: &str) -> Result<(), SessionError> {
         arm::set_arm(&mut self.workspace.db, self.project, name)
     }
 
-    /// The reasons why the compiler of a controller refuses the application; empty if it does not.
+    /// Errors with which the controller's compiler rejects the application; empty if it accepts the application.
     pub fn refusals(&self) -> Vec<Diagnostic> {
         val3_check::refusals(self.db(), self.project)
     }
 
-    /// Checks that every file of the application, of the projects that it loads, and of its cell was read.
+    /// Checks that all files of the application, of the projects that it loads, and of its cell were read.
     ///
     /// # Errors
-    /// A file cannot be read.
+    /// If a file cannot be read.
     pub fn check_readable(&self) -> Result<(), SessionError> {
         readable::check(self.db(), self.project)
     }
 
-    /// The image of an application without [`refusals`](Self::refusals).
+    /// Compiles an application without [`refusals`](Self::refusals) to an image.
     ///
     /// # Errors
-    /// It exceeds a limit of the virtual controller.
+    /// If it exceeds a limit of the virtual controller.
     pub fn compile(&self) -> Result<Arc<Image>, CompileError> {
         val3_compile::compile(self.db(), self.project).map(Arc::new)
     }
 
-    /// As [`compile`](Self::compile). The image counts how often its lines and branches are executed.
+    /// Like [`compile`](Self::compile), with counters for executed lines and branches.
     ///
     /// # Errors
-    /// It exceeds a limit of the virtual controller.
+    /// If it exceeds a limit of the virtual controller.
     pub fn compile_counted(&self) -> Result<Arc<Image>, CompileError> {
         val3_compile::compile_counted(self.db(), self.project).map(Arc::new)
     }
 
-    /// Sentences on the folders outside of the cell, the lines and the network that a controller with these settings is
-    /// given.
+    /// Sentences about the folders outside the cell, the lines and the network to which a controller with these
+    /// settings has access.
     ///
     /// # Errors
-    /// A setting is at fault.
+    /// If a setting is invalid.
     pub fn grants(&self, settings: &ControllerSettings) -> Result<Vec<String>, SessionError> {
         grants::notes(self.db(), self.project, settings)
     }
 
-    /// A sentence on the missing library `io`, and the remedy. `None` if the application needs none.
+    /// Message about the missing library `io`, and its help. `None` if the application does not use it.
     pub fn missing_io_library(&self) -> Option<(String, String)> {
         io_library::missing(self.db(), self.project)
     }
 
-    /// A controller with `image` in memory and the inputs, outputs, lines and folders of its cell. No task runs yet.
+    /// Opens a controller with `image` in memory and the inputs, outputs, lines and folders of its cell. No task runs
+    /// yet.
     ///
     /// # Errors
-    /// A setting is at fault, a folder or line cannot be opened, or memory does not suffice.
+    /// If a setting is invalid, if a folder or line cannot be opened, or if memory is insufficient.
     pub fn controller(
         &self,
         settings: &ControllerSettings,
@@ -169,8 +171,8 @@ impl Application {
 }
 
 impl Application {
-    /// Replaces the text of a file in `system`, and reads what the application newly refers to. `arm` is chosen again
-    /// where the configuration was read again.
+    /// Replaces the text of a file in `system`, and reads the files that the application references newly. If the
+    /// configuration is read again, `arm` is set again.
     pub(crate) fn set_text(&mut self, system: &dyn System, path: &Utf8Path, text: String, arm: Option<&str>) {
         let key = path_key(path.as_str());
         let db = &mut self.workspace.db;
@@ -182,19 +184,19 @@ impl Application {
             return;
         }
         let manifest = self.project.manifest(&self.workspace.db).path(&self.workspace.db).clone();
-        // Faulty configurations were reported when the application was opened.
+        // Invalid configurations were reported when the application was opened.
         let _ = self.workspace.refresh(system, &[manifest], &|other| other == key);
         if let [project] = self.workspace.projects.as_slice() {
             self.project = *project;
         }
         if let Some(arm) = arm {
-            // The arm was known when the application was opened.
+            // The arm was valid when the application was opened.
             let _ = self.set_arm(arm);
         }
     }
 }
 
-/// The only application of a workspace, or the only one with a program of this name that is no test application.
+/// The only application of a workspace, or the only application with this program that is no test application.
 fn only_application(workspace: &Workspace, path: &Utf8Path, program: Option<&str>) -> Result<Project, SessionError> {
     let (projects, db) = (&workspace.projects, &workspace.db);
     let asked = normalise(path);
@@ -205,7 +207,7 @@ fn only_application(workspace: &Workspace, path: &Utf8Path, program: Option<&str
     let has_program = |project: &&Project| program.is_some_and(|name| items(db, **project).programs.contains_key(name));
     let mut starting: Vec<Project> = projects.iter().filter(has_program).copied().collect();
     if starting.len() > 1 {
-        // Test applications begin with the same program, but on a controller without `val3 test`.
+        // Test applications have the same start program, for use on a controller without `val3 test`.
         starting.retain(|project| !has_tests(db, *project));
     }
     match (projects.as_slice(), starting.as_slice()) {

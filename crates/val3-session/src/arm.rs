@@ -1,4 +1,4 @@
-//! The model of the arm: that of the settings, else that of `val3.toml`, else that of the cell.
+//! Arm model: from the settings, otherwise from `val3.toml`, otherwise from the cell.
 
 use std::sync::Arc;
 
@@ -14,16 +14,16 @@ use val3_lang::suggest::{proposals, question};
 
 use crate::error::SessionError;
 
-/// An arm, and the name under which `getVersion` shows it.
+/// An arm, and its name for `getVersion`.
 pub(crate) struct ChosenArm {
     pub(crate) model: Arm,
     pub(crate) name: String,
 }
 
-/// The arm that the settings or the `val3.toml` choose; `None` where they leave it to the cell.
+/// Arm set by the settings or by `val3.toml`; `None` if the cell determines it.
 ///
 /// # Errors
-/// There is no such model, or the file that describes it has a fault.
+/// If the model does not exist, or if its description file is invalid.
 pub(crate) fn chosen(setting: Option<&str>, file: Option<&ConfigFile>) -> Result<Option<ChosenArm>, SessionError> {
     if let Some(setting) = setting.and_then(ArmSetting::parse) {
         return model(&setting, Utf8Path::new(""));
@@ -32,7 +32,7 @@ pub(crate) fn chosen(setting: Option<&str>, file: Option<&ConfigFile>) -> Result
     configured.map_or(Ok(None), |(file, setting)| model(setting, file.folder()).map_err(|error| in_file(file, error)))
 }
 
-/// The error with the line of a `val3.toml`.
+/// Adds the line in `val3.toml` to the error.
 fn in_file(file: &ConfigFile, error: SessionError) -> SessionError {
     match error {
         SessionError::Setting { message, help } => {
@@ -42,10 +42,10 @@ fn in_file(file: &ConfigFile, error: SessionError) -> SessionError {
     }
 }
 
-/// Chooses the arm of projects for their analysis, whatever their configurations and cells say.
+/// Sets the arm of projects for their analysis, with precedence over their configurations and cells.
 ///
 /// # Errors
-/// There is no such model, or the file that describes it has a fault.
+/// If the model does not exist, or if its description file is invalid.
 pub fn request_arm(db: &mut Database, projects: &[Project], name: &str) -> Result<(), SessionError> {
     projects.iter().try_for_each(|project| set_arm(db, *project, name))?;
     let Some(chosen) = chosen(Some(name), None)? else { return Ok(()) };
@@ -57,15 +57,15 @@ pub fn request_arm(db: &mut Database, projects: &[Project], name: &str) -> Resul
     Ok(())
 }
 
-/// Chooses the arm of a project, whatever its configuration says.
+/// Sets the arm of a project, with precedence over its configuration.
 ///
 /// # Errors
-/// There is no arm called `name`.
+/// If no arm is called `name`.
 pub(crate) fn set_arm(db: &mut Database, project: Project, name: &str) -> Result<(), SessionError> {
     let parsed = ConfigFile::parse(Utf8Path::new(""), &format!("arm = {name:?}"));
     let mut arm =
         parsed.map_err(|error| SessionError::Setting { message: error.message, help: error.help })?.config.arm;
-    // A name that begins like that of a known kind of arm need not be one.
+    // The arm kind is derived from the model, because a name prefix does not always determine it.
     let chosen = arm.as_ref().map_or(Ok(None), |setting| model(setting, Utf8Path::new("")))?;
     if let (Some(setting), Some(chosen)) = (&arm, chosen)
         && setting.kind().is_none()
@@ -79,7 +79,7 @@ pub(crate) fn set_arm(db: &mut Database, project: Project, name: &str) -> Result
     Ok(())
 }
 
-/// The arm of a setting, whose files are relative to `folder`; `None` where it only says the kind.
+/// Arm of a setting, with file paths relative to `folder`; `None` if the setting only states the arm kind.
 pub(crate) fn model(setting: &ArmSetting, folder: &Utf8Path) -> Result<Option<ChosenArm>, SessionError> {
     Ok(read(setting, folder)?.map(|file| {
         let name = match setting.model() {
@@ -90,19 +90,19 @@ pub(crate) fn model(setting: &ArmSetting, folder: &Utf8Path) -> Result<Option<Ch
     }))
 }
 
-/// An arm and the text of its file.
+/// An arm and its description file.
 pub struct ArmFile {
     /// The arm.
     pub arm: Arm,
-    /// Text of the file, in TOML.
+    /// File text in TOML.
     pub text: String,
 }
 
 impl ArmFile {
-    /// The arm of `--arm`: a shipped model (`tx2-60l`) or the path of a file (`my-arm.toml`).
+    /// Arm for `--arm`: a shipped model (`tx2-60l`) or a file path (`my-arm.toml`).
     ///
     /// # Errors
-    /// There is no such model, the name is only a kind of arm, or the file has a fault.
+    /// If the model does not exist, if the name only states an arm kind, or if the file is invalid.
     pub fn named(name: &str) -> Result<Self, SessionError> {
         let Some(setting) = ArmSetting::parse(name) else { return shipped(name) };
         read(&setting, Utf8Path::new(""))?.ok_or_else(|| SessionError::Setting {

@@ -9,7 +9,7 @@ use val3_syntax::document;
 use crate::arm::ChosenArm;
 use crate::error::SessionError;
 
-/// Declares the inputs and outputs that the configuration of the cell names.
+/// Declares the inputs and outputs in the cell's configuration.
 pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {
     let Some(cell) = project.cell(db) else { return };
     let known = &cell.config(db).io;
@@ -23,10 +23,10 @@ pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
     }
 }
 
-/// Gives the controller the arm and the language of the cell around `disk`; the arm is `chosen` where that is one.
+/// Sets the arm and the language of the controller from the cell around `disk`; `chosen` takes precedence for the arm.
 ///
 /// # Errors
-/// A file of the cell cannot be read.
+/// If a file of the cell cannot be read.
 pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<ChosenArm>) -> Result<(), SessionError> {
     if let Some(ChosenArm { model, name }) = chosen {
         devices.state.set_arm(model, &name);
@@ -39,10 +39,10 @@ pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path, chosen: Option<Ch
     Ok(())
 }
 
-/// The text of a file in `usr/configs` of the cell around `disk`, if there is one.
+/// Text of a file in `usr/configs` of the cell around `disk`; `None` if it does not exist.
 ///
 /// # Errors
-/// The file exists but cannot be read.
+/// If the file exists but cannot be read.
 pub(crate) fn config(disk: &Utf8Path, name: &str) -> Result<Option<String>, SessionError> {
     let Some(usr) = disk.parent() else { return Ok(None) };
     let file = usr.join("configs").join(name);

@@ -1,4 +1,4 @@
-//! Connections of the serial lines and sockets of a controller: those of the cell, and those of the settings.
+//! Connections of a controller's serial lines and sockets, from the cell and from the settings.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -14,14 +14,14 @@ use crate::cell::config;
 use crate::error::SessionError;
 use crate::settings::MergedSettings;
 
-/// The connection of a line, written as `Socket\host=server:2000`.
+/// Connection of a line, written as `Socket\host=server:2000`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Connection {
     link: String,
     end: LineEnd,
 }
 
-/// The other end of a line.
+/// Remote end of a line.
 #[derive(Debug, Clone, PartialEq)]
 enum LineEnd {
     /// A socket of this kind.
@@ -53,16 +53,16 @@ impl FromStr for Connection {
     }
 }
 
-/// Recording and replay of the data that lines receive.
+/// Recording and replay of received data.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Tape<'a> {
-    /// Received data are recorded.
+    /// Whether received data are recorded.
     pub records: bool,
-    /// Received data come from this file, which `val3 run --events` has written, and not from outside.
+    /// File from which received data are read instead of from outside. `val3 run --events` writes such a file.
     pub replays: Option<&'a Utf8Path>,
 }
 
-/// Connects the lines of the cell around `disk`, and those of the settings.
+/// Connects the lines of the cell around `disk` and the lines in the settings.
 pub(crate) fn connect(
     lines: &mut Lines,
     disk: &Utf8Path,
@@ -88,7 +88,8 @@ pub(crate) fn connect(
     Ok(())
 }
 
-/// The lines of a cell, each with the end that the last of `lines` for it names. It keeps its other parameters.
+/// Lines of a cell with their remote ends. The last matching connection in `lines` replaces the end; the other
+/// parameters are kept.
 fn connected(mut configs: Vec<ChannelConfig>, lines: &[Connection]) -> Vec<ChannelConfig> {
     for line in lines {
         let mut config = line.config();
@@ -100,14 +101,14 @@ fn connected(mut configs: Vec<ChannelConfig>, lines: &[Connection]) -> Vec<Chann
     configs
 }
 
-/// The data that lines have received in another run, by line.
+/// Data that lines have received in another run, by line.
 fn recorded(file: &Utf8Path) -> Result<BTreeMap<String, Vec<Entry>>, SessionError> {
     let refused = |reason: String| SessionError::Recording { file: file.to_owned(), reason };
     let text = val3_files::read_text(file, FileClass::Record).map_err(|reason| refused(reason.to_string()))?;
     replay(&text).map_err(|error| refused(error.to_string()))
 }
 
-/// The lines that `usr/configs/sio.cfx` names.
+/// Lines in `usr/configs/sio.cfx`.
 fn of_cell(disk: &Utf8Path) -> Result<Vec<ChannelConfig>, SessionError> {
     Ok(config(disk, "sio.cfx")?.map(|text| channels(&text)).unwrap_or_default())
 }
@@ -127,17 +128,17 @@ impl fmt::Display for Connection {
 }
 
 impl Connection {
-    /// The name of the line in the cell: `Socket\host`.
+    /// Line name in the cell, for example `Socket\host`.
     pub(crate) fn link(&self) -> &str {
         &self.link
     }
 
-    /// Whether this is the connection of a line, in any letter case.
+    /// Whether this is the connection of the line. Letter case is ignored.
     pub(crate) fn is_for(&self, link: &str) -> bool {
         self.link.eq_ignore_ascii_case(link)
     }
 
-    /// The serial device, if the line is connected to one.
+    /// Serial device; `None` for a socket.
     pub(crate) fn device(&self) -> Option<&Utf8Path> {
         match &self.end {
             LineEnd::Device(device) => Some(device),
@@ -145,7 +146,7 @@ impl Connection {
         }
     }
 
-    /// The address of the machine that a client connects to.
+    /// Address of the machine to which a client connects.
     pub(crate) fn target(&self) -> Option<IpAddr> {
         self.config().target()
     }
@@ -158,7 +159,7 @@ impl Connection {
         ChannelConfig { link: self.link.clone(), kind, settings }
     }
 
-    /// Connects a serial device; sockets open when a program uses them.
+    /// Connects a serial device. Sockets are opened when a program uses them.
     fn open(&self, lines: &mut Lines, configs: &[ChannelConfig]) -> Result<(), SessionError> {
         let LineEnd::Device(device) = &self.end else { return Ok(()) };
         let refused = |reason: String| SessionError::Device { device: device.clone(), link: self.link.clone(), reason };

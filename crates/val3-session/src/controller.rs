@@ -1,4 +1,4 @@
-//! The controller of an application: that of its cell, with the settings of the caller and of `val3.toml`.
+//! Opens an application's controller, with the devices of its cell and the settings of the caller and of `val3.toml`.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use crate::settings::{ControllerSettings, MergedSettings};
 use crate::stand_ins::StandIn;
 use crate::{add_on_programs, arm, cell, pages, shapes};
 
-/// Opens the controller, with the image of the application in memory. The stand-ins are loaded in place of libraries.
+/// Opens the controller with the application's image in memory. Stand-ins are loaded in place of libraries.
 pub(crate) fn open(
     db: &Database,
     (project, stand_ins): (Project, &[StandIn]),
@@ -33,7 +33,7 @@ pub(crate) fn open(
     let mut replaced = media.place_stand_ins(db, stand_ins)?;
     media.place_add_ons(db, &add_on_programs::libraries(db)?, &mut replaced)?;
     let Media { roots, disk, application, outside } = media;
-    // Stand-ins are a part of the tests.
+    // Stand-ins belong to the tests, so they are not counted.
     let key = |stand_in: &StandIn| path_key(stand_in.project.manifest(db).path(db).as_str());
     let uncounted = settings.is_counted.then(|| stand_ins.iter().map(key).collect());
     let compiler = LibraryCompiler::new(disk.clone(), outside, uncounted).with(settings.edited.clone());

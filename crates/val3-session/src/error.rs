@@ -1,4 +1,4 @@
-//! Errors of opening an application.
+//! Errors when an application is opened.
 
 use std::fmt::{self, Display};
 
@@ -7,20 +7,20 @@ use val3_analysis::load::LoadError;
 use val3_compile::CompileError;
 use val3_lang::memory::MEMORY;
 
-/// A reason why an application cannot be opened. `Display` names the fault and its place, [`help`](Self::help) the
+/// Reason why an application cannot be opened. `Display` states the fault and its location, [`help`](Self::help) the
 /// remedy.
 #[derive(Debug)]
 pub enum SessionError {
-    /// A path holds no application, or a `val3.toml` is at fault.
+    /// A path contains no application, or a `val3.toml` is invalid.
     Load(LoadError),
-    /// A path holds several applications.
+    /// A path contains several applications.
     Several {
         /// The path.
         path: Utf8PathBuf,
-        /// Their folders, relative to the path.
+        /// Folders of the applications, relative to the path.
         applications: Vec<String>,
     },
-    /// A setting has a value that it does not accept. The message names its place.
+    /// A setting has an invalid value. The message states its location.
     Setting {
         /// The fault.
         message: String,
@@ -29,46 +29,46 @@ pub enum SessionError {
     },
     /// A folder cannot be opened.
     Folder {
-        /// The root of paths, without `://`.
+        /// Root name, without `://`.
         root: String,
         /// The folder.
         folder: Utf8PathBuf,
-        /// The reason of the system.
+        /// Reason from the operating system.
         reason: String,
     },
-    /// A file of the application or of the cell exists but cannot be read.
+    /// A file of the application or the cell exists but cannot be read.
     UnreadableFile {
         /// The file.
         file: Utf8PathBuf,
         /// The reason.
         reason: String,
     },
-    /// A serial line or socket does not accept its configuration.
+    /// A serial line or socket rejects its configuration.
     Line {
-        /// Its name in the cell: `Socket\host`.
+        /// Line name in the cell, for example `Socket\host`.
         link: String,
     },
     /// A serial device cannot be opened.
     Device {
         /// The device.
         device: Utf8PathBuf,
-        /// The line that it is for.
+        /// Line name.
         link: String,
         /// The reason.
         reason: String,
     },
-    /// The record of another run cannot be replayed.
+    /// A recorded run cannot be replayed.
     Recording {
-        /// Its file.
+        /// The file.
         file: Utf8PathBuf,
         /// The reason.
         reason: String,
     },
-    /// The data of the application do not fit into the memory of a controller.
+    /// The data of the application exceed the memory of a controller.
     Memory,
     /// The application exceeds a limit of the virtual controller.
     Limit(CompileError),
-    /// A variable is declared wrongly, or the application has faults that keep variables from being declared.
+    /// A variable declaration is invalid, or the application has faults that prevent the declaration of variables.
     Variables {
         /// The fault.
         message: String,

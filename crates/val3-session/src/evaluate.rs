@@ -1,5 +1,4 @@
-//! Evaluation: an application on a controller of its own that executes texts. Its data keep their values from one text
-//! to the next.
+//! Evaluation of code in an application on its own controller. Data keep their values between evaluations.
 
 mod answer;
 mod declaration;
@@ -35,33 +34,33 @@ use execution::Execution;
 use sources::NAME;
 use variable::Variable;
 
-/// The program that runs first. Applications have it, libraries do not.
+/// The start program. Applications contain it, libraries do not.
 const START: &str = "start";
 
-/// The file with the variables of the texts.
+/// Data file with the declared variables.
 const DATA: &str = "eval__.dtx";
 
-/// Makes an expression a statement that prints its value.
+/// Prefix that turns an expression into a statement that prints its value.
 const PRINT: &str = "?";
 
-/// An application on a controller, and the database that it was compiled from.
+/// An application on a controller, and the database from which it was compiled.
 pub struct Evaluator {
     application: Application,
-    /// The files of the application as they were read, with the program and the data of the texts.
+    /// Application files as they were read, with the program and the data file of the evaluated code.
     files: OverlayFs<Disk>,
     manifest: Utf8PathBuf,
     execution: Execution,
-    /// The variables of the texts.
+    /// Variables declared by evaluated code.
     variables: Vec<Variable>,
-    /// The user types and the data of the application.
+    /// User types and data names of the application.
     types: BTreeSet<String>,
     data: BTreeSet<String>,
     arm: Option<String>,
 }
 
-/// The sort of a text.
+/// Kind of the evaluated code.
 enum Text {
-    /// An expression. The value of a string is shown in quotes.
+    /// An expression. The value of a string is displayed in quotes.
     Expression {
         is_string: bool,
     },
@@ -69,11 +68,12 @@ enum Text {
 }
 
 impl Evaluator {
-    /// Opens the application at the absolute path `application`, or an empty one, which behaves as if it were in the
-    /// folder `current`. Each of `variables` declares a variable, such as `num nVal` or `point pA[3]`.
+    /// Opens the application at the absolute path `application`. Without a path, opens an empty application, which
+    /// behaves as if it were in the folder `current`. Each string in `variables` declares a variable, for example `num
+    /// nVal` or `point pA[3]`.
     ///
     /// # Errors
-    /// The application cannot be read or loaded, a setting is at fault, or a variable cannot be declared.
+    /// If the application cannot be read or loaded, if a setting is invalid, or if a variable cannot be declared.
     pub fn open(
         application: Option<&Utf8Path>,
         current: &Utf8Path,
@@ -112,26 +112,26 @@ impl Evaluator {
         Ok(Self { application, files, manifest, execution, variables, types, data, arm })
     }
 
-    /// Sentences on the folders outside of the cell, the lines and the network that the application is given. The empty
-    /// application is given what the settings name.
+    /// Sentences about the folders outside the cell, the lines and the network to which the application has access. The
+    /// empty application only has access through the settings.
     ///
     /// # Errors
-    /// A setting is at fault.
+    /// If a setting is invalid.
     pub fn grants(&self, settings: &ControllerSettings) -> Result<Vec<String>, SessionError> {
         self.application.grants(settings)
     }
 
-    /// Whether the texts or the application have a variable called `name`.
+    /// Whether evaluated code or the application declares a variable called `name`.
     pub fn has_variable(&self, name: &str) -> bool {
         self.data.contains(name) || self.variables.iter().any(|variable| variable.name() == name)
     }
 
-    /// The flag that ends the text that is being executed. The caller sets it, for example on Ctrl-C.
+    /// Flag that interrupts the current evaluation. The caller sets it, for example on Ctrl-C.
     pub fn interrupt(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.execution.interrupt)
     }
 
-    /// Evaluates a text: a declaration, an expression, or statements.
+    /// Evaluates a declaration, an expression, or statements.
     pub fn evaluate(&mut self, text: &str, listener: &mut dyn Listener) {
         let is_type = |ty: &str| BaseType::from_name(ty).is_some() || self.types.contains(ty);
         let fault = match declarations(text, is_type) {
@@ -142,12 +142,12 @@ impl Evaluator {
             None => self.image(text).map(|(image, is_string)| self.execution.run(image, is_string, listener)).err(),
         };
         if let Some(fault) = fault {
-            // Nothing follows that the listener could stop.
+            // The evaluation has ended, so a `Break` of the listener has no effect.
             let _ = listener.answer(&EvaluationOutput::Fault(fault));
         }
     }
 
-    /// Declares a variable, and assigns its value. It replaces a variable of the same name that a text has declared.
+    /// Declares a variable and assigns its value. It replaces an earlier declaration with the same name.
     fn declare(&mut self, declaration: Declaration, listener: &mut dyn Listener) -> Result<(), CodeFault> {
         let Declaration { variable, assignment } = declaration;
         let before = self.variables.clone();
@@ -161,7 +161,7 @@ impl Evaluator {
             Ok(Some(image)) => self.execution.run(image, false, listener),
             Ok(None) => {}
             Err(fault) => {
-                // Variables that were declared before stay declared.
+                // Earlier declarations are restored.
                 self.exchange(before)?;
                 return Err(fault);
             }
@@ -169,7 +169,7 @@ impl Evaluator {
         Ok(())
     }
 
-    /// Makes `variables` the variables of the texts. Unchanged ones keep their values.
+    /// Replaces the declared variables. Unchanged variables keep their values.
     fn exchange(&mut self, variables: Vec<Variable>) -> Result<(), CodeFault> {
         let path = self.manifest.with_file_name(DATA);
         self.set_text(&path, sources::data(&variables));
@@ -200,7 +200,7 @@ impl Evaluator {
         all
     }
 
-    /// The image whose program executes the text, and whether it prints a string.
+    /// Image whose program executes the code, and whether it prints a string.
     fn image(&mut self, text: &str) -> Result<(Arc<Image>, bool), CodeFault> {
         match self.classify(text) {
             Text::Expression { is_string } => Ok((self.compile(PRINT, text)?, is_string)),
@@ -208,7 +208,7 @@ impl Evaluator {
         }
     }
 
-    /// The sort of a text. A single expression with a value is an expression, because it would have no effect as a
+    /// Kind of the code. A single expression with a value is an expression, because it would have no effect as a
     /// statement.
     fn classify(&mut self, text: &str) -> Text {
         self.set_code(text);
@@ -224,7 +224,7 @@ impl Evaluator {
         }
     }
 
-    /// The image with this text, after `before`, which makes it a statement.
+    /// Image with this code after the prefix `before`.
     fn compile(&mut self, before: &str, text: &str) -> Result<Arc<Image>, CodeFault> {
         let code = format!("{before}{text}");
         self.set_code(&code);
@@ -244,7 +244,7 @@ impl Evaluator {
         self.application.set_text(&self.files, path, text, self.arm.as_deref());
     }
 
-    /// The program that holds the text.
+    /// Program that contains the code.
     fn program(&self) -> Option<File> {
         let db = self.application.db();
         let path = self.manifest.with_file_name(format!("{NAME}.pgx"));
@@ -252,7 +252,8 @@ impl Evaluator {
     }
 }
 
-/// Keeps the files as they were read: the data in memory are those of these files, even if they change on the disk.
+/// Stores the files as they were read, because the data in memory originate from them even if the files change on the
+/// disk.
 fn keep(db: &Database, files: &mut OverlayFs<Disk>) {
     for file in Sources::get(db).files(db).values() {
         let path = file.path(db);
@@ -264,7 +265,7 @@ fn keep(db: &Database, files: &mut OverlayFs<Disk>) {
     }
 }
 
-/// The first reason in a file why the controller's compiler refuses the application.
+/// First error in a file with which the controller's compiler rejects the application.
 fn refusal(application: &Application, path: &Utf8Path) -> Option<Diagnostic> {
     let db = application.db();
     application.refusals().into_iter().find(|finding| finding.place.file.path(db) == path)

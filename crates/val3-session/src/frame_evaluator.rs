@@ -1,6 +1,6 @@
-//! Evaluation in the frames of a run: expressions, statements, assignments, conditions of breakpoints, completions.
+//! Evaluation in the stack frames of a run: expressions, statements, assignments, breakpoint conditions, completions.
 //!
-//! The database is that of the application when it was launched, so that later edits of the files change nothing.
+//! The database has the state of the application at its launch, so later edits of the files have no effect.
 
 mod completions;
 mod condition;
@@ -31,40 +31,40 @@ use effects::effect;
 use scratch::Scratch;
 use target::{Target, Targets};
 
-/// Lines that statements execute between two questions whether they may go on: about a millisecond.
+/// Number of lines that statements execute between two checks for cancellation, which takes about a millisecond.
 const PORTION: u32 = 100_000;
 
-/// Portions that statements may execute before they are ended: about half a second.
+/// Limit of portions that statements may execute, which takes about half a second.
 const PORTIONS: usize = 500;
 
-/// Makes an expression a statement.
+/// Prefix that turns an expression into a statement.
 const PRINT: &str = "?";
 
-/// The purpose of an evaluation, which decides on side effects.
+/// Evaluation purpose, which determines whether side effects are allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
-    /// To show a value: an expression without side effects.
+    /// Display of a value: an expression without side effects.
     Watch,
-    /// To execute statements: calls, assignments, output.
+    /// Execution of statements: calls, assignments, output.
     Execute,
 }
 
-/// Evaluates texts in the frames of a controller's tasks.
+/// Evaluates code in the stack frames of a controller's tasks.
 pub struct FrameEvaluator {
     targets: Targets,
 }
 
 impl FrameEvaluator {
-    /// An evaluator for a controller that runs the image of `application`.
+    /// Creates an evaluator for a controller that runs the image of `application`.
     #[must_use]
     pub fn new(application: Application) -> Self {
         Self { targets: Targets::new(application) }
     }
 
-    /// Evaluates a text. Tasks, clock and arm rest during the evaluation, and no run-time error stops a task.
+    /// Evaluates code. Tasks, clock and arm are stopped during the evaluation, and no run-time error stops a task.
     ///
     /// # Errors
-    /// The text is no code that may be evaluated for this purpose, or a run-time error ends it.
+    /// If the code is invalid for this purpose, or if a run-time error ends it.
     pub fn evaluate(
         &mut self,
         controller: &mut Controller,
@@ -75,11 +75,11 @@ impl FrameEvaluator {
         self.evaluate_while(controller, context, text, how, &mut || true)
     }
 
-    /// Evaluates a text as [`evaluate`](Self::evaluate) does, and asks about every millisecond whether statements
-    /// `may_go_on`.
+    /// Like [`evaluate`](Self::evaluate), but calls `may_go_on` about every millisecond to check whether the statements
+    /// may continue.
     ///
     /// # Errors
-    /// As for [`evaluate`](Self::evaluate), or the statements may not go on.
+    /// Like [`evaluate`](Self::evaluate), and also if the statements may not continue.
     pub fn evaluate_while(
         &mut self,
         controller: &mut Controller,
@@ -111,10 +111,10 @@ impl FrameEvaluator {
         }
     }
 
-    /// Assigns the value of an expression to a variable, an element, a field or an output. Returns the new value.
+    /// Assigns an expression's value to a variable, an element, a field or an output. Returns the new value.
     ///
     /// # Errors
-    /// The texts are no target and value that fit, or a run-time error ends the assignment.
+    /// If the target and value are invalid or do not match, or if a run-time error ends the assignment.
     pub fn assign(
         &mut self,
         controller: &mut Controller,
@@ -135,10 +135,10 @@ impl FrameEvaluator {
         shown.value.ok_or_else(|| EvaluationError::from("it has no value"))
     }
 
-    /// Assigns to a value inside of another one, as [`assign`](Self::assign) does.
+    /// Assigns to a value inside another value, like [`assign`](Self::assign).
     ///
     /// # Errors
-    /// As for [`assign`](Self::assign), or the value is computed from others.
+    /// Like [`assign`](Self::assign), and also if the value is computed from others.
     pub fn assign_child(
         &mut self,
         controller: &mut Controller,
@@ -156,7 +156,7 @@ impl FrameEvaluator {
     /// Compiles the condition of a breakpoint in a file.
     ///
     /// # Errors
-    /// The text is no `bool` without side effects in the program of the file.
+    /// If the code is no `bool` without side effects in the file's program.
     pub fn condition(&mut self, vm: &Vm, file: &str, text: &str) -> Result<CompiledExpression, EvaluationError> {
         let target = self.targets.of_file(vm, file)?;
         let is_dio = self.pure_expression(&target, text)?.1 == Some(BaseType::Dio);
@@ -168,10 +168,11 @@ impl FrameEvaluator {
         }
     }
 
-    /// Compiles the message of a log point in a file: text with expressions in braces. `{{` and `}}` are braces.
+    /// Compiles the message of a log point in a file: text with expressions in braces. `{{` and `}}` are literal
+    /// braces.
     ///
     /// # Errors
-    /// A brace is not closed, or an expression cannot be evaluated in the program of the file.
+    /// If a brace is not closed, or if an expression cannot be evaluated in the file's program.
     pub fn log_message(&mut self, vm: &Vm, file: &str, text: &str) -> Result<LogMessage, EvaluationError> {
         let target = self.targets.of_file(vm, file)?;
         log::message(text, |code| {
@@ -180,7 +181,7 @@ impl FrameEvaluator {
         })
     }
 
-    /// Whether a text is a single expression with a value.
+    /// Whether the code is a single expression with a value.
     fn is_expression(&mut self, target: &Target, text: &str) -> bool {
         let scratch = Scratch::new(&mut self.targets, target, ("", text));
         let (db, file) = (scratch.db(), scratch.file());
@@ -192,7 +193,7 @@ impl FrameEvaluator {
         }
     }
 
-    /// The code of an expression, and its effect if it has one.
+    /// Compiled expression, and a description if it has a side effect.
     fn expression(&mut self, target: &Target, text: &str) -> Result<(Fragment, Option<String>), EvaluationError> {
         let scratch = Scratch::new(&mut self.targets, target, (PRINT, text));
         if let Some(fault) = scratch.fault() {
@@ -212,7 +213,7 @@ impl FrameEvaluator {
         Ok((fragment.map_err(|error| error.limit.to_string())?, effect))
     }
 
-    /// The code and the type of an expression without side effects.
+    /// Compiled expression without side effects, and its type.
     fn pure_expression(
         &mut self,
         target: &Target,
@@ -227,7 +228,7 @@ impl FrameEvaluator {
         }
     }
 
-    /// The code of statements.
+    /// Compiled statements.
     fn statements(&mut self, target: &Target, text: &str) -> Result<Fragment, EvaluationError> {
         let scratch = Scratch::new(&mut self.targets, target, ("", text));
         match scratch.fault() {
@@ -236,7 +237,7 @@ impl FrameEvaluator {
         }
     }
 
-    /// The code of an assignment.
+    /// Compiled assignment.
     fn assignment(&mut self, target: &Target, variable: &str, value: &str) -> Result<Fragment, EvaluationError> {
         let before = format!("{variable}=");
         let scratch = Scratch::new(&mut self.targets, target, (&before, value));
@@ -250,7 +251,7 @@ impl FrameEvaluator {
     }
 }
 
-/// The state of an input or output without its link, which clients offer to be edited: `true` of `true (Io\\start)`.
+/// Input or output state without the link, because clients offer both for editing: `true` in `true (Io\\start)`.
 fn state_of(shown: &str) -> Option<&str> {
     let (state, link) = shown.split_once(" (")?;
     link.ends_with(')').then_some(state)

@@ -1,4 +1,4 @@
-//! The folders, lines and machines outside of the cell that a run was given, and settings that may not give them.
+//! Access of a run to folders, lines and machines outside the cell, and checks of settings that request it.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
@@ -17,11 +17,11 @@ pub(crate) fn is_trusted(file: &ConfigFile) -> bool {
     trust::is_trusted(&real(file.folder()))
 }
 
-/// Checks that `[run]` of a settings file gives access to this machine only. The arguments of the command and the user's
+/// Checks that `[run]` of a settings file only allows access to this machine. Command line arguments and the user's
 /// trust allow more.
 ///
 /// # Errors
-/// The first setting that reaches a device or another machine.
+/// The first setting that allows access to a device or another machine.
 pub(crate) fn check(file: &ConfigFile, lines: &[Connection], settings: &ControllerSettings) -> Result<(), ConfigError> {
     let outside = |key: &str, reach: &str, option: &str| {
         let mut error = file.outside(key, reach, file.folder());
@@ -47,15 +47,15 @@ pub(crate) fn check(file: &ConfigFile, lines: &[Connection], settings: &Controll
     Ok(())
 }
 
-/// The path after following links, or as it is where it does not exist.
+/// Path with resolved links; the path itself if it does not exist.
 pub(crate) fn real(path: &Utf8Path) -> Utf8PathBuf {
     path.canonicalize_utf8().unwrap_or_else(|_| path.to_owned())
 }
 
-/// Sentences on the folders outside of the cell, the lines and the network that the controller of a project is given.
+/// Sentences about the folders outside the cell, the lines and the network to which a project's controller has access.
 ///
 /// # Errors
-/// A setting is at fault.
+/// If a setting is invalid.
 pub(crate) fn notes(
     db: &Database,
     project: Project,
@@ -68,14 +68,14 @@ pub(crate) fn notes(
     cells.extend(file.map(|file| cell_around(&Disk, file.folder())));
     let disk = project.disk(db).or(application.parent()).unwrap_or(application);
     if disk.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp")) {
-        // The applications of a controller, with the folders next to them.
+        // The applications of a controller, with their neighbouring folders.
         let around = disk.parent().unwrap_or(disk);
         let is_usr = around.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usr"));
         cells.push(real(around.parent().filter(|_| is_usr).unwrap_or(around)));
     }
     let is_outside = |folder: &Utf8Path| !cells.iter().any(|cell| real(folder).starts_with(cell));
     let roots = merged.roots.iter().map(|root| (root.name.as_str(), root.folder.as_path()));
-    // As for the media: the folder around an application that is not on the disk is a root of its own.
+    // As in `Media`, the folder around an application outside the disk is a separate root.
     let around =
         application.parent().filter(|_| inside(application, disk).is_none()).map(|folder| ("Outside0", folder));
     let roots = [("Disk", disk)].into_iter().chain(around).chain(roots).filter(|(_, folder)| is_outside(folder));

@@ -1,5 +1,5 @@
-//! The library `io`, which the controller writes: its items are the signals and lines of the cell. Its name is usual in s5 and
-//! s6, and occurs in s7.
+//! The library `io`, which the controller generates: its items are the signals and lines of the cell. Its name is usual
+//! in s5 and s6, and occurs in s7.
 
 use std::collections::BTreeSet;
 
@@ -11,19 +11,19 @@ use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{folder, items, program_files};
 use val3_analysis::paths::{Target, project as target};
 
-/// The identifier of the library in projects.
+/// Library identifier in projects.
 const ALIAS: &str = "io";
 
-/// Maximum number of items that the sentence names.
+/// Limit of the items that the message names.
 const NAMED: usize = 4;
 
-/// A sentence on the missing library of an application whose programs use its items, and the remedy.
+/// Message about the missing library, and its help; `None` if the application's programs do not use its items.
 pub(crate) fn missing(db: &dyn Db, application: Project) -> Option<(String, String)> {
     items(db, application).libraries.get(ALIAS).filter(|library| library.interface.is_none())?;
     let declared = &manifest(db, application.manifest(db)).libraries;
     let path = declared.iter().find(|entry| entry.alias == ALIAS)?.path.as_str();
     let mut roots = application.roots(db).clone();
-    // As for the controller of a run, which has a folder of `Disk` in any case.
+    // Like the controller of a run, which always has a folder for `Disk`.
     roots.disk = roots.disk.or_else(|| folder(db, application).parent().map(Utf8Path::to_owned));
     let place = match target(folder(db, application), &roots, path) {
         Target::Path(manifest) => manifest.parent()?.to_string(),
@@ -41,7 +41,7 @@ pub(crate) fn missing(db: &dyn Db, application: Project) -> Option<(String, Stri
     Some((message, help))
 }
 
-/// The items of the library that the programs use.
+/// Items of the library that the programs use.
 fn used_items(db: &dyn Db, application: Project) -> BTreeSet<SmolStr> {
     let item = |expr: &Expr| match expr {
         Expr::Path { library, item } if library == ALIAS => Some(item.clone()),
@@ -51,7 +51,7 @@ fn used_items(db: &dyn Db, application: Project) -> BTreeSet<SmolStr> {
     programs.flat_map(|file| body(db, *file).exprs()).filter_map(|(_, expr, _)| item(expr)).collect()
 }
 
-/// The first items in one phrase: "`io:a`, `io:b` or 3 others". `None` for no items.
+/// The first items as a phrase: "`io:a`, `io:b` or 3 others". `None` without items.
 fn listed(items: &BTreeSet<SmolStr>) -> Option<String> {
     let mut words: Vec<String> = items.iter().take(NAMED).map(|item| format!("`{ALIAS}:{item}`")).collect();
     match items.len().saturating_sub(NAMED) {

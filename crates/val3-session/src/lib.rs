@@ -1,10 +1,10 @@
 //! Sessions: an application from its files to a controller that executes it, and evaluation of code in it.
 //!
-//! The command line, the debug adapter, tests and benchmarks open applications here, so that all of them see the same
+//! The command line, the debug adapter, tests and benchmarks open applications here, so that all of them use the same
 //! controller. [`Application`] finds, reads and compiles an application and opens its controller with
-//! [`ControllerSettings`]; [`Pace`] says how long to wait between cycles; [`Evaluator`] executes code in an
-//! application, text after text, and [`FrameEvaluator`] in the frames of a debugged run. Nothing here knows arguments,
-//! terminals, threads or the real clock.
+//! [`ControllerSettings`]. [`Pace`] computes the waits between cycles. [`Evaluator`] executes code in an application,
+//! and [`FrameEvaluator`] in the stack frames of a debugged run. The crate does not use arguments, terminals, threads
+//! or the real clock.
 
 mod add_on_programs;
 mod application;

@@ -1,4 +1,4 @@
-//! Libraries that an application loads while it runs: read, checked and compiled like the application.
+//! Libraries that an application loads at run time. They are read, checked and compiled like the application.
 
 use std::sync::Arc;
 
@@ -12,25 +12,26 @@ use val3_machine::files::{ControllerPath, LibraryFiles};
 use crate::application::Application;
 use crate::settings::Root;
 
-/// Maximum number of compiled libraries that are kept: a program may save a library under new names again and again.
+/// Maximum number of cached images, because a program may save a library under ever new names.
 const CAPACITY: usize = 64;
 
-/// Compiles libraries, and keeps the latest ones.
+/// Compiles libraries, and caches the latest images.
 pub(crate) struct LibraryCompiler {
-    /// The folder of `Disk`.
+    /// Folder of `Disk`.
     disk: Utf8PathBuf,
-    /// The keys of the project files of libraries that do not count their lines and branches; `None` if none does.
+    /// Keys of the project files of libraries without counters for lines and branches; `None` if no library has
+    /// counters.
     uncounted: Option<Vec<String>>,
-    /// Roots of libraries whose paths refer to the files around them.
+    /// Roots of libraries outside `Disk`, whose paths are relative to the surrounding folder.
     outside: Vec<Root>,
-    /// Texts of programs in place of those on the disk, by path.
+    /// Program texts that replace files on the disk, by path.
     edited: Vec<(Utf8PathBuf, Arc<str>)>,
     compiled: Cache,
 }
 
-/// The libraries that were compiled last.
+/// Cache of the latest images.
 struct Cache {
-    /// Images with the paths and the files that they were compiled from, the oldest first.
+    /// Images with the paths and files from which they were compiled, the oldest first.
     images: Vec<(String, LibraryFiles, Arc<Image>)>,
     capacity: usize,
 }
@@ -56,12 +57,12 @@ impl LibraryCompiler {
         Self { disk, outside, uncounted, edited: Vec::new(), compiled }
     }
 
-    /// The same with these texts of programs in place of those on the disk.
+    /// Sets program texts that replace files on the disk.
     pub(crate) fn with(self, edited: Vec<(Utf8PathBuf, Arc<str>)>) -> Self {
         Self { edited, ..self }
     }
 
-    /// A library of another medium is read as if it were on `Disk`, which the paths in it refer to.
+    /// Compiles a library. A library on another medium is read as if it were on `Disk`, to which its paths refer.
     fn compile(&self, path: &ControllerPath, files: &LibraryFiles) -> Result<Arc<Image>, String> {
         let outside = self.outside.iter().find(|root| root.name == path.medium()).map(|root| &root.folder);
         let base = outside.unwrap_or(&self.disk).clone();

@@ -1,4 +1,4 @@
-//! The media of a controller for an application: the folder of `Disk`, and where the application is on it.
+//! Media of a controller for an application: the folder of `Disk`, and the application's path on it.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::add_on_programs::AddOnLibrary;
@@ -12,26 +12,27 @@ use crate::error::SessionError;
 use crate::settings::Root;
 use crate::stand_ins::StandIn;
 
-/// The root of the folder with the applications.
+/// Root of the folder with the applications.
 const DISK: &str = "Disk";
 
-/// The media of a controller.
+/// Media of a controller.
 pub(crate) struct Media {
-    /// The folders of the roots of paths.
+    /// Folders of the path roots.
     pub(crate) roots: Roots,
-    /// The folder of `Disk`.
+    /// Folder of `Disk`.
     pub(crate) disk: Utf8PathBuf,
-    /// The path of the application: `Disk://app`.
+    /// Path of the application, for example `Disk://app`.
     pub(crate) application: String,
-    /// The roots of an application and of stand-ins that lie outside of `Disk`.
+    /// Roots for an application and stand-ins outside `Disk`.
     pub(crate) outside: Vec<Root>,
 }
 
 impl Media {
-    /// `Disk` as the analysis knows it, otherwise the folder around the application. A missing folder holds nothing.
+    /// Opens the media. `Disk` is the folder that the analysis uses, otherwise the folder around the application. A
+    /// missing folder counts as empty.
     ///
     /// # Errors
-    /// The folder cannot be opened.
+    /// If the folder cannot be opened.
     pub(crate) fn of(db: &Database, project: Project) -> Result<Self, SessionError> {
         let application = folder(db, project);
         let disk = project.disk(db).or(application.parent()).unwrap_or(application).to_owned();
@@ -44,10 +45,10 @@ impl Media {
         Ok(media)
     }
 
-    /// Makes stand-ins available.
+    /// Makes the folders of stand-ins available.
     ///
     /// # Errors
-    /// A folder cannot be opened.
+    /// If a folder cannot be opened.
     pub(crate) fn place_stand_ins(&mut self, db: &Database, stand_ins: &[StandIn]) -> Result<StandIns, SessionError> {
         let mut placed = StandIns::default();
         for StandIn { identifier, project, .. } in stand_ins {
@@ -59,10 +60,10 @@ impl Media {
         Ok(placed)
     }
 
-    /// Makes libraries with programs in place of instructions of add-ons available.
+    /// Makes the folders of libraries available whose programs replace add-on instructions.
     ///
     /// # Errors
-    /// A folder cannot be opened.
+    /// If a folder cannot be opened.
     pub(crate) fn place_add_ons(
         &mut self,
         db: &Database,
@@ -76,8 +77,8 @@ impl Media {
         Ok(())
     }
 
-    /// The path of the folder of an application or library, or of its project file, as the controller knows it. The folder
-    /// around one outside of `Disk` becomes a root.
+    /// Controller path for the folder or project file of an application or library. If it is outside `Disk`, the
+    /// surrounding folder becomes a root.
     fn place(&mut self, folder: &Utf8Path, path: &Utf8Path) -> Result<String, SessionError> {
         let (root, around) = match inside(folder, &self.disk) {
             Some(_) => (DISK.to_owned(), self.disk.clone()),
@@ -87,7 +88,7 @@ impl Media {
         Ok(format!("{root}://{}", path.as_str().replace('\\', "/")))
     }
 
-    /// The root of the folder that a library lies in.
+    /// Root of the folder that contains a library.
     fn root_around(&mut self, library: &Utf8Path) -> Result<(String, Utf8PathBuf), SessionError> {
         let folder = library.parent().unwrap_or(library).to_owned();
         if let Some(known) = self.outside.iter().find(|known| known.folder == folder) {
@@ -99,10 +100,10 @@ impl Media {
         Ok((name, folder))
     }
 
-    /// Makes a folder the root `name` of paths.
+    /// Makes a folder available as the path root `name`.
     ///
     /// # Errors
-    /// The folder cannot be opened.
+    /// If the folder cannot be opened.
     pub(crate) fn mount(&mut self, name: &str, folder: &Utf8Path) -> Result<(), SessionError> {
         self.roots.mount(name, folder).map_err(|error| SessionError::Folder {
             root: name.to_owned(),

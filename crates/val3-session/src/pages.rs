@@ -1,4 +1,4 @@
-//! User pages made with HTML (s8): the files in the folder `interface` of an application.
+//! HTML user pages (s8): the files in an application's folder `interface`.
 
 use val3_analysis::db::{Database, Project};
 use val3_analysis::pages::{self, BINDINGS, Bindings, BoundName, bindings, page_name};
@@ -6,10 +6,10 @@ use val3_lang::tasks;
 use val3_machine::devices::Devices;
 use val3_machine::screen::{HtmlCallback, HtmlPage, HtmlValue};
 
-/// Priority of the task of a program that a page calls, where the bindings have none: the only one that was seen.
+/// Default priority for the task of a program that a page calls. It is the only value that was observed.
 const PRIORITY: u32 = 10;
 
-/// Gives the controller the pages of the application.
+/// Adds the application's pages to the controller.
 pub(crate) fn declare(devices: &mut Devices, db: &Database, project: Project) {
     for name in pages::names(db, project) {
         let is_of_page = |file: &val3_analysis::db::File| {

@@ -1,4 +1,4 @@
-//! Whether an application, everything that it loads and its cell were read.
+//! Readability of an application, of everything that it loads, and of its cell.
 
 use val3_analysis::db::{Db, File, FileStatus, Project, Sources};
 use val3_analysis::items::faults::text_faults;
@@ -7,11 +7,11 @@ use val3_syntax::document;
 
 use crate::error::SessionError;
 
-/// Checks that every file of the application, of the projects that it loads, and of its cell was read. A run without
-/// them would not be the run of a controller.
+/// Checks that all files of the application, of the projects that it loads, and of its cell were read. Without them,
+/// the run would differ from a run on a controller.
 ///
 /// # Errors
-/// The first file that cannot be read, with the reason.
+/// The first unreadable file, with the reason.
 pub(crate) fn check(db: &dyn Db, application: Project) -> Result<(), SessionError> {
     check_cell(db, application)?;
     let mut projects: Vec<(&String, &Project)> = Sources::get(db).projects(db).iter().collect();

@@ -1,8 +1,8 @@
-//! Paths that lead to the same file.
+//! Comparison of paths by their files.
 
 use std::fs;
 
-/// Whether two paths lead to the same file, which exists: through a symbolic link, or through the folder above.
+/// Whether both paths lead to the same existing file, for example through a symbolic link or a parent folder.
 #[must_use]
 pub fn is_same_file(one: &str, other: &str) -> bool {
     fs::canonicalize(one).is_ok_and(|one| fs::canonicalize(other).is_ok_and(|other| one == other))

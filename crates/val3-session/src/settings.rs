@@ -1,4 +1,4 @@
-//! Settings of a controller: those of the caller, and those of a `val3.toml` where the caller sets none.
+//! Controller settings: from the caller, with fallbacks in `val3.toml`.
 
 use std::rc::Rc;
 use std::str::FromStr as _;
@@ -16,83 +16,85 @@ use crate::connection::Connection;
 use crate::error::SessionError;
 use crate::grants;
 
-/// The profile of every controller.
+/// Profile that every controller has.
 const FIRST_PROFILE: &str = "default";
 
-/// Time that a line takes unless a setting says otherwise, in microseconds.
+/// Default duration of a line in microseconds.
 pub const LINE_COST: f64 = 2.0;
 
-/// Settings of the controller that an application runs on. `val3.toml` and the cell give those that are not set.
+/// Settings of the controller that executes an application. `val3.toml` and the cell provide unset values.
 #[derive(Debug, Clone, Default)]
 pub struct ControllerSettings {
-    /// The arm, or the kind of arm.
+    /// Arm model or arm kind.
     pub arm: Option<String>,
-    /// Folders of roots other than `Disk`, in addition to those of `val3.toml`.
+    /// Folders of roots other than `Disk`, in addition to the roots in `val3.toml`.
     pub roots: Vec<Root>,
-    /// Connections of serial lines and sockets. They replace those of the cell and of `val3.toml`.
+    /// Connections of serial lines and sockets. They replace connections in the cell and in `val3.toml`.
     pub connections: Vec<Connection>,
-    /// Whether sockets reach other machines; otherwise every address means this machine.
+    /// Whether sockets reach other machines; otherwise every address is redirected to this machine.
     pub network: bool,
     /// Date and time at the start.
     pub date: Option<Calendar>,
     /// Monitor speed in per cent, 0 to 100.
     pub monitor_speed: Option<u8>,
-    /// Joint position of the arm at the start, in degrees (a stroke in mm), one number an axis.
+    /// Joint position of the arm at the start, in degrees (linear axes in mm), one number per axis.
     pub start: Option<Vec<f64>>,
     /// Whether the arm has power at the start, as if an operator had switched it on.
     pub power: bool,
-    /// Controller time that a line takes, in nanoseconds.
+    /// Controller time of a line, in nanoseconds.
     pub line_cost: Option<Time>,
-    /// Guard of the sockets whose ports only the cell names; without it they open unasked.
+    /// Guard of the sockets whose ports only the cell configures; without it they are opened without a check.
     pub guard: Option<Rc<dyn SocketGuard>>,
-    /// Whether libraries that the application loads count how often their lines and branches are executed.
+    /// Whether libraries that the application loads have counters for lines and branches.
     pub is_counted: bool,
-    /// Texts of programs in place of those on the disk, by path, for libraries that the application loads.
+    /// Program texts that replace files on the disk, by path, for libraries that the application loads.
     pub edited: Vec<(Utf8PathBuf, Arc<str>)>,
 }
 
-/// A root of paths and its folder.
+/// A path root and its folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Root {
-    /// The name before `://`.
+    /// Name before `://`.
     pub name: String,
     /// The folder.
     pub folder: Utf8PathBuf,
 }
 
-/// The controller time of a line that takes `microseconds`, in nanoseconds. `None` outside 0.001 to 1e6 microseconds: a
-/// line without cost would let a program that never waits stop the clock.
+/// Converts the duration of a line from microseconds to controller time in nanoseconds. `None` outside 0.001 to 1e6
+/// microseconds, because without a duration a program that never waits would stop the clock.
 pub fn line_cost(microseconds: f64) -> Option<Time> {
     (0.001..=1e6).contains(&microseconds).then(|| nanoseconds(microseconds / 1e6))
 }
 
-/// The settings of the caller, with those of `val3.toml` where the caller sets none.
+/// Settings of the caller, with fallbacks from `val3.toml`.
 pub(crate) struct MergedSettings {
     /// Folders of roots other than `Disk`.
     pub(crate) roots: Vec<Root>,
-    /// Connections of lines, those of the caller last.
+    /// Connections of lines; the caller's connections are last.
     pub(crate) connections: Vec<Connection>,
-    /// Connections that the user has named: those of the caller, and those of a trusted file.
+    /// Connections that the user has authorised: from the caller, and from a trusted file.
     pub(crate) named: Vec<Connection>,
-    /// Guard of the other sockets.
+    /// Guard of all other sockets.
     pub(crate) guard: Option<Rc<dyn SocketGuard>>,
     /// Whether sockets reach other machines.
     pub(crate) network: bool,
-    /// Controller time that a line takes, in nanoseconds.
+    /// Controller time of a line, in nanoseconds.
     pub(crate) line_cost: Time,
-    /// Per cent.
+    /// Monitor speed in per cent.
     monitor_speed: Option<u8>,
-    /// Joint position of the arm at the start; empty where the arm decides.
+    /// Joint position of the arm at the start; empty for the arm's default.
     start: Vec<f64>,
     /// Whether the arm has power at the start.
     power: bool,
-    /// Settings that only the file has.
+    /// Settings that exist only in the file.
     run: RunSettings,
 }
 
 impl MergedSettings {
+    /// Merges the settings.
+    ///
     /// # Errors
-    /// The file has a value that its setting does not accept.
+    /// If the file contains an invalid value.
     pub(crate) fn of(settings: &ControllerSettings, file: Option<&ConfigFile>) -> Result<Self, SessionError> {
         let empty = ConfigFile::default();
         let file = file.unwrap_or(&empty);
@@ -120,10 +122,10 @@ impl MergedSettings {
         })
     }
 
-    /// Sets users, licences, monitor speed, power and the position of the arm.
+    /// Sets the users, licences, monitor speed, power and arm position.
     ///
     /// # Errors
-    /// The start position is outside the limits of an axis, or has another number of axes than the arm.
+    /// If the start position exceeds an axis limit, or if its number of axes differs from the arm's.
     pub(crate) fn apply(&self, devices: &mut Devices) -> Result<(), SessionError> {
         if self.run.profile.is_some() || !self.run.profiles.is_empty() {
             devices.state.profiles = profiles(&self.run);
@@ -205,7 +207,7 @@ fn refusal(error: &ConfigError) -> SessionError {
     SessionError::Setting { message: error.to_string(), help: String::new() }
 }
 
-/// The profiles of the file, and `default` unless the file describes that too.
+/// Profiles of the file, and `default` if the file does not describe it.
 fn profiles(run: &RunSettings) -> controller_state::Profiles {
     let of = |(name, profile): (&String, &val3_config::Profile)| controller_state::Profile {
         name: name.clone(),

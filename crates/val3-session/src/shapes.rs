@@ -1,4 +1,4 @@
-//! The shapes of the arm's links, from the files that `val3.toml` names.
+//! Shapes of the arm's links, from the files named in `val3.toml`.
 
 use camino::Utf8PathBuf;
 use val3_config::ConfigFile;
@@ -8,10 +8,10 @@ use val3_machine::shapes::{LinkShape, ShapeFormat};
 use crate::error::SessionError;
 use crate::settings::refused;
 
-/// The shapes of the base and of the links, in this order; those that no file shows are none.
+/// Shapes of the base and the links, in this order; `None` for a link without a file.
 ///
 /// # Errors
-/// A key is no link of an arm with this number of axes, or a file cannot be used.
+/// If an arm with this number of axes has no link with a given key, or if a file cannot be used.
 pub(crate) fn read(file: &ConfigFile, axes: usize) -> Result<Vec<Option<LinkShape>>, SessionError> {
     let names: Vec<String> =
         std::iter::once("base".to_owned()).chain((1..=axes).map(|link| format!("link{link}"))).collect();

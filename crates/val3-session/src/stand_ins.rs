@@ -1,4 +1,4 @@
-//! Stand-ins: libraries that are loaded in place of others while tests are executed (`[test] replace`).
+//! Stand-ins: libraries that are loaded in place of others during tests (`[test] replace`).
 
 use std::fmt;
 
@@ -15,18 +15,18 @@ use val3_lang::suggest::{nearest, question};
 
 use crate::error::SessionError;
 
-/// A library that is loaded under an identifier in place of the library that the projects name.
+/// A library that is loaded under an identifier, in place of the library in the project files.
 pub(crate) struct StandIn {
     pub(crate) identifier: SmolStr,
     pub(crate) project: Project,
-    /// Its path as the configuration has it.
+    /// Path as spelled in the configuration.
     path: Utf8PathBuf,
 }
 
-/// The reason why a stand-in cannot take the place of a library.
+/// Reason why a stand-in cannot replace a library.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StandInFault {
-    /// Its path as the configuration has it.
+    /// Path as spelled in the configuration.
     pub path: Utf8PathBuf,
     /// The problem.
     pub message: String,
@@ -40,10 +40,10 @@ impl fmt::Display for StandInFault {
     }
 }
 
-/// The project files of the stand-ins that a configuration names.
+/// Project files of the stand-ins in a configuration.
 ///
 /// # Errors
-/// A path leads to no library.
+/// If a path contains no library.
 pub(crate) fn manifests(system: &dyn System, file: &ConfigFile) -> Result<Vec<Utf8PathBuf>, SessionError> {
     let mut found = Vec::new();
     let mut missing = Vec::new();
@@ -70,7 +70,7 @@ fn no_library(system: &dyn System, file: &ConfigFile, identifier: &str, path: &U
     file.fault(&format!("test.replace.{identifier}"), message, proposal.unwrap_or_else(rule))
 }
 
-/// The stand-ins that a configuration names, which have been read.
+/// Stand-ins in a configuration that were read.
 pub(crate) fn stand_ins(db: &dyn Db, file: &ConfigFile) -> Vec<StandIn> {
     let projects = Sources::get(db).projects(db);
     let stand_in = |(identifier, path): (&String, &Utf8PathBuf)| {
@@ -80,7 +80,7 @@ pub(crate) fn stand_ins(db: &dyn Db, file: &ConfigFile) -> Vec<StandIn> {
     file.config.test.replace.iter().filter_map(stand_in).collect()
 }
 
-/// The reasons why stand-ins cannot take the places of the libraries of an application.
+/// Reasons why stand-ins cannot replace an application's libraries.
 pub(crate) fn faults(db: &dyn Db, application: Project, stand_ins: &[StandIn]) -> Vec<StandInFault> {
     let mut faults = Vec::new();
     for (user, library, stand_in) in replaced(db, application, stand_ins) {
@@ -95,7 +95,7 @@ pub(crate) fn faults(db: &dyn Db, application: Project, stand_ins: &[StandIn]) -
     faults
 }
 
-/// The library identifiers under which stand-ins are loaded, in the projects that are reached from an application.
+/// Library identifiers under which stand-ins are loaded, in all projects reachable from an application.
 fn replaced<'a>(
     db: &'a dyn Db,
     application: Project,
@@ -120,7 +120,7 @@ fn replaced<'a>(
     found
 }
 
-/// The libraries that can be loaded under an identifier of `user`.
+/// Libraries that can be loaded under an identifier of `user`.
 fn loaded(db: &dyn Db, user: Project, library: &LibraryItem) -> Vec<Project> {
     let others = replacements(db, user).iter().filter(|(interface, _)| Some(*interface) == library.interface);
     library.interface.into_iter().chain(others.map(|(_, other)| *other)).collect()

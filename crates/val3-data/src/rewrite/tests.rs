@@ -36,7 +36,7 @@ const NEW: &str = r#"<?xml version="1.0" encoding="utf-8"?>
   </Datas>
 </Database>"#;
 
-/// The changes from `before`, line by line.
+/// Checks the changed lines.
 fn check(before: &str, data: &[SavedData], expected: Expect) {
     let after = rewrite(before, data);
     let (old, new): (Vec<_>, Vec<_>) = (before.lines().collect(), after.lines().collect());
@@ -313,7 +313,7 @@ fn a_part_of_the_values_leaves_the_others() {
     );
 }
 
-/// The size of a variable in a file, and its values that are not the default.
+/// Size of a variable in a file, and its values that differ from the default.
 fn size_and_values(text: &str, name: &str) -> (String, Vec<(String, String)>) {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).unwrap();
@@ -324,7 +324,7 @@ fn size_and_values(text: &str, name: &str) -> (String, Vec<(String, String)>) {
 }
 
 proptest::proptest! {
-    /// A file says what was saved last, whatever it said before, and the rest of it stays.
+    /// A file contains the last saved values, independent of earlier values, and all other contents are unchanged.
     #[test]
     fn a_file_contains_the_saved_values(saved in proptest::collection::vec(
         (1..6u32, proptest::collection::btree_map(0..6u32, "[a<&\"\n]{0,3}", 0..6)), 1..4,
@@ -346,7 +346,7 @@ proptest::proptest! {
     }
 }
 
-/// Values are looked up, not searched for: a text of this size would take minutes otherwise.
+/// Values are looked up in a map. With a linear search, a text of this size would take minutes.
 #[test]
 fn many_values() {
     let count = 20_000_u32;

@@ -145,7 +145,7 @@ mod unix {
         let fixture = Fixture::new();
         let path = fixture.path.as_str();
         if setxattr(path, "user.station", b"7", XattrFlags::empty()).is_err() {
-            // The file system of the test has none.
+            // The file system of the test has no extended attributes.
             return;
         }
         replace(&fixture.path, b"new").unwrap();

@@ -1,4 +1,4 @@
-//! Libraries and types that projects of both dialects get.
+//! Adding libraries and types to projects of both dialects.
 
 use expect_test::{Expect, expect};
 use salsa::Setter as _;
@@ -85,10 +85,10 @@ const NEW: &str = "\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n<Project
 
 const OTHERS: &str = "--- part\npublic num nA\n--- io\npublic num nA";
 
-/// The project file after the addition, or the reason why there is none.
+/// Project file after the addition, or the error message.
 fn added(manifest: &str, kind: ReferenceKind, name: &str, path: &str) -> String {
     let mut db = MarkedListing::new(&format!("cls()\n{OTHERS}")).workspace.db;
-    // Listings end lines in their own way.
+    // The text is set directly, because a listing would change its line ends.
     let file = project(&db, "main").manifest(&db);
     file.set_text(&mut db).to(manifest.into());
     let db = &db;

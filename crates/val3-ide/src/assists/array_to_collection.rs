@@ -1,4 +1,4 @@
-//! Turns global data from an array into a collection with the indexes as keys.
+//! Converts a global array to a collection whose keys are the indexes.
 
 use val3_analysis::items::data::{self, DataDecl};
 use val3_analysis::xml::Element;
@@ -20,7 +20,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let decl = data::declaration(element).filter(|decl| decl.container == Container::Array { dims: 1 })?;
     let size = decl.sizes.first().copied().filter(|_| decl.plain && element.name() == "Data")?;
     match obstacle(context, element, &decl, size) {
-        // A single value is rarely meant to be a container, unless code gives its index.
+        // A single value is rarely meant as a container, unless code uses it with an index.
         Ok(uses) if size == 1 && uses.is_empty() => {}
         Err(_) if size == 1 => {}
         Ok(uses) => assists.add(ID, AssistKind::Rewrite, TITLE, || {
@@ -32,7 +32,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The uses of the array, or why it has to stay one.
+/// Uses of the array, or the reason why it cannot be converted.
 fn obstacle(context: &Context<'_>, element: Element<'_>, decl: &DataDecl, size: u32) -> Result<Vec<IndexUse>, String> {
     let name = &decl.name;
     if context.is_broken(element.view().range()) || present(element, size).is_none() {
@@ -46,12 +46,12 @@ fn obstacle(context: &Context<'_>, element: Element<'_>, decl: &DataDecl, size: 
     }
 }
 
-/// A number as indexes are written in files.
+/// Parses a number in the spelling that files use for indexes.
 fn number(text: &str) -> Option<u32> {
     text.parse().ok().filter(|number: &u32| number.to_string() == text)
 }
 
-/// The values that the file writes, with their indexes in ascending order.
+/// Values in the file, with their indexes in ascending order; `None` if they are in another order or have other keys.
 fn present(element: Element<'_>, size: u32) -> Option<Vec<(u32, TextRange)>> {
     let value = |value: Element<'_>| {
         let key = value.value("key")?;
@@ -61,7 +61,7 @@ fn present(element: Element<'_>, size: u32) -> Option<Vec<(u32, TextRange)>> {
     present.is_sorted_by(|(one, _), (next, _)| one < next).then_some(present)
 }
 
-/// The edits of the declaration: a collection writes all of its values.
+/// Edits of the declaration. A collection must contain all its values.
 fn new_element(context: &Context<'_>, element: Element<'_>, size: u32) -> Option<Vec<FileEdit>> {
     let mut edits = vec![context.replace(element.attribute("xsi:type")?.range, "collection")];
     if let Some(found) = element.attribute("size") {
@@ -90,7 +90,7 @@ fn new_element(context: &Context<'_>, element: Element<'_>, size: u32) -> Option
     Some(edits)
 }
 
-/// The edit that gives an element without values all of them.
+/// Edit that adds all values to an element without values.
 fn all(context: &Context<'_>, element: Element<'_>, values: impl Iterator<Item = String>) -> FileEdit {
     let tag = element.tag_range();
     let outer = indentation(context.text, tag.start());
@@ -104,7 +104,7 @@ fn all(context: &Context<'_>, element: Element<'_>, values: impl Iterator<Item =
     context.replace(TextRange::new(start, end), format!(">{lines}{separator}</{}>", element.name()))
 }
 
-/// An attribute with the blanks before it.
+/// Attribute range, with the whitespace before it.
 fn with_blanks(text: &str, name: TextRange, value: TextRange) -> TextRange {
     let before = text.part(..usize::from(name.start()));
     let blanks = TextSize::of(before) - TextSize::of(before.trim_end());

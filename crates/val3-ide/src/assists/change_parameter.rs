@@ -1,5 +1,5 @@
-//! Moves, removes or otherwise passes the parameter at the cursor, in the code of its program or in its declaration. All
-//! callers follow.
+//! Moves or removes the parameter at the cursor, or changes its passing, in the program's code or in the declaration.
+//! All callers are adapted.
 
 mod passing;
 
@@ -48,7 +48,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The index of the parameter whose name, or whose declaration, is at the cursor.
+/// Index of the parameter whose name or declaration is at the cursor.
 fn parameter_at(context: &Context<'_>) -> Option<usize> {
     let offset = context.range.start();
     let declared = all_params(context.db, context.file);

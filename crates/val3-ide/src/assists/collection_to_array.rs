@@ -1,4 +1,4 @@
-//! Turns global data from a collection into an array, if every key is written out.
+//! Converts a global collection to an array, if all its keys are literals.
 
 use val3_analysis::items::data;
 use val3_analysis::xml::Element;
@@ -30,7 +30,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The uses of the collection, or why it has to stay one.
+/// Uses of the collection, or the reason why it cannot be converted.
 fn obstacle(context: &Context<'_>, name: &str, indexes: &Indexes) -> Result<Vec<IndexUse>, String> {
     let uses = index_uses(context.db, context.project, name)?;
     match uses.iter().find(|found| !found.is_key || indexes.index(&found.text).is_none()) {
@@ -39,12 +39,12 @@ fn obstacle(context: &Context<'_>, name: &str, indexes: &Indexes) -> Result<Vec<
     }
 }
 
-/// The keys, each at the place of its index in the array.
+/// Keys, ordered by array index.
 struct Indexes(Vec<String>);
 
 impl Indexes {
-    /// Keys that are the numbers from 0 on keep them; others are numbered in their order. `None` if there are none, or
-    /// one is there twice.
+    /// Orders the keys. If the keys are exactly the numbers from 0, each key is its index; otherwise the order of the
+    /// file counts. `None` if there are no keys or a key occurs twice.
     fn of(values: &[Element<'_>]) -> Option<Self> {
         let keys: Vec<String> =
             values.iter().map(|value| Some(value.value("key")?.into_owned())).collect::<Option<_>>()?;
@@ -64,7 +64,7 @@ impl Indexes {
     }
 }
 
-/// The edits of the declaration. An array does not write the values that are as they are without.
+/// Edits of the declaration. An array omits default values.
 fn new_element(
     context: &Context<'_>,
     element: Element<'_>,
@@ -96,14 +96,14 @@ fn new_element(
     Some(edits)
 }
 
-/// The data without values in the file have an end tag, as the controller writes them.
+/// Whether data without values have an end tag in this file, as the controller writes them.
 fn leaves_open(context: &Context<'_>) -> bool {
     let parse = val3_analysis::items::parse(context.db, context.file);
     let mut empty = data::elements(parse.view()).filter(|element| element.elements().next().is_none()).peekable();
     empty.peek().is_some() && empty.all(|element| element.view().range() != element.tag_range())
 }
 
-/// It gives the key alone.
+/// Whether the element contains only the key.
 fn is_default(value: Element<'_>) -> bool {
     value.attributes().count() == 1 && value.elements().next().is_none()
 }

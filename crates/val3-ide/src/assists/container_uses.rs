@@ -1,4 +1,4 @@
-//! The uses of global data with an index or a key that is written out, as a change of its container needs them.
+//! Uses of global data with a literal index or key, for container conversions.
 
 use val3_analysis::application::{application, unlisted_may_use};
 use val3_analysis::body::{Body, Expr, ExprId, body};
@@ -17,32 +17,32 @@ use crate::navigate::{implemented, implementing};
 use crate::references::{projects_using, uses};
 use crate::rename::{Index, index};
 
-/// An index that is written out.
+/// A literal index or key.
 pub(super) struct IndexUse {
     file: File,
-    /// With its quotes.
+    /// Range, including quotes.
     range: TextRange,
-    /// Without quotes and references.
+    /// Text without quotes and with entities decoded.
     pub(super) text: String,
-    /// A text, the key of a collection.
+    /// Whether it is a string, the key of a collection.
     pub(super) is_key: bool,
-    /// The quotes of the code or the attribute around it.
+    /// Quote character for the surrounding code or attribute.
     quote: &'static str,
 }
 
 impl IndexUse {
-    /// The edit that writes a number instead.
+    /// Edit that replaces it with a number.
     pub(super) fn number(&self, number: usize) -> FileEdit {
         FileEdit { file: self.file, range: self.range, text: number.to_string() }
     }
 
-    /// The edit that writes the text as a key.
+    /// Edit that replaces it with the text as a key.
     pub(super) fn key(&self) -> FileEdit {
         FileEdit { file: self.file, range: self.range, text: format!("{0}{1}{0}", self.quote, self.text) }
     }
 }
 
-/// Every use of data in all projects, or why its container has to stay.
+/// All uses of the data in all projects, or the reason why the container cannot be converted.
 pub(super) fn index_uses(db: &dyn Db, project: Project, name: &str) -> Result<Vec<IndexUse>, String> {
     let users = projects_using(db, project);
     if users.iter().any(|user| items(db, *user).types.values().any(|of| *of == Some(project))) {
@@ -69,7 +69,7 @@ pub(super) fn index_uses(db: &dyn Db, project: Project, name: &str) -> Result<Ve
     Ok(found)
 }
 
-/// Why a use does not allow another container.
+/// Reason why a use prevents the conversion.
 enum Obstacle {
     NoIndex,
     Computed,
@@ -91,7 +91,7 @@ impl Obstacle {
     }
 }
 
-/// The uses in one file, as a part of a project.
+/// Uses in one file as part of a project.
 struct IndexUses<'db> {
     db: &'db dyn Db,
     user: Project,
@@ -99,7 +99,7 @@ struct IndexUses<'db> {
 }
 
 impl IndexUses<'_> {
-    /// The index of the name at a range.
+    /// Index after the name at this range.
     fn at(&self, name: TextRange) -> Result<IndexUse, Obstacle> {
         if is_bindings(self.db, self.file) {
             return Err(Obstacle::Bound);
@@ -128,7 +128,7 @@ impl IndexUses<'_> {
         Ok(IndexUse { file: self.file, range: body.range(*index), text, is_key, quote: self.quote() })
     }
 
-    /// `fTable[0]`, `tTrack["home"].fTable[0]`
+    /// Index in a father reference, for example `fTable[0]` or `tTrack["home"].fTable[0]`.
     fn in_father(&self, name: TextRange) -> Result<IndexUse, Obstacle> {
         match index(self.file.text(self.db), name.end()) {
             Index::Literal { text, whole, is_key, .. } => {
@@ -150,7 +150,8 @@ impl IndexUses<'_> {
         if is_plain { "\"" } else { ESCAPED }
     }
 
-    /// The element is an argument that may be more than one value: an array from an index on, or a place.
+    /// Whether the element is an argument that may stand for more than one value, for example an array from an index
+    /// on.
     fn is_handed_over(&self, body: &Body, element: ExprId, name: TextRange) -> bool {
         let inference = infer(self.db, self.user, self.file);
         body.exprs().any(|(call, expr, _)| {
@@ -169,5 +170,5 @@ impl IndexUses<'_> {
     }
 }
 
-/// A quote in an attribute, or in code without a CDATA section.
+/// Quote in an attribute, or in code without a CDATA section.
 const ESCAPED: &str = "&quot;";

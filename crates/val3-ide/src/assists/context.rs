@@ -1,4 +1,4 @@
-//! The place that assists look at.
+//! Assist context: a range in a file.
 
 use std::borrow::Cow;
 
@@ -20,19 +20,19 @@ use crate::edit::FileEdit;
 use crate::owner::owner;
 use crate::xml_list::escaped;
 
-/// A place in a file, and what is known about it.
+/// A range in a file, with queries about it.
 pub(crate) struct Context<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
     pub(crate) file: File,
-    /// The selection; empty at a cursor.
+    /// Selection; empty for a cursor.
     pub(crate) range: TextRange,
     pub(crate) text: &'db str,
     pub(crate) root: SyntaxNode,
 }
 
 impl<'db> Context<'db> {
-    /// `None` for a file of no project, and a range outside of it.
+    /// Creates the context. `None` if no project lists the file or the range is outside its text.
     pub(crate) fn new(db: &'db dyn Db, at: FileRange) -> Option<Self> {
         let project = owner(db, at.file)?;
         let text: &str = at.file.text(db);
@@ -56,25 +56,25 @@ impl<'db> Context<'db> {
         infer(self.db, self.project, self.file)
     }
 
-    /// The options of rules that count for the project.
+    /// Rule options of the project.
     pub(crate) fn options(&self) -> Cow<'db, Options> {
         self.project
             .config(self.db)
             .map_or_else(|| Cow::Owned(Options::default()), |config| Cow::Borrowed(&config.lint))
     }
 
-    /// The layout of the code.
+    /// Format style of the code.
     pub(crate) fn style(&self) -> Style {
         let format = self.project.config(self.db).map(|config| config.format.clone()).unwrap_or_default();
         Style::new(&format, IndentOverride::default())
     }
 
-    /// One more level of indentation.
+    /// One level of indentation.
     pub(crate) fn level(&self) -> String {
         self.style().indent.text(1)
     }
 
-    /// The token at the cursor, or the selected one. Names are preferred to their neighbours.
+    /// Token at the cursor, or the selected token. A name is preferred to its neighbours.
     pub(crate) fn token(&self) -> Option<SyntaxToken> {
         if !self.range.is_empty() {
             return self.root.covering_element(self.range).into_token();
@@ -88,7 +88,7 @@ impl<'db> Context<'db> {
         tokens.max_by_key(rank)
     }
 
-    /// The innermost `N` around the place.
+    /// Innermost `N` that contains the range.
     pub(crate) fn node<N: AstNode>(&self) -> Option<N> {
         let covering = match self.range.is_empty() {
             true => self.token()?.parent()?,
@@ -100,19 +100,19 @@ impl<'db> Context<'db> {
         covering.ancestors().find_map(N::cast)
     }
 
-    /// The code around the place.
+    /// Code that contains the range.
     pub(crate) fn code(&self) -> Option<Code> {
         let covering = self.root.covering_element(self.range);
         covering.ancestors().find_map(Code::cast)
     }
 
-    /// The expression of the body whose range is `range`; the innermost one of several.
+    /// Innermost expression with exactly this range.
     pub(crate) fn expr_at(&self, range: TextRange) -> Option<ExprId> {
         self.body().exprs().find(|(_, _, found)| *found == range).map(|(id, ..)| id)
     }
 
-    /// The statements that are selected, all of one block, and the range they stand in with the comments that are
-    /// selected along; at a cursor the statement on its line.
+    /// Selected statements, all from the same block, and their range including selected comments. For a cursor, the
+    /// statement on its line.
     pub(crate) fn stmts(&self) -> Option<(Vec<Stmt>, TextRange)> {
         if self.range.is_empty() {
             let stmt = self.stmt_on_line()?;
@@ -122,7 +122,7 @@ impl<'db> Context<'db> {
         let selected = self.trimmed()?;
         let covering = self.root.covering_element(selected);
         let around = covering.ancestors().next()?;
-        // A comment before the first statement of a block is outside of the block.
+        // A comment before the first statement of a block is outside the block.
         let inner = around.children().filter_map(Block::cast);
         let blocks = inner.chain(around.ancestors().find_map(Block::cast));
         let mut blocks = blocks.filter(|block| with_comments(block).contains_range(selected));
@@ -130,7 +130,7 @@ impl<'db> Context<'db> {
         Some((stmts, selected))
     }
 
-    /// The innermost statement that starts on the line of the cursor.
+    /// Innermost statement that starts on the cursor's line.
     fn stmt_on_line(&self) -> Option<Stmt> {
         let line = self.line(self.range.start());
         let first = self.text.get(std::ops::Range::<usize>::from(line))?;
@@ -141,7 +141,7 @@ impl<'db> Context<'db> {
         (stmt.syntax().text_range().start() == at).then_some(stmt)
     }
 
-    /// The selection without the blanks around it.
+    /// Selection without surrounding whitespace.
     pub(crate) fn trimmed(&self) -> Option<TextRange> {
         let selected = self.slice(self.range);
         let start = TextSize::of(selected) - TextSize::of(selected.trim_start());
@@ -153,7 +153,7 @@ impl<'db> Context<'db> {
         text_at(self.text, range)
     }
 
-    /// The line around an offset, without its end.
+    /// Line that contains an offset, without its line end.
     fn line(&self, at: TextSize) -> TextRange {
         let at = usize::from(at);
         let start = self.text.get(..at).and_then(|before| before.rfind(['\n', '\r'])).map_or(0, |end| end + 1);
@@ -162,20 +162,20 @@ impl<'db> Context<'db> {
         TextRange::new(text_size(start), text_size(end))
     }
 
-    /// The blanks at the start of the line of `at`; none if the line begins with XML.
+    /// Indentation of the line that contains `at`; empty if the line begins with XML.
     pub(crate) fn indentation(&self, at: TextSize) -> &'db str {
         let line = self.slice(self.line(at));
         let blanks = line.part(..line.len() - line.trim_start_matches([' ', '\t']).len());
         if line.trim_start().starts_with('<') { "" } else { blanks }
     }
 
-    /// Why no line can come before `at`; `None` if only blanks precede it on its line.
+    /// Reason why no line can be inserted before `at`; `None` if only whitespace precedes it on its line.
     pub(crate) fn starts_no_line(&self, at: TextSize) -> Option<String> {
         let before = self.slice(TextRange::new(self.line(at).start(), at));
         (!before.trim().is_empty()).then(|| "The statement does not start its line".to_owned())
     }
 
-    /// How the lines of the code end.
+    /// Line end of the code.
     pub(crate) fn line_end(&self) -> &'static str {
         let code = self.code().map_or(self.text, |code| self.slice(code.syntax().text_range()));
         let Some(at) = code.find(['\n', '\r']) else { return "\n" };
@@ -188,33 +188,33 @@ impl<'db> Context<'db> {
         }
     }
 
-    /// The code is not in a CDATA section: some characters are written as references.
+    /// Whether the code is outside a CDATA section, so that some characters are escaped.
     pub(crate) fn is_escaped(&self) -> bool {
         self.code().is_none_or(|code| is_escaped(&code))
     }
 
-    /// A part of the code in plain characters.
+    /// A part of the code with entities decoded.
     pub(crate) fn plain(&self, range: TextRange) -> String {
         let text = self.slice(range);
         if self.is_escaped() { decode_entities(text).into_owned() } else { text.to_owned() }
     }
 
-    /// Plain characters as the code of this file holds them.
+    /// Escapes a text if the code of this file requires it.
     pub(crate) fn written(&self, plain: &str) -> String {
         if self.is_escaped() { escaped(plain) } else { plain.to_owned() }
     }
 
-    /// An edit of this file. `text` is inserted as it is written in the file.
+    /// Edit of this file. `text` is inserted unchanged and must already be escaped.
     pub(crate) fn replace(&self, range: TextRange, text: impl Into<String>) -> FileEdit {
         FileEdit { file: self.file, range, text: text.into() }
     }
 
-    /// A part of the file has a fault of its text.
+    /// Whether the range contains a syntax error.
     pub(crate) fn is_broken(&self, range: TextRange) -> bool {
         parse(self.db, self.file).errors().iter().any(|error| error.range.intersect(range).is_some())
     }
 
-    /// The name is one of the program's own or of the project's.
+    /// Whether the name is declared in the program or its project.
     pub(crate) fn is_taken(&self, name: &str) -> bool {
         let header = self.header();
         let same = |other: &str| other.eq_ignore_ascii_case(name);
@@ -225,7 +225,7 @@ impl<'db> Context<'db> {
     }
 }
 
-/// The statements of a block that lie in `selected`; `None` if there are none, or it cuts one.
+/// Statements of a block within `selected`; `None` if there are none or a statement is only partly selected.
 fn whole_stmts(block: &Block, selected: TextRange) -> Option<Vec<Stmt>> {
     let touched = block.stmts().filter(|stmt| {
         let common = stmt.syntax().text_range().intersect(selected);

@@ -1,4 +1,4 @@
-//! Declares an unknown name as global data of the application.
+//! Declares an unresolved name as global data of the application.
 
 use memchr::memmem;
 use val3_analysis::body::{Body, body};
@@ -20,7 +20,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The programs of the application in which the name would mean the new data.
+/// Programs of the application in which the name would resolve to the new data.
 fn users<'db>(context: &Context<'db>, name: &str) -> impl Iterator<Item = &'db Body> {
     let db = context.db;
     let is_own = |file| {
@@ -133,7 +133,7 @@ mod tests {
         };
         assert_eq!(declared(&cell("x$0[1]=1")).matches("<valueNum").count(), 2);
         assert_eq!(offered(&cell("x$0[1,1]=1"), ID), None);
-        // Collections came with s7.
+        // Collections exist from s7 on.
         assert_eq!(offered(&cell("dI$0n[\"a\"]=true"), ID), None);
     }
 }

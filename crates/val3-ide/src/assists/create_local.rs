@@ -1,4 +1,4 @@
-//! Declares an unknown name as a local variable.
+//! Declares an unresolved name as a local variable.
 
 use val3_lang::types::Container;
 
@@ -11,7 +11,7 @@ use crate::edit::SourceChange;
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let unknown = unknown(context)?;
     let variable = unknown.variable(context, false, [context.body()])?;
-    // Locals are arrays only, and nothing links them to an input or output.
+    // A local is always an array, and cannot be linked to an input or output.
     if variable.container == Container::Collection || unknown.is_linkable() {
         return None;
     }

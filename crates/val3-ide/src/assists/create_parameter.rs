@@ -1,5 +1,5 @@
-//! Declares an unknown name as a parameter, by reference where the program changes it. Every call passes something for
-//! it.
+//! Declares an unresolved name as a parameter, passed by reference if the program changes it. An argument is added to
+//! every call.
 
 mod callers;
 
@@ -19,7 +19,7 @@ const GROUP: Option<&str> = Some("Create");
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let unknown = unknown(context)?;
-    // The controller starts these two, without arguments.
+    // The controller starts these programs itself, without arguments.
     if context.options().entry_points.iter().any(|name| *name == *context.header().name) {
         return None;
     }
@@ -43,7 +43,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The program gives the name a value somewhere, or hands it over to something that may.
+/// Whether the program assigns to the name, or passes it to a call that may.
 fn is_written(context: &Context<'_>, unknown: &UnknownName) -> bool {
     let body = context.body();
     let names = |mut id: ExprId| {
@@ -68,7 +68,7 @@ fn is_written(context: &Context<'_>, unknown: &UnknownName) -> bool {
         })
 }
 
-/// Whether the callee takes a variable, not a value, as its argument number `at`.
+/// Whether the callee's parameter `at` requires a variable, not a value.
 fn takes_reference(context: &Context<'_>, call: ExprId, callee: ExprId, at: usize) -> bool {
     if let Some(found) = context.inference().call(call) {
         let is_variable = |shape| !matches!(shape, Shape::Value | Shape::ProgramCall);

@@ -1,4 +1,4 @@
-//! Creates the program that a call names, with parameters like the arguments.
+//! Creates the called program, with parameters that match the arguments.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_lang::types::Container;
@@ -29,7 +29,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The arguments after the name at `id`, if it is called as a program.
+/// Arguments after the name at `id`, if a program is called.
 fn called_with<'db>(context: &Context<'db>, id: ExprId) -> Option<&'db [ExprId]> {
     let body = context.body();
     body.stmts().into_iter().find_map(|stmt| {
@@ -45,7 +45,8 @@ fn called_with<'db>(context: &Context<'db>, id: ExprId) -> Option<&'db [ExprId]>
     })
 }
 
-/// A parameter that takes the argument: named like it, if it is a name.
+/// Parameter for the argument, named after it if the argument is a name. The second value is true for passing by
+/// reference.
 fn parameter(context: &Context<'_>, id: ExprId, at: usize) -> (Variable, bool) {
     let ty = context.inference().ty(id);
     let type_name = if ty.is_unknown() { "num".to_owned() } else { type_name(context, ty.base, false) };
@@ -57,7 +58,7 @@ fn parameter(context: &Context<'_>, id: ExprId, at: usize) -> (Variable, bool) {
     };
     let name = if stem.starts_with(prefix.as_str()) { stem } else { format!("{prefix}{stem}") };
     let container = match ty.container {
-        // A whole array is handed over with its name alone, and so is a single value.
+        // An array name without an index may also pass a single value.
         Container::Array { .. } if !is_array(context, id) => Container::Element,
         other => other,
     };
@@ -69,7 +70,7 @@ fn parameter(context: &Context<'_>, id: ExprId, at: usize) -> (Variable, bool) {
     (Variable { name, type_name, container, sizes }, by_reference)
 }
 
-/// The argument names an array with several elements.
+/// Whether the argument names an array with several elements.
 fn is_array(context: &Context<'_>, id: ExprId) -> bool {
     let Expr::Name(name) = context.body().expr(id) else { return false };
     let local = context.header().locals.iter().find(|local| local.name == *name).map(|local| &local.sizes);

@@ -1,4 +1,4 @@
-//! How a statement evaluates its expressions: in which order, how often, and whether as values.
+//! Evaluation of a statement's expressions: their order, their number of evaluations, and their use as values.
 
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind};
 use val3_analysis::effects::Effects;
@@ -10,12 +10,12 @@ use val3_lang::types::BaseType;
 
 use super::context::Context;
 
-/// The expressions of one program.
+/// Expressions in a program.
 pub(super) struct Evaluation<'db> {
     pub(super) body: &'db Body,
     pub(super) effects: Effects<'db>,
     pub(super) inference: &'db Inference,
-    /// The expression that each one is a part of, by its index.
+    /// Parent expressions, by expression index.
     parents: Vec<Option<ExprId>>,
 }
 
@@ -32,24 +32,24 @@ impl<'db> Evaluation<'db> {
         Self { body, effects, inference: context.inference(), parents }
     }
 
-    /// The expression that `id` is a part of.
+    /// Parent of the expression `id`.
     pub(super) fn parent(&self, id: ExprId) -> Option<ExprId> {
         *self.parents.get(id.index())?
     }
 
-    /// `id` and the expressions around it.
+    /// `id` and all its ancestors.
     fn ancestors(&self, id: ExprId) -> impl Iterator<Item = ExprId> {
         std::iter::successors(Some(id), |id| self.parent(*id))
     }
 
-    /// The block and the index of the statement that evaluates `id`.
+    /// Block and index of the statement that evaluates `id`.
     pub(super) fn stmt(&self, id: ExprId) -> Option<(&'db [Stmt], usize)> {
         let root = self.ancestors(id).last()?;
         let body: &'db Body = self.body;
         body.blocks().find_map(|block| Some((block, block.iter().position(|it| it.kind.exprs().contains(&root))?)))
     }
 
-    /// `id` is used for its value: another expression with the same value can replace it.
+    /// Whether only the value of `id` is used, so that another expression with the same value can replace it.
     pub(super) fn is_value(&self, id: ExprId) -> bool {
         let is_base = |parent: ExprId| matches!(self.body.expr(parent), Expr::Index(base, _) if *base == id);
         if self.parent(id).is_some_and(is_base) {
@@ -71,7 +71,7 @@ impl<'db> Evaluation<'db> {
         }
     }
 
-    /// The variable, with its fields and indexes, that `id` is the start of.
+    /// Longest variable expression, with fields and indexes, that starts with `id`.
     fn place(&self, id: ExprId) -> ExprId {
         let mut place = id;
         while let Some(parent) = self.parent(place) {
@@ -109,7 +109,8 @@ impl<'db> Evaluation<'db> {
         signature.and_then(|signature| signature.params.get(position)).is_some_and(|param| !param.by_reference)
     }
 
-    /// `{…}` can replace the argument `id`: all forms with as many parameters want the same type there.
+    /// Whether `{…}` can replace the argument `id`: all forms with the same number of parameters expect the same type
+    /// there.
     pub(super) fn takes_list(&self, id: ExprId) -> bool {
         let Some(call) = self.parent(id) else { return false };
         let Expr::Call(callee, arguments) = self.body.expr(call) else { return false };
@@ -122,12 +123,13 @@ impl<'db> Evaluation<'db> {
         form.and_then(wanted).is_some_and(|ty| forms.all(|form| wanted(form) == Some(ty)))
     }
 
-    /// Why `id` cannot be evaluated just before its statement: that would be at another time, or another number of times.
+    /// Checks that `id` can be evaluated just before its statement, at the same time and equally often. The error is a
+    /// reason for the user.
     pub(super) fn movable(&self, id: ExprId) -> Result<(), String> {
         self.movable_as(id, id)
     }
 
-    /// As [`Self::movable`], for `value` in the place of `id`.
+    /// Like [`Self::movable`], for `value` in place of `id`.
     pub(super) fn movable_as(&self, id: ExprId, value: ExprId) -> Result<(), String> {
         let (block, at) = self.stmt(id).ok_or_else(|| "No statement evaluates the expression".to_owned())?;
         let stmt = block.get(at).ok_or_else(|| "No statement evaluates the expression".to_owned())?;
@@ -151,7 +153,7 @@ impl<'db> Evaluation<'db> {
         }
     }
 
-    /// `whole` evaluates its part exactly once.
+    /// Checks that `whole` evaluates `part` exactly once.
     fn always(&self, part: ExprId, whole: ExprId) -> Result<(), String> {
         match self.body.expr(whole) {
             Expr::Binary(op @ (BinaryOp::And | BinaryOp::Or), _, right) if *right == part => {
@@ -171,7 +173,7 @@ impl<'db> Evaluation<'db> {
         matches!(self.body.expr(call), Expr::Call(_, arguments) if arguments.first() == Some(&part))
     }
 
-    /// Evaluating `id` does more than yield its value, or a second evaluation may yield another one.
+    /// Whether the evaluation of `id` has side effects, or a second evaluation may yield another value.
     pub(super) fn has_effects(&self, id: ExprId) -> bool {
         self.body.within(id).any(|part| match self.body.expr(part) {
             Expr::Assign(..) | Expr::Missing => true,
@@ -184,7 +186,7 @@ impl<'db> Evaluation<'db> {
     }
 }
 
-/// The expressions that an expression consists of, in the order of the text.
+/// Direct subexpressions, in the order of the text.
 fn parts(expr: &Expr) -> Vec<ExprId> {
     match expr {
         Expr::Paren(inner) | Expr::Unary(_, inner) | Expr::Field { base: inner, .. } => vec![*inner],
@@ -197,7 +199,7 @@ fn parts(expr: &Expr) -> Vec<ExprId> {
     }
 }
 
-/// The parts of an expression in the order of their evaluation.
+/// Direct subexpressions, in evaluation order.
 fn evaluated(expr: &Expr) -> Vec<ExprId> {
     match expr {
         Expr::Assign(target, value) => vec![*value, *target],
@@ -206,7 +208,7 @@ fn evaluated(expr: &Expr) -> Vec<ExprId> {
     }
 }
 
-/// Why a statement does not evaluate its expression `root` exactly once, when it begins.
+/// Checks that a statement evaluates its expression `root` exactly once, when it begins.
 fn once(kind: &StmtKind, root: ExprId) -> Result<(), String> {
     let reason = match kind {
         StmtKind::While { .. } => "The condition of `while` is evaluated before every round",
@@ -223,7 +225,7 @@ fn once(kind: &StmtKind, root: ExprId) -> Result<(), String> {
     Err(reason.to_owned())
 }
 
-/// The expressions of a statement that are evaluated before `root`.
+/// Expressions of a statement that are evaluated before `root`.
 fn earlier_roots(kind: &StmtKind, root: ExprId) -> Vec<ExprId> {
     let order = match kind {
         StmtKind::Assign { target, value } => vec![*value, *target],

@@ -1,4 +1,4 @@
-//! The expected meaning of an unknown name, derived from its context.
+//! Expected types for unresolved names, derived from the context.
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
@@ -14,14 +14,14 @@ use val3_syntax::SyntaxKind;
 use super::context::Context;
 use crate::declare::Variable;
 
-/// A name in the code that is not declared.
+/// An unresolved name in the code.
 pub(super) struct UnknownName {
     pub(super) name: SmolStr,
-    /// Its expected type.
+    /// Expected type.
     variable: Ty,
 }
 
-/// The unknown variable at the place.
+/// The unresolved variable at the cursor.
 pub(super) fn unknown(context: &Context<'_>) -> Option<UnknownName> {
     let token = context.token().filter(|token| token.kind() == SyntaxKind::IDENT)?;
     let range = token.text_range();
@@ -43,7 +43,7 @@ pub(super) fn unknown(context: &Context<'_>) -> Option<UnknownName> {
     Some(UnknownName { name: name.clone(), variable: ty })
 }
 
-/// Where one type is expected, the other is taken as well.
+/// Whether a value of the type `named` is also accepted where `expected` is required.
 fn stands_in(expected: Base, named: Base) -> bool {
     use BaseType::{Aio, Bool, Dio, Joint, Num, Point};
     matches!(
@@ -52,14 +52,14 @@ fn stands_in(expected: Base, named: Base) -> bool {
     )
 }
 
-/// The name is followed by brackets with arguments: an instruction or a program.
+/// Whether the name is followed by parentheses: an instruction or a program.
 pub(super) fn is_called(body: &Body, id: ExprId) -> bool {
     body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Call(callee, _) if *callee == id))
 }
 
 impl UnknownName {
-    /// Its declaration. Positions of data are bound to an arm. An array gets the sizes that `bodies` ask for; `None`
-    /// where that would be a larger one than programs have.
+    /// Declaration of the name. Position types of data are specific to an arm. An array gets the sizes that `bodies`
+    /// require; `None` if that would exceed [`LARGEST`].
     pub(super) fn variable<'b>(
         &self,
         context: &Context<'_>,
@@ -75,7 +75,7 @@ impl UnknownName {
         Some(Variable { name: self.name.to_string(), type_name, container, sizes })
     }
 
-    /// Its declaration as a parameter, which says how many dimensions it has and no sizes.
+    /// Declaration as a parameter, which has a number of dimensions but no sizes.
     pub(super) fn parameter(&self, context: &Context<'_>) -> Variable {
         let sizes = match self.variable.container {
             Container::Array { dims } => vec![2; usize::from(dims.max(1))],
@@ -85,26 +85,26 @@ impl UnknownName {
         Variable { name: self.name.to_string(), type_name, container: self.variable.container, sizes }
     }
 
-    /// Its expected type.
+    /// Expected type.
     pub(super) fn ty(&self) -> Ty {
         self.variable
     }
 
-    /// It would have to be an input, an output or a serial line.
+    /// Whether it would have to be an input, an output or a serial line.
     pub(super) fn is_linkable(&self) -> bool {
         self.variable.base.builtin().is_some_and(BaseType::is_linkable)
     }
 
-    /// The name of the type in a title.
+    /// Type name for a title.
     pub(super) fn shown(&self, db: &dyn Db) -> SmolStr {
         Ty::element(self.variable.base).display(db)
     }
 }
 
-/// Elements that an array has at most, in the programs that are known.
+/// Limit of array elements, which is not exceeded in any known program.
 const LARGEST: u64 = 10_000;
 
-/// One more than the highest index of each dimension that is known.
+/// Array sizes: for each dimension, one more than the highest known index.
 fn sizes<'b>(name: &str, dims: u8, bodies: impl IntoIterator<Item = &'b Body>) -> Option<Vec<u32>> {
     let mut sizes = vec![1_u32; usize::from(dims.max(1))];
     for body in bodies {
@@ -122,7 +122,7 @@ fn sizes<'b>(name: &str, dims: u8, bodies: impl IntoIterator<Item = &'b Body>) -
     (elements <= LARGEST).then_some(sizes)
 }
 
-/// The size that has this index: 1 where the index is none.
+/// Smallest size with this index; 1 if the index is unknown or invalid.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the number is in range")]
 fn size_for(index: Option<f64>) -> u32 {
     match index {
@@ -131,7 +131,7 @@ fn size_for(index: Option<f64>) -> u32 {
     }
 }
 
-/// The highest value of an index that is constant, or that counts between two constants.
+/// Highest index value, if the index is a constant or a counter with constant bounds.
 fn highest(body: &Body, index: ExprId) -> Option<f64> {
     if let Some(number) = body.number(index) {
         return Some(number);
@@ -148,7 +148,7 @@ fn highest(body: &Body, index: ExprId) -> Option<f64> {
     })
 }
 
-/// A type as files of the project write it; `bound` where it has to name the arm.
+/// Type name in files of the project; `bound` if it has to include the arm kind.
 pub(super) fn type_name(context: &Context<'_>, base: Base, bound: bool) -> String {
     let arm = context.items().arm.unwrap_or(Arm::SixAxis);
     match base {
@@ -161,7 +161,7 @@ pub(super) fn type_name(context: &Context<'_>, base: Base, bound: bool) -> Strin
     }
 }
 
-/// The type that the project's convention gives to names that begin so.
+/// Type that the project's naming convention assigns to the prefix of the name.
 fn by_prefix(context: &Context<'_>, name: &str) -> Option<Ty> {
     let options = context.options();
     let own = [&options.local_prefix, &options.parameter_prefix];
@@ -182,7 +182,7 @@ struct UseSite<'c, 'db> {
 }
 
 impl UseSite<'_, '_> {
-    /// The expected type of `id`; `None` if the context does not determine it.
+    /// Expected type of `id`; `None` if the context does not determine it.
     fn expected(&self, id: ExprId) -> Option<Ty> {
         let parent = self.body.exprs().find(|(_, expr, _)| holds(expr, id));
         match parent {
@@ -282,7 +282,7 @@ impl UseSite<'_, '_> {
     }
 }
 
-/// `expr` has `id` directly in it.
+/// Whether `id` is a direct subexpression of `expr`.
 fn holds(expr: &Expr, id: ExprId) -> bool {
     match expr {
         Expr::Paren(inner) | Expr::Unary(_, inner) | Expr::Field { base: inner, .. } => *inner == id,
@@ -293,7 +293,7 @@ fn holds(expr: &Expr, id: ExprId) -> bool {
     }
 }
 
-/// The first of the types that programs declare most, and that has such a field.
+/// First of the most common types that has this field.
 fn with_field(name: &str) -> Option<Ty> {
     let types = [BaseType::Point, BaseType::Trsf, BaseType::Joint, BaseType::Mdesc, BaseType::Config, BaseType::Frame];
     let arm = Some(Arm::SixAxis);

@@ -1,4 +1,4 @@
-//! Takes statements out into a program of their own.
+//! Extracts statements into a new program.
 
 mod passing;
 
@@ -57,7 +57,7 @@ fn extract(context: &Context<'_>, range: TextRange) -> Option<SourceChange> {
     Some(change.with_new_name(context.file, range.start(), &name))
 }
 
-/// The lines of the new program, one level deep.
+/// Lines of the new program, indented by one level.
 fn code(context: &Context<'_>, range: TextRange) -> Vec<String> {
     let text = context.plain(range);
     let level = context.level();

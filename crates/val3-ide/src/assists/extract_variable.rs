@@ -1,4 +1,4 @@
-//! Gives the value of the selected expression to a new local variable.
+//! Extracts the selected expression into a new local variable.
 
 mod occurrences;
 
@@ -51,7 +51,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// Why no variable can take the value before the statement.
+/// Reason why the value cannot be assigned to a variable before the statement; `None` if it can.
 fn obstacle(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, ty: Ty) -> Option<String> {
     if !evaluation.is_value(id) {
         return Some("The variable itself is needed here, not its value".to_owned());
@@ -59,7 +59,7 @@ fn obstacle(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, ty: 
     if ty.container != Container::Element || !can_be_local(context.db, ty.base) {
         return Some(format!("A local variable cannot hold a copy of `{}`", ty.display(context.db)));
     }
-    // A field may have a user type that only the project of its own type lists.
+    // A field may have a user type that only its own type's project lists.
     let name = type_name(context, ty.base, false);
     if resolve_type(&context.items().types, &name).is_none_or(|base| !base.same_as(ty.base)) {
         return Some(format!("The project does not list the type `{name}`"));
@@ -67,11 +67,11 @@ fn obstacle(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, ty: 
     evaluation.movable(id).err()
 }
 
-/// User types in user types that are looked through.
+/// Nesting limit of user types within user types.
 const NESTING: u8 = 8;
 
-/// A local of this type holds everything that an assignment copies to it: nothing links it to an input or output, which
-/// tools have as well.
+/// Whether a local of this type stores everything that an assignment copies. Inputs and outputs have a link in
+/// addition, and so do tools.
 pub(crate) fn can_be_local(db: &dyn Db, base: Base) -> bool {
     can_be_nested(db, base, NESTING)
 }
@@ -103,7 +103,7 @@ fn change(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, found:
     Some(change.with_new_name(context.file, found.before, &name))
 }
 
-/// The expression, without parentheses that keep it apart from a word: a name would become a part of that.
+/// The expression, without parentheses, unless they separate it from an adjacent word with which a name would merge.
 fn apart(context: &Context<'_>, id: ExprId) -> ExprId {
     let Expr::Paren(inner) = context.body().expr(id) else { return id };
     let range = std::ops::Range::<usize>::from(context.body().range(id));
@@ -113,7 +113,7 @@ fn apart(context: &Context<'_>, id: ExprId) -> ExprId {
     if before || after { apart(context, *inner) } else { id }
 }
 
-/// The text of the expression, without parentheses that are only needed around it.
+/// Source of the expression, without parentheses that only its context requires.
 fn value<'db>(context: &Context<'db>, evaluation: &Evaluation<'_>, id: ExprId) -> &'db str {
     let body = context.body();
     let inner = body.without_parentheses(id);
@@ -121,7 +121,7 @@ fn value<'db>(context: &Context<'db>, evaluation: &Evaluation<'_>, id: ExprId) -
     context.slice(body.range(if is_needed { inner } else { id }))
 }
 
-/// A free name that says what the value is, in the convention of the project.
+/// An unused name that describes the value, in the project's naming convention.
 fn name(context: &Context<'_>, id: ExprId, type_name: &str) -> String {
     let options = context.options();
     let base = BaseType::from_file_name(type_name).map_or(type_name, |(ty, _)| ty.name());
@@ -130,7 +130,7 @@ fn name(context: &Context<'_>, id: ExprId, type_name: &str) -> String {
     free(&format!("{}{prefix}{stem}", options.local_prefix), |name| context.is_taken(name))
 }
 
-/// The field or the instruction that yields the value.
+/// Field or instruction that yields the value.
 fn meaning(context: &Context<'_>, id: ExprId) -> Option<SmolStr> {
     let body = context.body();
     match body.expr(body.without_parentheses(id)) {

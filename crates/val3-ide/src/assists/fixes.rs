@@ -1,4 +1,4 @@
-//! The fixes that come with findings. No fix is offered that would add an error anywhere.
+//! Fixes of findings. A fix that would add an error anywhere is not offered.
 
 use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::system::System;
@@ -8,33 +8,33 @@ use val3_check::fix::{AddedError, FixGuard};
 use crate::edit::{FileEdit, SourceChange};
 use crate::trial::Trial;
 
-/// The environment in which fixes are tried before they are offered.
+/// Context in which fixes are tried before they are offered.
 #[derive(Clone, Copy)]
 pub struct FixContext<'a> {
     /// The current files.
     pub db: &'a dyn Db,
-    /// The file system with the texts of open documents.
+    /// File system with the texts of open documents.
     pub system: &'a dyn System,
-    /// Called again and again while a fix is tried. It may unwind if the result is no longer wanted.
+    /// Called repeatedly while a fix is tried. It may unwind if the result is no longer needed.
     pub check_cancelled: &'a dyn Fn(),
 }
 
 /// A fix of a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct QuickFix<'d> {
-    /// The finding that it fixes.
+    /// The fixed finding.
     pub diagnostic: &'d Diagnostic,
-    /// The title, in the imperative.
+    /// Title, in the imperative.
     pub title: String,
-    /// It does what was plainly meant; editors may prefer it.
+    /// Whether the fix is certainly intended, so that editors may prefer it.
     pub safe: bool,
-    /// The edits.
+    /// Edits.
     pub change: SourceChange,
-    /// Why it cannot be applied, as a sentence for the user; `None` if it can.
+    /// Reason why the fix cannot be applied, as a sentence for the user; `None` if it can.
     pub disabled: Option<String>,
 }
 
-/// The fixes of the findings that `at` touches, safe ones first.
+/// Fixes of the findings that overlap or touch `at`, safe fixes first.
 pub fn quick_fixes<'d>(context: FixContext<'_>, diagnostics: &'d [Diagnostic], at: FileRange) -> Vec<QuickFix<'d>> {
     let touches = |diagnostic: &&Diagnostic| {
         diagnostic.place.file == at.file && diagnostic.place.range.intersect(at.range).is_some()
@@ -58,7 +58,7 @@ pub fn quick_fixes<'d>(context: FixContext<'_>, diagnostics: &'d [Diagnostic], a
     found
 }
 
-/// The safe fixes of a file's findings that can be applied together without adding an error, and do not touch each other.
+/// Safe fixes of a file that can be applied together without adding an error and do not overlap.
 pub fn fix_all(context: FixContext<'_>, diagnostics: &[Diagnostic], file: File) -> SourceChange {
     let of_file = |fix: &&Fix| fix.safe && fix.edits.iter().all(|edit| edit.place.file == file);
     let fixes: Vec<&Fix> =
@@ -68,7 +68,7 @@ pub fn fix_all(context: FixContext<'_>, diagnostics: &[Diagnostic], file: File) 
     SourceChange::of(harmless.into_iter().flat_map(edits)).sorted(context.db)
 }
 
-/// The first error that a change of texts would add somewhere, as a reason for the user.
+/// First error that a change would add anywhere, as a reason for the user.
 pub(crate) fn added_error(context: FixContext<'_>, change: &SourceChange) -> Option<String> {
     let place = |edit: &FileEdit| FileRange { file: edit.file, range: edit.range };
     let edits = change.edits.iter().map(|edit| Edit { place: place(edit), text: edit.text.clone() }).collect();
@@ -77,7 +77,7 @@ pub(crate) fn added_error(context: FixContext<'_>, change: &SourceChange) -> Opt
     added.map(|error| reason(&error))
 }
 
-/// A guard for these fixes; `None` without fixes, since it reads and checks all projects that they can affect.
+/// Guard for these fixes; `None` without fixes, because creating a guard reads and checks all affected projects.
 fn guard<'s, 'f>(context: FixContext<'s>, fixes: impl Iterator<Item = &'f Fix>) -> Option<FixGuard<Trial<'s>>> {
     let mut fixes = fixes.peekable();
     fixes.peek()?;

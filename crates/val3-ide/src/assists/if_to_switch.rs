@@ -1,4 +1,4 @@
-//! Turns a chain of `if` that compares one value into a `switch`.
+//! Converts an `if` chain that compares one value into a `switch`.
 
 use val3_syntax::ast::{AstNode, Block, Expr, IfStmt};
 use val3_syntax::{SyntaxKind, TextRange};
@@ -16,7 +16,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     for clause in chain.else_if_clauses() {
         arms.push((clause.condition()?, clause.block()?));
     }
-    // One comparison is no choice.
+    // A single comparison is no chain.
     if arms.len() < 2 {
         return None;
     }
@@ -39,7 +39,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The cursor is on a line with a word of the chain itself, not deep in one of its blocks.
+/// Whether the cursor is on a keyword line of the chain, not inside a block.
 pub(super) fn is_at_head(context: &Context<'_>, chain: &IfStmt) -> bool {
     let inside = |block: Option<Block>| {
         block.is_some_and(|block| {
@@ -51,7 +51,7 @@ pub(super) fn is_at_head(context: &Context<'_>, chain: &IfStmt) -> bool {
     ![chain.block(), chain.else_clause().and_then(|clause| clause.block())].into_iter().chain(clauses).any(inside)
 }
 
-/// Collects the constants that one value is compared with; `None` where the condition is anything else.
+/// Collects the constants with which the selector is compared; `None` if the condition contains anything else.
 fn compared(
     context: &Context<'_>,
     condition: Expr,
@@ -81,14 +81,14 @@ fn compared(
     }
 }
 
-/// `switch` takes no inputs, outputs or serial lines, and no user types (2.2.5).
+/// Whether `switch` supports the type (2.2.5): it rejects inputs, outputs, serial lines and user types.
 fn is_comparable(context: &Context<'_>, selector: &Expr) -> bool {
     let id = context.expr_at(selector.syntax().text_range());
     let ty = id.and_then(|id| context.inference().ty(id).base.builtin());
     ty.is_some_and(|ty| !ty.is_linkable())
 }
 
-/// The value and the constant of a comparison.
+/// Value and constant of a comparison.
 fn sides(left: Expr, right: Expr) -> Option<(Expr, Expr)> {
     match (is_constant(&left), is_constant(&right)) {
         (false, true) => Some((left, right)),

@@ -1,4 +1,4 @@
-//! Puts the code of a program where it is called.
+//! Replaces a call by the code of the called program.
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
@@ -25,7 +25,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let file = *context.items().programs.get(name)?;
     let inlined = InlinedProgram { context, file, body: body(context.db, file), header: header(context.db, file) };
     let names = inlined.names(range, arguments)?;
-    // A CDATA section cannot contain its own end.
+    // `]]>` would end the CDATA section.
     if !context.is_escaped() && inlined.lines(&names)?.iter().any(|line| line.contains("]]>")) {
         return None;
     }
@@ -35,7 +35,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The program that is put in.
+/// The inlined program.
 struct InlinedProgram<'c, 'db> {
     context: &'c Context<'db>,
     file: File,
@@ -43,16 +43,16 @@ struct InlinedProgram<'c, 'db> {
     header: &'db Header,
 }
 
-/// The replacement of a name of the inlined program, in plain characters.
+/// Replacement for a name of the inlined program, unescaped.
 struct NewName {
     old: SmolStr,
     new: String,
-    /// A variable to be declared in the caller.
+    /// Variable to be declared in the caller.
     local: Option<Variable>,
 }
 
 impl InlinedProgram<'_, '_> {
-    /// The replacements of parameters and locals; `None` if the code would behave differently.
+    /// Replacements of parameters and locals; `None` if the behaviour would change.
     fn names(&self, call: TextRange, arguments: &[ExprId]) -> Option<Vec<NewName>> {
         let is_self = self.file == self.context.file;
         let plain = |kind: &StmtKind| !matches!(kind, StmtKind::Return | StmtKind::Error);
@@ -62,7 +62,7 @@ impl InlinedProgram<'_, '_> {
         if !self.body.stmts().iter().all(|stmt| plain(&stmt.kind)) || self.hides_globals() {
             return None;
         }
-        // A local is initialised by each call, but would keep its value in a loop.
+        // Each call initialises the locals, but in a loop of the caller they would keep their values.
         if self.used_locals().next().is_some() && self.is_repeated(call) {
             return None;
         }
@@ -90,7 +90,7 @@ impl InlinedProgram<'_, '_> {
         Some(names)
     }
 
-    /// The locals that the code names. The others would only be unused in the caller.
+    /// Locals that the code uses. Unused locals are not copied to the caller.
     fn used_locals(&self) -> impl Iterator<Item = &LocalDecl> {
         let is_used = |local: &&LocalDecl| {
             self.body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if *name == local.name))
@@ -98,7 +98,7 @@ impl InlinedProgram<'_, '_> {
         self.header.locals.iter().filter(is_used)
     }
 
-    /// The text that replaces a parameter; `None` if an expression would be computed several times.
+    /// Text that replaces a parameter; `None` if an expression would be evaluated several times.
     fn argument(&self, param: &ParamDecl, argument: ExprId) -> Option<String> {
         let own = self.context.body();
         let text = self.context.plain(own.range(argument));
@@ -106,21 +106,21 @@ impl InlinedProgram<'_, '_> {
         let by_reference = param.by_reference;
         let is_param = |root: &Root| matches!(root, Root::Param(name) if *name == param.name);
         let written = effects.all().iter().any(|access| is_param(&access.root) && access.kind != AccessKind::Read);
-        // Code that takes an array may give an index, which a single value does not take.
+        // Code with an array parameter may use an index, which a single value does not support.
         let is_array = |container| matches!(container, Container::Array { .. });
         if is_array(param.container) && !is_array(self.context.inference().ty(argument).container) {
             return None;
         }
         let simple = match own.expr(own.without_parentheses(argument)) {
             Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => !by_reference,
-            // A copy stays what it was; a name may change meanwhile.
+            // A parameter by value is a copy; a variable in its place may change during the code.
             Expr::Name(_) => by_reference || !written && !self.changes_anything(),
             _ => false,
         };
         (simple && (by_reference || !written)).then_some(text)
     }
 
-    /// The program writes a variable other than its locals, or calls something that may.
+    /// Whether the program writes a variable other than its locals, or makes a call that may.
     fn changes_anything(&self) -> bool {
         let effects = Effects::new(self.context.db, self.context.project, self.file);
         let outer = |root: &Root| !matches!(root, Root::Local(_));
@@ -130,7 +130,7 @@ impl InlinedProgram<'_, '_> {
             || effects.may_wait()
     }
 
-    /// A global that the program uses has another meaning in the caller.
+    /// Whether a local or parameter of the caller hides a global that the program uses.
     fn hides_globals(&self) -> bool {
         let caller = self.context.header();
         let hidden = |name: &SmolStr| {
@@ -172,13 +172,13 @@ impl InlinedProgram<'_, '_> {
         Some(SourceChange::of(declared.into_iter().chain([replaced])))
     }
 
-    /// The code of the program with the new names, in plain characters, without indentation of its own.
+    /// Code of the program with the new names, unescaped and without its indentation.
     fn lines(&self, names: &[NewName]) -> Option<Vec<String>> {
         let root = val3_analysis::items::parse(self.context.db, self.file).root();
         let code = root.descendants().find_map(Code::cast)?;
         let text: &str = self.file.text(self.context.db);
         let range = with_comments(&code.block()?);
-        // The blanks before the first line are a part of its indentation.
+        // The whitespace before the first line belongs to its indentation.
         let blanks = text.get(..usize::from(range.start()))?;
         let blanks = TextSize::of(blanks) - TextSize::of(blanks.trim_end_matches([' ', '\t']));
         let range = TextRange::new(range.start() - blanks, range.end());
@@ -186,7 +186,7 @@ impl InlinedProgram<'_, '_> {
         Some(dedented(&plain, TextRange::up_to(TextSize::of(plain.as_str()))))
     }
 
-    /// Where the program uses the names, in order.
+    /// Uses of the renamed names, in the order of the text.
     fn uses<'n>(&self, names: &'n [NewName]) -> Vec<(TextRange, &'n str)> {
         let mut uses: Vec<(TextRange, &str)> = self
             .body

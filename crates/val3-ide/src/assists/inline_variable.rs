@@ -1,4 +1,4 @@
-//! Replaces a local variable by the expression that is assigned to it.
+//! Replaces a local variable by its assigned expression.
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
@@ -32,21 +32,21 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// A variable with the only value that it gets.
+/// A variable that is assigned only once.
 struct Inlining<'c, 'db> {
     context: &'c Context<'db>,
     evaluation: &'c Evaluation<'db>,
     name: &'c SmolStr,
     block: &'db [Stmt],
-    /// The index of the assignment in `block`.
+    /// Index of the assignment in `block`.
     at: usize,
-    /// The assigned expression.
+    /// Assigned expression.
     value: ExprId,
     reads: Vec<ExprId>,
 }
 
 impl<'c, 'db> Inlining<'c, 'db> {
-    /// The reason is a sentence for the user.
+    /// Collects the assignment and the reads. The error is a reason for the user.
     fn of(context: &'c Context<'db>, evaluation: &'c Evaluation<'db>, local: &'c LocalDecl) -> Result<Self, String> {
         let root = Root::Local(local.name.clone());
         let uses: Vec<&Access> = evaluation.effects.all().iter().filter(|access| access.root == root).collect();
@@ -68,7 +68,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
         inlining.check_value().map(|()| inlining)
     }
 
-    /// The expression has the type of the variable, and everything around can be read.
+    /// Checks that the expression has the variable's type, and that the surrounding code has no syntax errors.
     fn check_type(&self, local: &LocalDecl) -> Result<(), String> {
         let ty = self.evaluation.inference.ty(self.value);
         let declared = resolve_type(&self.context.items().types, &local.type_name);
@@ -84,7 +84,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
         }
     }
 
-    /// The expression can be written wherever the variable is read.
+    /// Checks that the expression can replace the variable at all reads.
     fn check_reads(&self) -> Result<(), String> {
         let body = self.evaluation.body;
         let is_list = matches!(body.expr(body.without_parentheses(self.value)), Expr::Struct(_));
@@ -108,7 +108,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
         Ok(())
     }
 
-    /// A CDATA section cannot contain its own end.
+    /// Checks that the replaced text does not contain `]]>`, which would end the CDATA section.
     fn check_text(&self) -> Result<(), String> {
         let value = self.context.slice(self.evaluation.body.range(self.value));
         let ends_section = |read: &ExprId| {
@@ -123,7 +123,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
         }
     }
 
-    /// The expression has the same value at all reads.
+    /// Checks that the expression has the same value at all reads.
     fn check_value(&self) -> Result<(), String> {
         let body = self.evaluation.body;
         let later = self.block.part(self.at + 1..);
@@ -152,7 +152,7 @@ impl<'c, 'db> Inlining<'c, 'db> {
         }
     }
 
-    /// The next statement reads the variable once, and begins with that.
+    /// Whether the next statement reads the variable once, before anything else.
     fn is_only_delayed(&self) -> bool {
         let next = self.block.get(self.at + 1).map(|stmt| stmt.range);
         let [read] = self.reads.as_slice() else { return false };
@@ -185,13 +185,13 @@ impl<'c, 'db> Inlining<'c, 'db> {
     }
 }
 
-/// The name of the variable at the start of a place.
+/// Name expression at the start of a variable expression.
 fn name_in(evaluation: &Evaluation<'_>, place: ExprId) -> Option<ExprId> {
     let mut within = evaluation.body.within(place);
     within.find(|id| matches!(evaluation.body.expr(*id), Expr::Name(_)))
 }
 
-/// The block and the index of the assignment to `target`, with the value.
+/// Block and index of the assignment to `target`, and the assigned value.
 fn assignment<'db>(evaluation: &Evaluation<'db>, target: ExprId) -> Option<(&'db [Stmt], usize, ExprId)> {
     let (block, at) = evaluation.stmt(target)?;
     match block.get(at)?.kind {

@@ -1,4 +1,4 @@
-//! Swaps the branches of an `if` with `else`.
+//! Swaps the two branches in an `if` with `else`.
 
 use val3_syntax::ast::{AstNode, IfStmt};
 use val3_syntax::{TextRange, TextSize};
@@ -40,7 +40,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
             text.insert(0, ' ');
         }
         if is_empty(branches.first) {
-            // The empty branch would follow `else`, which is left out.
+            // The empty branch would follow `else`, so both are omitted.
             let both = branches.first.cover(branches.second);
             let kept = context.replace(both, context.slice(branches.second));
             return Some(SourceChange::of([context.replace(condition, text), kept]));
@@ -54,14 +54,14 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The lines of both branches with their ends, comments included.
+/// Complete lines of both branches, including comments.
 struct Branches {
     first: TextRange,
     second: TextRange,
 }
 
 impl Branches {
-    /// `None` unless each word of the statement has a line of its own.
+    /// Finds the branches. `None` unless each keyword is on its own line.
     fn of(context: &Context<'_>, chain: &IfStmt) -> Option<Self> {
         let start = end_of_line(context, chain.condition()?.syntax().text_range().end())?;
         let middle = whole_lines(context, chain.else_clause()?.syntax().first_token()?.text_range())?;

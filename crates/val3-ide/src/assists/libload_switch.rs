@@ -24,14 +24,14 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// A call of `libLoad` and the variable that gets its result.
+/// A call of `libLoad`, and the variable that receives its result.
 struct LoadResult {
     call: TextRange,
     stored: Option<TextRange>,
 }
 
 impl LoadResult {
-    /// The result of a statement that is a call of `libLoad`, or assigns one.
+    /// Recognises a statement that calls `libLoad` or assigns its result.
     fn of(stmt: &SyntaxNode) -> Option<Self> {
         let mut parts = stmt.children().filter_map(Expr::cast);
         let (target, call) = match stmt.kind() {
@@ -59,14 +59,14 @@ impl LoadResult {
     }
 }
 
-/// The call of `libLoad` on a library identifier.
+/// Whether the call is `libLoad` of a library identifier.
 fn is_load(call: &SyntaxNode) -> bool {
     let callee = call.first_child().filter(|_| call.kind() == SyntaxKind::CALL_EXPR);
     let name = callee.and_then(|callee| callee.last_token());
     name.is_some_and(|name| name.text() == LIB_LOAD)
 }
 
-/// A `case` for each code with its meaning, and `default`.
+/// A `case` for each result code with its meaning, and `default`.
 fn cases(level: &str) -> Vec<String> {
     let case = |head: String, about: &str| {
         [format!("{level}{head}"), format!("{level}{level}// {about}"), format!("{level}break")]

@@ -1,4 +1,4 @@
-//! Lines of code that move to another place.
+//! Moving lines of code to another position.
 
 use rowan::NodeOrToken;
 use val3_syntax::ast::{AstNode as _, Block, Code};
@@ -6,8 +6,8 @@ use val3_syntax::{Part, SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize
 
 use super::context::Context;
 
-/// The lines of a block with the comments around its statements, each behind a line end and `indent`. What stands
-/// deeper stays deeper.
+/// Lines of a block with the comments around its statements, each preceded by a line end and `indent`. Relative
+/// indentation is kept.
 pub(super) fn relaid(context: &Context<'_>, block: &Block, indent: &str) -> String {
     let range = with_comments(block);
     if range.is_empty() {
@@ -22,7 +22,7 @@ pub(super) fn relaid(context: &Context<'_>, block: &Block, indent: &str) -> Stri
     lines.into_iter().map(relay).collect()
 }
 
-/// The lines of a range, without line ends and without the blanks that all of them start with.
+/// Lines of a range, without line ends and without their common indentation.
 pub(super) fn dedented(text: &str, range: TextRange) -> Vec<String> {
     let start =
         text.get(..usize::from(range.start())).and_then(|before| before.rfind(['\n', '\r'])).map_or(0, |at| at + 1);
@@ -36,7 +36,8 @@ pub(super) fn dedented(text: &str, range: TextRange) -> Vec<String> {
     lines.iter().map(|line| line.get(common..).unwrap_or("").trim_end().to_owned()).collect()
 }
 
-/// From the first comment or statement of a block to the last: in the tree, comments at its ends are its siblings.
+/// Range from the first to the last comment or statement of a block. In the tree, comments at the ends of a block are
+/// its siblings.
 pub(super) fn with_comments(block: &Block) -> TextRange {
     let own = block.syntax().text_range();
     let is_blank = |token: &SyntaxToken| matches!(token.kind(), SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE);
@@ -54,7 +55,7 @@ pub(super) fn with_comments(block: &Block) -> TextRange {
     content.reduce(TextRange::cover).unwrap_or(TextRange::empty(own.start()))
 }
 
-/// The lines of a range with their ends; `None` if they hold something else.
+/// Complete lines of a range, with their line ends; `None` if the lines contain anything else.
 pub(super) fn whole_lines(context: &Context<'_>, range: TextRange) -> Option<TextRange> {
     let before = context.text.get(..usize::from(range.start()))?;
     let start = before.rfind(['\n', '\r']).map_or(0, |at| at + 1);
@@ -63,45 +64,45 @@ pub(super) fn whole_lines(context: &Context<'_>, range: TextRange) -> Option<Tex
     is_alone.then_some(TextRange::new(TextSize::try_from(start).ok()?, end))
 }
 
-/// The start of the next line; `None` if something other than blanks comes before it.
+/// Start of the next line; `None` if anything other than whitespace precedes it.
 pub(super) fn end_of_line(context: &Context<'_>, at: TextSize) -> Option<TextSize> {
     let rest = context.text.get(usize::from(at)..)?;
     let end = rest.find('\n')? + 1;
     is_blank(rest.get(..end)?).then(|| at + text_size(end))
 }
 
-/// A line without anything to see.
+/// Whether the line contains only whitespace.
 pub(super) fn is_blank(line: &str) -> bool {
     let line = line.trim_end();
     line.strip_suffix("&#13;").unwrap_or(line).trim().is_empty()
 }
 
-/// The token before another one. `prev_token` of rowan ends at an empty block.
+/// Previous token. rowan's `prev_token` stops at an empty block.
 fn previous(token: &SyntaxToken) -> Option<SyntaxToken> {
     let start = token.text_range().start();
     let root = token.parent_ancestors().last()?;
     root.token_at_offset(start).left_biased().filter(|found| found.text_range().end() <= start)
 }
 
-/// The token after another one. `next_token` of rowan ends at an empty block.
+/// Next token. rowan's `next_token` stops at an empty block.
 fn next(token: &SyntaxToken) -> Option<SyntaxToken> {
     let end = token.text_range().end();
     let root = token.parent_ancestors().last()?;
     root.token_at_offset(end).right_biased().filter(|found| found.text_range().start() >= end)
 }
 
-/// The ranges of the comments that are direct children of a node.
+/// Ranges of the comments that are direct children of a node.
 pub(super) fn own_comments(node: &SyntaxNode) -> Vec<TextRange> {
     let tokens = node.children_with_tokens().filter_map(NodeOrToken::into_token);
     tokens.filter(|token| token.kind() == SyntaxKind::COMMENT).map(|token| token.text_range()).collect()
 }
 
-/// The code is not in a CDATA section: some characters are written as references.
+/// Whether the code is outside a CDATA section, so that some characters are escaped.
 pub(super) fn is_escaped(code: &Code) -> bool {
     !code.syntax().children_with_tokens().any(|it| it.kind() == SyntaxKind::CDATA_OPEN)
 }
 
-/// A part of code in plain characters, with some of its ranges, which are sorted, replaced by other texts.
+/// A part of code, unescaped, with the sorted ranges `places` replaced by other texts.
 pub(super) fn plain_with(code: &Code, text: &str, range: TextRange, places: &[(TextRange, &str)]) -> String {
     let escaped = is_escaped(code);
     let plain = |start: TextSize, end: TextSize| {

@@ -1,4 +1,4 @@
-//! Joins two `if` into one: nested ones by `and`, one in an `else` as `elseIf`.
+//! Merges two `if`: nested statements with `and`, an `if` in an `else` to `elseIf`.
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_lang::operators::BinaryOp;
@@ -34,7 +34,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 
 type Merged = (&'static str, Vec<FileEdit>);
 
-/// The cursor is on the line of `else`.
+/// Merges an `else` with the `if` inside it, if the cursor is on the line of `else`.
 fn at_else(context: &Context<'_>, chain: &IfStmt) -> Option<Merged> {
     let clause = chain.else_clause()?;
     let at = context.range.start();
@@ -42,7 +42,7 @@ fn at_else(context: &Context<'_>, chain: &IfStmt) -> Option<Merged> {
     (clause.syntax().text_range().start() <= at && at < line).then(|| in_else(context, chain, &clause)).flatten()
 }
 
-/// `else` and the `if` in it become `elseIf`.
+/// Merges `else` and the `if` inside it to `elseIf`.
 fn in_else(context: &Context<'_>, outer: &IfStmt, clause: &ElseClause) -> Option<Merged> {
     let (inner, keyword) = if_in_else(clause)?;
     let lines = IfLines::of(context, &inner)?;
@@ -58,8 +58,8 @@ fn in_else(context: &Context<'_>, outer: &IfStmt, clause: &ElseClause) -> Option
     Some(("Merge `else` and `if` into `elseIf`", vec![edit]))
 }
 
-/// An `if` and the only one in it become one whose conditions are joined. `and` evaluates its right side only if the left
-/// one is true, as the inner `if` does.
+/// Merges an `if` with the only `if` inside it by joining their conditions. `and` evaluates its right side only if the
+/// left side is true, like the nested `if`.
 fn nested(context: &Context<'_>, outer: &IfStmt) -> Option<Merged> {
     let inner = only_if(outer.block()).filter(|inner| is_simple(inner) && is_simple(outer))?;
     let (whole, part) = (IfLines::of(context, outer)?, IfLines::of(context, &inner)?);
@@ -76,12 +76,12 @@ fn nested(context: &Context<'_>, outer: &IfStmt) -> Option<Merged> {
     Some(("Merge with the nested `if`", edits))
 }
 
-/// The lines before a statement, without the blanks in front of it.
+/// Lines before a statement, without its indentation.
 fn comments<'db>(context: &Context<'db>, range: TextRange) -> &'db str {
     context.slice(range).trim_end_matches([' ', '\t'])
 }
 
-/// A condition as one side of `and`.
+/// A condition as one side of `and`, with parentheses if necessary.
 fn side(context: &Context<'_>, id: ExprId, is_left: bool) -> String {
     let text = context.slice(context.body().range(id));
     match context.body().expr(id) {

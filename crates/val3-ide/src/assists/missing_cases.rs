@@ -1,4 +1,4 @@
-//! Adds what a `switch` lacks: `default`, and a `case` for each further value that the selector is known to have.
+//! Adds the missing parts of a `switch`: `default`, and a `case` for each further known value of the selector.
 
 mod constants;
 mod values;
@@ -41,7 +41,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// Where new cases are written: after the others.
+/// Insertion point of new cases, after the existing ones.
 struct NewCases {
     at: TextSize,
     indentation: String,
@@ -76,7 +76,7 @@ mod tests {
 
     const ID: &str = "add-missing-cases";
 
-    /// The values of the cases that are added.
+    /// Values of the added cases.
     fn added(listing: &str) -> Vec<String> {
         let change = if offered(listing, ID).is_some() { done(listing, ID) } else { String::new() };
         let heads = change.lines().filter_map(|line| line.strip_prefix('+')?.trim_start().strip_prefix("case "));

@@ -1,4 +1,4 @@
-//! Gives a library the items of the interface it is loaded under that it lacks.
+//! Adds missing interface items to a library that is loaded for the interface.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Project, Sources};
@@ -29,7 +29,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The library that is loaded at `place`.
+/// Library that is loaded at `place`.
 fn loaded(context: &Context<'_>, place: val3_syntax::TextRange, library: &str) -> Option<Project> {
     let loads = &interfaces::uses(context.db, context.file).loads;
     let load = loads.iter().find(|load| load.range == place)?;
@@ -39,7 +39,7 @@ fn loaded(context: &Context<'_>, place: val3_syntax::TextRange, library: &str) -
     let db = context.db;
     let mut named: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
     named.retain(|project| project.manifest(db).path(db).file_stem() == Some(library));
-    // Two libraries of one name in different folders: which one is meant is not known.
+    // If several folders contain a library of this name, the library is unknown.
     <[Project; 1]>::try_from(named).ok().map(|[project]| project)
 }
 
@@ -70,7 +70,7 @@ fn data(context: &Context<'_>, interface: Project, name: &str) -> Option<Variabl
     Some(Variable { name: name.to_owned(), type_name, container: decl.container, sizes })
 }
 
-/// A program with the same parameters, that does nothing yet.
+/// An empty program with the same parameters.
 fn program(context: &Context<'_>, interface: Project, name: &str) -> Option<NewProgram> {
     let file = *items(context.db, interface).programs.get(name)?;
     let params = header(context.db, file).params.iter().map(|param| {

@@ -1,4 +1,4 @@
-//! Gives a number or text a name: global data with this value, called after the key or the error where it is one.
+//! Replaces a number or string by new global data with this value, named after the key or error code if it is one.
 
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
 use val3_lang::instructions::{IS_KEY_PRESSED, READ_KEYS, TASK_STATUS};
@@ -44,7 +44,7 @@ fn unnamed(context: &Context<'_>, ty: &str) -> String {
     format!("{}Constant", options.prefixes.get(ty).map_or("", String::as_str))
 }
 
-/// Data that has this value at the start, and a name that says it is a key or an error.
+/// Existing data with this initial value whose name identifies it as a key or error code.
 fn existing(context: &Context<'_>, ty: &str, value: &str) -> Option<String> {
     let number: f64 = value.parse().ok().filter(|_| ty == "num")?;
     let files = val3_analysis::items::project::data_files(context.db, context.project);
@@ -54,7 +54,7 @@ fn existing(context: &Context<'_>, ty: &str, value: &str) -> Option<String> {
     known.next().map(|(name, ..)| name.to_string())
 }
 
-/// A name for the key or the run-time error that a number means in its context.
+/// Name of the key or run-time error for which the number stands in its context.
 fn meaning(body: &Body, id: ExprId) -> Option<String> {
     let number = body.number(id)?;
     if is_compared(body, id, &READ_KEYS) || is_argument(body, id) {
@@ -72,7 +72,7 @@ fn capitalised(word: &str) -> String {
     first.to_uppercase() + rest
 }
 
-/// The value is compared with what one of these instructions gives, or a `case` of it.
+/// Whether the value is compared with a result of these instructions, or is a `case` for it.
 fn is_compared(body: &Body, id: ExprId, names: &[&str]) -> bool {
     let gives = |other: ExprId| calls(body, body.without_parentheses(other), names);
     let beside = body.exprs().any(|(_, expr, _)| match expr {

@@ -1,4 +1,4 @@
-//! The contrary of a condition in its simplest form.
+//! Negation of a condition in its simplest form.
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_lang::operators::{BinaryOp, UnaryOp};
@@ -7,8 +7,8 @@ use val3_syntax::TextRange;
 
 use super::context::Context;
 
-/// The contrary of the condition `id`, as the file writes it. Its own contrary is the condition, letter by letter;
-/// only `!(…)` loses its parentheses.
+/// Negates the condition `id`, as source text. Negating twice yields the original text, except that `!(…)` loses its
+/// parentheses.
 pub(super) fn negated(context: &Context<'_>, id: ExprId) -> String {
     let body = context.body();
     match body.expr(id) {
@@ -28,7 +28,7 @@ pub(super) fn negated(context: &Context<'_>, id: ExprId) -> String {
     }
 }
 
-/// The contrary of an operation without a `!` before the whole; `None` if there is none.
+/// Negates an operation without a surrounding `!`; `None` if the operator cannot be negated.
 fn contrary(context: &Context<'_>, op: BinaryOp, left: ExprId, right: ExprId) -> Option<String> {
     let body = context.body();
     let other = other_operator(context, op, left)?;
@@ -39,12 +39,12 @@ fn contrary(context: &Context<'_>, op: BinaryOp, left: ExprId, right: ExprId) ->
     let between = context.slice(TextRange::new(body.range(left).end(), body.range(right).start()));
     let operator = between.trim();
     let text = format!("{before}{}{after}", between.replacen(operator, &context.written(other.symbol()), 1));
-    // A CDATA section cannot contain its own end.
+    // `]]>` would end the CDATA section.
     (context.is_escaped() || !text.contains("]]>")).then_some(text)
 }
 
 fn other_operator(context: &Context<'_>, op: BinaryOp, left: ExprId) -> Option<BinaryOp> {
-    // Joints are compared axis by axis, so that neither of two need be the greater one.
+    // Joints are compared axis by axis, so `!(a<b)` is not the same as `a>=b`.
     let is_number = context.inference().ty(left).base.builtin() == Some(BaseType::Num);
     match op {
         BinaryOp::And => Some(BinaryOp::Or),
@@ -59,7 +59,7 @@ fn other_operator(context: &Context<'_>, op: BinaryOp, left: ExprId) -> Option<B
     }
 }
 
-/// The contrary of a side of `and` or `or`; `None` where it would need parentheses that the side does not have.
+/// Negates one side of `and` or `or`; `None` if the result would need additional parentheses.
 fn operand(context: &Context<'_>, op: BinaryOp, id: ExprId) -> Option<String> {
     let body = context.body();
     match body.expr(id) {

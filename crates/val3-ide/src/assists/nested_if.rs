@@ -1,4 +1,4 @@
-//! An `if` whose parts have lines of their own, as text that can be laid out anew.
+//! An `if` whose keywords are on their own lines, so that its lines can be indented again.
 
 use val3_syntax::ast::{AstNode, Block, ElseClause, Expr, IfStmt, Stmt};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
@@ -6,17 +6,17 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 use super::context::Context;
 use super::lines::{end_of_line, is_blank, whole_lines};
 
-/// The lines of an `if` between its head and its end.
+/// Parts of an `if` statement, as complete lines.
 pub(super) struct IfLines {
     pub(super) condition: Expr,
-    /// The lines after the condition, up to the line of `endIf`.
+    /// Lines after the condition, up to the line of `endIf`.
     pub(super) inner: TextRange,
-    /// The line of `endIf` with its end.
+    /// The line of `endIf`, including the line end.
     pub(super) last: TextRange,
 }
 
 impl IfLines {
-    /// `None` unless each word of the statement has a line of its own.
+    /// Finds the lines. `None` unless each keyword is on its own line.
     pub(super) fn of(context: &Context<'_>, stmt: &IfStmt) -> Option<Self> {
         let condition = stmt.condition()?;
         let start = end_of_line(context, condition.syntax().text_range().end())?;
@@ -25,7 +25,7 @@ impl IfLines {
     }
 }
 
-/// The `if` has no further branches.
+/// Whether the `if` has no other branches.
 pub(super) fn is_simple(stmt: &IfStmt) -> bool {
     stmt.else_clause().is_none() && stmt.else_if_clauses().next().is_none()
 }
@@ -37,19 +37,19 @@ pub(super) fn only_if(block: Option<Block>) -> Option<IfStmt> {
     IfStmt::cast(stmt.syntax().clone())
 }
 
-/// The `if` that is all that `else` does, and the range of the keyword `else`.
+/// The `if` that is the only statement of the `else`, and the range of the keyword `else`.
 pub(super) fn if_in_else(clause: &ElseClause) -> Option<(IfStmt, TextRange)> {
     let keyword = clause.syntax().first_token().filter(|token| token.kind() == SyntaxKind::ELSE_KW)?;
     Some((only_if(clause.block())?, keyword.text_range()))
 }
 
-/// The lines one level deeper; blank lines stay blank.
+/// Indents the lines by one level; blank lines are unchanged.
 pub(super) fn deeper(lines: &str, level: &str) -> String {
     let deeper = |line: &str| if is_blank(line) { line.to_owned() } else { format!("{level}{line}") };
     lines.split_inclusive('\n').map(deeper).collect()
 }
 
-/// The lines without the blanks that [`deeper`] adds.
+/// Removes the indentation that [`deeper`] adds.
 pub(super) fn shallower(lines: &str, level: &str) -> String {
     let shallower = |line: &str| if is_blank(line) { line.to_owned() } else { without(line, level).to_owned() };
     lines.split_inclusive('\n').map(shallower).collect()
@@ -59,7 +59,7 @@ fn without<'l>(line: &'l str, level: &str) -> &'l str {
     line.strip_prefix(level).unwrap_or(line)
 }
 
-/// The blanks by which the line of `inner` is deeper than that of `outer`.
+/// Indentation of the line at `inner` relative to the line at `outer`.
 pub(super) fn step<'db>(context: &Context<'db>, outer: TextSize, inner: TextSize) -> &'db str {
     let (outer, inner) = (context.indentation(outer), context.indentation(inner));
     inner.strip_prefix(outer).unwrap_or("")

@@ -1,38 +1,38 @@
-//! The offers that assists make for a place.
+//! Offers of assists at a position.
 
 use crate::edit::SourceChange;
 
-/// The kind of an assist, by which editors group.
+/// Assist kind, by which editors group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum AssistKind {
-    /// It fixes a finding.
+    /// Fixes a finding.
     QuickFix,
-    /// It takes something out into a thing of its own.
+    /// Extracts code into a new item.
     Extract,
-    /// It puts something in where it is used.
+    /// Replaces uses by the used code or value.
     Inline,
-    /// It writes something otherwise.
+    /// Rewrites code in another form.
     Rewrite,
-    /// It puts a list in order.
+    /// Sorts a list.
     Organise,
 }
 
-/// Something that can be done.
+/// An offered assist.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Assist {
-    /// Which one, for [`resolve_assist`](crate::resolve_assist).
+    /// Identifier for [`resolve_assist`](crate::resolve_assist).
     pub id: &'static str,
-    /// Its kind.
+    /// Kind.
     pub kind: AssistKind,
-    /// Its title, in the imperative.
+    /// Title, in the imperative.
     pub title: String,
-    /// Assists with the same words here are shown as one with choices.
+    /// Title of a group: assists with the same group are shown as one action with choices.
     pub group: Option<&'static str>,
-    /// Why it cannot be done here, as a sentence for the user; `None` if it can.
+    /// Reason why the assist is disabled, as a sentence for the user; `None` if it can be applied.
     pub disabled: Option<String>,
 }
 
-/// The result: all offers, or the change of one.
+/// Collected offers, or the change made by the requested assist.
 pub(crate) struct Assists<'a> {
     only: Option<&'a [AssistKind]>,
     wanted: Option<&'a str>,
@@ -41,7 +41,7 @@ pub(crate) struct Assists<'a> {
 }
 
 impl<'a> Assists<'a> {
-    /// Collects the offers; `only` leaves out other kinds.
+    /// Collects the offers; if `only` is set, other kinds are omitted.
     pub(super) fn offers(only: Option<&'a [AssistKind]>) -> Self {
         Self { only, wanted: None, found: Vec::new(), change: None }
     }
@@ -51,12 +51,12 @@ impl<'a> Assists<'a> {
         Self { only: None, wanted: Some(id), found: Vec::new(), change: None }
     }
 
-    /// The offers, in the order of the handlers.
+    /// Offers, in the order of the handlers.
     pub(super) fn into_found(self) -> Vec<Assist> {
         self.found
     }
 
-    /// The change of the wanted assist, if it is offered.
+    /// Change of the requested assist, if it is offered.
     pub(super) fn into_change(self) -> Option<SourceChange> {
         self.change
     }
@@ -72,7 +72,7 @@ impl<'a> Assists<'a> {
         self.add_in(None, id, kind, title, change);
     }
 
-    /// Offers an assist as one of a group.
+    /// Offers an assist as part of a group.
     pub(crate) fn add_in(
         &mut self,
         group: Option<&'static str>,
@@ -88,7 +88,7 @@ impl<'a> Assists<'a> {
         }
     }
 
-    /// Shows an assist that would break something here, with the reason.
+    /// Offers a disabled assist with the reason, because it would break the code.
     pub(crate) fn refuse(
         &mut self,
         group: Option<&'static str>,

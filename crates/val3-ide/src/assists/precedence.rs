@@ -1,13 +1,13 @@
-//! Parentheses that an expression needs at another place.
+//! Parentheses required by operator precedence.
 
 use val3_analysis::body::{Body, Expr, ExprId};
 use val3_lang::operators::{BinaryOp, UnaryOp};
 
-/// The expression `new` needs parentheses as the part `id` of `parent`.
+/// Whether the expression `new` needs parentheses as the operand `id` of `parent`.
 pub(super) fn needs_parentheses(body: &Body, parent: Option<ExprId>, id: ExprId, new: ExprId) -> bool {
     match parent.map(|parent| body.expr(parent)) {
         Some(Expr::Binary(op, left, _)) if *left == id => binding(body, new) < op.precedence(),
-        // Equal operators group from the left, and a sign after an operator is hard to read.
+        // Operators of equal precedence group from the left, and a sign after an operator is hard to read.
         Some(Expr::Binary(op, ..)) => binding(body, new) <= op.precedence() || is_sum(*op) && has_sign(body, new),
         Some(Expr::Unary(..)) => binding(body, new) <= UnaryOp::PRECEDENCE,
         Some(Expr::Field { .. } | Expr::Index(..)) if is_base(body, parent, id) => binding(body, new) < u8::MAX,
@@ -15,12 +15,12 @@ pub(super) fn needs_parentheses(body: &Body, parent: Option<ExprId>, id: ExprId,
     }
 }
 
-/// The expression needs parentheses as the right operand of `op`.
+/// Whether the expression needs parentheses as the right operand of `op`.
 pub(super) fn needs_parentheses_after(body: &Body, op: BinaryOp, id: ExprId) -> bool {
     binding(body, id) <= op.precedence()
 }
 
-/// How tightly an expression binds; the greatest number for one without operators.
+/// Precedence of the outermost operator; the maximum without an operator.
 fn binding(body: &Body, id: ExprId) -> u8 {
     match body.expr(id) {
         Expr::Binary(op, ..) => op.precedence(),
@@ -34,7 +34,7 @@ fn is_sum(op: BinaryOp) -> bool {
     op.precedence() >= BinaryOp::Subtract.precedence()
 }
 
-/// The expression starts with a minus.
+/// Whether the expression starts with a minus sign.
 fn has_sign(body: &Body, id: ExprId) -> bool {
     match body.expr(id) {
         Expr::Unary(UnaryOp::Negate, _) => true,
@@ -43,7 +43,7 @@ fn has_sign(body: &Body, id: ExprId) -> bool {
     }
 }
 
-/// `id` is what the field or index is taken of.
+/// Whether `id` is the base of a field access or an index.
 fn is_base(body: &Body, parent: Option<ExprId>, id: ExprId) -> bool {
     match parent.map(|parent| body.expr(parent)) {
         Some(Expr::Field { base, .. } | Expr::Index(base, _)) => *base == id,

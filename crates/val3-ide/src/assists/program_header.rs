@@ -1,4 +1,4 @@
-//! Adds a comment about a program and its parameters at the start of its code, as hover shows it.
+//! Adds a comment about a program and its parameters at the start of the code, in the form that hover displays.
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::{AccessKind, Effects, Root};
@@ -33,7 +33,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The comments about a program and each parameter: `//\brief pick: purpose`, `//\param x_nSlot num, in`.
+/// Comments for a program and each parameter, for example `//\brief pick: purpose` and `//\param x_nSlot num, in`.
 pub(crate) fn header_comments(db: &dyn Db, project: Project, file: File) -> Vec<String> {
     let signature = signature(db, project, file);
     let effects = Effects::new(db, project, file);
@@ -46,7 +46,7 @@ pub(crate) fn header_comments(db: &dyn Db, project: Project, file: File) -> Vec<
     lines
 }
 
-/// The way that the values of a parameter by reference take, as far as the code of the program shows it.
+/// Direction of a parameter by reference (`in`, `out` or both), as far as the program's code shows it.
 fn direction(effects: &Effects<'_>, name: &str) -> &'static str {
     let own = effects.all().iter().filter(|access| matches!(&access.root, Root::Param(param) if param == name));
     let kinds: Vec<AccessKind> = own.map(|access| access.kind).collect();

@@ -1,4 +1,4 @@
-//! Puts the entries of a list of programs or data in order of their names.
+//! Sorts the programs or data in a project file by name.
 
 use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::xml;
@@ -17,7 +17,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The entries that have to move; `None` if all are in order.
+/// Edits that sort the elements; `None` if they are already sorted.
 fn sorted(context: &Context<'_>) -> Option<Vec<FileEdit>> {
     let parse = val3_analysis::items::parse(context.db, context.file);
     let root = xml::root(parse.view())?;

@@ -1,4 +1,4 @@
-//! Takes an `if` apart: `and` becomes a nested `if`, `elseIf` an `if` in an `else`.
+//! Splits an `if`: `and` into nested `if`, `elseIf` into an `if` inside an `else`.
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_lang::operators::BinaryOp;
@@ -26,7 +26,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     }
 }
 
-/// The cursor or selection is on the line of `elseIf`.
+/// Whether the cursor or selection is on the line of `elseIf`.
 fn is_at_clause(context: &Context<'_>, clause: &ElseIfClause) -> bool {
     let range = clause.syntax().text_range();
     let end = clause.condition().map_or(range.start(), |condition| condition.syntax().text_range().end());
@@ -84,7 +84,7 @@ fn offer_nested(context: &Context<'_>, assists: &mut Assists<'_>, chain: &IfStmt
     Some(())
 }
 
-/// One side of `and` as a condition, without the parentheses that only `and` needs.
+/// One side of `and` as a condition, without parentheses that only `and` requires.
 fn side<'db>(context: &Context<'db>, id: ExprId, operators: &[BinaryOp], keeps: bool) -> &'db str {
     let body = context.body();
     let inner = match body.expr(id) {

@@ -1,4 +1,4 @@
-//! Whether the value of an expression stays the same while statements are executed.
+//! Checks that an expression's value is unchanged while statements are executed.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use val3_syntax::TextRange;
 use super::context::Context;
 use super::evaluation::Evaluation;
 
-/// The variables that determine the value of an expression.
+/// Variables that determine an expression's value.
 pub(super) struct Dependencies<'c, 'db> {
     context: &'c Context<'db>,
     evaluation: &'c Evaluation<'db>,
@@ -20,7 +20,8 @@ pub(super) struct Dependencies<'c, 'db> {
 }
 
 impl<'c, 'db> Dependencies<'c, 'db> {
-    /// Those of `id`; `None` if its value depends on more than variables: on the time, the arm, inputs.
+    /// Dependencies of `id`; `None` if its value depends on more than variables, for example the time, the arm or
+    /// inputs.
     pub(super) fn of(context: &'c Context<'db>, evaluation: &'c Evaluation<'db>, id: ExprId) -> Option<Self> {
         let mut found = Self { context, evaluation, roots: BTreeSet::new() };
         if evaluation.has_effects(id) {
@@ -40,13 +41,13 @@ impl<'c, 'db> Dependencies<'c, 'db> {
         (!is_lent).then_some(found)
     }
 
-    /// The instruction computes its result from its arguments alone.
+    /// Whether the instruction computes its result only from its arguments.
     fn computes(&self, call: ExprId) -> bool {
         let families = [Family::Numbers, Family::Bits, Family::Strings];
         self.evaluation.effects.instruction(call).is_some_and(|(it, _)| families.contains(&it.family))
     }
 
-    /// A task gets the variable by reference and may write it at any time.
+    /// Whether a task receives the variable by reference and may write it at any time.
     fn is_lent_to_task(&self, root: &Root) -> bool {
         let tasks = flow(self.context.db, self.context.file).points();
         let mut tasks = tasks.filter(|(_, point)| matches!(point.kind, PointKind::TaskCreate(_)));
@@ -56,12 +57,12 @@ impl<'c, 'db> Dependencies<'c, 'db> {
         })
     }
 
-    /// No statement changes the value.
+    /// Whether no statement changes the value.
     pub(super) fn survive(&self, stmts: &[Stmt]) -> bool {
         stmts.iter().all(|stmt| self.survive_points(stmt.range, None))
     }
 
-    /// The statement does not change the value before it assigns to its target.
+    /// Whether the statement does not change the value before it assigns to its target.
     pub(super) fn survive_reads_of(&self, stmt: &Stmt) -> bool {
         let target = match stmt.kind {
             StmtKind::Assign { target, .. } => Some(target),
@@ -78,7 +79,7 @@ impl<'c, 'db> Dependencies<'c, 'db> {
             let hands_over = effects.may_wait_at(point) || point.kind.exprs().any(|id| self.loads_library(id));
             let runs_others = match point.kind {
                 PointKind::Call(_) | PointKind::TaskCreate(_) => true,
-                // A loop often waits for what another task writes.
+                // A loop often waits for a variable that another task writes.
                 PointKind::Test { is_loop: true, .. } | PointKind::ForTest { .. } => true,
                 PointKind::Unknown => return false,
                 _ => hands_over,
@@ -100,7 +101,7 @@ impl<'c, 'db> Dependencies<'c, 'db> {
         access.kind != AccessKind::Read && self.roots.iter().any(|root| self.are_same(root, &access.root))
     }
 
-    /// Both may name the same variable: a parameter by reference may be any shared one.
+    /// Whether both may refer to the same variable: a parameter by reference may refer to any shared variable.
     fn are_same(&self, left: &Root, right: &Root) -> bool {
         let is_param = |root: &Root| matches!(root, Root::Param(_));
         match (left, right) {
@@ -110,7 +111,7 @@ impl<'c, 'db> Dependencies<'c, 'db> {
         }
     }
 
-    /// Other programs may write the variable.
+    /// Whether other programs may write the variable.
     fn is_shared(&self, root: &Root) -> bool {
         match root {
             Root::Local(_) => false,

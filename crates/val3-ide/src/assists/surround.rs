@@ -1,4 +1,4 @@
-//! Puts a block around the statements that are selected.
+//! Surrounds the selected statements with a block.
 
 use super::context::Context;
 use super::{AssistKind, Assists};
@@ -6,11 +6,11 @@ use crate::declare::{self, Variable, free};
 use crate::edit::{FileEdit, SourceChange};
 
 const GROUP: &str = "Surround";
-/// With it, a block does what its statements do.
+/// Condition with which the block behaves like its statements.
 const CONDITION: &str = "true";
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
-    // A line without a selection is seldom meant.
+    // Without a selection, surrounding a single line is rarely intended.
     if context.range.is_empty() {
         return None;
     }
@@ -34,7 +34,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The change that writes a block, whose condition the user replaces.
+/// Change that inserts a block whose condition the user then replaces.
 fn with_condition(context: &Context<'_>, block: FileEdit) -> SourceChange {
     let start = block.range.start();
     SourceChange::of([block]).with_placeholder(context.file, start, CONDITION)
@@ -46,7 +46,7 @@ fn counter(context: &Context<'_>) -> String {
     free(&format!("{}{number}Index", options.local_prefix), |name| context.is_taken(name))
 }
 
-/// The statements one level deeper, between two lines.
+/// Statements indented by one level, between two lines.
 fn block(context: &Context<'_>, range: val3_syntax::TextRange, head: &str, tail: &str) -> FileEdit {
     let outer = context.indentation(range.start());
     let line_end = context.line_end();
@@ -55,7 +55,7 @@ fn block(context: &Context<'_>, range: val3_syntax::TextRange, head: &str, tail:
     context.replace(range, text)
 }
 
-/// The lines but the first one level deeper; blank lines stay blank.
+/// Indents all lines except the first by one level; blank lines are unchanged.
 pub(super) fn indented(text: &str, level: &str) -> String {
     let mut lines = text.split_inclusive('\n');
     let mut new = lines.next().unwrap_or("").to_owned();

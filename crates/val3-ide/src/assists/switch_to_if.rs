@@ -1,4 +1,4 @@
-//! Turns a `switch` into a chain of `if`.
+//! Converts a `switch` into an `if` chain.
 
 use val3_lang::operators::BinaryOp;
 use val3_syntax::ast::{AstNode, CaseClause, DefaultClause, Expr, SwitchStmt};
@@ -19,7 +19,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let default = defaults.next();
     let is_whole = clauses.iter().all(|clause| clause.break_keyword().is_some() && clause.values().next().is_some())
         && default.as_ref().is_none_or(|clause| clause.break_keyword().is_some());
-    // A `default` in the middle occurs only in code that is excluded anyway.
+    // A `default` before a `case` occurs only in code that is excluded anyway.
     let ends = default.as_ref().is_none_or(|default| {
         clauses.iter().all(|clause| clause.syntax().text_range().end() <= default.syntax().text_range().start())
     });
@@ -50,7 +50,7 @@ fn written(
     };
     let start = switch.syntax().text_range().start();
     let first = clauses.first()?.syntax().text_range().start();
-    // A comment before the first case belongs to the whole statement.
+    // A comment before the first case belongs to the entire statement.
     let head = between(start, first, outer);
     let mut text = head.strip_prefix(&format!("{line_end}{outer}")).map_or_else(String::new, str::to_owned);
     let mut done = first;
@@ -74,7 +74,7 @@ fn written(
     Some(text + &format!("{line_end}{outer}endIf"))
 }
 
-/// The cursor is in none of the blocks.
+/// Whether the cursor is outside all blocks.
 pub(super) fn is_at_head(context: &Context<'_>, switch: &SwitchStmt) -> bool {
     let cases = switch.case_clauses().filter_map(|clause| clause.block());
     let mut blocks = cases.chain(switch.default_clauses().filter_map(|clause| clause.block()));
@@ -96,7 +96,7 @@ fn is_simple(expr: &Expr) -> bool {
     !matches!(expr.syntax().kind(), SyntaxKind::BIN_EXPR | SyntaxKind::PREFIX_EXPR | SyntaxKind::ASSIGN_EXPR)
 }
 
-/// Computing it several times is computing it once: nothing is called, nothing assigned.
+/// Whether the expression can be evaluated twice without a different effect: it contains no call and no assignment.
 pub(super) fn is_pure(expr: &Expr) -> bool {
     let acts = |kind| matches!(kind, SyntaxKind::CALL_EXPR | SyntaxKind::ASSIGN_EXPR | SyntaxKind::ERROR);
     !expr.syntax().descendants().any(|node| acts(node.kind()))

@@ -1,4 +1,4 @@
-//! Ends a task of the same name before one is created.
+//! Ends a task of the same name before a task is created.
 
 use val3_lang::instructions::{TASK_KILL, TASK_STATUS};
 use val3_syntax::ast::{AstNode as _, Expr, Stmt};
@@ -9,7 +9,7 @@ use super::switch_to_if::is_pure;
 use super::{AssistKind, Assists};
 use crate::edit::SourceChange;
 
-/// The result of `taskStatus` where there is no task.
+/// Result of `taskStatus` if no such task exists.
 const NO_TASK: &str = "-1";
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
@@ -30,7 +30,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     assists.add("task-pair", AssistKind::Rewrite, title, || {
         let start = create.text_range().start();
         let (line_end, outer, level) = (context.line_end(), context.indentation(start), context.level());
-        // `taskKill` returns when the task is gone, so that nothing has to wait for it (5.4, 5.10).
+        // `taskKill` returns only after the task has ended, so no wait is necessary (5.4, 5.10).
         let guard = [
             format!("if {TASK_STATUS}({name})!={NO_TASK}"),
             format!("{outer}{level}{TASK_KILL}({name})"),
@@ -42,7 +42,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The statement calls `taskKill` with this name, directly or in a block.
+/// Whether the statement calls `taskKill` with this name, directly or in a block.
 fn ends(context: &Context<'_>, stmt: &Stmt, name: &str) -> bool {
     let calls = stmt.syntax().descendants().filter(|node| node.kind() == SyntaxKind::CALL_EXPR);
     let text = |range| context.slice(range).replace([' ', '\t'], "");

@@ -1,4 +1,4 @@
-//! For tests of assists: what is offered at `$0` (or between two `$0`), and what the files look like afterwards.
+//! Test support for assists: the offers at `$0` (or between two `$0`), and the files after a change.
 
 use camino::Utf8Path;
 use expect_test::Expect;
@@ -10,12 +10,12 @@ use super::{Assist, assists, resolve_assist};
 use crate::edit::SourceChange;
 use crate::testing::MarkedListing;
 
-/// The title under which an assist is offered.
+/// Title of the offered assist; `None` if it is not offered.
 pub(super) fn offered(listing: &str, id: &str) -> Option<String> {
     found(listing, id).filter(|assist| assist.disabled.is_none()).map(|assist| assist.title)
 }
 
-/// Why an assist is shown and cannot be done.
+/// Reason why the assist is disabled; `None` if it is not.
 pub(super) fn refused(listing: &str, id: &str) -> Option<String> {
     found(listing, id)?.disabled
 }
@@ -29,12 +29,12 @@ fn found(listing: &str, id: &str) -> Option<Assist> {
     Some(found)
 }
 
-/// The assist is offered, and changes the files so.
+/// Checks that the assist is offered, and that its changes are as expected.
 pub(super) fn check(id: &str, listing: &str, expected: Expect) {
     expected.assert_eq(&done(listing, id));
 }
 
-/// How an assist that is offered changes the files.
+/// Changes made by an offered assist.
 pub(super) fn done(listing: &str, id: &str) -> String {
     let marked = MarkedListing::new(listing);
     let place = place(&marked);
@@ -53,7 +53,7 @@ fn place(marked: &MarkedListing) -> FileRange {
     FileRange { file: at.file, range }
 }
 
-/// The lines that change, with `-` and `+`; whole files that come, move or go.
+/// Changed lines, with `-` and `+`, and created, moved or deleted files.
 pub(crate) fn shown(db: &dyn Db, change: &SourceChange) -> String {
     let mut shown = String::new();
     for (path, text) in &change.creates {
@@ -85,7 +85,7 @@ fn name(path: &Utf8Path) -> &str {
     path.strip_prefix(ROOT).unwrap_or(path).as_str()
 }
 
-/// The lines between the first and the last that differ.
+/// Lines between the first and the last difference.
 fn difference(before: &str, after: &str) -> String {
     let (before, after): (Vec<_>, Vec<_>) = (before.lines().collect(), after.lines().collect());
     let same = before.iter().zip(&after).take_while(|(a, b)| a == b).count();

@@ -1,4 +1,4 @@
-//! Makes a program or data public, or private.
+//! Makes a program or data public or private.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, Project};
@@ -37,7 +37,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// Why the access has to stay, in a project that has the file.
+/// Reason why the access cannot be changed, in a project that contains the file; `None` if it can.
 fn obstacle(context: &Context<'_>, element: Element<'_>, public: bool) -> Option<String> {
     let name = SmolStr::from(element.value("name")?);
     let is_program = matches!(element.name(), "Program" | "program");
@@ -53,7 +53,7 @@ fn obstacle(context: &Context<'_>, element: Element<'_>, public: bool) -> Option
     }
 }
 
-/// Another project uses the item, or loads its project in place of an interface and uses the item of that.
+/// Reports another project that uses the item directly, or through an interface for which this project is loaded.
 fn used_elsewhere(db: &dyn Db, project: Project, name: &str, symbol: impl Fn(Project) -> Symbol) -> Option<String> {
     let user_of = |of: Project| {
         let item = symbol(of);
@@ -72,7 +72,8 @@ fn used_elsewhere(db: &dyn Db, project: Project, name: &str, symbol: impl Fn(Pro
     })
 }
 
-/// A public item would make a library differ from an interface: this one, or those that are loaded in its place.
+/// Reports an interface or library that the public item would contradict: the interface of this library, or a library
+/// that is loaded for this interface.
 fn against_interface(db: &dyn Db, project: Project, name: &str) -> Option<String> {
     let differs = |interface: &Project| {
         is_public(db, *interface, name) && is_same_item(db, *interface, project, name) == Some(false)
@@ -84,12 +85,12 @@ fn against_interface(db: &dyn Db, project: Project, name: &str) -> Option<String
     Some(format!("`{}` is loaded for this interface and has no matching public `{name}`", stem(db, lacking)))
 }
 
-/// The name of a project: that of its file.
+/// Project name, which is its file name.
 fn stem(db: &dyn Db, project: Project) -> &str {
     project.manifest(db).path(db).file_stem().unwrap_or("")
 }
 
-/// The program whose header the place is in, or the data whose start tag it is in.
+/// Program whose header contains the range, or data whose start tag contains it.
 fn declaring<'g>(context: &Context<'_>, view: View<'g>) -> Option<Element<'g>> {
     let at = context.range;
     let touches = |element: &Element<'_>| element.tag_range().contains_range(at);
@@ -97,7 +98,7 @@ fn declaring<'g>(context: &Context<'_>, view: View<'g>) -> Option<Element<'g>> {
     program.or_else(|| data::elements(view).find(touches))
 }
 
-/// The cursor is on the `begin` of the code: where the header is folded away, this is its place.
+/// Whether the cursor is on the `begin` of the code, which represents the header if the header is folded or hidden.
 pub(super) fn is_at_begin(context: &Context<'_>) -> bool {
     context.range.is_empty() && context.token().is_some_and(|token| token.kind() == SyntaxKind::BEGIN_KW)
 }

@@ -28,7 +28,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The statement records a move with a movement description.
+/// Whether the statement records a move with a movement description.
 fn moves(context: &Context<'_>, stmt: &Stmt) -> bool {
     let call = match stmt.kind {
         StmtKind::Expr(id) | StmtKind::Assign { value: id, .. } => id,

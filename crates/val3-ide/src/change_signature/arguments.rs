@@ -1,4 +1,4 @@
-//! The arguments of calls after a change of the parameters.
+//! Arguments of calls after a change of the parameters.
 
 use val3_analysis::db::Db;
 use val3_analysis::items::program::header;
@@ -11,17 +11,17 @@ use super::variables::NewParameter;
 use crate::edit::FileEdit;
 use crate::xml_list::escaped;
 
-/// The edits of a call, and the arguments that it no longer passes.
+/// Edits of a call, and the arguments that it no longer passes.
 pub(super) struct NewArguments {
     pub(super) edits: Vec<FileEdit>,
     pub(super) removed: Vec<TextRange>,
 }
 
-/// The call passes arguments for these parameters. `renames` are edits of its file, some of which may be within arguments
-/// and move along.
+/// Edits that pass arguments for the new parameters. `renames` are other edits of the file; those inside an argument
+/// move with it.
 ///
 /// # Errors
-/// If something that an argument does would no longer be done, or in another order.
+/// If an argument's side effect would be lost or happen in another order.
 pub(super) fn edits(
     db: &dyn Db,
     call: &Call,
@@ -61,7 +61,7 @@ fn entry(call: &Call, new: &NewParameter) -> Entry {
     }
 }
 
-/// Arguments that act are passed and keep their order.
+/// Checks that arguments with side effects are still passed, in the same order.
 fn keeps_effects(db: &dyn Db, call: &Call, wanted: &[NewParameter]) -> Result<(), String> {
     let acting = call.with_effects(db);
     let Some(first) = acting.first() else { return Ok(()) };
@@ -83,7 +83,7 @@ fn keeps_effects(db: &dyn Db, call: &Call, wanted: &[NewParameter]) -> Result<()
     Ok(())
 }
 
-/// The expression that callers pass is one, on one line.
+/// Checks that the expression that callers pass is a single expression on one line.
 pub(super) fn check(new: &NewParameter) -> Result<(), String> {
     let argument = new.argument.trim();
     if argument.is_empty() {

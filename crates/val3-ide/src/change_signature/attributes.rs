@@ -1,4 +1,4 @@
-//! The attributes of a parameter or a local that get other values.
+//! Changed attributes of a parameter or local.
 
 use val3_analysis::items::program::{LocalDecl, ParamDecl};
 use val3_lang::types::Container;
@@ -8,7 +8,7 @@ use val3_syntax::{Part, TextRange, TextSize};
 use super::slots::TextEdit;
 use super::variables::{NewLocal, NewParameter};
 
-/// The edits of the element that declares `old` so that it declares `new`.
+/// Edits that convert the element of `old` to the declaration of `new`.
 pub(super) fn of_parameter(text: &str, element: Element<'_>, old: &ParamDecl, new: &NewParameter) -> Vec<TextEdit> {
     let tag = Tag { text, element };
     let mut edits: Vec<TextEdit> = tag.name_and_type(old.name.as_str(), &old.type_name, &new.name, &new.type_name);
@@ -30,7 +30,7 @@ pub(super) fn of_parameter(text: &str, element: Element<'_>, old: &ParamDecl, ne
     edits
 }
 
-/// As [`of_parameter`], of a local.
+/// Like [`of_parameter`], for a local.
 pub(super) fn of_local(text: &str, element: Element<'_>, old: &LocalDecl, new: &NewLocal) -> Vec<TextEdit> {
     let tag = Tag { text, element };
     let mut edits = tag.name_and_type(old.name.as_str(), &old.type_name, &new.name, &new.type_name);
@@ -41,7 +41,7 @@ pub(super) fn of_local(text: &str, element: Element<'_>, old: &LocalDecl, new: &
     edits
 }
 
-/// The start tag of a declaration.
+/// Start tag of a declaration.
 struct Tag<'a> {
     text: &'a str,
     element: Element<'a>,
@@ -54,7 +54,7 @@ impl Tag<'_> {
         name.into_iter().chain(ty).collect()
     }
 
-    /// The edit that gives an attribute a value. A new attribute follows the others.
+    /// Edit that sets an attribute. A new attribute is appended.
     fn set(&self, name: &str, value: &str) -> Option<TextEdit> {
         match self.element.attribute(name) {
             Some(attribute) if attribute.text() == value => None,
@@ -67,7 +67,7 @@ impl Tag<'_> {
         }
     }
 
-    /// A parameter that is passed by value.
+    /// Edit that sets passing by value.
     fn by_value(&self) -> Option<TextEdit> {
         let passing = self.element.attribute("use")?;
         if self.is_of_controller() { self.set("use", "value") } else { Some(self.without(passing)) }
@@ -81,14 +81,14 @@ impl Tag<'_> {
         }
     }
 
-    /// Controllers write passing before container, and also `use="value"` and `dimensions="1"`, which the vendor's editor
-    /// omits.
+    /// Whether the controller wrote the element: it writes the passing before the container, and also `use="value"` and
+    /// `dimensions="1"`, which the vendor's editor omits.
     fn is_of_controller(&self) -> bool {
         let place = |name| self.element.attribute(name).map(|attribute| attribute.range.start());
         place("use").zip(place("xsi:type")).is_some_and(|(passing, kind)| passing < kind)
     }
 
-    /// Without the attribute and the blanks before it.
+    /// Edit that removes the attribute and the whitespace before it.
     fn without(&self, attribute: Attribute<'_>) -> TextEdit {
         let before = self.text.part(..usize::from(attribute.name_range.start()));
         let start = TextSize::of(before.trim_end());
@@ -96,7 +96,7 @@ impl Tag<'_> {
     }
 }
 
-/// The end of an attribute, after its quote.
+/// Attribute end, after the closing quote.
 fn end(attribute: Attribute<'_>) -> TextSize {
     attribute.range.end() + TextSize::of('"')
 }

@@ -1,4 +1,4 @@
-//! The calls of a program, in all applications of the workspace.
+//! Calls of a program in all applications of the workspace.
 
 use memchr::memmem;
 use smol_str::SmolStr;
@@ -16,21 +16,21 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize, text_at};
 
 use crate::references::{projects_using, uses};
 
-/// The call of a program, by `call` or as a task.
+/// Call of a program, by `call` or as a task.
 pub(crate) struct Call {
     pub(crate) file: File,
     project: Project,
     arguments: Vec<ExprId>,
-    /// Where the closing parenthesis is.
+    /// Offset of the closing parenthesis.
     pub(crate) end: TextSize,
-    /// The code is not in a CDATA section.
+    /// Whether the code is outside a CDATA section.
     pub(crate) is_escaped: bool,
 }
 
-/// Every call of the programs of these names, which take `count` arguments.
+/// All calls of these programs, which have `count` parameters.
 ///
 /// # Errors
-/// If some call cannot be read, or passes another number of arguments.
+/// If a call cannot be parsed, or passes another number of arguments.
 pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec<Call>, String> {
     let mut calls: Vec<Call> = Vec::new();
     for symbol in symbols {
@@ -49,7 +49,7 @@ pub(super) fn calls(db: &dyn Db, symbols: &[Symbol], count: usize) -> Result<Vec
     Ok(calls)
 }
 
-/// Every program that may call this one can be read.
+/// Checks that all programs that may call this program are free of syntax errors.
 fn can_be_read(db: &dyn Db, symbol: &Symbol) -> Result<(), String> {
     let Symbol::Program(project, name) = symbol else { return Ok(()) };
     for user in projects_using(db, *project) {
@@ -63,7 +63,7 @@ fn can_be_read(db: &dyn Db, symbol: &Symbol) -> Result<(), String> {
     has_known_libraries(db, *project, name)
 }
 
-/// No program calls a program of this name in a library that is not known.
+/// Checks that no program calls a program of this name in an unresolved library.
 fn has_known_libraries(db: &dyn Db, project: Project, name: &str) -> Result<(), String> {
     if !val3_analysis::interfaces::is_public(db, project, name) {
         return Ok(());
@@ -91,7 +91,7 @@ fn callee(expr: &Expr) -> Option<ExprId> {
     if let Expr::Call(callee, _) = expr { Some(*callee) } else { None }
 }
 
-/// The text of a file has the word `name`.
+/// Whether the text of a file contains the word `name`.
 fn mentions(db: &dyn Db, file: File, name: &str) -> bool {
     let text = file.text(db).as_bytes();
     let is_word = |at: usize| text.get(at).is_some_and(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
@@ -100,7 +100,7 @@ fn mentions(db: &dyn Db, file: File, name: &str) -> bool {
 }
 
 impl Call {
-    /// The call whose program is named at `range`; `None` where the name is no call.
+    /// Call whose program name is at `range`; `None` if the name is not called.
     pub(crate) fn at(db: &dyn Db, (file, project): (File, Project), range: TextRange) -> Result<Option<Self>, String> {
         let body = body(db, file);
         let is_callee = |id: ExprId| body.range(id).end() == range.end();
@@ -119,18 +119,18 @@ impl Call {
         Ok(Some(Self { file, project, arguments, end, is_escaped }))
     }
 
-    /// It passes something.
+    /// Whether the call passes arguments.
     pub(crate) fn has_arguments(&self) -> bool {
         !self.arguments.is_empty()
     }
 
-    /// The places of the arguments.
+    /// Ranges of the arguments.
     pub(super) fn places(&self, db: &dyn Db) -> Vec<TextRange> {
         let body = body(db, self.file);
         self.arguments.iter().map(|id| body.range(*id)).collect()
     }
 
-    /// The argument is a variable of a type, and the call is none of a task.
+    /// Whether the argument is a variable of type `ty`, and the call does not create a task.
     pub(super) fn passes_variable(&self, db: &dyn Db, index: usize, ty: Base) -> bool {
         let Some(argument) = self.arguments.get(index) else { return false };
         let body = body(db, self.file);
@@ -144,7 +144,7 @@ impl Call {
         is_variable && is_same && !body.stmts().iter().any(creates)
     }
 
-    /// The arguments whose evaluation does more than to yield a value.
+    /// Indexes of the arguments whose evaluation has side effects.
     pub(super) fn with_effects(&self, db: &dyn Db) -> Vec<usize> {
         let body = body(db, self.file);
         let acts = |id: &ExprId| body.within(*id).any(|part| self.acts(db, body, part));
@@ -163,7 +163,7 @@ impl Call {
         }
     }
 
-    /// The text between two arguments.
+    /// Text between two arguments.
     pub(super) fn separator(&self, db: &dyn Db) -> &'static str {
         let places = self.places(db);
         let text: &str = self.file.text(db);

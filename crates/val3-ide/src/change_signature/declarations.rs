@@ -1,4 +1,4 @@
-//! The elements that declare the parameters and locals of a program.
+//! Elements that declare the parameters and locals of a program.
 
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::parse;
@@ -14,10 +14,10 @@ use crate::declare::{self, Variable};
 use crate::edit::FileEdit;
 use crate::xml_list::whole_line;
 
-/// The edits of the header of the program in `file`.
+/// Edits of the program header in `file`.
 ///
 /// # Errors
-/// If the file has no place for the declarations.
+/// If the file has no suitable element for the declarations.
 pub(super) fn edits(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<Vec<FileEdit>, String> {
     let parse = parse(db, file);
     let Some(program) = program::element(parse.view()) else { return Ok(Vec::new()) };
@@ -31,7 +31,7 @@ pub(super) fn edits(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<Ve
     Ok(edits.into_iter().map(|(range, text)| FileEdit { file, range, text }).collect())
 }
 
-/// The new order of a list, with the edits inside of its entries.
+/// New order of a list, with the edits inside its elements.
 type NewList = (Vec<Entry>, Vec<TextEdit>);
 
 fn parameters(of: &Declarations<'_>, old: &[Element<'_>], header: &Header, wanted: &NewVariables) -> NewList {
@@ -65,7 +65,7 @@ fn sorted(edits: impl Iterator<Item = TextEdit>) -> Vec<TextEdit> {
 }
 
 fn variable(new: &NewParameter) -> Variable {
-    // The number of sizes is the number of dimensions. Files do not write the sizes of parameters.
+    // The number of sizes is the number of dimensions; files do not contain the sizes of parameters.
     let sizes = match new.container {
         Container::Element => vec![1],
         Container::Array { dims } => vec![2; usize::from(dims)],
@@ -108,7 +108,7 @@ impl Declarations<'_> {
         Ok(slots.edits(order))
     }
 
-    /// Entries of a list that has none, or is missing.
+    /// Edits that fill an empty or missing list.
     fn first_entries(&self, order: &[Entry], of_parameters: bool) -> Result<Vec<TextEdit>, String> {
         let entries: Vec<String> = order.iter().filter_map(Entry::added).map(str::to_owned).collect();
         if entries.is_empty() {
@@ -119,15 +119,15 @@ impl Declarations<'_> {
             false => declare::into_locals(self.db, self.file, &entries),
         };
         let FileEdit { range, mut text, .. } = edit.ok_or("the file has no place for declarations")?;
-        // The blanks at the end of an empty tag show later what it was.
+        // The trailing whitespace in an empty tag is kept, because it shows later that the tag was empty.
         if let Some(tag) = self.slice(range).strip_suffix("/>") {
             text = text.replacen(tag.trim_end(), tag, 1);
         }
         Ok(vec![(range, text)])
     }
 
-    /// What becomes of a list without its entries. Programs omit empty lists, but for those of s5 and s6 and those that
-    /// were an empty tag. `None` if it has other content.
+    /// Edit for a list that loses all elements. Empty lists are omitted, except in s5 and s6 and if the list was an
+    /// empty tag. `None` if the list has other content.
     fn emptied(&self, program: Element<'_>, entries: &[TextRange]) -> Option<TextEdit> {
         let first = *entries.first()?;
         let list = program.elements().find(|list| list.view().range().contains_range(first))?;

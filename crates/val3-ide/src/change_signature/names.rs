@@ -1,4 +1,4 @@
-//! Names, types and sizes of parameters and locals that a program is to have.
+//! Checks of the names, types and sizes of a program's new parameters and locals.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::db::Db;
@@ -13,7 +13,7 @@ use super::variables::{NewLocal, NewParameter, NewVariables, has_sizes};
 use crate::declare::is_old_program;
 use crate::rename::{RenameError, takes_no_unknown, variable_name};
 
-/// The variables of a program can be called so, and be of their types.
+/// Checks that the new variables have valid names and types.
 pub(super) fn check(db: &dyn Db, program: &Program) -> Result<(), String> {
     let header = header(db, program.file);
     are_different(program)?;
@@ -44,7 +44,7 @@ fn name(db: &dyn Db, program: &Program, name: &str, old: Option<&str>) -> Result
     }
     let reason = |error: RenameError| error.0;
     variable_name(db, program.file, name).map_err(reason)?;
-    // A variable that is added may be the one that the program lacks.
+    // An added variable may resolve an unresolved name of the program.
     if old.is_some() { takes_no_unknown(db, program.file, name).map_err(reason) } else { Ok(()) }
 }
 
@@ -95,7 +95,8 @@ fn is_type(db: &dyn Db, program: &Program, name: &str) -> Result<(), String> {
     }
 }
 
-/// Every declaration of a program can be read, and every line of its code if names disappear from there.
+/// Checks that all declarations of a program can be read, and if names are removed or changed, also that its code has
+/// no syntax errors.
 pub(super) fn is_readable(db: &dyn Db, program: &Program) -> Result<(), String> {
     let header = header(db, program.file);
     let path = program.file.path(db).file_name().unwrap_or("");
@@ -108,7 +109,7 @@ pub(super) fn is_readable(db: &dyn Db, program: &Program) -> Result<(), String> 
     Err(format!("`{path}` has syntax errors, so some uses of its variables may not be known"))
 }
 
-/// Every old variable is kept, under its name.
+/// Whether every variable is kept with its name.
 fn keeps_names(wanted: &NewVariables, header: &Header) -> bool {
     let param = |(index, old): (usize, &ParamDecl)| {
         wanted.parameters.iter().any(|new| new.from == Some(index) && old.name == *new.name)

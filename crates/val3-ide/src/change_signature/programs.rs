@@ -1,5 +1,5 @@
-//! The programs that have one signature: a program of an interface, and the same program of every library that some
-//! program loads in its place.
+//! Programs that share a signature: an interface's program, and the same program in all libraries that are loaded for
+//! it.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, Project};
@@ -13,14 +13,14 @@ use super::variables::{NewParameter, NewVariables};
 use crate::owner::{owner, projects_of};
 use crate::rename::together;
 
-/// A program that changes, with the variables that it is to have.
+/// A changed program, with its new variables.
 pub(super) struct Program {
     pub(super) project: Project,
     pub(super) file: File,
     pub(super) wanted: NewVariables,
 }
 
-/// The names under which programs call the program in `file`, of each project that lists it.
+/// Symbols by which other programs call the program in `file`, for each project that lists it.
 pub(super) fn symbols(db: &dyn Db, file: File) -> Vec<Symbol> {
     let name = &header(db, file).name;
     let mut symbols = Vec::new();
@@ -37,10 +37,10 @@ pub(super) fn symbols(db: &dyn Db, file: File) -> Vec<Symbol> {
     symbols
 }
 
-/// The programs of these names, each with its own variables as `wanted` for the one in `file` changes them.
+/// The programs of these symbols, each with its own variables, changed like the variables of the program in `file`.
 ///
 /// # Errors
-/// If one of them has other parameters, or cannot have the new ones.
+/// If one of them has other parameters, or cannot have the new parameters.
 pub(super) fn programs(
     db: &dyn Db,
     file: File,
@@ -67,12 +67,12 @@ fn of_symbol(db: &dyn Db, symbol: &Symbol) -> Option<(Project, File)> {
     Some((*project, *items(db, *project).programs.get(name)?))
 }
 
-/// The name of a project for messages.
+/// Project name, for messages.
 fn folder(db: &dyn Db, project: Project) -> &str {
     project.manifest(db).path(db).file_stem().unwrap_or("")
 }
 
-/// The parameters of another program: changed as those of the program in `file` are.
+/// Parameters for the other program, changed like the parameters of the program in `file`.
 fn translated(
     db: &dyn Db,
     file: File,
@@ -104,7 +104,7 @@ fn translated(
     wanted.parameters.iter().map(translate).collect()
 }
 
-/// The name that `project` has for a type of the program in `file`.
+/// Name in `project` of a type that the program in `file` uses.
 fn type_name(db: &dyn Db, file: File, project: Project, name: &str) -> Result<String, String> {
     let base = owner(db, file).and_then(|own| resolve_type(&items(db, own).types, name));
     let Some(Base::User(wanted)) = base else { return Ok(name.to_owned()) };

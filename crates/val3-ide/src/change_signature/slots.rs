@@ -1,51 +1,51 @@
-//! Lists whose entries change their places: the arguments of a call, the elements of a list in XML.
+//! Reordering of lists: call arguments, or elements in an XML list.
 
 use val3_syntax::{TextRange, TextSize, text_at};
 
 use crate::xml_list::whole_line;
 
-/// An edit of one file.
+/// Edit in a file.
 pub(super) type TextEdit = (TextRange, String);
 
-/// An entry of a list after a change.
+/// An element of the list after the change.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Entry {
-    /// An entry that the list has, by its index.
+    /// An existing element, by its index.
     Kept(usize),
-    /// A new one, as the file writes it.
+    /// A new element, as source text.
     Added(String),
 }
 
 impl Entry {
-    /// The text of a new entry.
+    /// Text of a new element.
     pub(super) fn added(&self) -> Option<&str> {
         if let Self::Added(text) = self { Some(text) } else { None }
     }
 }
 
-/// The text that belongs to an entry that is removed.
+/// Text that is removed together with an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Removal {
-    /// The separator before the entry, or the one after the first.
+    /// The separator before the element, or after the first element.
     Separator,
-    /// The line of the entry, if it has one of its own.
+    /// The element's line, if it contains nothing else.
     Line,
 }
 
-/// A list in the text of a file. Entries change their places as a whole. Everything between them stays.
+/// A list in the text of a file. Elements are moved as a unit; the text between them is unchanged.
 pub(super) struct Slots<'a> {
     pub(super) text: &'a str,
-    /// The places of the entries, in the order of the text.
+    /// Ranges of the elements, in the order of the text.
     pub(super) entries: &'a [TextRange],
-    /// Edits inside of entries, which move along.
+    /// Edits inside elements, which move with them.
     pub(super) inner: &'a [TextEdit],
-    /// The text between an added entry and its neighbour.
+    /// Text between an added element and its neighbour.
     pub(super) separator: &'a str,
     pub(super) removal: Removal,
 }
 
 impl Slots<'_> {
-    /// The edits that give the list this order. They are sorted and do not touch. Of an empty list there are none.
+    /// Edits that produce this order, sorted and without overlap. An empty list has no edits.
     pub(super) fn edits(&self, order: &[Entry]) -> Vec<TextEdit> {
         let is_kept = |index: &usize| order.contains(&Entry::Kept(*index));
         let (kept, mut removed): (Vec<usize>, Vec<usize>) = (0..self.entries.len()).partition(is_kept);
@@ -60,7 +60,7 @@ impl Slots<'_> {
         merged(edits)
     }
 
-    /// The kept entries in their new places, with the added ones between them.
+    /// Kept elements at their new positions, with the added elements between them.
     fn placed(&self, order: &[Entry], kept: &[usize]) -> Vec<TextEdit> {
         let mut edits = Vec::new();
         let mut slots = kept.iter().copied();
@@ -84,7 +84,7 @@ impl Slots<'_> {
         edits
     }
 
-    /// The entry `index` at the place of the entry `slot`.
+    /// Moves the element `index` to the position of the element `slot`.
     fn moved(&self, index: usize, slot: usize) -> Vec<TextEdit> {
         let from = self.range(index);
         let inner = self.inner.iter().filter(|(range, _)| from.contains_range(*range));
@@ -124,7 +124,7 @@ impl Slots<'_> {
     }
 }
 
-/// The same edits in the order of the text. Those that touch become one.
+/// Sorts the edits by position, and joins adjacent edits.
 fn merged(mut edits: Vec<TextEdit>) -> Vec<TextEdit> {
     edits.sort_by_key(|(range, _)| (range.start(), range.end()));
     let mut merged: Vec<TextEdit> = Vec::new();
@@ -144,7 +144,7 @@ fn merged(mut edits: Vec<TextEdit>) -> Vec<TextEdit> {
 mod tests {
     use super::*;
 
-    /// The arguments of `p(…)` after a change: digits are indexes, letters are added.
+    /// Arguments of `p(…)` after a change: digits are indexes, letters are new arguments.
     fn arguments(text: &str, order: &str) -> String {
         let (start, end) = (text.find('(').unwrap() + 1, text.find(')').unwrap());
         let mut entries = Vec::new();

@@ -6,7 +6,7 @@ use super::*;
 use crate::assists::shown;
 use crate::testing::MarkedListing;
 
-/// A parameter that is passed by value.
+/// A new parameter that is passed by value.
 fn added(name: &str, type_name: &str, argument: &str) -> NewParameter {
     NewParameter {
         from: None,
@@ -22,7 +22,7 @@ fn local(name: &str, type_name: &str, sizes: &[u32]) -> NewLocal {
     NewLocal { from: None, name: name.to_owned(), type_name: type_name.to_owned(), sizes: sizes.to_vec() }
 }
 
-/// The variables of the program with `$0` change: what becomes of the files, or why they stay as they are.
+/// Changes the variables of the program with `$0`, and returns the changed files or the error message.
 fn done(listing: &str, change: impl Fn(&mut NewVariables)) -> String {
     let marked = MarkedListing::new(listing);
     let (db, file) = (marked.db(), marked.at().file);

@@ -1,56 +1,56 @@
-//! The parameters and locals that a program is to have.
+//! New parameters and locals of a program.
 
 use val3_analysis::items::program::{Header, LocalDecl, ParamDecl};
 use val3_lang::types::Container;
 
-/// A parameter after a change.
+/// A parameter after the change.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NewParameter {
-    /// The index of the parameter that it was; `None` for one that is added.
+    /// Index of the old parameter; `None` for a new parameter.
     pub from: Option<usize>,
-    /// The name.
+    /// Name.
     pub name: String,
-    /// The type as files write it.
+    /// Type name as spelled in files.
     pub type_name: String,
-    /// An element, array or collection.
+    /// Element, array or collection.
     pub container: Container,
-    /// Passed by reference; containers always are.
+    /// Whether it is passed by reference, as containers always are.
     pub by_reference: bool,
-    /// The expression that callers pass for one that is added, in plain characters.
+    /// Expression that callers pass for a new parameter, unescaped.
     pub argument: String,
 }
 
-/// A local after a change.
+/// A local after the change.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NewLocal {
-    /// The index of the local that it was; `None` for one that is added.
+    /// Index of the old local; `None` for a new local.
     pub from: Option<usize>,
-    /// The name.
+    /// Name.
     pub name: String,
-    /// The type as files write it.
+    /// Type name as spelled in files.
     pub type_name: String,
     /// Sizes of the dimensions.
     pub sizes: Vec<u32>,
 }
 
-/// All parameters and locals after a change, in their order.
+/// All parameters and locals after the change, in order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct NewVariables {
-    /// The parameters.
+    /// Parameters.
     pub parameters: Vec<NewParameter>,
-    /// The locals.
+    /// Locals.
     pub locals: Vec<NewLocal>,
 }
 
 impl NewVariables {
-    /// Those that a program has.
+    /// The program's current variables.
     pub fn of(header: &Header) -> Self {
         let parameters = (0..).zip(&header.params).map(|(index, param)| NewParameter::kept(index, param));
         let locals = (0..).zip(&header.locals).map(|(index, local)| NewLocal::kept(index, local));
         Self { parameters: parameters.collect(), locals: locals.collect() }
     }
 
-    /// The parameters are those of the program, possibly under other names.
+    /// Whether the arguments of calls are unchanged: the parameters are the same, possibly renamed.
     pub(super) fn keeps_arguments(&self, header: &Header) -> bool {
         let is_same =
             |(index, (new, old)): (usize, (&NewParameter, &ParamDecl))| new.from == Some(index) && !new.is_retyped(old);
@@ -58,7 +58,7 @@ impl NewVariables {
             && self.parameters.iter().zip(&header.params).enumerate().all(is_same)
     }
 
-    /// Some variable is new, or has another type, size or passing than before.
+    /// Whether a variable is new, or has another type, size or passing than before.
     pub(crate) fn adds_or_retypes(&self, header: &Header) -> bool {
         let param = |new: &NewParameter| {
             let old = new.from.and_then(|index| header.params.get(index));
@@ -71,14 +71,14 @@ impl NewVariables {
         self.parameters.iter().any(param) || self.locals.iter().any(local)
     }
 
-    /// Every old parameter or local that is kept, is kept once.
+    /// Whether each old parameter and local is kept at most once.
     pub(super) fn is_consistent(&self, header: &Header) -> bool {
         let parameters = self.parameters.iter().filter_map(|new| new.from);
         let locals = self.locals.iter().filter_map(|new| new.from);
         are_indexes(parameters, header.params.len()) && are_indexes(locals, header.locals.len())
     }
 
-    /// The names, parameters first.
+    /// Names, parameters first.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         let parameters = self.parameters.iter().map(|new| new.name.as_str());
         parameters.chain(self.locals.iter().map(|new| new.name.as_str()))
@@ -92,7 +92,7 @@ fn are_indexes(mut indexes: impl Iterator<Item = usize>, len: usize) -> bool {
 }
 
 impl NewParameter {
-    /// A parameter that the program has.
+    /// An existing parameter.
     pub(super) fn kept(index: usize, param: &ParamDecl) -> Self {
         Self {
             from: Some(index),
@@ -104,7 +104,7 @@ impl NewParameter {
         }
     }
 
-    /// It has another type, container or passing than `old`.
+    /// Whether its type, container or passing differs from `old`.
     pub(super) fn is_retyped(&self, old: &ParamDecl) -> bool {
         let shape = (self.container, self.by_reference);
         old.type_name != *self.type_name || shape != (old.container, old.by_reference)
@@ -112,19 +112,19 @@ impl NewParameter {
 }
 
 impl NewLocal {
-    /// A local that the program has.
+    /// An existing local.
     pub(super) fn kept(index: usize, local: &LocalDecl) -> Self {
         let (name, type_name) = (local.name.to_string(), local.type_name.to_string());
         Self { from: Some(index), name, type_name, sizes: local.sizes.clone() }
     }
 
-    /// It has another type or size than `old`.
+    /// Whether its type or size differs from `old`.
     pub(super) fn is_retyped(&self, old: &LocalDecl) -> bool {
         old.type_name != *self.type_name || old.sizes != self.sizes
     }
 }
 
-/// Whether the container of a local can have sizes.
+/// Whether the container of a local has sizes.
 pub(super) fn has_sizes(local: &LocalDecl) -> bool {
     local.container != Container::Collection
 }

@@ -1,4 +1,4 @@
-//! Completions in code: the places, and what each takes.
+//! Completions in code, by syntactic position.
 
 use smol_str::SmolStr;
 use val3_analysis::application::{ENTRY_POINTS, application};
@@ -20,12 +20,12 @@ use super::{literals, missing};
 use crate::hover::program_line;
 use crate::line::{Block, CodePart, Expected};
 
-/// Bonus of instructions that most programs use.
+/// Score bonus of instructions that most programs use.
 const COMMON: i32 = 8;
-/// Malus of instructions that need an add-on, or that the controller lacks.
+/// Score penalty of instructions that require an add-on or that the controller does not have.
 const RARE: i32 = -40;
 
-/// Blocks to fill in, as snippets; the editor indents what follows the first line.
+/// Snippets of blocks; the editor indents the lines after the first one.
 const BLOCKS: [(&str, &str); 5] = [
     ("if", "if ${1:condition}\n  $0\nendIf"),
     ("while", "while ${1:condition}\n  $0\nendWhile"),
@@ -36,7 +36,7 @@ const BLOCKS: [(&str, &str); 5] = [
 
 const CASES: [(&str, &str); 2] = [("case", "case ${1:value}\n  $0\nbreak"), ("default", "default\n  $0\nbreak")];
 
-/// The start of a line.
+/// Completions at the start of a line.
 pub(super) fn statement(found: &mut CompletionList<'_>, blocks: &[Block], part: CodePart) {
     match (blocks.last(), part) {
         (_, CodePart::Empty { has_end }) => return begin(found, has_end),
@@ -64,7 +64,7 @@ pub(super) fn statement(found: &mut CompletionList<'_>, blocks: &[Block], part: 
     missing::library_data(found, &Expected::anything());
 }
 
-/// The start of a program, and its end if that is not written yet: nothing else may precede `begin`.
+/// Completions at the start of a program. `begin` must come first; the snippet also adds a missing `end`.
 fn begin(found: &mut CompletionList<'_>, has_end: bool) {
     let added = found.add("begin", Kind::Keyword).detail(|| "starts the program".to_owned());
     if !has_end {
@@ -72,7 +72,7 @@ fn begin(found: &mut CompletionList<'_>, has_end: bool) {
     }
 }
 
-/// The creation of a task with its values to fill in. They have no parentheses.
+/// Snippet that creates a task, with placeholders for the arguments, which have no parentheses.
 fn task_creation(keyword: &str) -> String {
     let forms = instructions::find(keyword).map_or(&[][..], |instruction| instruction.overloads);
     let params = (1..).zip(forms.first().map_or(&[][..], |form| form.params));
@@ -86,7 +86,7 @@ fn task_creation(keyword: &str) -> String {
     format!("{keyword} {}", places.join(","))
 }
 
-/// The keywords that end the innermost block or go on with it.
+/// Keywords that end or continue the innermost block.
 fn continue_block(found: &mut CompletionList<'_>, innermost: Block) {
     found.add(innermost.closing(), Kind::Keyword).detail(|| "ends the block".to_owned()).scored(FITS);
     match innermost {
@@ -103,7 +103,7 @@ fn continue_block(found: &mut CompletionList<'_>, innermost: Block) {
     }
 }
 
-/// A value.
+/// Completions where a value is expected.
 pub(super) fn expression(found: &mut CompletionList<'_>, expected: &Expected) {
     variables(found, expected);
     libraries(found);
@@ -117,7 +117,7 @@ pub(super) fn expression(found: &mut CompletionList<'_>, expected: &Expected) {
     missing::library_data(found, expected);
 }
 
-/// The words that follow a value.
+/// Keywords that may follow a value.
 pub(super) fn operators(found: &mut CompletionList<'_>, operators: Operators) {
     let words: &[&str] = match operators {
         Operators::To => &["to"],
@@ -132,11 +132,11 @@ pub(super) fn operators(found: &mut CompletionList<'_>, operators: Operators) {
 fn instructions_of(found: &mut CompletionList<'_>, expected: &[Base], suits: impl Fn(&Overload) -> bool) {
     let version = items(found.db, found.project).version;
     let fit_of = |form: &&Overload| form.result.map_or(0, |ty| fit(expected, Base::of(ty)) / 2);
-    // A truth value is often found by comparing others.
+    // A Boolean value often results from comparing other values.
     let only_fitting = !expected.is_empty() && !expected.contains(&Base::of(BaseType::Bool)) && found.query.is_empty();
     for instruction in instructions::all().iter().filter(|instruction| !is_task_creation(instruction.name)) {
         let forms = instruction.overloads.iter().filter(|form| suits(form));
-        // Of equally suitable forms, the first one is taken.
+        // If several forms are equally suitable, the first one is used.
         let Some(form) = forms.rev().max_by_key(fit_of) else { continue };
         let prior = if !instruction.exists_in(version) {
             RARE
@@ -152,7 +152,7 @@ fn instructions_of(found: &mut CompletionList<'_>, expected: &[Base], suits: imp
     }
 }
 
-/// Instructions that programs of every kind use, in contrast to those that set up a controller or an option.
+/// Whether programs of all kinds use the instructions, in contrast to those that configure a controller or an option.
 fn is_common(family: Family) -> bool {
     !matches!(family, Family::Controller | Family::Options | Family::Additions | Family::AddOns)
 }
@@ -167,7 +167,7 @@ fn add_instruction<'f>(
     added.detail(|| form.signature(instruction.name)).of(|| Symbol::Instruction(instruction.name.into()))
 }
 
-/// Behind a dot, in the order in which they are declared.
+/// Members after a dot, in declaration order.
 pub(super) fn members(found: &mut CompletionList<'_>, base: Base) {
     match base {
         Base::Builtin(ty, arm) => {
@@ -188,7 +188,7 @@ pub(super) fn members(found: &mut CompletionList<'_>, base: Base) {
     }
 }
 
-/// Behind the colon of a library identifier.
+/// Items after the colon of a library identifier.
 pub(super) fn library_items(found: &mut CompletionList<'_>, library: &str, wanted: &ExpectedItem) {
     let db = found.db;
     let declared = items(db, found.project).libraries.get(library);
@@ -262,7 +262,7 @@ fn on_library(found: &mut CompletionList<'_>, wanted: &ExpectedItem) {
     }
 }
 
-/// Behind `call`, and as the program of a task.
+/// Programs after `call` and as the program of a task.
 pub(super) fn programs(found: &mut CompletionList<'_>) {
     let (db, project, own) = (found.db, found.project, found.file);
     for (name, file) in &items(db, project).programs {
@@ -274,7 +274,7 @@ pub(super) fn programs(found: &mut CompletionList<'_>) {
     missing::library_programs(found);
 }
 
-/// As the program of a task: those first that run for good, or that nothing calls.
+/// Programs for a new task: programs that run endlessly, or that nothing calls, come first.
 pub(super) fn task_programs(found: &mut CompletionList<'_>) {
     let (db, project, own) = (found.db, found.project, found.file);
     let application = application(db, project);
@@ -295,7 +295,7 @@ pub(super) fn task_programs(found: &mut CompletionList<'_>) {
     missing::libraries(found);
 }
 
-/// At the start of a line, a program needs `call`, which is inserted as well.
+/// Programs at the start of a line, where the completion also inserts `call`.
 fn calls(found: &mut CompletionList<'_>) {
     let (db, project, own) = (found.db, found.project, found.file);
     for (name, file) in items(db, project).programs.iter().filter(|(_, file)| **file != own) {

@@ -1,4 +1,4 @@
-//! Comments about a program and its parameters at the start of its code: `//\brief`, `//\param`.
+//! Documentation comments of a program and its parameters at the start of the code: `//\brief`, `//\param`.
 
 use val3_analysis::items::parse;
 use val3_syntax::SyntaxKind::{BEGIN_KW, CODE, COMMENT, NEWLINE};
@@ -7,7 +7,7 @@ use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
 use super::list::{CompletionKind as Kind, CompletionList};
 use crate::assists::header_comments;
 
-/// The letters after `//` up to the cursor, if they can begin such a comment.
+/// Range after `//` up to the cursor, if the text can begin such a comment.
 pub(super) fn typed(root: &SyntaxNode, offset: TextSize) -> Option<TextRange> {
     let token = root.token_at_offset(offset).left_biased().filter(|token| token.kind() == COMMENT)?;
     let written = token.text().get(..usize::from(offset - token.text_range().start()))?;
@@ -18,12 +18,12 @@ pub(super) fn typed(root: &SyntaxNode, offset: TextSize) -> Option<TextRange> {
     (is_word && is_first).then(|| TextRange::new(offset - TextSize::of(typed), offset))
 }
 
-/// A comment, or nothing that is executed.
+/// Whether the token is a comment, whitespace or a line end.
 fn is_blank(token: &SyntaxToken) -> bool {
     token.kind().is_trivia() || token.kind() == NEWLINE
 }
 
-/// The comments that the program does not have yet.
+/// Completions for the comments that the program does not contain yet.
 pub(super) fn complete(found: &mut CompletionList<'_>) {
     let present = present(&parse(found.db, found.file).root());
     for line in header_comments(found.db, found.project, found.file) {
@@ -38,13 +38,13 @@ pub(super) fn complete(found: &mut CompletionList<'_>) {
     }
 }
 
-/// `\brief`, or `\param` with the name of the parameter.
+/// `\brief`, or `\param` with the parameter name.
 fn label(text: &str) -> String {
     let words = if text.starts_with("\\param") { 2 } else { 1 };
     text.split(' ').take(words).collect::<Vec<_>>().join(" ")
 }
 
-/// The comments of the program, without their slashes.
+/// Comments of the program, without their slashes.
 fn present(root: &SyntaxNode) -> Vec<String> {
     let code = root.descendants().find(|node| node.kind() == CODE);
     let tokens = code.into_iter().flat_map(|code| code.descendants_with_tokens()).filter_map(|part| part.into_token());

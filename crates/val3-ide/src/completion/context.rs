@@ -1,4 +1,4 @@
-//! Where the cursor is, and what that place takes.
+//! Completion context: the syntactic position of the cursor.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, Project};
@@ -16,40 +16,40 @@ use crate::line::{
 };
 use crate::xml_context::XmlContext;
 
-/// The kinds of completions that are possible at a position.
+/// Kinds of completions that are possible at a position.
 pub(super) enum Context<'db> {
-    /// Nothing that could be proposed.
+    /// No completions.
     Nothing,
-    /// A line of code, in these blocks.
+    /// Start of a line, inside these blocks.
     Statement(Vec<Block>, CodePart),
     /// A value.
     Expression(Expected),
-    /// A key of a collection, before its quotes are there.
+    /// A key of a collection, without its quotes.
     Key(Collection, Expected),
-    /// Operators that are words, after a value.
+    /// Operator keywords after a value.
     Operator(Operators),
-    /// A field of a value, or a statement with the value.
+    /// Fields of a value, or postfix statements.
     Members(Base, Option<Receiver>),
-    /// A comment about the program or its parameters; nothing is written yet but the letters before the cursor.
+    /// A documentation comment of the program or its parameters, of which only the letters before the cursor exist.
     Comment,
     /// An item of a library.
     LibraryItem {
-        /// The identifier.
+        /// Library identifier.
         library: SmolStr,
-        /// The expected kind.
+        /// Expected kind.
         wanted: ExpectedItem,
     },
-    /// A program that is called.
+    /// A called program.
     Program,
     /// The program of a task.
     TaskProgram,
-    /// The text of a string.
+    /// The content of a string.
     Text(TextPlace),
-    /// Something in the XML.
+    /// A position in XML.
     Xml(XmlContext<'db>),
 }
 
-/// The words that can follow a value.
+/// Keywords that may follow a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Operators {
     /// `to` of a `for`.
@@ -60,18 +60,18 @@ pub(super) enum Operators {
     Logical,
 }
 
-/// The expected kind of library item.
+/// Expected kind of library item.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum ExpectedItem {
-    /// A program that is called.
+    /// A called program.
     Program,
-    /// The start of a line: data that gets a value, or an instruction that acts.
+    /// The start of a line: data to be assigned, or an instruction with an effect.
     Statement,
     /// A value.
     Value(Expected),
 }
 
-/// The possible completions at a position, and the letters that are already there.
+/// Completion context at a position, and the range of the typed letters.
 pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Context<'_>, TextRange) {
     let parse = parse(db, at.file);
     let root = parse.root();
@@ -99,7 +99,7 @@ pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Conte
     }
 }
 
-/// The position is in the code of a program, its ends included.
+/// Whether the position is inside or at the ends of a program's code.
 fn is_in_code(root: &SyntaxNode, offset: TextSize) -> bool {
     let is_there = root.text_range().contains_inclusive(offset);
     let tokens = is_there.then(|| root.token_at_offset(offset));

@@ -1,4 +1,4 @@
-//! The list of completions that is being collected.
+//! The list of completions during its collection.
 
 use rowan::NodeOrToken;
 use rustc_hash::FxHashSet;
@@ -16,36 +16,36 @@ use crate::edit::FileEdit;
 use crate::fuzzy::score;
 use crate::line::Names;
 
-/// Something that can be written.
+/// A completion.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Completion {
-    /// The displayed name.
+    /// Displayed name.
     pub label: String,
-    /// Its type or signature; may be empty.
+    /// Type or signature; may be empty.
     pub detail: String,
-    /// Its kind.
+    /// Kind.
     pub kind: CompletionKind,
-    /// The replaced range: the word at the cursor.
+    /// Replaced range: the word at the cursor.
     pub range: TextRange,
-    /// The inserted text. In a snippet, `$1`, `${2:name}` and `$0` are placeholders.
+    /// Inserted text. In a snippet, `$1`, `${2:name}` and `$0` are placeholders.
     pub insert: String,
-    /// The inserted text for editors without snippets.
+    /// Inserted text for editors without snippets.
     pub plain: String,
-    /// `insert` is a snippet.
+    /// Whether `insert` is a snippet.
     pub is_snippet: bool,
-    /// How likely it is, higher first.
+    /// Score; a higher score is more likely.
     pub score: i32,
-    /// The item that it names, for its documentation.
+    /// Symbol that it names, for its documentation.
     pub symbol: Option<Symbol>,
-    /// Its documentation in Markdown, for an item without a symbol.
+    /// Documentation in Markdown, for an item without a symbol.
     pub documentation: Option<String>,
-    /// Additional edits: an entry in the project file or the data file.
+    /// Additional edits: an element in the project file or the data file.
     pub additional: Vec<FileEdit>,
-    /// Characters that take the completion when they are typed: those that can follow the name.
+    /// Commit characters: typing one of them accepts the completion.
     pub commit: &'static [char],
 }
 
-/// The kinds of completions.
+/// Kinds of completions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum CompletionKind {
     /// A local variable.
@@ -66,35 +66,35 @@ pub enum CompletionKind {
     Library,
     /// A type.
     Type,
-    /// A value of an enumeration, or one that is built in.
+    /// An enumerator or a built-in constant.
     Constant,
-    /// A literal to fill in.
+    /// A literal with placeholders.
     Literal,
-    /// A text.
+    /// Text.
     Text,
     /// A path.
     Path,
-    /// An element of XML.
+    /// An XML element.
     Element,
-    /// An attribute in XML.
+    /// An XML attribute.
     Attribute,
 }
 
-/// Bonus of a name that the code already uses.
+/// Score bonus of a name that the code already uses.
 const USED: i32 = 10;
 
-/// The completions found so far.
+/// Completions collected so far.
 pub(super) struct CompletionList<'db> {
     pub(super) db: &'db dyn Db,
     pub(super) project: Project,
     pub(super) file: File,
-    /// The range that every completion replaces.
+    /// Range that every completion replaces.
     pub(super) range: TextRange,
-    /// The letters before the cursor.
+    /// Letters before the cursor.
     pub(super) query: &'db str,
-    /// A `(` follows: names of what is called are written without their arguments.
+    /// Whether `(` follows, so that a call is completed without arguments.
     pub(super) is_called: bool,
-    /// The text before the range and the text after it.
+    /// Text before and after the range.
     pub(super) around: (&'db str, &'db str),
     pub(super) items: Vec<Completion>,
 }
@@ -109,22 +109,22 @@ impl<'db> CompletionList<'db> {
         Self { db, project, file: at.file, range, query, is_called, around, items: Vec::new() }
     }
 
-    /// The range is before this text.
+    /// Whether this text follows the range.
     pub(super) fn is_before(&self, text: &str) -> bool {
         self.around.1.starts_with(text)
     }
 
-    /// One of these characters precedes the range.
+    /// Whether one of these characters precedes the range.
     pub(super) fn is_preceded_by(&self, letters: [char; 2]) -> bool {
         self.around.0.ends_with(letters)
     }
 
-    /// The names of the program that is edited.
+    /// Names visible in the edited program.
     pub(super) fn names(&self) -> Names<'db> {
         Names::new(self.db, self.project, self.file)
     }
 
-    /// Adds a completion that writes its label, if the letters that were typed fit it.
+    /// Adds a completion that inserts its label, if the typed letters match.
     pub(super) fn add(&mut self, label: &str, kind: CompletionKind) -> AddedCompletion<'_> {
         let Some(fit) = score(self.query, label) else { return AddedCompletion(None) };
         let item = Completion {
@@ -145,7 +145,7 @@ impl<'db> CompletionList<'db> {
         AddedCompletion(self.items.last_mut())
     }
 
-    /// Adds something that is called: its arguments are places to fill.
+    /// Adds a call, with placeholders for its arguments.
     pub(super) fn add_call<'p>(
         &mut self,
         name: &str,
@@ -157,7 +157,7 @@ impl<'db> CompletionList<'db> {
         if is_called { added } else { added.with(|item| item.fill(call_snippet(name, &arguments()))) }
     }
 
-    /// Names that the code uses already are likely to be used again.
+    /// Raises the scores of names that the code already uses, because they are likely to be used again.
     pub(super) fn prefer_used(&mut self) {
         let parse = parse(self.db, self.file);
         let mut used = FxHashSet::default();
@@ -167,7 +167,7 @@ impl<'db> CompletionList<'db> {
         }
     }
 
-    /// The likeliest first; of those that are called and are the same kind of thing only the likeliest.
+    /// Sorts by score, highest first. Of completions with the same label and kind, only the first is kept.
     pub(super) fn ranked(mut self) -> Vec<Completion> {
         self.items.sort_by(|a, b| b.score.cmp(&a.score).then_with(|| a.label.cmp(&b.label)));
         let mut seen = FxHashSet::default();
@@ -186,7 +186,7 @@ fn collect_names<'g>(node: View<'g>, names: &mut FxHashSet<&'g str>) {
     }
 }
 
-/// `name(${1:a},${2:b})$0`
+/// Snippet of a call, for example `name(${1:a},${2:b})$0`.
 fn call_snippet(name: &str, arguments: &[&str]) -> String {
     let places: Vec<String> =
         arguments.iter().enumerate().map(|(index, name)| format!("${{{}:{name}}}", index + 1)).collect();
@@ -200,7 +200,7 @@ impl Completion {
     }
 }
 
-/// A completion that was just added, if what was typed fits it: nothing is worked out for the others.
+/// The completion that was just added; `None` if the typed letters do not match, so that its details are not computed.
 pub(super) struct AddedCompletion<'f>(Option<&'f mut Completion>);
 
 impl AddedCompletion<'_> {
@@ -227,7 +227,7 @@ impl AddedCompletion<'_> {
         self.with(|item| item.fill(text()))
     }
 
-    /// It is a variable or a field of this type.
+    /// Sets the details of a variable or field of this type.
     pub(super) fn variable(self, base: Base, container: Container, sizes: &[u32]) -> Self {
         let has_fields = match base {
             Base::Builtin(ty, arm) => !types::fields(ty, arm).is_empty(),

@@ -1,4 +1,4 @@
-//! Literals of structured types, to fill in.
+//! Literals of structured types, with placeholders.
 
 use val3_analysis::items::project::items;
 use val3_analysis::ty::Base;
@@ -6,10 +6,10 @@ use val3_lang::types::{Arm, BaseType, fields};
 
 use super::list::{CompletionKind, CompletionList};
 
-/// Bonus of a literal: less than that of a variable of the type, more than that of one of another type.
+/// Score bonus of a literal: between variables with the expected type and with other types.
 const LITERAL: i32 = 40;
 
-/// `{…}` of the expected types.
+/// Literals `{…}` of the expected types.
 pub(super) fn literals(found: &mut CompletionList<'_>, expected: &[Base]) {
     for base in expected {
         if let Base::Builtin(ty, arm) = *base
@@ -28,7 +28,7 @@ fn literal(found: &mut CompletionList<'_>, ty: BaseType, arm: Option<Arm>) {
     found.add(&text, CompletionKind::Literal).detail(|| ty.name().to_owned()).snippet(|| snippet).scored(LITERAL);
 }
 
-/// A literal as it is displayed, and as a snippet.
+/// A literal as displayed text and as a snippet.
 struct Literal {
     arm: Option<Arm>,
     text: String,
@@ -56,7 +56,7 @@ impl Literal {
         self.push('}');
     }
 
-    /// In a snippet, a `}` outside of a placeholder needs no escape.
+    /// Outside a placeholder, `}` needs no escape in a snippet.
     fn push(&mut self, letter: char) {
         self.text.push(letter);
         self.snippet.push(letter);

@@ -1,4 +1,4 @@
-//! Names that are not declared yet: taking one declares it.
+//! Completions for undeclared names; accepting one declares the name.
 
 use smol_str::SmolStr;
 use val3_analysis::db::Project;
@@ -17,10 +17,10 @@ use crate::hover::program_line;
 use crate::line::Expected;
 use crate::reachable_projects::{Reachable, reachable};
 
-/// Malus of items that are not declared yet.
+/// Score penalty of undeclared items.
 const MISSING: i32 = -120;
 
-/// New global data with the name that was typed.
+/// New global data with the typed name.
 pub(super) fn global(found: &mut CompletionList<'_>, expected: &Expected) {
     let (db, project) = (found.db, found.project);
     let name = found.query;
@@ -35,28 +35,28 @@ pub(super) fn global(found: &mut CompletionList<'_>, expected: &Expected) {
     else {
         return;
     };
-    // Data files name the arm of positions.
+    // Position types in data files include the arm kind.
     let type_name = ty.file_name(names.items.arm.unwrap_or(Arm::SixAxis));
     let Some(edit) = declare::data(db, project, &Variable::single(name, &type_name), None) else { return };
     let added = found.add(name, Kind::Data).scored(MISSING).adding(|| vec![edit]);
     added.detail(|| format!("new global {}", ty.name()));
 }
 
-/// The type whose names begin as this one does: `nCount` is a `num`.
+/// Type that the naming convention assigns to the prefix of the name; for example, `nCount` is a `num`.
 fn type_by_prefix(options: &Options, name: &str) -> Option<BaseType> {
     let prefix = name.find(|letter: char| !letter.is_ascii_lowercase()).and_then(|end| name.get(..end))?;
     let (ty, _) = options.prefixes.iter().find(|(_, known)| known.as_str() == prefix)?;
     BaseType::from_name(ty)
 }
 
-/// A project in reach that can get an identifier of its name.
+/// A reachable project that can be added as a library under its own name.
 struct NewLibrary {
     project: Project,
     alias: String,
     path: String,
 }
 
-/// The projects in reach that are not among the libraries and types yet.
+/// Reachable projects that are neither a library nor a type of the project yet.
 fn new_libraries(found: &CompletionList<'_>) -> Vec<NewLibrary> {
     let (db, project) = (found.db, found.project);
     let (names, declared) = (found.names(), items(db, project));
@@ -72,7 +72,7 @@ fn new_libraries(found: &CompletionList<'_>) -> Vec<NewLibrary> {
     new.filter(|new| keywords::is_identifier(&new.alias) && !names.is_declared(&new.alias)).collect()
 }
 
-/// Projects in reach that are not among the libraries yet.
+/// Reachable projects that are not a library of the project yet.
 pub(super) fn libraries(found: &mut CompletionList<'_>) {
     if found.query.is_empty() {
         return;
@@ -87,18 +87,18 @@ pub(super) fn libraries(found: &mut CompletionList<'_>) {
     }
 }
 
-/// Malus of a library item without its identifier: most names are meant as they are typed.
+/// Score penalty of a library item without its identifier, because most names are typed as intended.
 const WITHOUT_IDENTIFIER: i32 = -80;
 
-/// The letters fit the name of the item, not only the identifier of its library.
+/// Whether the typed letters match the item name, not only the library identifier.
 fn is_meant(query: &str, name: &str) -> bool {
     score(query, name).is_some()
 }
 
-/// Letters that are typed before items of libraries are offered without their identifier.
+/// Minimum number of typed letters for library items without their identifier.
 const LEAST_LETTERS: usize = 2;
 
-/// Public data of libraries, with the identifier that was not typed. One that is not there yet is declared.
+/// Public data of libraries, with the library identifier, which is declared if necessary.
 pub(super) fn library_data(found: &mut CompletionList<'_>, expected: &Expected) {
     let db = found.db;
     library_items(found, &|found, alias, interface| {
@@ -113,7 +113,7 @@ pub(super) fn library_data(found: &mut CompletionList<'_>, expected: &Expected) 
     });
 }
 
-/// Public programs of libraries, with the identifier that was not typed.
+/// Public programs of libraries, with the library identifier.
 pub(super) fn library_programs(found: &mut CompletionList<'_>) {
     let db = found.db;
     library_items(found, &|found, alias, interface| {
@@ -128,7 +128,7 @@ pub(super) fn library_programs(found: &mut CompletionList<'_>) {
     });
 }
 
-/// Offers items of every library in reach; `offer` gets the identifier and the interface.
+/// Offers the items of every reachable library; `offer` receives the identifier and the interface.
 fn library_items<'db>(found: &mut CompletionList<'db>, offer: &dyn Fn(&mut CompletionList<'db>, &str, Project)) {
     if found.query.len() < LEAST_LETTERS {
         return;
@@ -155,12 +155,12 @@ fn library_items<'db>(found: &mut CompletionList<'db>, offer: &dyn Fn(&mut Compl
     }
 }
 
-/// The project in reach that has the name of an identifier that is not declared.
+/// Reachable project whose name is the undeclared identifier `alias`.
 pub(super) fn library_called(found: &CompletionList<'_>, alias: &str) -> Option<Reachable> {
     reachable(found.db, found.project).into_iter().find(|other| other.name(found.db) == alias)
 }
 
-/// The completions from `start` on need a library identifier that is not declared.
+/// Adds the declaration of a library identifier to the completions from `start` on.
 pub(super) fn declare_library(found: &mut CompletionList<'_>, start: usize, alias: &str, interface: &Reachable) {
     let path = interface.entry(found.db, found.project);
     let edit = declare::library(found.db, found.project, alias, &path);

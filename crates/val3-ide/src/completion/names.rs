@@ -1,4 +1,4 @@
-//! Completions that are names: variables, constants, libraries.
+//! Completions of names: variables, constants, libraries.
 
 use val3_analysis::items::project::{DataItem, items, resolve_type};
 use val3_analysis::occurrences::Symbol;
@@ -10,16 +10,16 @@ use val3_lang::types::{self, BaseType};
 use super::list::{CompletionKind as Kind, CompletionList};
 use crate::line::Expected;
 
-/// Bonus of a value of the expected type.
+/// Score bonus for the expected type.
 pub(super) const FITS: i32 = 60;
-/// Bonus of a value that has a field of the expected type.
+/// Score bonus for a value that has a field with the expected type.
 const LEADS_ON: i32 = 10;
-/// Bonus of names of the program over those of the language.
+/// Score bonus of the program's names over names of the language.
 pub(super) const OWN: i32 = 20;
-/// Bonus of locals and parameters over data.
+/// Score bonus of locals and parameters over data.
 const NEAR: i32 = 4;
 
-/// The bonus of a value of type `base` where the type `expected` is expected.
+/// Score bonus for a value of type `base` where the types `expected` are accepted.
 pub(super) fn fit(expected: &[Base], base: Base) -> i32 {
     expected.iter().map(|expected| fit_one(*expected, base)).max().unwrap_or(0)
 }
@@ -39,7 +39,7 @@ fn fit_one(expected: Base, base: Base) -> i32 {
     }
 }
 
-/// `num[]`, `pointRx`
+/// Type of data for display, for example `num[]` or `pointRx`.
 pub(super) fn data_detail(item: &DataItem) -> String {
     let shape = if item.decl.sizes == [1] { "" } else { brackets(item.decl.container) };
     format!("{}{shape}", item.decl.type_name)
@@ -76,7 +76,7 @@ pub(super) fn variables(found: &mut CompletionList<'_>, expected: &Expected) {
     }
 }
 
-/// A name that is built in, where it fits or its letters are typed.
+/// Adds a built-in name if its type fits or its letters were typed.
 fn add_builtin(found: &mut CompletionList<'_>, builtin: &Builtin, expected: &[Base]) {
     let score = fit(expected, Base::of(builtin.ty));
     if score > 0 || expected.is_empty() || !found.query.is_empty() {
@@ -85,12 +85,12 @@ fn add_builtin(found: &mut CompletionList<'_>, builtin: &Builtin, expected: &[Ba
     }
 }
 
-/// Values that have a name.
+/// Named constants.
 pub(super) fn constants(found: &mut CompletionList<'_>, expected: &[Base]) {
     for builtin in builtins::BUILTINS.iter().filter(|builtin| !builtin.is_variable) {
         add_builtin(found, builtin, expected);
     }
-    // Enumerators mean something only where their type is asked for.
+    // Enumerators are only useful where their type is expected.
     let wanted = expected.iter().filter_map(|base| base.builtin()).filter(|ty| ty.is_enumeration());
     for enumerator in wanted.flat_map(enumerations::values) {
         let added = found.add(enumerator.name, Kind::Constant).detail(|| enumerator.ty.name().to_owned());
@@ -98,7 +98,7 @@ pub(super) fn constants(found: &mut CompletionList<'_>, expected: &[Base]) {
     }
 }
 
-/// Library identifiers, with the colon that follows them.
+/// Library identifiers, with the colon after them.
 pub(super) fn libraries(found: &mut CompletionList<'_>) {
     let project = found.project;
     for name in items(found.db, project).libraries.keys() {

@@ -1,4 +1,4 @@
-//! Statements after a dot: `bRun.if` becomes an `if` with this condition.
+//! Postfix statements: `bRun.if` becomes an `if` with this condition.
 
 use val3_analysis::ty::{Base, Ty};
 use val3_config::Options;
@@ -12,20 +12,20 @@ use crate::declare::{self, Variable, free};
 use crate::edit::FileEdit;
 use crate::line::LineTokens;
 
-/// Malus of statements: most dots are followed by a field.
+/// Score penalty of postfix statements, because a field follows most dots.
 const RARE: i32 = -20;
 
-/// An expression that is alone on its line, before a dot.
+/// An expression before a dot, with no other code on its line.
 pub(super) struct Receiver {
-    /// The expression.
+    /// Range of the expression.
     value: TextRange,
-    /// The end of the dot.
+    /// Range of the dot.
     dot: TextRange,
     ty: Ty,
 }
 
 impl Receiver {
-    /// The expression before the last of these tokens, which is a dot; `None` if other code is on the line.
+    /// Expression before the last of these tokens, which is a dot; `None` if the line contains other code.
     pub(super) fn of(line: &LineTokens, ty: Ty) -> Option<Self> {
         let (dot, head) = line.before().split_last()?;
         let is_last = line.tokens().len() == line.before().len() + usize::from(line.current().is_some());
@@ -35,7 +35,7 @@ impl Receiver {
     }
 }
 
-/// A name or a call with indexes and fields, without operators.
+/// Whether the tokens form a name or a call with indexes and fields, without operators.
 fn is_operand(tokens: &[SyntaxToken]) -> bool {
     let mut depth = 0_i32;
     let is_part = |token: &SyntaxToken| {
@@ -52,16 +52,16 @@ fn is_operand(tokens: &[SyntaxToken]) -> bool {
 
 /// A statement with the expression.
 struct Statement<'w> {
-    /// The word after the dot.
+    /// Keyword after the dot.
     word: &'w str,
-    /// Its first line.
+    /// First line of the statement.
     plain: String,
     snippet: String,
-    /// The declaration of a variable.
+    /// Declaration of a variable.
     declares: Option<FileEdit>,
 }
 
-/// The statements that suit the type of the expression.
+/// Statements that fit the type of the expression.
 pub(super) fn statements(found: &mut CompletionList<'_>, receiver: &Receiver) {
     let text: &str = found.file.text(found.db);
     let Some(value) = text.get(std::ops::Range::<usize>::from(receiver.value)) else { return };
@@ -77,7 +77,7 @@ pub(super) fn statements(found: &mut CompletionList<'_>, receiver: &Receiver) {
     }
 }
 
-/// The blocks that a value can head, each with the snippet of its other lines.
+/// Blocks whose head can contain the value, with the snippet of the other lines.
 fn blocks(ty: BaseType) -> &'static [(&'static str, &'static str)] {
     match ty {
         BaseType::Bool => &[("if", "  $0\nendIf"), ("while", "  $0\nendWhile")],
@@ -86,7 +86,7 @@ fn blocks(ty: BaseType) -> &'static [(&'static str, &'static str)] {
     }
 }
 
-/// A new local that gets the value.
+/// Assignment of the value to a new local.
 fn variable(found: &mut CompletionList<'_>, receiver: &Receiver, ty: BaseType, arm: Option<Arm>, value: &str) {
     let default = Options::default();
     let options = found.project.config(found.db).map_or(&default, |config| &config.lint);
@@ -108,7 +108,7 @@ fn add(found: &mut CompletionList<'_>, receiver: &Receiver, statement: Statement
     added.adding(|| statement.declares.into_iter().chain([removed]).collect());
 }
 
-/// Text of a snippet that stands for itself.
+/// Escapes text for a snippet.
 fn escaped(text: &str) -> String {
     text.replace('\\', "\\\\").replace('$', "\\$").replace('}', "\\}")
 }

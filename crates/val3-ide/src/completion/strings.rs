@@ -1,4 +1,4 @@
-//! Texts that instructions know: paths of libraries, names, formats, keys.
+//! Strings with known contents in instructions: library paths, names, formats, keys.
 
 use val3_analysis::application::application;
 use val3_analysis::interfaces::{self, Fit};
@@ -17,7 +17,7 @@ use crate::hover::keys_of;
 use crate::reachable_projects::reachable;
 use crate::rename::spelt_keys;
 
-/// The possible contents of a string.
+/// Possible contents of a string.
 pub(super) fn texts(found: &mut CompletionList<'_>, place: &TextPlace) {
     match place {
         TextPlace::LibraryPath(alias) => paths(found, alias.as_deref()),
@@ -45,7 +45,7 @@ fn words<'w>(found: &mut CompletionList<'_>, words: impl Iterator<Item = &'w str
     }
 }
 
-/// The libraries that the application can load. Under an identifier those come first that fit its interface.
+/// Libraries that the application can load. For an identifier, libraries that implement its interface come first.
 fn paths(found: &mut CompletionList<'_>, alias: Option<&str>) {
     let (db, project) = (found.db, found.project);
     for library in reachable(db, project) {
@@ -73,7 +73,7 @@ fn library_items(found: &mut CompletionList<'_>, library: &str) {
     }
 }
 
-/// The tasks that the application creates.
+/// Tasks that the application creates.
 fn tasks(found: &mut CompletionList<'_>) {
     let application = application(found.db, found.project);
     for task in &application.tasks {
@@ -82,7 +82,7 @@ fn tasks(found: &mut CompletionList<'_>) {
     }
 }
 
-/// Data by name: of the type that takes the value, if that is known.
+/// Names of data, restricted to the type that receives the value, if it is known.
 fn data_names(found: &mut CompletionList<'_>, base: Option<Base>) {
     let project = found.project;
     let suits = |found: Base| base.is_none_or(|base| base.same_as(found));
@@ -103,7 +103,7 @@ fn formats(found: &mut CompletionList<'_>, format: TextForm) {
     }
 }
 
-/// A string can hold several keys. Only the one at the cursor is replaced.
+/// Restricts the completion to the key at the cursor, because a string may contain several keys.
 fn last_key_alone(found: &mut CompletionList<'_>) {
     let begun = found.query.rfind('%').filter(|at| found.query.len() - at <= 2).unwrap_or(found.query.len());
     let cursor = found.range.start() + TextSize::of(found.query);
@@ -111,10 +111,10 @@ fn last_key_alone(found: &mut CompletionList<'_>) {
     found.range = TextRange::new(cursor - TextSize::of(found.query), cursor);
 }
 
-/// The keys that the data file gives a collection, then others that programs ask it for.
+/// Keys of a collection: first the keys in the data file, then further keys that programs use.
 fn keys(found: &CompletionList<'_>, Collection { project, name }: &Collection) -> Vec<String> {
     let mut keys = keys_of(found.db, *project, name);
-    // The key that is being written is among those that are spelt.
+    // The key at the cursor is excluded.
     let is_new = |key: &String| !key.is_empty() && key != found.query && !keys.contains(key);
     let spelt = spelt_keys(found.db, *project, name).into_iter().filter(is_new);
     let spelt: Vec<String> = spelt.collect();
@@ -122,7 +122,7 @@ fn keys(found: &CompletionList<'_>, Collection { project, name }: &Collection) -
     keys
 }
 
-/// The keys of a collection with the quotes that are not there yet.
+/// Keys of a collection, including the missing quotes.
 pub(super) fn quoted_keys(found: &mut CompletionList<'_>, collection: &Collection) {
     let parse = parse(found.db, found.file);
     let is_plain = program::code(parse.view()).is_some_and(|code| code.token(SyntaxKind::CDATA_OPEN).is_some());

@@ -13,14 +13,14 @@ fn found(listing: &str) -> Vec<Completion> {
     completions(marked.db(), marked.at())
 }
 
-/// The first completions.
+/// Checks the first completions.
 fn check(listing: &str, expected: Expect) {
     let line =
         |item: &Completion| format!("{} {:?} {}", item.label, item.kind, item.detail).trim_end().to_owned() + "\n";
     expected.assert_eq(&found(listing).iter().take(6).map(line).collect::<String>());
 }
 
-/// The text that the completion called `label` inserts, with and without placeholders, and its additional edits.
+/// Checks the inserted text of the completion `label`, with and without placeholders, and its additional edits.
 fn check_insert(listing: &str, label: &str, expected: Expect) {
     let marked = MarkedListing::new(listing);
     let found = completions(marked.db(), marked.at());

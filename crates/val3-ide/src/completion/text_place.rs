@@ -1,4 +1,4 @@
-//! The reader of the string at the cursor.
+//! Purpose of the string at the cursor, determined from the instruction that reads it.
 
 use smol_str::SmolStr;
 use val3_analysis::db::Project;
@@ -11,37 +11,37 @@ use val3_syntax::SyntaxKind::*;
 
 use crate::line::{CallSite, LineTokens, Names, string_text};
 
-/// The possible contents of a string.
+/// Possible contents of a string.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum TextPlace {
-    /// The path of a library; where it is loaded, with the identifier under which it is.
+    /// Path of a library, with the library identifier if the path is loaded.
     LibraryPath(Option<SmolStr>),
-    /// A name of a library's interface.
+    /// A name in a library's interface.
     LibraryItem(SmolStr),
     /// A task of the application.
     Task,
-    /// Data of this type, by name.
+    /// A data name, restricted to this type.
     DataName(Option<Base>),
     /// A format.
     Format(TextForm),
     /// A parameter of a serial line.
     SerialParameter,
-    /// A value of this parameter of a serial line.
+    /// A value of this serial line parameter.
     SerialValue(String),
     /// A key of a collection.
     Key(Collection),
 }
 
-/// A collection among global data.
+/// A global collection.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Collection {
-    /// The project that declares it.
+    /// Project that declares it.
     pub(super) project: Project,
-    /// Its name.
+    /// Name.
     pub(super) name: SmolStr,
 }
 
-/// The purpose of the string around the cursor, if it is known.
+/// Purpose of the string at the cursor; `None` if it is unknown.
 pub(super) fn text_place(names: &Names<'_>, line: &LineTokens) -> Option<TextPlace> {
     if let Some(collection) = collection(names, line) {
         return Some(TextPlace::Key(collection));
@@ -71,7 +71,7 @@ pub(super) fn text_place(names: &Names<'_>, line: &LineTokens) -> Option<TextPla
     }
 }
 
-/// The collection whose key follows: `dIn[`, `library:dIn[`.
+/// Collection before an opening bracket, for example `dIn[` or `library:dIn[`.
 pub(super) fn collection(names: &Names<'_>, line: &LineTokens) -> Option<Collection> {
     let (_, head) = line.before().split_last().filter(|(bracket, _)| bracket.kind() == L_BRACK)?;
     let (name, before) = head.split_last().filter(|(name, _)| name.kind() == IDENT)?;

@@ -12,7 +12,7 @@ use super::list::{Completion, CompletionKind, CompletionList};
 use crate::xml_context::XmlContext;
 use crate::xml_cursor::XmlPlace;
 
-/// The kinds of completions at a position in XML.
+/// Adds the completions at a position in XML.
 pub(super) fn complete(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     match context.cursor.place {
         XmlPlace::Content(_) => elements::elements(found, context, "<"),
@@ -38,7 +38,7 @@ pub(super) fn complete(found: &mut CompletionList<'_>, context: &XmlContext<'_>)
     }
 }
 
-/// A value whose quotes are not there yet.
+/// Adds the missing quotes to a value.
 fn quote(item: &mut Completion) {
     item.insert = format!("\"{}\"", item.insert);
     item.plain = format!("\"{}\"", item.plain);

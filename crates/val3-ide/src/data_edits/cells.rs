@@ -1,4 +1,4 @@
-//! New texts in cells, many at once.
+//! New texts in cells, many in one edit.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -13,7 +13,7 @@ use super::target::{DataFile, check_text};
 use super::{initial, walk};
 use crate::data_tables::{DataProblem, Dialect};
 
-/// Gives cells other texts.
+/// Sets the texts of cells.
 pub(super) fn set(file: &DataFile<'_>, cells: &[CellEdit]) -> Result<Vec<Edit>, DataProblem> {
     let mut by_name: FxHashMap<&str, Vec<&CellEdit>> = FxHashMap::default();
     for cell in cells {
@@ -24,15 +24,15 @@ pub(super) fn set(file: &DataFile<'_>, cells: &[CellEdit]) -> Result<Vec<Edit>, 
     Ok(val3_data::edits(file.text, file.root, &changed?))
 }
 
-/// A variable of which some values change.
+/// A variable with changed values.
 struct Variable<'f> {
     file: &'f DataFile<'f>,
     data: SavedData,
-    /// The values by their keys.
+    /// Indexes of the values by key.
     places: FxHashMap<String, usize>,
-    /// The values that changed.
+    /// Indexes of the changed values.
     touched: Vec<usize>,
-    /// The number of values that the file writes.
+    /// Number of values in the file.
     written: usize,
 }
 
@@ -45,12 +45,12 @@ impl<'f> Variable<'f> {
         Ok(Self { file, data, places, touched: Vec::new(), written })
     }
 
-    /// What to write, with other texts in these cells.
+    /// Sets the cells, and returns the data to be written.
     fn set(mut self, cells: &[&CellEdit]) -> Result<SavedData, DataProblem> {
         cells.iter().try_for_each(|cell| self.cell(cell))?;
         let father = cells.iter().rev().find(|cell| cell.column == FATHER);
         let Some(father) = father.filter(|_| self.file.dialect == Dialect::Old) else { return Ok(self.finished()) };
-        // In s5 and s6 a variable has one father.
+        // In s5 and s6, all values of a variable have the same father.
         let text = father.text.as_deref().unwrap_or("");
         self.data.values.iter_mut().for_each(|value| set_text(value, FATHER, Some(text)));
         Ok(self.data)
@@ -75,7 +75,7 @@ impl<'f> Variable<'f> {
         Ok(())
     }
 
-    /// The variable with the touched values alone. If one of them leaves an array, with all values.
+    /// The variable with only the changed values; with all values if one of them disappears from an array.
     fn finished(mut self) -> SavedData {
         self.touched.sort_unstable();
         self.touched.dedup();
@@ -99,15 +99,15 @@ impl<'f> Variable<'f> {
     }
 }
 
-/// The father of a value.
+/// Attribute of a value's father.
 const FATHER: &str = "fatherId";
 
-/// A key by which the values of a container are found.
+/// Normalised key, by which a container's values are found.
 fn known_key(shape: &Shape, key: &str) -> String {
     if *shape == Shape::Keys { key.to_owned() } else { key_of(key) }
 }
 
-/// Sets a cell of a value of this type, or of a field in it.
+/// Sets a cell in a value with this type, or in a field inside it.
 fn nested(
     file: &DataFile<'_>,
     (mut base, mut type_name): (Base, SmolStr),
@@ -136,7 +136,7 @@ fn nested(
     Ok(())
 }
 
-/// The type has the column, and the file can write the text in it.
+/// Checks that the type has the column, and that the file can represent the text.
 fn check_column(file: &DataFile<'_>, type_name: &str, cell: &CellEdit) -> Result<(), DataProblem> {
     let column = &cell.column;
     let Some((ty, arm)) = BaseType::from_file_name(type_name) else {
@@ -156,7 +156,7 @@ fn check_column(file: &DataFile<'_>, type_name: &str, cell: &CellEdit) -> Result
     Ok(())
 }
 
-/// The column names other data in files of s5 and s6.
+/// Whether the column references other data in files of s5 and s6.
 fn is_reference(type_name: &str, column: &str) -> bool {
     let known = BaseType::from_file_name(type_name).and_then(|(ty, arm)| attribute(ty, arm, column));
     known.is_some_and(|known| matches!(known.value, AttributeValue::Father(_) | AttributeValue::Link))

@@ -1,4 +1,4 @@
-//! The findings that a change of a data file would add.
+//! Findings that an edit of a data file would add.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use crate::edit::SourceChange;
 use crate::owner::projects_of;
 use crate::trial::Trial;
 
-/// The findings of a data file after `change` that are not among those before it. Findings in other files are left out.
+/// Findings of a data file after `change` that are not in `before`. Findings in other files are omitted.
 pub fn added_data_findings(
     context: FixContext<'_>,
     file: File,
@@ -41,7 +41,7 @@ pub fn added_data_findings(
     };
     let mut added = data_findings(trial.db(), changed, found);
     added.retain(|finding| is_new(finding));
-    // The files of the trial mean nothing to the caller.
+    // The files of the trial database do not exist for the caller.
     for finding in &mut added {
         finding.diagnostic.place.file = file;
         finding.diagnostic.related.clear();
@@ -51,7 +51,7 @@ pub fn added_data_findings(
     added
 }
 
-/// What makes findings of different texts the same one: place, column, rule and message.
+/// Identity of a finding across texts: place, column, rule and message.
 type Identity = (DataPlace, Option<String>, &'static str, String);
 
 fn identity(finding: &DataFinding) -> Identity {

@@ -13,7 +13,7 @@ use super::walk;
 use crate::data_tables::{DataPlace, DataProblem, Dialect};
 use crate::declare::{built_in_father, keys};
 
-/// Gives an array other sizes.
+/// Changes array sizes.
 pub(super) fn resize(file: &DataFile<'_>, place: &DataPlace, sizes: &[u32]) -> Result<Vec<Edit>, DataProblem> {
     file.check_sizes(sizes)?;
     change(file, place, |data, base| {
@@ -32,8 +32,8 @@ pub(super) fn resize(file: &DataFile<'_>, place: &DataPlace, sizes: &[u32]) -> R
     })
 }
 
-/// A key with other dimensions: those that are added have the index 0. Where one with another index goes, so does the
-/// value.
+/// Adapts a key to another number of dimensions. Added dimensions have the index 0. A removed dimension must have the
+/// index 0, otherwise the value is removed.
 fn with_dimensions(key: &str, dimensions: usize) -> String {
     let mut indexes: Vec<&str> = key.split(',').map(str::trim).collect();
     while indexes.len() < dimensions {
@@ -51,7 +51,7 @@ fn fits(sizes: &[u32], key: &str) -> bool {
         && indexes.iter().zip(sizes).all(|(index, size)| index.is_some_and(|index| index < *size))
 }
 
-/// New points, frames and tools have a father. In s5 and s6 it is that of the variable.
+/// Adds the father to new points, frames and tools. In s5 and s6, the father belongs to the variable.
 fn add_fathers(file: &DataFile<'_>, data: &mut SavedData, base: Base, old: &[u32]) {
     let Some(father) = father(base).filter(|_| file.dialect == Dialect::New) else { return };
     let Shape::Sizes(sizes) = &data.shape else { return };
@@ -61,7 +61,7 @@ fn add_fathers(file: &DataFile<'_>, data: &mut SavedData, base: Base, old: &[u32
     data.values.extend(new.map(|key| SavedValue { key, content: father.clone() }));
 }
 
-/// The father of a new point, frame or tool, as files write it.
+/// Default father of a new point, frame or tool, as file content.
 fn father(base: Base) -> Option<Content> {
     let name = built_in_father(base.builtin().map_or("", BaseType::name))?;
     Some(Content::Attributes(vec![("fatherId".into(), format!("{name}[0]"))]))
@@ -79,7 +79,7 @@ pub(super) fn add_key(file: &DataFile<'_>, place: &DataPlace, key: &str) -> Resu
     })
 }
 
-/// Takes elements out of a collection.
+/// Removes elements from a collection.
 pub(super) fn remove_keys(file: &DataFile<'_>, place: &DataPlace, keys: &[String]) -> Result<Vec<Edit>, DataProblem> {
     change(file, place, |data, _| {
         is_collection(data)?;
@@ -89,7 +89,7 @@ pub(super) fn remove_keys(file: &DataFile<'_>, place: &DataPlace, keys: &[String
     })
 }
 
-/// Gives an element of a collection another key.
+/// Renames a key in a collection.
 pub(super) fn rename_key(
     file: &DataFile<'_>,
     place: &DataPlace,
@@ -108,7 +108,7 @@ pub(super) fn rename_key(
     Ok(value.and_then(|value| val3_data::rename_key(value, new_key)).into_iter().collect())
 }
 
-/// The element of a variable or of a field in it.
+/// XML element of a variable or of a field inside it.
 fn element_at<'a>(file: &DataFile<'a>, place: &DataPlace) -> Result<Element<'a>, DataProblem> {
     let mut element = file.element(&place.name)?;
     let mut key = place.key.as_deref().unwrap_or("");
@@ -123,7 +123,7 @@ fn element_at<'a>(file: &DataFile<'a>, place: &DataPlace) -> Result<Element<'a>,
     Ok(element)
 }
 
-/// The edits after which the container at a place is as `alter` leaves it.
+/// Edits after which the container at a place has the state that `alter` produces.
 fn change(
     file: &DataFile<'_>,
     place: &DataPlace,

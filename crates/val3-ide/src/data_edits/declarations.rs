@@ -1,4 +1,4 @@
-//! Variables that are declared, copied, taken out, or that get another access.
+//! Declaring, copying and removing variables, and changing their access.
 
 use val3_data::{in_style, remove};
 use val3_lang::types::{BaseType, Container};
@@ -23,9 +23,9 @@ pub(super) fn add(file: &DataFile<'_>, new: &NewDatum) -> Result<Vec<Edit>, Data
     let lines = data_lines(file.root.name(), &variable, None, new.public)
         .ok_or_else(|| refusal(format!("data of the type `{}` cannot be written in this file", new.type_name)))?;
     let lines = in_style(file.text, file.root, lines);
-    // A variable that was removed meanwhile names no place.
+    // The preceding variable may have been removed in the meantime.
     let neighbour = new.after.as_deref().and_then(|name| file.element(name).ok());
-    // In s5 and s6 each type has a section.
+    // In s5 and s6, each type has a section.
     let first = lines.first().map_or("", String::as_str);
     let fits = |element: &val3_analysis::xml::Element<'_>| {
         first.trim_start_matches('<').split(' ').next() == Some(element.name())
@@ -42,7 +42,7 @@ fn check_type(file: &DataFile<'_>, new: &NewDatum) -> Result<(), DataProblem> {
     let name = &new.type_name;
     let built_in = BaseType::from_file_name(name);
     let is_user = file.items.types.contains_key(name.as_str()) && file.dialect == Dialect::New;
-    // Data files of s7 and s8 name the arm of positions.
+    // Position types in data files of s7 and s8 include the arm kind.
     let is_generic =
         built_in.is_some_and(|(ty, arm)| ty.depends_on_arm() && arm.is_none()) && file.dialect == Dialect::New;
     if built_in.is_none() && !is_user || is_generic {
@@ -64,13 +64,13 @@ pub(super) fn duplicate(file: &DataFile<'_>, name: &str, new_name: &str) -> Resu
     Ok(val3_data::duplicate(file.text, file.root, element, new_name).into_iter().collect())
 }
 
-/// Takes out variables.
+/// Removes variables.
 pub(super) fn delete(file: &DataFile<'_>, names: &[String]) -> Result<Vec<Edit>, DataProblem> {
     let elements: Result<Vec<_>, DataProblem> = names.iter().map(|name| file.element(name)).collect();
     Ok(remove(file.text, file.root, &elements?))
 }
 
-/// Lets other projects use variables, or not.
+/// Changes the access of variables.
 pub(super) fn access(file: &DataFile<'_>, names: &[String], public: bool) -> Result<Vec<Edit>, DataProblem> {
     let elements: Result<Vec<_>, DataProblem> = names.iter().map(|name| file.element(name)).collect();
     let changed = elements?.into_iter().filter(|element| access::is_public(*element) != public);

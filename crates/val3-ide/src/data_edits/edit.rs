@@ -1,93 +1,93 @@
-//! Changes of the tables of a data file, as plain data.
+//! Table edits in a data file, as plain data.
 
 use val3_lang::types::Container;
 
 use crate::data_tables::{DataPlace, DataProblem};
 
-/// A change of the tables of a data file.
+/// An edit of a data file's tables.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum DataEdit {
-    /// Gives cells other texts.
+    /// Sets the texts of cells.
     Set(Vec<CellEdit>),
     /// Declares a variable.
     Add(NewDatum),
-    /// Declares a variable with the type and the values of another one, after it.
+    /// Declares a copy of a variable, after the original.
     Duplicate {
-        /// The variable to copy.
+        /// Variable to copy.
         name: String,
-        /// The name of the copy.
+        /// Name of the copy.
         new_name: String,
     },
-    /// Takes out variables. Programs and fathers may use them.
+    /// Removes variables. Programs and father references may still use them.
     Delete(Vec<String>),
-    /// Lets other projects use variables, or not.
+    /// Changes the access of variables.
     Access {
-        /// The variables.
+        /// Variables.
         names: Vec<String>,
-        /// Other projects may use them.
+        /// Whether other projects may use them.
         public: bool,
     },
-    /// Gives an array other sizes. Values beyond them go.
+    /// Changes array sizes. Values outside the new sizes are removed.
     Resize {
         /// The variable, or a field.
         place: DataPlace,
-        /// The sizes of all dimensions.
+        /// Sizes of all dimensions.
         sizes: Vec<u32>,
     },
     /// Adds an element to a collection.
     AddKey {
         /// The collection.
         place: DataPlace,
-        /// The new key.
+        /// New key.
         key: String,
     },
-    /// Takes elements out of a collection.
+    /// Removes elements from a collection.
     RemoveKeys {
         /// The collection.
         place: DataPlace,
-        /// The keys.
+        /// Keys.
         keys: Vec<String>,
     },
-    /// Gives an element of a collection another key. Programs that use the old one stay.
+    /// Renames a key of a collection. Programs that use the old key are unchanged.
     RenameKey {
         /// The collection.
         place: DataPlace,
-        /// The key.
+        /// Old key.
         key: String,
-        /// The new key.
+        /// New key.
         new_key: String,
     },
 }
 
-/// The new text of a cell.
+/// New text of a cell.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CellEdit {
     /// The value.
     pub place: DataPlace,
-    /// The column, by its id.
+    /// Column id.
     pub column: String,
-    /// The text; `None` for the default.
+    /// Text; `None` for the default.
     pub text: Option<String>,
 }
 
-/// A variable to declare.
+/// A new variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NewDatum {
-    /// The name.
+    /// Name.
     pub name: String,
-    /// The type, as files spell it.
+    /// Type name as spelled in files.
     pub type_name: String,
-    /// Other projects may use it.
+    /// Whether other projects may use it.
     pub public: bool,
-    /// An array or a collection.
+    /// Array or collection.
     pub container: Container,
-    /// The sizes of an array; none for a collection.
+    /// Array sizes; empty for a collection.
     pub sizes: Vec<u32>,
-    /// The variable that precedes it. Without it, or if there is none with this name, it comes after the last one.
+    /// Preceding variable. If it is `None` or does not exist, the new variable is appended.
     pub after: Option<String>,
 }
 
-/// The reason why a change is impossible.
+/// Creates the reason why an edit is impossible.
 pub(super) fn refusal(reason: impl Into<String>) -> DataProblem {
     DataProblem { reason: reason.into(), range: None }
 }

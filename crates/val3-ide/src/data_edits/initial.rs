@@ -1,4 +1,4 @@
-//! The values that user types give to their fields.
+//! Initial field values of user types.
 
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::data_files;
@@ -7,7 +7,7 @@ use val3_data::{Content, SavedData, SavedField, SavedValue, Shape, is_same};
 
 use crate::access::is_public;
 
-/// The fields of a new value of the user type that `owner` declares.
+/// Fields of a new value of the user type that `owner` declares.
 pub(super) fn fields(db: &dyn Db, owner: Project) -> Vec<SavedField> {
     let mut fields = Vec::new();
     for file in data_files(db, owner) {
@@ -18,7 +18,7 @@ pub(super) fn fields(db: &dyn Db, owner: Project) -> Vec<SavedField> {
     fields
 }
 
-/// Adds the fields that a value does not have, and marks those that hold what the type gives them.
+/// Adds the missing fields of a value, and marks fields that have their initial value.
 pub(super) fn complete(value: &mut SavedValue, initial: &[SavedField]) {
     let Content::Fields(fields) = &mut value.content else { return };
     for known in initial {

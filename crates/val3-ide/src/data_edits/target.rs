@@ -1,4 +1,4 @@
-//! The text that is edited, and what its project knows.
+//! The edited text, with the project's declarations.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -18,10 +18,10 @@ use super::initial;
 use crate::data_tables::{DataProblem, Dialect};
 use crate::rename::{name_fault, other_item};
 
-/// More values than any controller has memory for.
+/// Maximum number of values, which exceeds the memory of any controller.
 const MOST_VALUES: u32 = 1_000_000;
 
-/// A data file with some of the changes made.
+/// A data file after some of the edits.
 pub(super) struct DataFile<'a> {
     pub(super) db: &'a dyn Db,
     pub(super) project: Project,
@@ -64,7 +64,7 @@ impl<'a> DataFile<'a> {
         })
     }
 
-    /// The element that declares a variable.
+    /// XML element that declares a variable.
     pub(super) fn element(&self, name: &str) -> Result<Element<'a>, DataProblem> {
         match self.declared.get(name).map_or(&[][..], Vec::as_slice) {
             [element] => Ok(*element),
@@ -76,14 +76,14 @@ impl<'a> DataFile<'a> {
         }
     }
 
-    /// The fields of a new value of a type; none for a built-in one.
+    /// Fields of a new value of a type; empty for a built-in type.
     pub(super) fn initial_fields(&self, base: Base) -> Rc<[SavedField]> {
         let Base::User(owner) = base else { return Rc::default() };
         let mut known = self.initial.borrow_mut();
         Rc::clone(known.entry(owner).or_insert_with(|| initial::fields(self.db, owner).into()))
     }
 
-    /// A name is one, and nothing else in the project has it.
+    /// Checks that the name is valid and unused in the project.
     pub(super) fn check_new_name(&self, name: &str) -> Result<(), DataProblem> {
         if let Some(fault) = name_fault(name, Some(self.items.version)) {
             return Err(refusal(fault));
@@ -98,7 +98,7 @@ impl<'a> DataFile<'a> {
         taken.map_or(Ok(()), |what| Err(refusal(format!("there is already {what} called `{name}`"))))
     }
 
-    /// The sizes are those of an array that the version allows.
+    /// Checks that the version allows an array of these sizes.
     pub(super) fn check_sizes(&self, sizes: &[u32]) -> Result<(), DataProblem> {
         let dimensions = if self.items.version.has_collections() && self.dialect == Dialect::New { 3 } else { 1 };
         if sizes.is_empty() || sizes.len() > dimensions {
@@ -117,7 +117,7 @@ impl<'a> DataFile<'a> {
     }
 }
 
-/// A text can be written in XML.
+/// Checks that XML can represent the text.
 pub(super) fn check_text(text: &str) -> Result<(), DataProblem> {
     let is_forbidden =
         |character: char| matches!(character, '\0'..'\t' | '\u{b}' | '\u{c}' | '\u{e}'..' ' | '\u{fffe}' | '\u{ffff}');

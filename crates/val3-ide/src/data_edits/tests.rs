@@ -11,7 +11,7 @@ use crate::assists::shown;
 use crate::data_tables::{DataPlace, FieldStep};
 use crate::testing::MarkedListing;
 
-/// The lines that change in the file of the cursor.
+/// Changed lines in the file of the cursor.
 fn done(listing: &str, edits: &[DataEdit]) -> Result<String, DataProblem> {
     let marked = MarkedListing::new(listing);
     let file = marked.at().file;
@@ -28,7 +28,7 @@ fn refused(listing: &str, edit: DataEdit) -> String {
     done(listing, &[edit]).unwrap_err().reason
 }
 
-/// `nList[2]`, `tSlot[0].pPick[0]`, `pA` for the variable itself.
+/// Parses a place: `nList[2]`, `tSlot[0].pPick[0]`, or `pA` for the variable itself.
 fn place(path: &str) -> DataPlace {
     let mut steps = path.split('.').map(|step| {
         let (name, key) = step.split_once('[').unwrap_or((step, ""));
@@ -39,7 +39,7 @@ fn place(path: &str) -> DataPlace {
     DataPlace { name, key: Some(key).filter(|key| !key.is_empty()), within }
 }
 
-/// Sets one cell.
+/// Edit that sets one cell.
 fn set(path: &str, column: &str, text: Option<&str>) -> DataEdit {
     let (place, column, text) = (place(path), column.to_owned(), text.map(str::to_owned));
     DataEdit::Set(vec![CellEdit { place, column, text }])

@@ -1,4 +1,4 @@
-//! The way from a variable to the container of a field in it.
+//! Lookup of nested containers: from a variable to the container of a field inside it.
 
 use val3_analysis::items::positions::key_of;
 use val3_analysis::items::project::{fields, resolve_type};
@@ -10,20 +10,20 @@ use super::initial;
 use super::target::DataFile;
 use crate::data_tables::{DataPlace, DataProblem, FieldStep};
 
-/// A container within a variable, and the type of its values.
+/// A container within a variable, and its value type.
 pub(super) struct Found<'d> {
     pub(super) data: &'d mut SavedData,
     pub(super) base: Base,
 }
 
-/// The container of a variable.
+/// Container of a variable.
 pub(super) fn variable<'d>(file: &DataFile<'_>, data: &'d mut SavedData) -> Found<'d> {
     let base = resolve_type(&file.items.types, &data.type_name).unwrap_or(Base::Unknown);
     Found { data, base }
 }
 
-/// The container at a place that names no value: the variable, or the field that the place ends with. Values on the way
-/// that a file leaves out come into being, with what their types give them.
+/// Container at a place without a key: the variable, or the field at the end of the place. Values on this path that the
+/// file omits are created with their initial values.
 pub(super) fn container<'d>(
     file: &DataFile<'_>,
     data: &'d mut SavedData,
@@ -38,13 +38,13 @@ pub(super) fn container<'d>(
     Ok(found)
 }
 
-/// The container of a field of the value under `key`.
+/// A field's container, in the value with this key.
 fn field<'d>(file: &DataFile<'_>, found: Found<'d>, key: &str, step: &FieldStep) -> Result<Found<'d>, DataProblem> {
     let (base, at) = (found.base, position(found.data, key));
     field_of(file, base, value(file, found, key, at)?, step)
 }
 
-/// The container of a field of a value whose type is `base`.
+/// A field's container, in a value with the type `base`.
 pub(super) fn field_of<'d>(
     file: &DataFile<'_>,
     base: Base,
@@ -61,8 +61,7 @@ pub(super) fn field_of<'d>(
     }
 }
 
-/// The value of a container under a key, which is at `at` if the container has it. One that an array leaves out is added
-/// with its default.
+/// Value with this key, at the index `at` if it exists. A value that an array omits is added with its default.
 pub(super) fn value<'d>(
     file: &DataFile<'_>,
     found: Found<'d>,
@@ -83,7 +82,7 @@ pub(super) fn value<'d>(
     Ok(value)
 }
 
-/// The content of a new value.
+/// Content of a new value.
 fn new_content(base: Base, initial: &[SavedField]) -> Content {
     match base {
         Base::User(_) => Content::Fields(initial.to_vec()),
@@ -91,7 +90,7 @@ fn new_content(base: Base, initial: &[SavedField]) -> Content {
     }
 }
 
-/// The place of a value among those of its container.
+/// Index of the value with this key.
 pub(super) fn position(data: &SavedData, key: &str) -> Option<usize> {
     let indexes = |key: &str| key.split(',').map(str::trim).map(str::to_owned).collect::<Vec<_>>();
     let is_array = data.shape != Shape::Keys && key.contains([',', ' ']);
@@ -99,7 +98,7 @@ pub(super) fn position(data: &SavedData, key: &str) -> Option<usize> {
     data.values.iter().position(|value| value.key == key || is_array && indexes(&value.key) == wanted)
 }
 
-/// An array has a value under a key that it does not write; a collection has none.
+/// Checks that a value may be added under the key: an array may omit values, a collection must contain them.
 fn check_key(data: &SavedData, key: &str) -> Result<(), DataProblem> {
     let name = &data.name;
     let Shape::Sizes(sizes) = &data.shape else {
@@ -116,7 +115,7 @@ fn check_key(data: &SavedData, key: &str) -> Result<(), DataProblem> {
     }
 }
 
-/// Marks the fields that hold what their types give them, in all values of a variable.
+/// Marks the fields that have their initial value, in all values of a variable.
 pub(super) fn mark_initial(file: &DataFile<'_>, data: &mut SavedData) {
     let base = variable(file, data).base;
     if let Base::User(_) = base {

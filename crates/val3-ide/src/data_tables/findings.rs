@@ -1,4 +1,4 @@
-//! Findings on the cells that they are about.
+//! Findings by table cell.
 
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::{data, parse};
@@ -9,18 +9,18 @@ use val3_syntax::TextRange;
 
 use super::place::{DataPlace, FieldStep};
 
-/// A finding and the cell that it is about.
+/// A finding and its table cell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataFinding {
     /// The value or variable.
     pub place: DataPlace,
-    /// The column of the value, or an attribute of the variable: `name`, `access`, `type`, `size`, `key`.
+    /// Column of the value, or attribute of the variable: `name`, `access`, `type`, `size`, `key`.
     pub column: Option<String>,
     /// The finding.
     pub diagnostic: Diagnostic,
 }
 
-/// The findings in a data file, each with its place in the tables.
+/// Findings in a data file, each with its place in the tables.
 pub fn data_findings(db: &dyn Db, file: File, findings: impl IntoIterator<Item = Diagnostic>) -> Vec<DataFinding> {
     let parse = parse(db, file);
     let elements: Vec<Element<'_>> = data::elements(parse.view()).collect();
@@ -59,7 +59,7 @@ fn contains(element: Element<'_>, range: TextRange) -> bool {
     element.view().range().contains_range(range)
 }
 
-/// The attribute at `range` in `element` of a variable, as tables call it.
+/// Column name of the attribute at `range` in an `element` of a variable.
 fn column(variable: Element<'_>, element: Element<'_>, range: TextRange) -> Option<String> {
     let is_in = |found: &Attribute<'_>| found.name_range.cover(found.range).contains_range(range);
     let found = element.attributes().find(is_in)?.name;

@@ -3,26 +3,26 @@
 /// A value in a data file, or a variable.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default, PartialOrd, Ord)]
 pub struct DataPlace {
-    /// The variable; empty for a place outside of all variables.
+    /// Variable name; empty for a place outside all variables.
     pub name: String,
-    /// The value.
+    /// Key of the value; `None` for the variable itself.
     pub key: Option<String>,
-    /// The way from the value to one in its fields.
+    /// Path from the value to a nested value in its fields.
     pub within: Vec<FieldStep>,
 }
 
-/// A field of a value of a user type.
+/// A field of a user type's value.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FieldStep {
-    /// The field.
+    /// Field name.
     pub name: String,
-    /// The value of the field; empty for the field itself.
+    /// Key of the field's value; empty for the field itself.
     pub key: String,
 }
 
-/// The place of a path such as `tSlots[1,2].pPlace[0]`, whose keys have no quotes.
+/// Parses a path such as `tSlots[1,2].pPlace[0]`, whose keys have no quotes.
 pub(crate) fn place_of_path(path: &str) -> DataPlace {
-    // A key of a collection can contain a point or a bracket.
+    // A key of a collection may contain a dot or a bracket.
     let steps = path.split("].").map(|step| step.strip_suffix(']').unwrap_or(step));
     let mut steps = steps.map(|step| step.split_once('[').unwrap_or((step, "")));
     let (name, key) = steps.next().unwrap_or_default();

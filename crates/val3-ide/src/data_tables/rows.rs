@@ -1,4 +1,4 @@
-//! The data of a file and their values.
+//! Data of a file and their values.
 
 use val3_analysis::items::data;
 use val3_analysis::xml::Element;
@@ -9,12 +9,12 @@ use val3_syntax::view::View;
 
 use super::{DataType, Datum, DatumValue};
 
-/// The variables of a file with their names, in order. Elements without a name are left out.
+/// Variables in a file and their name ranges, in order. Elements without a name are omitted.
 pub(super) fn elements(file: View<'_>) -> impl Iterator<Item = (Element<'_>, TextRange)> {
     data::elements(file).filter_map(|element| Some((element, element.attribute("name")?.range)))
 }
 
-/// A variable as rows of tables.
+/// A variable as rows of the tables.
 pub(super) fn row(element: Element<'_>, name: TextRange, types: &[DataType]) -> Datum {
     let public = match element.name() {
         "Data" => element.value("access").is_some_and(|access| access.trim() != "private"),

@@ -1,4 +1,4 @@
-//! The types that a data file may declare, with the columns of their values.
+//! Types that a data file may declare, with their value columns.
 
 use std::collections::BTreeSet;
 
@@ -16,14 +16,14 @@ use crate::father_paths::father_paths;
 use crate::hover::unit_sign;
 use crate::io_links::io_links;
 
-/// A type and the columns of its table.
+/// A type and its table columns.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataType {
-    /// The name, as files spell it: `pointRx`, `num`, or a user type.
+    /// Type name as spelled in files: `pointRx`, `num`, or a user type.
     pub name: String,
-    /// The columns of a value; empty for a user type, and for types whose values the file does not write.
+    /// Columns of a value; empty for a user type, and for types whose values are not stored in the file.
     pub columns: Vec<DataColumn>,
-    /// The fields of a user type.
+    /// Fields of a user type.
     pub fields: Vec<TypeField>,
     /// Whether new data of this type may be an array.
     pub has_arrays: bool,
@@ -34,34 +34,34 @@ pub struct DataType {
 /// A field of a user type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TypeField {
-    /// The name.
+    /// Name.
     pub name: String,
-    /// The type, as files spell it.
+    /// Type name as spelled in files.
     pub type_name: String,
-    /// An array or a collection.
+    /// Array or collection.
     pub container: Container,
-    /// The sizes of an array.
+    /// Array sizes.
     pub sizes: Vec<u32>,
 }
 
-/// A part of a value.
+/// A column of a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataColumn {
-    /// The attribute in files of s7 and s8: `x`, `fatherId`, `value`.
+    /// Attribute name in files of s7 and s8, for example `x`, `fatherId`, `value`.
     pub id: &'static str,
-    /// The name in code: `x`, `father`, `tvel`.
+    /// Name in code, for example `x`, `father`, `tvel`.
     pub title: &'static str,
-    /// The sign of the unit.
+    /// Unit symbol.
     pub unit: Option<&'static str>,
-    /// What the texts of the column are.
+    /// Kind of the texts.
     pub kind: ColumnKind,
-    /// The possible texts of a choice, or those that fit the project.
+    /// Possible texts of a choice, or suggestions from the project.
     pub choices: Vec<String>,
-    /// The meaning of a value that is not written; empty for none.
+    /// Default, which omitted values have; empty without a default.
     pub default: String,
 }
 
-/// The content of a column.
+/// Kind of a column's texts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ColumnKind {
     /// A decimal number.
@@ -74,11 +74,11 @@ pub enum ColumnKind {
     Choice,
     /// A frame or tool, with an index or key.
     Father,
-    /// A physical input, output or line.
+    /// A physical input, output or serial line.
     Link,
 }
 
-/// The types that the file may declare, and those of its data.
+/// Types that the file may declare, and types that it does declare.
 pub(super) fn types(
     db: &dyn Db,
     project: Project,
@@ -96,7 +96,7 @@ pub(super) fn types(
     let mut types: Vec<DataType> = Vec::new();
     let mut open = names;
     open.extend(of_data.map(|name| name.to_string()).filter(|name| known.insert(name.clone())));
-    // Fields of user types can have types that the project does not name.
+    // The fields of user types may have types that the project does not list.
     while !open.is_empty() {
         let added: Vec<DataType> = open.drain(..).map(|name| found.describe(&name)).collect();
         let inner = added.iter().flat_map(|ty| &ty.fields).map(|field| field.type_name.clone());
@@ -114,7 +114,7 @@ struct TypeFinder<'db> {
 }
 
 impl TypeFinder<'_> {
-    /// The names of the built-in types of the dialect, for the arm of the project if it is known.
+    /// Built-in types of the dialect, only for the arm kind of the project if it is known.
     fn built_in(&self) -> Vec<String> {
         match self.dialect {
             Dialect::New => {
@@ -149,7 +149,7 @@ impl TypeFinder<'_> {
     }
 
     fn columns(&self, ty: BaseType, arm: Option<Arm>) -> Vec<DataColumn> {
-        // Files of s5 and s6 link inputs and outputs in the code.
+        // In s5 and s6, inputs and outputs are linked in code.
         if self.dialect == Dialect::Old && ty.is_linkable() {
             return Vec::new();
         }
@@ -177,7 +177,7 @@ impl TypeFinder<'_> {
         }
     }
 
-    /// The frames or tools that a value can be relative to.
+    /// Frames or tools to which a value can be relative.
     fn fathers(&self, father: BaseType) -> Vec<String> {
         let built_in = builtins::BUILTINS.iter().filter(|builtin| builtin.is_variable && builtin.ty == father);
         let built_in: Vec<String> = built_in.map(|builtin| format!("{}[0]", builtin.name)).collect();
@@ -189,7 +189,7 @@ impl TypeFinder<'_> {
         [built_in, own].concat()
     }
 
-    /// The inputs and outputs of the cell; in s5 and s6 the outputs that are data.
+    /// Inputs and outputs of the cell; in s5 and s6, outputs that are data.
     fn links(&self, ty: BaseType) -> Vec<String> {
         if self.dialect == Dialect::New {
             return io_links(self.db, self.project, ty).into_iter().map(|link| link.path).collect();
@@ -205,7 +205,7 @@ fn file_names(choice: BaseType) -> Vec<String> {
     enumerations::values(choice).map(|value| value.file_name.to_owned()).collect()
 }
 
-/// The name in code: the last part of the field, or what the value itself is called.
+/// Name in code: the last part of the field path, or the attribute name for the value itself.
 fn title(attribute: &Attribute) -> &'static str {
     match (attribute.value, attribute.field.rsplit('.').next()) {
         (AttributeValue::Father(_), _) => "father",
@@ -223,7 +223,7 @@ fn unit(ty: BaseType, arm: Option<Arm>, path: &str) -> Unit {
     unit
 }
 
-/// The fields of a user type by name.
+/// Fields of a user type, sorted by name.
 fn type_fields(db: &dyn Db, owner: Project) -> Vec<TypeField> {
     let field = |(name, item): (&SmolStr, &DataItem)| TypeField {
         name: name.to_string(),

@@ -1,4 +1,4 @@
-//! Programs that come into a project: their files, and their entries in the `.pjx`.
+//! New programs: their files, and their elements in the `.pjx`.
 
 use camino::Utf8Path;
 use val3_analysis::db::{Db, Project};
@@ -9,21 +9,22 @@ use super::{PARAMETERS, Variable, free, local_entry, parameter_entry, program_en
 use crate::edit::SourceChange;
 use crate::xml_list::escaped;
 
-/// A program that does not exist yet.
+/// A new program.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct NewProgram {
     pub(crate) name: String,
     pub(crate) public: bool,
-    /// With whether each is passed by reference.
+    /// Parameters, each with whether it is passed by reference.
     pub(crate) params: Vec<(Variable, bool)>,
     pub(crate) locals: Vec<Variable>,
-    /// The lines between `begin` and `end`, in plain characters, with their indentation.
+    /// Lines between `begin` and `end`, unescaped, with indentation.
     pub(crate) code: Vec<String>,
-    /// How lines end.
+    /// Line end.
     pub(crate) line_end: &'static str,
 }
 
-/// New programs of a project: their files, and their entries in the `.pjx`; `None` where that has no place for them.
+/// Creates programs in a project: their files, and their elements in the `.pjx`. `None` if the `.pjx` has no suitable
+/// element.
 pub(crate) fn programs(db: &dyn Db, project: Project, new: &[NewProgram]) -> Option<SourceChange> {
     let old = declarations::is_old(db, project);
     let file = |new: &NewProgram| {
@@ -58,7 +59,7 @@ fn new_program(new: &NewProgram) -> String {
     lines.join(new.line_end)
 }
 
-/// The element `Code` with these lines: in a CDATA section, or escaped if they contain its end.
+/// `Code` element with these lines: as a CDATA section, or escaped if a line contains `]]>`.
 fn code(lines: &[String]) -> Vec<String> {
     let is_escaped = lines.iter().any(|line| line.contains("]]>"));
     let (open, close) = if is_escaped { ("", "") } else { ("<![CDATA[", "]]>") };
@@ -87,7 +88,7 @@ fn old_program(new: &NewProgram) -> String {
     lines.join(new.line_end)
 }
 
-/// A name that no program of the project and no file next to it has: `stem`, otherwise `stem2` and so on.
+/// A name that is unused among the project's programs and files: `stem`, otherwise `stem2` and so on.
 pub(crate) fn free_program_name(db: &dyn Db, project: Project, stem: &str) -> String {
     let items = val3_analysis::items::project::items(db, project);
     let taken = |name: &str| {

@@ -1,4 +1,4 @@
-//! Data in the form of s5 and s6, where every value is written, in elements that go by the type.
+//! Data in the dialect of s5 and s6, in which all values are explicit and the element names depend on the type.
 
 use val3_analysis::xml::{self, Element};
 use val3_lang::types::{self, Arm, Attribute, BaseType, Container, DefaultValue};
@@ -6,7 +6,7 @@ use val3_lang::types::{self, Arm, Attribute, BaseType, Container, DefaultValue};
 use super::{Variable, built_in_father};
 use crate::xml_list::escaped;
 
-/// The sections of a data file, in their order.
+/// Sections of a data file, in their order.
 pub(crate) const SECTIONS: [&str; 19] = [
     "aioSection",
     "boolSection",
@@ -29,22 +29,22 @@ pub(crate) const SECTIONS: [&str; 19] = [
     "trsfSection",
 ];
 
-/// How the values of a structured type are written.
+/// Elements of a structured type's values.
 struct Layout {
-    /// The element with the father.
+    /// Element of the father.
     father: Option<&'static str>,
-    /// The element around one value.
+    /// Element around one value.
     value: &'static str,
-    /// The elements in it, each with the type whose fields it holds.
+    /// Elements inside it, each with the type whose fields it contains.
     parts: &'static [(&'static str, BaseType)],
-    /// The elements that follow these.
+    /// Further elements after these.
     rest: &'static [&'static str],
 }
 
-/// The output that opens and closes a tool for which none was chosen.
+/// Default output that opens and closes a tool.
 const VALVE: &str = "<io alias=\"io\" name=\"valve1\" ioIndex=\"0\" open=\"0\" close=\"0\" />";
 
-/// The type as these files call it: it names the arm only where that is no six-axis arm.
+/// Type name in this dialect, which omits the arm kind for six-axis arms.
 pub(super) fn type_name(type_name: &str) -> &str {
     match BaseType::from_file_name(type_name) {
         Some((_, Some(Arm::SixAxis))) => type_name.trim_end_matches(Arm::SixAxis.suffix()),
@@ -52,12 +52,12 @@ pub(super) fn type_name(type_name: &str) -> &str {
     }
 }
 
-/// Data of the type can be written.
+/// Whether this dialect can represent data of the type.
 pub(crate) fn can_declare(type_name: &str) -> bool {
     lines(&Variable::single("name", type_name), None, false).is_some()
 }
 
-/// The lines of a declaration; `None` for a type whose values have another form.
+/// Lines of a declaration; `None` if this dialect cannot represent it.
 pub(super) fn lines(variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
     let (name, ty) = (&variable.name, type_name(&variable.type_name));
     let [size] = variable.sizes.as_slice() else { return None };
@@ -74,7 +74,7 @@ pub(super) fn lines(variable: &Variable, value: Option<&str>, public: bool) -> O
     Some(lines)
 }
 
-/// Hands a variable of a type to `read` as these files declare it: as a tree, and as text.
+/// Calls `read` with a sample variable of this type: as a tree, and as text.
 pub(crate) fn with_model<T>(ty: &str, read: impl FnOnce(Element<'_>, &str) -> T) -> Option<T> {
     let text = lines(&Variable::single("name", ty), None, false)?.join("\n");
     let parse = val3_syntax::parse(&text);
@@ -82,7 +82,7 @@ pub(crate) fn with_model<T>(ty: &str, read: impl FnOnce(Element<'_>, &str) -> T)
     Some(read(root, &text))
 }
 
-/// The elements in the part called `name` of such a declaration, each with its text.
+/// Elements in the part `name` of such a declaration, each with its text.
 pub(crate) fn parts<'g, 't>(root: Element<'g>, name: &str, text: &'t str) -> Vec<(&'g str, &'t str)> {
     let written = |part: Element<'g>| {
         let range = std::ops::Range::<usize>::from(part.view().range());
@@ -91,7 +91,7 @@ pub(crate) fn parts<'g, 't>(root: Element<'g>, name: &str, text: &'t str) -> Vec
     part(root, name).into_iter().flat_map(Element::elements).filter_map(written).collect()
 }
 
-/// The attributes of the part called `name` of a variable of a type, with their defaults.
+/// Attributes in the part `name` of such a declaration, with their defaults.
 pub(crate) fn attributes(ty: &str, name: &str) -> Vec<(String, String)> {
     let read = |root: Element<'_>, _: &str| {
         let attributes = part(root, name).into_iter().flat_map(Element::attributes);
@@ -121,7 +121,7 @@ fn simple(ty: &str, size: u32, value: Option<&str>) -> Option<Vec<String>> {
     Some((0..size).map(written).collect())
 }
 
-/// Every value has the defaults of its fields.
+/// Lines of a structured type's values, with the defaults of all fields.
 fn structured(type_name: &str, size: u32) -> Option<Vec<String>> {
     let Layout { father, value, parts, rest } = layout(type_name)?;
     let (_, arm) = BaseType::from_file_name(type_name)?;
@@ -143,7 +143,7 @@ fn defaults(ty: BaseType, arm: Option<Arm>) -> String {
     written.join(" ")
 }
 
-/// An attribute with its default; `None` for links and fathers, which are written otherwise.
+/// An attribute with its default; `None` for links and fathers, which have other elements.
 fn default(attribute: &Attribute) -> Option<String> {
     let name = attribute.name;
     match attribute.default {

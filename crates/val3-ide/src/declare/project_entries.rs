@@ -1,4 +1,4 @@
-//! Entries that come into a project file.
+//! Insertion of elements into a project file.
 
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::manifest::{Spelling, spelling};
@@ -8,12 +8,12 @@ use val3_analysis::xml;
 use crate::edit::FileEdit;
 use crate::xml_list::{XmlList, escaped};
 
-/// The entries of program files in a `.pjx`.
+/// Adds elements for program files to a `.pjx`.
 pub(crate) fn program_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
     entries(db, project, |spelling| spelling.programs, |_| files(references))
 }
 
-/// The entries of data files in a `.pjx`.
+/// Adds elements for data files to a `.pjx`.
 pub(crate) fn data_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
     entries(db, project, |spelling| spelling.data, |_| files(references))
 }
@@ -22,7 +22,7 @@ fn files(references: &[String]) -> Vec<String> {
     references.iter().map(|reference| format!("file=\"{}\"", escaped(reference))).collect()
 }
 
-/// The entry of a library identifier with the path of its interface in a `.pjx`.
+/// Adds a library identifier with the path of its interface to a `.pjx`.
 pub(crate) fn library(db: &dyn Db, project: Project, alias: &str, path: &str) -> Option<FileEdit> {
     let attributes = |spelling: &Spelling| {
         let Spelling { library_name, library_path, .. } = spelling;
@@ -31,18 +31,18 @@ pub(crate) fn library(db: &dyn Db, project: Project, alias: &str, path: &str) ->
     entries(db, project, |spelling| spelling.libraries, attributes)
 }
 
-/// The entry of a user type in a `.pjx` of s7 or s8.
+/// Adds a user type to a `.pjx` of s7 or s8.
 pub(crate) fn user_type(db: &dyn Db, project: Project, name: &str, path: &str) -> Option<FileEdit> {
     user_types(db, project, &[(name.to_owned(), path.to_owned())])
 }
 
-/// The entries of user types, each with its name and path.
+/// Adds user types, each given by name and path.
 pub(crate) fn user_types(db: &dyn Db, project: Project, types: &[(String, String)]) -> Option<FileEdit> {
     let entry = |(name, path): &(String, String)| format!("name=\"{}\" path=\"{}\"", escaped(name), escaped(path));
     entries(db, project, |spelling| spelling.types, |_: &Spelling| types.iter().map(entry).collect())
 }
 
-/// Entries of a list of the project file, from their attributes.
+/// Adds elements with these attributes to a list of the project file.
 fn entries(
     db: &dyn Db,
     project: Project,
@@ -54,7 +54,7 @@ fn entries(
     let parent = xml::root(parse.view())?;
     let spelling = spelling(parent);
     let (name, item) = list(spelling);
-    // The elements that follow the list in a project file.
+    // Elements that follow the list in a project file.
     let order = [spelling.programs.0, spelling.data.0, spelling.libraries.0, spelling.types.0];
     let followers: Vec<&str> = order.into_iter().skip_while(|other| *other != name).skip(1).collect();
     let list = XmlList { text: file.text(db), parent, name, attributes: "", followers: &followers };

@@ -7,7 +7,7 @@ use crate::assists::shown;
 use crate::edit::SourceChange;
 use crate::testing::MarkedListing;
 
-/// The edits of a declaration in the project of the program `start`.
+/// Checks the edits of a declaration in the project of the program `start`.
 fn check(listing: &str, declare: impl Fn(&dyn Db, Project) -> Option<FileEdit>, expected: Expect) {
     let marked = MarkedListing::new(listing);
     let project = crate::owner(marked.db(), marked.at().file).unwrap();
@@ -82,7 +82,7 @@ fn data_of_s6_are_declared() {
             +  </stringSection>
         "#]],
     );
-    // Its section is made where it belongs.
+    // A missing section is inserted at its position in the order.
     check(
         OLD,
         |db, project| data(db, project, &Variable::single("bA", "bool"), None),

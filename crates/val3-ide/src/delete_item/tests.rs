@@ -1,4 +1,4 @@
-//! Declarations that go, in both dialects.
+//! Deletion of declarations in both dialects.
 
 use expect_test::{Expect, expect};
 

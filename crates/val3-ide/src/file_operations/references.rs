@@ -1,4 +1,4 @@
-//! The paths by which projects use libraries and types, when these or they themselves move.
+//! References to libraries and types when the target or the referencing project moves.
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Db, File, Project};
@@ -16,12 +16,12 @@ use crate::document_links::without_quotes;
 use crate::edit::FileEdit;
 use crate::xml_list::escaped;
 
-/// The edits for a move of the folder `from` to `to`.
+/// Edits when the folder `from` moves to `to`.
 pub(super) fn of_folder(db: &dyn Db, from: &Utf8Path, to: &Utf8Path) -> Vec<FileEdit> {
     all(db, |path| paths::inside(path, from).map_or_else(|| path.to_owned(), |rest| to.join(rest)))
 }
 
-/// The edits when the project file `manifest` gets the path `to`.
+/// Edits when the project file `manifest` moves to the path `to`.
 pub(super) fn of_manifest(db: &dyn Db, manifest: File, to: &Utf8Path) -> Vec<FileEdit> {
     let from = manifest.path(db);
     all(db, |path| if path == from { to.to_owned() } else { path.to_owned() })
@@ -31,7 +31,7 @@ fn all(db: &dyn Db, moved: impl Fn(&Utf8Path) -> Utf8PathBuf) -> Vec<FileEdit> {
     projects(db).into_iter().flat_map(|project| of_project(db, project, &moved)).collect()
 }
 
-/// The references of one project that have to be written otherwise.
+/// Edits of the references in one project that must change.
 fn of_project(db: &dyn Db, project: Project, moved: &impl Fn(&Utf8Path) -> Utf8PathBuf) -> Vec<FileEdit> {
     let own = folder(db, project);
     let new_folder = moved(project.manifest(db).path(db)).parent().map(Utf8Path::to_owned).unwrap_or_default();
@@ -56,11 +56,11 @@ fn of_project(db: &dyn Db, project: Project, moved: &impl Fn(&Utf8Path) -> Utf8P
     whole.chain(beginnings).map(edit).collect()
 }
 
-/// Stands for the project that a path names which is put together when the program runs.
+/// Placeholder for the project in a path that is concatenated at run time.
 const ANY_PROJECT: &str = "any.pjx";
 
-/// The beginning of a path (`"Disk://parts/p" + sName`) when the folder that it names moves, or the project itself.
-/// If only one of several projects in that folder moves, the reference stays unchanged.
+/// New literal prefix of a path (`"Disk://parts/p" + sName`) when its folder or the project itself moves. If only one
+/// of several projects in that folder moves, the reference is unchanged.
 fn written_beginning(
     db: &dyn Db,
     project: Project,
@@ -82,14 +82,14 @@ fn written_beginning(
     Some(format!("{}{name}", new.strip_suffix(ANY_PROJECT)?))
 }
 
-/// A folder as the disk spells it, if there are projects in it.
+/// Folder in the spelling of the disk, if it contains projects.
 fn as_stored(db: &dyn Db, path: &Utf8Path) -> Utf8PathBuf {
     let projects = projects(db);
     let mut folders = projects.iter().flat_map(|project| folder(db, *project).ancestors());
     folders.find(|folder| paths::is_same(folder, path)).unwrap_or(path).to_owned()
 }
 
-/// Every text in the code that a path of a library begins with.
+/// String literals in the code with which a library path begins.
 fn beginnings(db: &dyn Db, project: Project) -> Vec<((File, TextRange), String)> {
     let mut found = Vec::new();
     for file in program_files(db, project) {
@@ -102,7 +102,7 @@ fn beginnings(db: &dyn Db, project: Project) -> Vec<((File, TextRange), String)>
     found
 }
 
-/// Every reference of a project to another project: its range and its target.
+/// References of a project to other projects: their range and target.
 fn references(db: &dyn Db, project: Project) -> Vec<((File, TextRange), String)> {
     let mut found = Vec::new();
     let manifest = project.manifest(db);
@@ -123,8 +123,8 @@ fn references(db: &dyn Db, project: Project) -> Vec<((File, TextRange), String)>
     found
 }
 
-/// A reference to the project file `to`, in the form of `old`: with the same root, and with the name of the `.pjx`
-/// where it has it. `None` where that root does not lead there.
+/// Reference to the project file `to` in the form of `old`: with the same root, and with the name of the `.pjx` if
+/// `old` contains it. `None` if this root does not contain `to`.
 fn rewritten(folder: &Utf8Path, roots: &Roots, old: &str, to: &Utf8Path) -> Option<String> {
     let plain = old.trim().replace('\\', "/");
     let (root, rest) = match plain.split_once("://") {
@@ -152,7 +152,7 @@ fn rewritten(folder: &Utf8Path, roots: &Roots, old: &str, to: &Utf8Path) -> Opti
     Some(format!("{root}{path}"))
 }
 
-/// `to` seen from `folder`, with `/`; `None` where they have nothing in common.
+/// `to` relative to `folder`, with `/`; `None` without a common parent.
 pub(crate) fn relative(folder: &Utf8Path, to: &Utf8Path) -> Option<String> {
     let (from, to): (Vec<Utf8Component<'_>>, Vec<_>) = (folder.components().collect(), to.components().collect());
     let common = from.iter().zip(&to).take_while(|(a, b)| is_alike(**a, **b)).count();

@@ -1,4 +1,4 @@
-//! Files of a small cell that are renamed, come and go.
+//! Renaming, creating and deleting files of a small cell.
 
 use expect_test::{Expect, expect};
 use val3_test::ROOT;

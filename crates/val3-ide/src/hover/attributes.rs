@@ -1,4 +1,4 @@
-//! The attributes of a value in a data file: the field that each gives.
+//! Hover for the attributes of a value in a data file: the corresponding fields.
 
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::items;
@@ -17,7 +17,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<H
     let parse = parse(db, at.file);
     let holds = |range: TextRange| range.contains_inclusive(at.offset);
     let mut element = data::elements(parse.view()).find(|found| holds(found.view().range()))?;
-    // A field of a user type has a type of its own.
+    // A field of a user type has its own type.
     let mut ty = type_of(element);
     while let Some(inner) = element.elements().find(|inner| holds(inner.view().range())) {
         element = inner;
@@ -44,14 +44,14 @@ fn about(db: &dyn Db, project: Project, ty: BaseType, arm: Option<Arm>, found: A
     Some(field_page(db, project, ty, arm, known.field)? + &choice)
 }
 
-/// The page of the field `trsf.x` of a type, with its unit.
+/// Description of a type's field such as `trsf.x`, with its unit.
 pub(super) fn field_page(db: &dyn Db, project: Project, ty: BaseType, arm: Option<Arm>, path: &str) -> Option<String> {
     let (doc, unit) = field_at(ty, arm, path)?;
     let unit = units::word(db, project, unit).map(|unit| format!(" ({unit})")).unwrap_or_default();
     Some(fenced(&format!("{}.{path}", ty.name())) + &format!("\n{doc}{unit}"))
 }
 
-/// The meaning of the field `trsf.x` of a type, and its unit.
+/// Documentation and unit of a type's field such as `trsf.x`.
 pub(super) fn field_at(ty: BaseType, arm: Option<Arm>, path: &str) -> Option<(&'static str, Unit)> {
     let (first, rest) = path.split_once('.').unwrap_or((path, ""));
     let found = field(ty, arm, first)?;

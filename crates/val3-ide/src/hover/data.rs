@@ -1,4 +1,4 @@
-//! Global data: its type, its initial value, and the chain of its fathers.
+//! Hover for global data: the type, the initial value, and the chain of fathers.
 
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, Project};
@@ -14,9 +14,9 @@ use super::units::sign;
 use crate::markdown::{code, fenced};
 use crate::placement::placement;
 
-/// Values of a container that are shown.
+/// Limit of displayed values of a container.
 const SHOWN: usize = 5;
-/// Fathers that are followed; a circle ends there.
+/// Limit of displayed fathers, which also ends a circular chain.
 const LONGEST_CHAIN: usize = 20;
 
 pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String> {
@@ -39,14 +39,14 @@ pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String>
     Some(text)
 }
 
-/// The element that declares data, handed to `read`.
+/// Calls `read` with the element that declares the data.
 fn with_element<T>(db: &dyn Db, item: &DataItem, name: &str, read: impl FnOnce(Element<'_>) -> T) -> Option<T> {
     let parse = parse(db, item.file);
     let mut elements = data::elements(parse.view());
     elements.find(|element| element.value("name").as_deref() == Some(name)).map(read)
 }
 
-/// The initial values, one a line: key, then attributes with their units.
+/// Initial values, one line each: the key, then the attributes with their units.
 fn values(db: &dyn Db, project: Project, item: &DataItem, name: &str) -> Vec<String> {
     let single = item.decl.sizes == [1];
     let line = ValueText { db, project, ty: item.base.builtin().map(|ty| (ty, items(db, project).arm)) };
@@ -61,7 +61,7 @@ fn values(db: &dyn Db, project: Project, item: &DataItem, name: &str) -> Vec<Str
     with_element(db, item, name, read).unwrap_or_default()
 }
 
-/// The keys of the values that a data file writes, in its order.
+/// Keys of the values in a data file, in file order.
 pub(crate) fn keys_of(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
     let keys = |element: Element<'_>| {
         element.elements().filter_map(|value| value.value("key")).map(|key| key.into_owned()).collect()
@@ -70,7 +70,7 @@ pub(crate) fn keys_of(db: &dyn Db, project: Project, name: &str) -> Vec<String> 
     item.and_then(|item| with_element(db, item, name, keys)).unwrap_or_default()
 }
 
-/// How a value is shown.
+/// Formatting of a value.
 struct ValueText<'db> {
     db: &'db dyn Db,
     project: Project,
@@ -94,7 +94,7 @@ impl ValueText<'_> {
         Some(key.map(|key| format!("[{key}] ")).unwrap_or_default() + &shown.join(" "))
     }
 
-    /// `nHeight=4`, `pPick=(x=1 y=2)`
+    /// A field, for example `nHeight=4` or `pPick=(x=1 y=2)`.
     fn field(&self, name: &str, value: Element<'_>) -> Option<String> {
         let attributes: Vec<String> = value.attributes().filter_map(|found| self.attribute(found)).collect();
         match attributes.as_slice() {
@@ -111,7 +111,7 @@ impl ValueText<'_> {
             field_at(ty, arm, path).map(|(_, unit)| sign(self.db, self.project, unit))
         };
         match found.name {
-            // Fathers have a line of their own.
+            // Fathers are displayed on a separate line.
             "key" | "index" | "fatherId" => None,
             "value" => Some(found.text().into_owned()),
             name => Some(format!("{name}={}{}", found.text(), unit().unwrap_or(""))),
@@ -119,7 +119,7 @@ impl ValueText<'_> {
     }
 }
 
-/// The fathers of data, as the file names them, up to `world`, `flange` or what cannot be followed.
+/// Chain of fathers, as spelled in the file, up to `world`, `flange` or an unresolved reference.
 fn fathers(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
     let mut chain = vec![name.to_owned()];
     let mut next = first_father(db, project, name);
@@ -137,7 +137,7 @@ fn fathers(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
     chain
 }
 
-/// That of the first value; in a collection any of them.
+/// Father of the first value; for a collection, of any value.
 fn first_father(db: &dyn Db, project: Project, name: &str) -> Option<SmolStr> {
     let item = items(db, project).data.get(name)?;
     let key = keys_of(db, project, name).into_iter().next().unwrap_or_else(|| "0".to_owned());

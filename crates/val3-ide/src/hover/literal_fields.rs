@@ -1,4 +1,4 @@
-//! The field that a value in `{…}` is for.
+//! Hover for a value in `{…}`: the field that it initialises.
 
 use val3_analysis::body::{Expr, body};
 use val3_analysis::db::{Db, Project};
@@ -12,7 +12,7 @@ use super::text::Hover;
 use crate::FilePosition;
 use crate::markdown::fenced;
 
-/// The field of the innermost literal with a value at a position.
+/// Field of the innermost literal that has a value at the position.
 pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {
     let body = body(db, at.file);
     let literals = body.exprs().filter_map(|(id, expr, range)| match expr {

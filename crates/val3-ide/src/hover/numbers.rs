@@ -1,4 +1,4 @@
-//! Meanings of numbers: run-time errors, codes of keys, return codes of the instructions on libraries.
+//! Hover for numbers: run-time errors, key codes, and return codes of library instructions.
 
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::{Db, Project};
@@ -14,7 +14,7 @@ use super::text::Hover;
 use crate::FilePosition;
 use crate::markdown::fenced;
 
-/// The meaning of the number at a position.
+/// Meaning of the number at a position.
 pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {
     let (body, inference) = (body(db, at.file), infer(db, project, at.file));
     let holds = |id: ExprId| body.range(id).contains_inclusive(at.offset);
@@ -25,7 +25,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<H
     Some(Hover { range: body.range(id), markdown })
 }
 
-/// The number with its sign.
+/// The number including its sign.
 fn signed(body: &Body, id: ExprId) -> ExprId {
     let sign = body.exprs().find(|(_, expr, _)| matches!(expr, Expr::Unary(_, inner) if *inner == id));
     sign.map_or(id, |(sign, ..)| sign)
@@ -66,7 +66,7 @@ struct Numbers<'db> {
 }
 
 impl Numbers<'_> {
-    /// The instruction whose result a number is compared with, or whose argument it is.
+    /// Instruction with whose result the number is compared, or whose argument it is.
     fn origin(&self, number: ExprId) -> Option<&'static Instruction> {
         let is_it = |id: ExprId| self.body.without_parentheses(id) == number;
         self.body
@@ -84,7 +84,7 @@ impl Numbers<'_> {
         self.inference.call(id).map(|call| call.instruction)
     }
 
-    /// The value of the `switch` that has the number as a case.
+    /// Selector of the `switch` that has the number as a case.
     fn selector(&self, number: ExprId) -> Option<ExprId> {
         self.body.stmts().into_iter().find_map(|stmt| match &stmt.kind {
             StmtKind::Switch { selector, cases } => {
@@ -97,7 +97,7 @@ impl Numbers<'_> {
         })
     }
 
-    /// The instruction that gives a value: in place, or to a variable that takes it somewhere in the program.
+    /// Instruction that yields a value, directly or through a variable that is assigned somewhere in the program.
     fn source(&self, id: ExprId) -> Option<&'static Instruction> {
         let id = self.body.without_parentheses(id);
         match self.body.expr(id) {

@@ -1,4 +1,4 @@
-//! Where positions are, and how the arm reaches them.
+//! Hover for positions: their pose, and how the arm reaches them.
 
 use val3_analysis::body::{Body, Expr, ExprId, body};
 use val3_analysis::changes::is_changed;
@@ -19,7 +19,7 @@ use crate::FilePosition;
 use crate::markdown::code;
 use crate::reached::{Reached, UNTAUGHT, arm_of, not_placed, outside, reached_with_tool, rounded};
 
-/// A text about the value that `symbol` at `range` names: in code with its index, in data files a single value.
+/// Description of the value named by `symbol` at `range`: in code the indexed element, in data files a single value.
 pub(super) fn named(
     db: &dyn Db,
     project: Project,
@@ -51,7 +51,7 @@ pub(super) fn named(
     }
 }
 
-/// A text about the value in a data file around a position.
+/// Description of the value in a data file that contains the position.
 pub(super) fn around(db: &dyn Db, project: Project, at: FilePosition) -> Option<String> {
     let parse = parse(db, at.file);
     let mut found = None;
@@ -63,7 +63,7 @@ pub(super) fn around(db: &dyn Db, project: Project, at: FilePosition) -> Option<
     about(db, project, project, &found?)
 }
 
-/// The index after a variable; `0` without one.
+/// Constant index after a variable; `0` without an index.
 fn key_at(body: &Body, variable: ExprId) -> Option<String> {
     let indexed = body.exprs().find_map(|(_, expr, _)| match expr {
         Expr::Index(base, keys) if *base == variable => Some(keys),
@@ -72,7 +72,7 @@ fn key_at(body: &Body, variable: ExprId) -> Option<String> {
     indexed.map_or_else(|| Some("0".to_owned()), |keys| key(body, keys))
 }
 
-/// A text about a value of the data of `owner`, for the arm of `project`.
+/// Description of a value in the data of `owner`, for the arm of `project`.
 fn about(db: &dyn Db, project: Project, owner: Project, path: &str) -> Option<String> {
     let value = position(db, owner, path)?;
     let arm = arm_of(db, project, value);
@@ -107,7 +107,7 @@ fn of_placement(
     text
 }
 
-/// The joints in which the arm reaches a point or the origin of a frame.
+/// Joints in which the arm reaches a point or the origin of a frame.
 fn reached(
     db: &dyn Db,
     owner: Project,
@@ -132,7 +132,7 @@ fn of_joints(arm: &Arm, joints: &Joints) -> String {
     format!("{}: flange in `world` {}\n\n{about}", arm.name(), pose(&arm.flange(joints)))
 }
 
-/// The joints with their configuration.
+/// Joints with their configuration.
 fn in_words(arm: &Arm, joints: &Joints) -> String {
     let axes = joints.iter().take(arm.axes()).enumerate();
     let axes: Vec<String> = axes
@@ -145,7 +145,7 @@ fn in_words(arm: &Arm, joints: &Joints) -> String {
     format!("{}, {}", axes.join(" "), words.join(", "))
 }
 
-/// `x=100 y=0 z=50 mm, rx=180 ry=0 rz=0 degrees`
+/// A pose, for example `x=100 y=0 z=50 mm, rx=180 ry=0 rz=0 degrees`.
 fn pose(pose: &IsometryMatrix3<f64>) -> String {
     let Trsf { x, y, z, rx, ry, rz } = Trsf::from(*pose);
     let [x, y, z, rx, ry, rz] = [x, y, z, rx, ry, rz].map(rounded);

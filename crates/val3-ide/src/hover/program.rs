@@ -1,4 +1,4 @@
-//! A program: its head, and the comment at the start of its code.
+//! Hover for a program: its signature, and the comment at the start of the code.
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::{items, signature};
@@ -18,7 +18,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String>
     Some(text)
 }
 
-/// `public program pick(num x_n, string& x_s)`
+/// Signature line, for example `public program pick(num x_n, string& x_s)`.
 pub(crate) fn line(db: &dyn Db, project: Project, file: File) -> String {
     let signature = signature(db, project, file);
     let params: Vec<String> = signature
@@ -33,15 +33,15 @@ pub(crate) fn line(db: &dyn Db, project: Project, file: File) -> String {
     format!("{public}program {}({})", signature.name, params.join(", "))
 }
 
-/// The comment at the head of a program, before its first statement, as Markdown: `//\brief`, `//\param x what` and
-/// the like are taken apart. Where there is none, the description in the header.
+/// Comment before the first statement of a program, as Markdown. Tags such as `//\brief` and `//\param x what` are
+/// parsed. The fallback is the description in the header.
 pub(crate) fn comment(db: &dyn Db, file: File) -> Option<String> {
     let lines: Vec<String> = head_lines(db, file).iter().map(|line| comment_line(line)).collect();
     let text = lines.join("\n").trim().to_owned();
     Some(text).filter(|text| !text.is_empty()).or_else(|| description(db, file))
 }
 
-/// The description of a parameter in the comment of a program.
+/// Description of a parameter in the program's comment.
 pub(super) fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
     let about = |line: &String| match tag(line)? {
         ("param", rest) => {
@@ -53,7 +53,7 @@ pub(super) fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
     head_lines(db, file).iter().find_map(about)
 }
 
-/// The comments between `begin` and the first statement.
+/// Comments between `begin` and the first statement.
 fn head_lines(db: &dyn Db, file: File) -> Vec<String> {
     let parse = parse(db, file);
     let Some(block) = program::code(parse.view()) else { return Vec::new() };
@@ -64,7 +64,7 @@ fn head_lines(db: &dyn Db, file: File) -> Vec<String> {
     comments.map(|comment| decode_entities(comment.text()).into_owned()).collect()
 }
 
-/// The `<Description>` of a program, which some tools write as comment lines.
+/// `<Description>` of a program, which some tools write as comment lines.
 fn description(db: &dyn Db, file: File) -> Option<String> {
     let parse = parse(db, file);
     let element = program::element(parse.view())?.child(&["Description", "description"])?;
@@ -76,7 +76,8 @@ fn description(db: &dyn Db, file: File) -> Option<String> {
     Some(lines.join("\n").trim().to_owned()).filter(|text| !text.is_empty())
 }
 
-/// The text of a comment as Markdown, to the letter. A line of dashes or the like is a rule that somebody drew, and no text.
+/// Text of a comment as escaped Markdown. A line without letters and digits, for example a line of dashes, yields no
+/// text.
 fn comment_line(comment: &str) -> String {
     let text = comment.trim_start_matches('/').trim();
     if !text.contains(|letter: char| letter.is_alphanumeric()) {
@@ -93,7 +94,7 @@ fn comment_line(comment: &str) -> String {
     }
 }
 
-/// `//\name rest`, `//@name rest`, `//!name rest`
+/// Tag and text of a comment in the form `//\name rest`, `//@name rest` or `//!name rest`.
 fn tag(comment: &str) -> Option<(&str, &str)> {
     let text = comment.trim_start_matches('/').trim().strip_prefix(['\\', '@', '!'])?;
     let (tag, rest) = text.split_once(char::is_whitespace)?;

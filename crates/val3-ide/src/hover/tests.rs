@@ -453,7 +453,7 @@ fn comments_describe_parameters_and_programs() {
     );
 }
 
-/// An image of a cloned program would be loaded when the mouse passes over its name.
+/// An image in a cloned program would be loaded when the pointer is on the program's name.
 #[test]
 fn comments_names_and_values_are_no_markdown() {
     check(

@@ -1,4 +1,4 @@
-//! The text of information on a place.
+//! Hover text and its building blocks.
 
 use val3_analysis::db::{Db, Project};
 use val3_analysis::ty::brackets;
@@ -7,16 +7,16 @@ use val3_syntax::TextRange;
 
 use crate::markdown::code;
 
-/// A text about a place.
+/// Hover information.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Hover {
-    /// The range that it describes.
+    /// Range that it describes.
     pub range: TextRange,
-    /// The text in Markdown.
+    /// Text in Markdown.
     pub markdown: String,
 }
 
-/// The brackets of a declaration: `[3,4]`, `[""]`, nothing for a single value.
+/// Brackets of a declaration: `[3,4]`, `[""]`, empty for a single value.
 pub(crate) fn shape(sizes: &[u32], container: Container) -> String {
     match sizes {
         [1] => String::new(),
@@ -25,7 +25,7 @@ pub(crate) fn shape(sizes: &[u32], container: Container) -> String {
     }
 }
 
-/// The path of a project's folder, from the disk's root on where that is known.
+/// Path of a project's folder, relative to the disk root if it is known.
 pub(super) fn place_of(db: &dyn Db, project: Project) -> String {
     let path = project.manifest(db).path(db);
     match project.disk(db).as_ref().and_then(|disk| path.strip_prefix(disk).ok()) {

@@ -1,15 +1,15 @@
-//! Units, as a reader knows them.
+//! Names of units for display.
 
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::manifest::length_unit;
 use val3_lang::types::{LengthUnit, Unit};
 
-/// The application counts lengths in inches (2.1.4.1).
+/// Whether lengths of the application are in inches (2.1.4.1).
 fn is_inch(db: &dyn Db, project: Project) -> bool {
     length_unit(db, project.manifest(db)) == LengthUnit::Inch
 }
 
-/// The unit in words.
+/// Unit name.
 pub(super) fn word(db: &dyn Db, project: Project, unit: Unit) -> Option<&'static str> {
     let inch = || is_inch(db, project);
     Some(match unit {
@@ -35,7 +35,7 @@ pub(super) fn word(db: &dyn Db, project: Project, unit: Unit) -> Option<&'static
     })
 }
 
-/// The unit sign after a number; empty without a unit.
+/// Unit symbol after a number; empty without a unit.
 pub(crate) fn sign(db: &dyn Db, project: Project, unit: Unit) -> &'static str {
     let inch = || is_inch(db, project);
     match unit {

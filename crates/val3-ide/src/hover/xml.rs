@@ -1,4 +1,4 @@
-//! The XML of a file: its elements and attributes, and where paths lead.
+//! Hover for the XML of a file: elements, attributes, and the targets of paths.
 
 use std::fmt::Write as _;
 
@@ -24,7 +24,7 @@ use crate::markdown::{block, code, fenced};
 use crate::xml_context::XmlContext;
 use crate::xml_cursor::XmlPlace;
 
-/// Items of an interface, and instructions, that are shown at most.
+/// Limit of displayed interface items and instructions.
 const SHOWN: usize = 12;
 
 pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {
@@ -43,7 +43,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<H
     Some(Hover { range, markdown: markdown? })
 }
 
-/// The path of a library that a program loads.
+/// Hover for the path of a library that a program loads.
 pub(super) fn loaded(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {
     let load = uses(db, at.file).loads.iter().find(|load| load.range.contains_inclusive(at.offset))?;
     let LoadedPath::Whole(path) = &load.path else { return None };
@@ -81,7 +81,7 @@ fn presence(attribute: &Attribute) -> String {
     }
 }
 
-/// An attribute of the tag around.
+/// An attribute of the tag at the cursor.
 fn attribute(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &str) -> Option<String> {
     let element = context.cursor.tag.as_ref()?.name;
     let known = files::find(context.file, element).and_then(|known| known.attribute(name));
@@ -102,7 +102,7 @@ fn attribute(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &str
     of_value.or_else(other)
 }
 
-/// An attribute that gives a part of a value, as files of either dialect call it.
+/// An attribute of a value, named as in files of either dialect.
 pub(crate) fn value_attribute(
     db: &dyn Db,
     project: Project,
@@ -123,7 +123,7 @@ pub(crate) fn value_attribute(
     Some(fenced(&format!("{} {name}", ty.name())) + &format!("\n{page}"))
 }
 
-/// The target or the meaning of a value.
+/// Target or meaning of a value.
 fn value_page(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &str, value: &str) -> Option<String> {
     let element = context.cursor.tag.as_ref()?.name;
     match (context.file, element, name) {
@@ -137,7 +137,7 @@ fn value_page(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &st
     }
 }
 
-/// The description of a version, with the features that it lacks.
+/// Description of a version, with the features that it does not have.
 fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
     let Some(version) = Version::parse(text) else {
         return format!("{} is not a version. A version looks like `s7.11` or `s8.10.2Cs9_BS1991`.", code(text));
@@ -173,7 +173,7 @@ fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
     page
 }
 
-/// Where the path of a project leads, and the interface there.
+/// Project to which a path resolves, with its interface.
 fn project_page(db: &dyn Db, project: Project, path: &str) -> String {
     let Some(found) = find_project(db, project, path) else {
         return format!("There is no known project at the path {}.", code(path));
@@ -192,7 +192,7 @@ fn project_page(db: &dyn Db, project: Project, path: &str) -> String {
     page
 }
 
-/// The public data and programs of a project, a line each.
+/// Public data and programs of a project, one line each.
 fn interface(db: &dyn Db, project: Project) -> Vec<String> {
     let items = items(db, project);
     let mut data: Vec<String> = items
@@ -220,7 +220,7 @@ fn file_page(db: &dyn Db, project: Project, name: &str) -> String {
     }
 }
 
-/// The input or output of the cell that a link names.
+/// Input or output of the cell to which a link refers.
 fn link_page(db: &dyn Db, project: Project, link: &str) -> Option<String> {
     let (device, name) = link.split_once('\\')?;
     let channels = project.cell(db)?.config(db).io.devices.get(device)?;

@@ -3,7 +3,7 @@ use expect_test::{Expect, expect};
 use super::*;
 use crate::testing::MarkedListing;
 
-/// The code with the hints in it.
+/// Checks the code with its inlay hints inserted.
 fn check_with(listing: &str, settings: InlayHintSettings, expected: Expect) {
     let marked = MarkedListing::new(listing);
     let (db, file) = (marked.db(), marked.at().file);
@@ -22,7 +22,7 @@ fn check(listing: &str, expected: Expect) {
     check_with(listing, InlayHintSettings::default(), expected);
 }
 
-/// The declarations that the hints lead to.
+/// Checks the declarations to which the hints link.
 fn check_targets(listing: &str, expected: Expect) {
     let marked = MarkedListing::new(listing);
     let (db, file) = (marked.db(), marked.at().file);

@@ -1,5 +1,5 @@
-//! The blocks that are open at the cursor, by their keywords alone: a line that cannot be read, or an end that is
-//! missing further down, changes nothing above.
+//! Open blocks at the cursor, determined only from keywords. A line with a syntax error, or a missing end further
+//! below, therefore has no effect on the lines above.
 
 use rowan::NodeOrToken;
 use val3_analysis::items::program;
@@ -7,10 +7,10 @@ use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::TextSize;
 use val3_syntax::view::View;
 
-/// A block that is open.
+/// An open block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Block {
-    /// `if` and `elseIf`.
+    /// `if` and `elseIf`
     If,
     /// `else`
     Else,
@@ -27,7 +27,7 @@ pub(crate) enum Block {
 }
 
 impl Block {
-    /// The keyword that ends it.
+    /// Keyword that closes the block.
     pub(crate) fn closing(self) -> &'static str {
         match self {
             Self::If | Self::Else => "endIf",
@@ -52,19 +52,19 @@ impl Block {
     }
 }
 
-/// The blocks that are open before `offset`, outer ones first.
+/// Open blocks before `offset`, from the outermost to the innermost.
 pub(crate) fn open_blocks(root: View<'_>, offset: TextSize) -> Vec<Block> {
     let mut scan = Scan { offset, line_starts: true, open: Vec::new() };
     scan.walk(root);
     scan.open
 }
 
-/// The part of a program's code that contains a position, by the keywords `begin` and `end` alone.
+/// Part of a program's code that contains a position, determined only from the keywords `begin` and `end`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CodePart {
     /// Before the first word of a program without `begin`.
     Empty {
-        /// `end` is written further down.
+        /// Whether `end` exists after the position.
         has_end: bool,
     },
     /// Among the statements of a program with `end`, or with code after the position.
@@ -73,7 +73,7 @@ pub(crate) enum CodePart {
     Unended,
 }
 
-/// The part of the code in which the word that starts at `offset` is, or will be.
+/// Part of the code that contains the word starting at `offset`.
 pub(crate) fn code_part(root: View<'_>, offset: TextSize) -> CodePart {
     let mut words = Words { offset, ..Words::default() };
     let code = program::code(root);
@@ -88,13 +88,13 @@ pub(crate) fn code_part(root: View<'_>, offset: TextSize) -> CodePart {
     }
 }
 
-/// The words of a program's code before a position and after it.
+/// Words of a program's code before and after a position.
 #[derive(Default)]
 struct Words {
     offset: TextSize,
     before: WordKinds,
     after: WordKinds,
-    /// A word that starts after the position exists.
+    /// Whether another word starts after the position.
     has_other_after: bool,
 }
 
@@ -129,7 +129,7 @@ impl Words {
 
 struct Scan {
     offset: TextSize,
-    /// No token of the line has been seen.
+    /// Whether no token of the line has been read yet.
     line_starts: bool,
     open: Vec<Block>,
 }
@@ -174,14 +174,14 @@ impl Scan {
         self.open.extend(Block::opened_by(kind));
     }
 
-    /// Ends the innermost block if it is one of these.
+    /// Closes the innermost block if it is one of these.
     fn pop_if(&mut self, blocks: &[Block]) {
         if self.open.last().is_some_and(|last| blocks.contains(last)) {
             self.open.pop();
         }
     }
 
-    /// Ends the innermost of these blocks with all that is open in it; without one nothing.
+    /// Closes the innermost of these blocks and all blocks inside it; without such a block, does nothing.
     fn pop_to(&mut self, blocks: &[Block]) {
         if let Some(at) = self.open.iter().rposition(|block| blocks.contains(block)) {
             self.open.truncate(at);

@@ -1,22 +1,22 @@
-//! The brackets around the cursor that are no call: a literal `{…}`, an index `[…]`.
+//! Brackets around the cursor other than calls: a literal `{…}` or an index `[…]`.
 
 use val3_syntax::SyntaxKind::*;
 use val3_syntax::SyntaxToken;
 
 use super::{LineTokens, open_bracket, pieces};
 
-/// The kind of the innermost bracket around the cursor.
+/// Kind of the innermost bracket that contains the cursor.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Bracket<'t> {
     /// `{`, with the tokens before it.
     Literal(&'t [SyntaxToken]),
-    /// `[`, with the tokens of what is indexed.
+    /// `[`, with the tokens of the indexed expression.
     Index(&'t [SyntaxToken]),
 }
 
 impl<'t> Bracket<'t> {
-    /// The innermost bracket that is open at the cursor, and the value in it that the cursor is in, from 0; `None`
-    /// where that is a parenthesis.
+    /// Innermost open bracket at the cursor, and the index of the value at the cursor, from 0. `None` if the innermost
+    /// bracket is a parenthesis.
     pub(crate) fn around(line: &'t LineTokens) -> Option<(Self, usize)> {
         let before = line.before();
         let open = open_bracket(before)?;

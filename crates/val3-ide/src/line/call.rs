@@ -1,4 +1,4 @@
-//! The call around the cursor.
+//! The call that contains the cursor.
 
 use smol_str::SmolStr;
 use val3_syntax::SyntaxKind::*;
@@ -9,27 +9,27 @@ use super::{LineTokens, open_bracket, pieces};
 /// The callee.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Callee {
-    /// The library identifier before it.
+    /// Library identifier before the name.
     pub(crate) library: Option<SmolStr>,
-    /// The instruction or program.
+    /// Name of the instruction or program.
     pub(crate) name: SmolStr,
-    /// It is called as a program: after `call`, or as the program of a task.
+    /// Whether it is called as a program: after `call`, or as the program of a task.
     pub(crate) is_program: bool,
 }
 
-/// A call whose arguments are being written.
+/// A call that may be incomplete.
 #[derive(Debug, Clone)]
 pub(crate) struct CallSite<'t> {
     /// The callee.
     pub(crate) callee: Callee,
-    /// The tokens of each argument, as far as they are written.
+    /// Tokens by existing argument.
     pub(crate) arguments: Vec<&'t [SyntaxToken]>,
-    /// The argument that the cursor is in, from 0.
+    /// Index of the argument at the cursor, from 0.
     pub(crate) active: usize,
 }
 
 impl<'t> CallSite<'t> {
-    /// The innermost call around the cursor: its parentheses are open there, or it is a `taskCreate`.
+    /// Innermost call around the cursor: its parentheses are open, or it is a `taskCreate`.
     pub(crate) fn around(line: &'t LineTokens) -> Option<Self> {
         let before = line.before();
         let mut end = before.len();
@@ -43,14 +43,14 @@ impl<'t> CallSite<'t> {
         Self::task_creation(line)
     }
 
-    /// The call whose parentheses open at `open`; `None` where nothing is called there.
+    /// Call whose parentheses open at `open`; `None` if it is no call.
     pub(super) fn at_bracket(tokens: &'t [SyntaxToken], open: usize) -> Option<Self> {
         tokens.get(open).filter(|token| token.kind() == L_PAREN)?;
         let callee = callee_before(tokens.get(..open)?)?;
         Some(Self { callee, arguments: pieces(tokens.get(open + 1..)?), active: 0 })
     }
 
-    /// The arguments of `taskCreate` have no parentheses.
+    /// `taskCreate` at the cursor, whose arguments have no parentheses.
     fn task_creation(line: &'t LineTokens) -> Option<Self> {
         let (keyword, before) = line.before().split_first()?;
         if !matches!(keyword.kind(), TASK_CREATE_KW | TASK_CREATE_SYNC_KW) {
@@ -63,7 +63,7 @@ impl<'t> CallSite<'t> {
     }
 }
 
-/// The name at the end of the tokens, and whether it is called as a program.
+/// Callee name at the end of the tokens.
 fn callee_before(tokens: &[SyntaxToken]) -> Option<Callee> {
     let (name, before) = tokens.split_last().filter(|(name, _)| name.kind() == IDENT)?;
     let library = before
@@ -79,7 +79,7 @@ fn callee_before(tokens: &[SyntaxToken]) -> Option<Callee> {
     })
 }
 
-/// A program has to follow these tokens.
+/// Whether a program name must follow these tokens.
 pub(crate) fn takes_program(before: &[SyntaxToken]) -> bool {
     let Some((first, rest)) = before.split_first() else { return false };
     let last_of_task =

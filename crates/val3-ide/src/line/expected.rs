@@ -1,4 +1,4 @@
-//! The type of the value that the next token begins.
+//! Expected type of the value that starts with the next token.
 
 use val3_analysis::items::project::Param;
 use val3_analysis::ty::{Base, Ty};
@@ -10,17 +10,17 @@ use val3_syntax::{Part, SyntaxToken};
 use super::call::CallSite;
 use super::{Names, open_bracket, pieces};
 
-/// The expected contents of a position.
+/// Expected value at a position.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Expected {
-    /// The possible types of the value; empty if the context does not determine them.
+    /// Possible types of the value; empty if the context does not determine them.
     pub(crate) bases: Vec<Base>,
-    /// Only a variable will do.
+    /// Whether a variable is required.
     pub(crate) variable: bool,
 }
 
 impl Expected {
-    /// The place takes anything.
+    /// No expectation.
     pub(crate) fn anything() -> Self {
         Self::default()
     }
@@ -29,8 +29,8 @@ impl Expected {
         Self { bases: Some(base).filter(|base| *base != Base::Unknown).into_iter().collect(), variable: false }
     }
 
-    /// What can be compared with the value of an operand, computed with it or assigned to it. Inputs, outputs and
-    /// lines stand for what is read from them or written to them (3.5 to 3.7).
+    /// Values that can be compared with, combined with or assigned to an operand of this type. Inputs, outputs and
+    /// serial lines represent the values that are read from or written to them (3.5 to 3.7).
     fn like(ty: Ty) -> Self {
         match ty.base {
             Base::Builtin(BaseType::Dio, _) => Self::of(BaseType::Bool),
@@ -51,7 +51,7 @@ impl Expected {
     }
 }
 
-/// The tokens that may follow the tokens of a line.
+/// Expected value after these tokens of a line.
 pub(crate) fn expected(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
     let Some((last, head)) = before.split_last() else { return Expected::anything() };
     match last.kind() {
@@ -72,14 +72,14 @@ fn is_operator(kind: SyntaxKind) -> bool {
     (EQ2..=PERCENT).contains(&kind)
 }
 
-/// A value ends the tokens: what follows is an operator.
+/// Whether the tokens end with a value, so that an operator follows.
 pub(crate) fn ends_value(tokens: &[SyntaxToken]) -> bool {
     tokens.last().is_some_and(|last| {
         matches!(last.kind(), IDENT | NUMBER | STRING | R_PAREN | R_BRACK | R_CURLY | TRUE_KW | FALSE_KW)
     })
 }
 
-/// The type of the value that the `switch` around a `case` compares.
+/// Selector type in the `switch` that contains a `case`.
 fn selector(names: &Names<'_>, case: &SyntaxToken) -> Expected {
     let Some(switch) = case.parent_ancestors().find(|node| node.kind() == SWITCH_STMT) else {
         return Expected::anything();
@@ -90,7 +90,7 @@ fn selector(names: &Names<'_>, case: &SyntaxToken) -> Expected {
     Expected::like(names.ty(&line))
 }
 
-/// Behind an opening bracket, or a comma.
+/// Expected value after an opening bracket or a comma.
 fn within_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
     let Some(open) = open_bracket(before) else { return without_brackets(names, before) };
     let (head, inside) = (before.part(..open), before.part(open + 1..));
@@ -106,7 +106,7 @@ fn within_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
     }
 }
 
-/// A value of `taskCreate` or of `case`.
+/// Expected argument of `taskCreate`, or value of `case`.
 fn without_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
     let Some((first, rest)) = before.split_first() else { return Expected::anything() };
     match (first.kind(), pieces(rest).len()) {
@@ -117,13 +117,13 @@ fn without_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
     }
 }
 
-/// The `index`th value of a `{…}`.
+/// Expected value at an index of a `{…}`.
 fn literal_field(names: &Names<'_>, whole: Option<Base>, index: usize) -> Expected {
     let Some(Base::Builtin(ty, arm)) = whole else { return Expected::anything() };
     fields(ty, arm.or(names.items.arm)).get(index).map_or(Expected::anything(), |field| Expected::of(field.ty))
 }
 
-/// The `index`th argument of a call: of each form that the arguments before it suit.
+/// Expected argument at an index: of every form that fits the preceding arguments.
 fn argument(names: &Names<'_>, call: &CallSite<'_>, index: usize) -> Expected {
     let is_program = call.callee.is_program || val3_lang::instructions::find(&call.callee.name).is_none();
     if is_program {

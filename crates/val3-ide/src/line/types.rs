@@ -1,4 +1,4 @@
-//! The type of what a few tokens say.
+//! Type inference from tokens in an incomplete line, for completion and signature help.
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::program::{Header, header};
@@ -13,7 +13,7 @@ use val3_syntax::{Part, SyntaxToken};
 use super::call::{CallSite, Callee};
 use super::open_bracket;
 
-/// The names that a program can use.
+/// Names visible in a program.
 pub(crate) struct Names<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
@@ -22,12 +22,12 @@ pub(crate) struct Names<'db> {
 }
 
 impl<'db> Names<'db> {
-    /// Those of the program in `file` as a part of `project`.
+    /// Names visible in the program in `file`, resolved in `project`.
     pub(crate) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
         Self { db, project, items: items(db, project), header: header(db, file) }
     }
 
-    /// The type of the operand that ends the tokens: a variable with its indexes and fields, a call, a literal.
+    /// Type of the operand at the end of the tokens: a variable with its indexes and fields, a call, or a literal.
     pub(crate) fn ty(&self, tokens: &[SyntaxToken]) -> Ty {
         let Some((last, before)) = tokens.split_last() else { return Ty::UNKNOWN };
         match last.kind() {
@@ -44,7 +44,7 @@ impl<'db> Names<'db> {
         }
     }
 
-    /// `field` of `base.field`, `item` of `library:item`, or a name.
+    /// Type of a name, of `field` in `base.field`, or of `item` in `library:item`.
     fn name(&self, before: &[SyntaxToken], name: &str) -> Ty {
         match before.split_last() {
             Some((dot, base)) if dot.kind() == DOT => self.field(self.ty(base).base, name),
@@ -75,7 +75,7 @@ impl<'db> Names<'db> {
         item.map_or(Ty::UNKNOWN, |item| Ty { base: item.base, container: shape(item.decl.container, &item.decl.sizes) })
     }
 
-    /// The type of the variable, constant or enumerator called `name`.
+    /// Type of the variable, constant or enumerator `name`.
     pub(crate) fn variable(&self, name: &str) -> Ty {
         let base = |name: &str| resolve_type(&self.items.types, name).unwrap_or(Base::Unknown).on_arm(self.items.arm);
         if let Some(local) = self.header.locals.iter().find(|local| local.name == name) {
@@ -91,7 +91,7 @@ impl<'db> Names<'db> {
         builtin.or_else(|| enumerations::find(name).map(|found| Ty::of(found.ty))).unwrap_or(Ty::UNKNOWN)
     }
 
-    /// `( … )` or the call of an instruction.
+    /// Type of `( … )` or an instruction call.
     fn parentheses(&self, tokens: &[SyntaxToken], open: usize) -> Ty {
         let Some(call) = CallSite::at_bracket(tokens, open) else {
             return self.ty(tokens.part(open + 1..tokens.len() - 1));
@@ -100,13 +100,13 @@ impl<'db> Names<'db> {
         result.map_or(Ty::UNKNOWN, |result| Ty::element(Base::of(result).on_arm(self.items.arm)))
     }
 
-    /// The form of an instruction that suits the arguments before the `index`th.
+    /// Form of an instruction that fits the arguments before `index`.
     pub(crate) fn form(&self, call: &CallSite<'_>, index: usize) -> Option<&'static Overload> {
         self.forms(call, index).first().copied()
     }
 
-    /// The forms of an instruction that suit the arguments before the `index`th and have one there; of those that
-    /// suit in no way the first with that many.
+    /// Forms of an instruction that fit the arguments before `index` and have a parameter there. If none fits, the
+    /// first form with enough parameters.
     pub(crate) fn forms(&self, call: &CallSite<'_>, index: usize) -> Vec<&'static Overload> {
         let Some(instruction) = instructions::find(&call.callee.name) else { return Vec::new() };
         let types: Vec<Ty> = call.arguments.iter().take(index).map(|argument| self.ty(argument)).collect();
@@ -118,7 +118,7 @@ impl<'db> Names<'db> {
         if suiting.is_empty() { forms().take(1).collect() } else { suiting }
     }
 
-    /// The sizes that an array is declared with: a variable, an item of a library, or a field of a user type.
+    /// Declared array sizes: of a variable, a library item, or a field of a user type.
     pub(crate) fn sizes(&self, tokens: &[SyntaxToken]) -> Option<Vec<u32>> {
         let (name, before) = tokens.split_last().filter(|(name, _)| name.kind() == IDENT)?;
         let name = name.text();
@@ -140,7 +140,7 @@ impl<'db> Names<'db> {
         }
     }
 
-    /// Something is called `name`: a variable, a program, a library identifier or a user type.
+    /// Whether a variable, program, library identifier or user type has this name.
     pub(crate) fn is_declared(&self, name: &str) -> bool {
         self.header.locals.iter().any(|local| local.name == name)
             || self.header.params.iter().any(|param| param.name == name)
@@ -150,12 +150,12 @@ impl<'db> Names<'db> {
             || self.items.types.contains_key(name)
     }
 
-    /// The project that gives the interface of a library identifier.
+    /// Interface project of a library identifier.
     pub(crate) fn interface(&self, library: &str) -> Option<Project> {
         self.items.libraries.get(library)?.interface
     }
 
-    /// The program that a callee names, with the project it belongs to.
+    /// Program of a callee, with its project.
     pub(crate) fn program(&self, callee: &Callee) -> Option<(Project, File)> {
         let project = match &callee.library {
             Some(library) => self.interface(library)?,
@@ -164,13 +164,13 @@ impl<'db> Names<'db> {
         Some((project, *items(self.db, project).programs.get(callee.name.as_str())?))
     }
 
-    /// The signature of the program that a callee names.
+    /// Signature of the callee's program.
     pub(crate) fn signature(&self, callee: &Callee) -> Option<&'db Signature> {
         self.program(callee).map(|(project, file)| signature(self.db, project, file))
     }
 }
 
-/// A single value is declared as an array of size 1.
+/// Container of a variable. A single value is declared as an array of size 1.
 fn shape(container: Container, sizes: &[u32]) -> Container {
     if sizes == [1] { Container::Element } else { container }
 }

@@ -3,9 +3,9 @@ use pulldown_cmark::{Event, Options, Parser, Tag};
 
 use super::*;
 
-/// The text that a reader sees, and the parts that are more than text.
+/// Rendered text, and all parts that are more than text.
 fn rendered(markdown: &str) -> (String, Vec<String>) {
-    // Without typographic quotes, which no editor sets in hovers.
+    // No typographic quotes, because editors do not use them in hovers.
     let options = Options::all() - Options::ENABLE_SMART_PUNCTUATION;
     let (mut text, mut others) = (String::new(), Vec::new());
     for event in Parser::new_ext(markdown, options) {
@@ -18,7 +18,7 @@ fn rendered(markdown: &str) -> (String, Vec<String>) {
     (text, others)
 }
 
-/// Text with the marks of Markdown and of HTML.
+/// Text with Markdown and HTML markup.
 fn hostile() -> impl Strategy<Value = String> {
     let pieces = [
         "![t](https://host/x.png)",
@@ -82,7 +82,7 @@ fn hostile() -> impl Strategy<Value = String> {
     .prop_map(|parts| parts.concat())
 }
 
-/// The text as one line.
+/// Text as a single line.
 fn in_words(text: &str) -> String {
     one_line(text).replace('\0', "\u{fffd}").trim().to_owned()
 }

@@ -1,4 +1,4 @@
-//! Which projects are applications, and which serve others.
+//! Project kinds: applications, and projects that other projects use.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::application::START;
@@ -8,12 +8,12 @@ use val3_analysis::interfaces::replacements;
 use val3_analysis::items::project::items;
 use val3_analysis::test_applications::has_tests;
 
-/// The role of a project among the others.
+/// Kind of a project.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ProjectKind {
-    /// The controller starts it.
+    /// An application that the controller starts.
     Application,
-    /// An application with tests of others.
+    /// An application with tests of other projects.
     Tests,
     /// A library.
     Library,
@@ -21,11 +21,11 @@ pub enum ProjectKind {
     Type,
 }
 
-/// The kind of every project of the workspace.
+/// Kinds of all projects in the workspace.
 ///
-/// An application has a program `start`, and no other project uses it as a library or a type. Uses by tests do not
-/// count. Of projects that use each other in a circle and that no other project uses, those are applications whose
-/// `start` has code. Any other project that is only used as a type is a type, and the rest are libraries.
+/// An application has a program `start`, and no other project uses it as a library or type. Uses by tests do not count.
+/// If projects use each other in a circle and no other project uses them, those whose `start` contains code are
+/// applications. A remaining project that is only used as a type is a type; all others are libraries.
 pub fn project_kinds(db: &dyn Db) -> FxHashMap<Project, ProjectKind> {
     let projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
     let tests: FxHashSet<Project> = projects.iter().copied().filter(|project| has_tests(db, *project)).collect();
@@ -34,7 +34,7 @@ pub fn project_kinds(db: &dyn Db) -> FxHashMap<Project, ProjectKind> {
     projects.iter().map(|project| (*project, kind(*project))).collect()
 }
 
-/// The other projects that a project uses.
+/// Other projects that a project uses.
 struct Uses {
     libraries: FxHashSet<Project>,
     types: FxHashSet<Project>,
@@ -57,10 +57,10 @@ impl Uses {
     }
 }
 
-/// The uses of every project that is no test.
+/// Uses of all projects that are not tests.
 struct Graph {
     direct: FxHashMap<Project, Uses>,
-    /// The projects that each uses, itself or through others.
+    /// Projects that each project uses, directly or indirectly.
     all: FxHashMap<Project, FxHashSet<Project>>,
 }
 

@@ -1,4 +1,4 @@
-//! The content of projects, and their kinds.
+//! Contents of projects, and their kinds.
 
 use expect_test::{Expect, expect};
 

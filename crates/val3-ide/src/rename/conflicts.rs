@@ -18,7 +18,7 @@ fn refused(reason: String) -> Result<(), RenameError> {
     Err(RenameError(reason))
 }
 
-/// The files declare the name, and nothing outside of them depends on it.
+/// Checks that the files declare the name, and that nothing outside them depends on it.
 pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), RenameError> {
     let name = text(symbol);
     match symbol {
@@ -44,12 +44,12 @@ pub(super) fn is_declared_here(db: &dyn Db, symbol: &Symbol) -> Result<(), Renam
     }
 }
 
-/// The settings name the program as an entry point.
+/// Whether the settings name the program as an entry point.
 fn is_called_from_outside(db: &dyn Db, project: Project, name: &str) -> bool {
     project.config(db).is_some_and(|config| config.lint.entry_points.iter().any(|entry| entry == name))
 }
 
-/// The new name is one, is free, and means the same thing at every place.
+/// Checks that the new name is valid and unused, and that all uses keep their meaning.
 pub(super) fn check(db: &dyn Db, symbols: &[Symbol], new_name: &str) -> Result<(), RenameError> {
     symbols.iter().try_for_each(|symbol| {
         is_name(db, symbol, new_name)?;
@@ -57,7 +57,7 @@ pub(super) fn check(db: &dyn Db, symbols: &[Symbol], new_name: &str) -> Result<(
     })
 }
 
-/// Why something in an application of this version cannot have the name.
+/// Reason why an item in an application of this version cannot have the name; `None` if it can.
 pub(crate) fn name_fault(name: &str, version: Option<Version>) -> Option<String> {
     if !keywords::is_identifier(name) {
         return Some(format!("`{name}` is no name: letters, digits and `_`, no digit first"));
@@ -74,7 +74,7 @@ fn is_name(db: &dyn Db, symbol: &Symbol, name: &str) -> Result<(), RenameError> 
     name_fault(name, version).map_or(Ok(()), refused)
 }
 
-/// A new parameter or local of the program in `file` can have the name, whatever its other variables are called.
+/// Checks that a new parameter or local of the program in `file` can have the name, regardless of the other variables.
 pub(crate) fn variable_name(db: &dyn Db, file: File, name: &str) -> Result<(), RenameError> {
     let symbol = Symbol::Local(file, name.into());
     is_name(db, &symbol, name)?;
@@ -82,7 +82,7 @@ pub(crate) fn variable_name(db: &dyn Db, file: File, name: &str) -> Result<(), R
     hides_no_data(db, file, name)
 }
 
-/// The project that a symbol belongs to.
+/// Project to which a symbol belongs.
 fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => crate::owner::owner(db, *file),
@@ -100,7 +100,7 @@ fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError>
             hides_no_data(db, *file, new_name)?;
             takes_no_unknown(db, *file, new_name)
         }
-        // A local hides data of its own project only: items of libraries and fields follow `:` and `.`.
+        // A local hides only data in the same project: `:` precedes a library item, and `.` precedes a field.
         Symbol::Data(project, _) | Symbol::Program(project, _) | Symbol::Library(project, _) => {
             let own = |file: &File| crate::owner::projects_of(db, *file).contains(project);
             users(db, symbol).filter(own).try_for_each(|file| not_declared_in(db, file, new_name))?;
@@ -115,8 +115,8 @@ fn is_no_item(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), Rename
     other.map_or(Ok(()), |what| refused(format!("there is already {what} called `{new_name}`")))
 }
 
-/// What else in the project has the name. Files of programs are told apart without regard to letter case; a local
-/// variable may have the name of data, which it hides.
+/// Kind of the other item in the project with this name; `None` if the name is unused. Program files are compared
+/// without letter case. A local variable may have the same name as data, which it then hides.
 pub(crate) fn other_item(db: &dyn Db, project: Project, symbol: &Symbol, new_name: &str) -> Option<&'static str> {
     let items = items(db, project);
     let is_own = |known: &SmolStr| matches!(symbol, Symbol::Program(_, old) if old == known);
@@ -138,14 +138,15 @@ pub(crate) fn other_item(db: &dyn Db, project: Project, symbol: &Symbol, new_nam
     }
 }
 
-/// The files that name a symbol.
+/// Files that use a symbol.
 fn users(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = File> {
     let mut files: Vec<File> = uses(db, symbol).map(|(file, ..)| file).collect();
     files.dedup();
     files.into_iter()
 }
 
-/// No local or parameter of the program has the name: it would hide what is renamed, or clash with it.
+/// Checks that no local or parameter of the program has the name, because it would hide or duplicate the renamed
+/// symbol.
 fn not_declared_in(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
     let header = header(db, file);
     let is_new = |name: &SmolStr| name == new_name;
@@ -158,7 +159,7 @@ fn not_declared_in(db: &dyn Db, file: File, new_name: &str) -> Result<(), Rename
     Ok(())
 }
 
-/// The program does not use global data of the name, which a local would hide.
+/// Checks that the program does not use global data of this name, which a local would hide.
 fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
     for project in crate::owner::projects_of(db, file) {
         let data = Symbol::Data(*project, new_name.into());
@@ -169,7 +170,7 @@ fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameEr
     Ok(())
 }
 
-/// The program does not use the name for something that is not known, which would then be what is renamed.
+/// Checks that the program has no unresolved use of `new_name`, which would resolve to the renamed symbol afterwards.
 pub(crate) fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
     if memmem::find(file.text(db).as_bytes(), new_name.as_bytes()).is_none() {
         return Ok(());

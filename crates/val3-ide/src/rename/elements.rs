@@ -1,4 +1,4 @@
-//! Ids of elements of user pages.
+//! Ids of elements in user pages.
 
 use val3_analysis::body::{Expr, body};
 use val3_analysis::db::{Db, File};
@@ -9,7 +9,7 @@ use val3_analysis::pages::{HTML, page_ids, page_name};
 
 use crate::owner::projects_of;
 
-/// Checks that scripts and styles of the page do not name the element, and that no program computes its id.
+/// Checks that no script or style of the page names the element, and that no program computes its id.
 pub(super) fn check_no_other_use(db: &dyn Db, page: File, id: &str) -> Result<(), String> {
     let file = page.path(db).file_name().unwrap_or("");
     if is_named_elsewhere(db, page, id) {
@@ -32,8 +32,8 @@ pub(super) fn check_no_other_use(db: &dyn Db, page: File, id: &str) -> Result<()
     Ok(())
 }
 
-/// Whether the HTML file has the id outside of comments and of the attributes `id` and `for`, as a selector (`#id`) or
-/// between quotes.
+/// Whether the HTML file contains the id as a selector (`#id`) or in quotes, outside comments and the attributes `id`
+/// and `for`.
 fn is_named_elsewhere(db: &dyn Db, page: File, id: &str) -> bool {
     let text = page.text(db);
     let ids = page_ids(db, page);
@@ -49,7 +49,7 @@ fn is_named_elsewhere(db: &dyn Db, page: File, id: &str) -> bool {
     })
 }
 
-/// Checks that the new id is one, and that no other element of the page has it.
+/// Checks that the new id is valid, and that no other element of the page has it.
 pub(super) fn check(db: &dyn Db, page: File, new_id: &str) -> Result<(), String> {
     let is_forbidden = |letter: char| letter.is_whitespace() || letter.is_control() || "\"'&<>\\".contains(letter);
     if new_id.is_empty() || new_id.contains(is_forbidden) {

@@ -1,4 +1,4 @@
-//! Keys of collections, where the code spells them out: `dIn["door"]`.
+//! Literal keys of collections in code, for example `dIn["door"]`.
 
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ use crate::hover::keys_of;
 use crate::owner::owner;
 use crate::references::uses;
 
-/// A quote in a JSON string: `"data": "sText[\"front\"]"`.
+/// Escaped quote in a JSON string: `"data": "sText[\"front\"]"`.
 const JSON_QUOTE: &str = "\\\"";
 
 /// A key of a collection and its range.
@@ -30,26 +30,26 @@ pub(super) struct Key {
     pub(super) range: TextRange,
 }
 
-/// The text after the name of a container.
+/// Index after the name of a container.
 pub(crate) enum Index {
-    /// A number, or a text between quotes.
+    /// A number, or a string literal.
     Literal {
-        /// The number or the key, with entity references replaced.
+        /// Number or key, with entities decoded.
         text: String,
-        /// The place of the text without quotes.
+        /// Range without quotes.
         range: TextRange,
-        /// The place with the quotes.
+        /// Range including quotes.
         whole: TextRange,
-        /// It has quotes.
+        /// Whether it has quotes.
         is_key: bool,
     },
-    /// Something that is computed.
+    /// A computed index.
     Computed,
     /// No index.
     None,
 }
 
-/// The key of a collection at a position, in code or in a data file.
+/// Key of a collection at a position, in code or in a data file.
 pub(super) fn key_at(db: &dyn Db, at: FilePosition) -> Option<Key> {
     let project = owner(db, at.file)?;
     key_in_data(db, project, at).or_else(|| key_after_name(db, project, at))
@@ -70,7 +70,7 @@ fn key_attributes<'g>(element: Element<'g>) -> impl Iterator<Item = Attribute<'g
 
 fn key_after_name(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
     let text: &str = at.file.text(db);
-    // The name before the cursor.
+    // The last name before the cursor.
     let before = occurrences(db, project, at.file).iter().rev().find(|found| found.range.end() <= at.offset)?;
     let (owner, name) = collection(db, before)?;
     match index(text, before.range.end()) {
@@ -87,7 +87,7 @@ fn collection<'o>(db: &dyn Db, found: &'o Occurrence) -> Option<(Project, &'o Sm
     (item.decl.container == Container::Collection).then_some((*project, name))
 }
 
-/// The text in the brackets after a name, in code, in a reference to a father, or in the bindings of a page.
+/// Index in the brackets after a name, in code, in a father reference, or in the bindings of a page.
 pub(crate) fn index(text: &str, end: TextSize) -> Index {
     let rest = text.part(usize::from(end)..);
     let is_blank = [' ', '\t'];
@@ -110,7 +110,7 @@ pub(crate) fn index(text: &str, end: TextSize) -> Index {
     Index::Literal { text: shown, range, whole, is_key: true }
 }
 
-/// The number at the start of the text in brackets.
+/// Number at the start of the text in brackets.
 fn number(inside: &str, start: TextSize) -> Index {
     let digits = inside.trim_start_matches(|letter: char| letter.is_ascii_digit());
     let number = inside.strip_suffix(digits).unwrap_or("");
@@ -121,7 +121,7 @@ fn number(inside: &str, start: TextSize) -> Index {
     Index::Literal { text: number.to_owned(), range, whole: range, is_key: false }
 }
 
-/// The keys by which programs name the values of a collection, in the order of the alphabet.
+/// Literal keys with which programs access the collection, in alphabetical order.
 pub(crate) fn spelt_keys(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
     let symbol = Symbol::Data(project, name.into());
     let literal = |(file, _, range): (File, Project, TextRange)| match index(file.text(db), range.end()) {
@@ -132,7 +132,7 @@ pub(crate) fn spelt_keys(db: &dyn Db, project: Project, name: &str) -> Vec<Strin
     keys.into_iter().collect()
 }
 
-/// Calls a key `new_key` wherever it is spelt out.
+/// Renames a key to `new_key` at all literal uses.
 pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceChange, RenameError> {
     check(db, found, new_key)?;
     let mut change = SourceChange::default();

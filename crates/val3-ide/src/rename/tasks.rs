@@ -1,4 +1,4 @@
-//! Names of tasks, which are texts: `taskKill("watch")`.
+//! Names of tasks, which are strings: `taskKill("watch")`.
 
 use val3_analysis::body::{Expr, body};
 use val3_analysis::db::{Db, Project};
@@ -9,7 +9,7 @@ use val3_lang::tasks::{NameFault, name_fault};
 
 use crate::references::uses;
 
-/// No program computes a name that may be `name`.
+/// Checks that no program computes a task name that may equal `name`.
 pub(super) fn no_computed_name(db: &dyn Db, project: Project, name: &str) -> Result<(), String> {
     for file in program_files(db, project) {
         let body = body(db, *file);
@@ -27,7 +27,7 @@ pub(super) fn no_computed_name(db: &dyn Db, project: Project, name: &str) -> Res
     Ok(())
 }
 
-/// The new name is one for a task of the project, and no other task has it.
+/// Checks that the new name is a valid task name, and that no other task of the project has it.
 pub(super) fn check(db: &dyn Db, project: Project, new_name: &str) -> Result<(), String> {
     if let Some(fault) = name_fault(new_name, items(db, project).version) {
         return Err(match fault {

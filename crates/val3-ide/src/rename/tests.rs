@@ -61,7 +61,7 @@ fn renaming_a_program_renames_its_file() {
     );
 }
 
-/// The controller's media do not tell letter cases apart, so that entry, file and program are one name.
+/// The controller's media ignore letter case, so the element, the file and the program have the same name.
 #[test]
 fn a_file_and_its_entry_have_the_name_in_any_letter_case() {
     let listing = |entry: &str, file: &str| {
@@ -99,7 +99,7 @@ fn a_file_and_its_entry_have_the_name_in_any_letter_case() {
         PICK.pgx moves to grab.pgx
     "#]],
     );
-    // Another name of the file is no name of the program.
+    // A file with another name than the program is not renamed.
     check(
         &listing("take.pgx", "take.pgx"),
         "grab",

@@ -1,4 +1,4 @@
-//! Help in `{…}` and `[…]`: the fields of a type, the indexes of an array, the keys of a collection.
+//! Signature help in `{…}` and `[…]`: type fields, array indexes, collection keys.
 
 use val3_analysis::ty::Base;
 use val3_lang::types::{Arm, BaseType, Container, Field, fields};
@@ -10,10 +10,10 @@ use crate::hover::{field_line, keys_of};
 use crate::line::{Bracket, LineTokens, Names, expected};
 use crate::markdown::code;
 
-/// Keys that are shown at most.
+/// Limit of displayed keys.
 const SHOWN: usize = 10;
 
-/// The bracket around the cursor, if it is no call.
+/// Help for the bracket around the cursor; `None` for a call.
 pub(super) fn help(names: &Names<'_>, line: &LineTokens) -> Option<SignatureHelp> {
     let (bracket, active_parameter) = Bracket::around(line)?;
     let forms: Vec<Form> = match bracket {
@@ -26,7 +26,7 @@ pub(super) fn help(names: &Names<'_>, line: &LineTokens) -> Option<SignatureHelp
     (!forms.is_empty()).then_some(SignatureHelp { forms, active_form: 0, active_parameter })
 }
 
-/// `mdesc {num accel, num vel, …}`
+/// Help for a literal, for example `mdesc {num accel, num vel, …}`.
 fn literal(names: &Names<'_>, base: Base, active: usize) -> Option<Form> {
     let Base::Builtin(ty, arm) = base else { return None };
     let arm: Option<Arm> = arm.or(names.items.arm);
@@ -44,7 +44,7 @@ fn page(names: &Names<'_>, ty: BaseType, field: &Field) -> String {
     format!("`{}.{}`: {}", ty.name(), field.name, field_line(names.db, names.project, field))
 }
 
-/// `num nGrid[0..2, 0..3]`, `dio dIn[key]`
+/// Help for an index, for example `num nGrid[0..2, 0..3]` or `dio dIn[key]`.
 fn index(names: &Names<'_>, head: &[SyntaxToken]) -> Option<Form> {
     let ty = names.ty(head);
     let name = head.last().filter(|last| last.kind() == IDENT)?.text();
@@ -52,7 +52,7 @@ fn index(names: &Names<'_>, head: &[SyntaxToken]) -> Option<Form> {
     let (shown, documentation) = match ty.container {
         Container::Collection => (vec!["key".to_owned()], keys(names, head, name)),
         Container::Array { dims } => (dimensions(names, head, dims), String::new()),
-        // A single value has the index 0.
+        // A single value has only the index 0.
         Container::Element if ty.base != Base::Unknown => (vec!["0".to_owned()], String::new()),
         Container::Element => return None,
     };
@@ -68,7 +68,7 @@ fn index(names: &Names<'_>, head: &[SyntaxToken]) -> Option<Form> {
     Some(Form { parameters: parameters.collect(), documentation, line })
 }
 
-/// The indexes of each dimension.
+/// Index ranges, by dimension.
 fn dimensions(names: &Names<'_>, head: &[SyntaxToken], dims: u8) -> Vec<String> {
     match names.sizes(head).filter(|sizes| sizes.len() == usize::from(dims)) {
         Some(sizes) => sizes.iter().map(|size| format!("0..{}", size.saturating_sub(1))).collect(),
@@ -77,7 +77,7 @@ fn dimensions(names: &Names<'_>, head: &[SyntaxToken], dims: u8) -> Vec<String> 
     }
 }
 
-/// The keys of a collection of the project or of a library.
+/// Keys of a collection in the project or in a library.
 fn keys(names: &Names<'_>, head: &[SyntaxToken], name: &str) -> String {
     let before = head.split_last().map_or(&[][..], |(_, before)| before);
     let project = match before.split_last() {

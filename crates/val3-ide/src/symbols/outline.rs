@@ -1,4 +1,4 @@
-//! The outline of one file.
+//! The outline of a file.
 
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::data::DataDecl;
@@ -12,7 +12,7 @@ use val3_lang::types::Container;
 use super::{OutlineItem, SymbolKind};
 use crate::hover::shape;
 
-/// The declarations of a file, in the order of the text.
+/// Declarations of a file, in the order of the text.
 pub fn outline(db: &dyn Db, file: File) -> Vec<OutlineItem> {
     let parse = parse(db, file);
     let view = parse.view();
@@ -60,7 +60,7 @@ fn datum(element: Element<'_>) -> Option<OutlineItem> {
     Some(item(element, element.attribute("name")?, datum_detail(&decl), SymbolKind::Data))
 }
 
-/// `public num[3,4]`
+/// Description of data, for example `public num[3,4]`.
 pub(crate) fn datum_detail(decl: &DataDecl) -> String {
     let access = if decl.public { "public " } else { "" };
     format!("{access}{}{}", decl.type_name, shape(&decl.sizes, decl.container))

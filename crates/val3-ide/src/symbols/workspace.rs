@@ -1,4 +1,4 @@
-//! The search for names.
+//! Symbol search in the workspace.
 
 use val3_analysis::db::{Db, FileRange, Project, Sources};
 use val3_analysis::items::project::items;
@@ -9,7 +9,7 @@ use super::{SymbolKind, WorkspaceSymbol};
 use crate::fuzzy::score;
 use crate::navigate::declaration;
 
-/// The names that match `query`, the most probable first. At most `limit`.
+/// Names that match `query`, the most probable first; at most `limit`.
 pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<WorkspaceSymbol> {
     let mut found: Vec<Candidate> = Vec::new();
     let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
@@ -21,9 +21,9 @@ pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<Workspac
             }
         }
     }
-    // By score, then by name. The sort is stable, so equal names keep the order of their projects.
+    // By score, then by name. The sort is stable, so equal names keep the project order.
     found.sort_by(|a, b| b.score.cmp(&a.score).then_with(|| a.name.cmp(&b.name)));
-    // Places are looked up for those that are shown alone.
+    // Locations are only looked up for the returned names.
     found.into_iter().filter_map(|candidate| candidate.placed(db)).take(limit).collect()
 }
 

@@ -1,4 +1,4 @@
-//! Changes of files as edits of the protocol.
+//! Conversion of file changes to protocol edits.
 
 use serde_json::json;
 use tower_lsp::lsp_types::*;
@@ -10,7 +10,7 @@ use super::edits;
 use crate::session::ClientCommands;
 use crate::snapshot::{Refusal, Snapshot};
 
-/// Why a change cannot be made in this editor, in a sentence for the user.
+/// Reason why the client cannot apply a change, as a sentence for the user.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct ImpossibleChange(&'static str);
 
@@ -20,10 +20,10 @@ impl From<ImpossibleChange> for Refusal {
     }
 }
 
-/// A change of several files. Clients that do not know better get the edits alone, without versions.
+/// Converts a change of several files. Clients without support for `documentChanges` receive edits without versions.
 ///
 /// # Errors
-/// If the client cannot do part of it: half a change would leave a broken application.
+/// If the client cannot apply a part of the change, because half a change would leave a broken application.
 pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Result<WorkspaceEdit, ImpossibleChange> {
     check(snapshot, change)?;
     let files = by_file(snapshot, change);
@@ -48,7 +48,8 @@ pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Resu
     Ok(WorkspaceEdit { document_changes: Some(DocumentChanges::Operations(operations)), ..WorkspaceEdit::default() })
 }
 
-/// Lets the user replace the name that a change made up, or its placeholder, where the client can.
+/// Command by which the user replaces a generated name or placeholder; `None` if there is neither or the client has no
+/// such command.
 pub(crate) fn completion(snapshot: &Snapshot, change: &SourceChange) -> Option<Command> {
     let commands = snapshot.session.commands;
     let name = change.new_name.filter(|_| commands.renames).map(|name| ("Rename", ClientCommands::RENAME, name));
@@ -82,7 +83,7 @@ fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), ImpossibleCha
     Ok(())
 }
 
-/// The edits of each file, files in the order of their first edit.
+/// Edits by file, in the order of the files' first edits.
 fn by_file(snapshot: &Snapshot, change: &SourceChange) -> Vec<(File, Vec<TextEdit>)> {
     let mut files: Vec<(File, Vec<TextEdit>)> = Vec::new();
     for of_file in change.edits.chunk_by(|one, other| one.file == other.file) {
@@ -102,7 +103,7 @@ fn edit(uri: Url, version: Option<i32>, edits: Vec<TextEdit>) -> DocumentChangeO
     DocumentChangeOperation::Edit(TextDocumentEdit { text_document, edits })
 }
 
-/// A new file, and its text put into it.
+/// Operations that create a file and insert its text.
 fn creation(uri: Url, text: &str) -> [DocumentChangeOperation; 2] {
     let create = CreateFile { uri: uri.clone(), options: None, annotation_id: None };
     let whole = TextEdit { range: Range::default(), new_text: text.to_owned() };

@@ -1,11 +1,11 @@
-//! Texts in Markdown, for clients that show it and those that do not.
+//! Markdown text for clients with and without Markdown support.
 
 use tower_lsp::lsp_types::{Documentation, MarkupContent, MarkupKind};
 use val3_syntax::Part;
 
 use crate::session::TextFormat;
 
-/// A text in Markdown, as such or without its marks.
+/// Text as Markdown, or as plain text without markup.
 pub(crate) fn markup(format: TextFormat, text: String) -> MarkupContent {
     match format {
         TextFormat::Markdown => MarkupContent { kind: MarkupKind::Markdown, value: text },
@@ -15,7 +15,7 @@ pub(crate) fn markup(format: TextFormat, text: String) -> MarkupContent {
     }
 }
 
-/// As [`markup`], where the protocol also allows a plain string.
+/// Like [`markup`], for fields in which the protocol also accepts a plain string.
 pub(crate) fn documentation(format: TextFormat, text: String) -> Documentation {
     match format {
         TextFormat::Plain => Documentation::String(plain(&text)),
@@ -23,9 +23,9 @@ pub(crate) fn documentation(format: TextFormat, text: String) -> Documentation {
     }
 }
 
-/// The text without the marks of headings, code and emphasis. Code stays to the letter.
+/// Removes the markup of headings, code and emphasis. Code is unchanged.
 fn plain(markdown: &str) -> String {
-    // The fence that ends the present block of code.
+    // Fence that ends the current code block.
     let mut fence: Option<&str> = None;
     let mut lines: Vec<String> = Vec::new();
     for line in markdown.lines() {
@@ -41,7 +41,7 @@ fn plain(markdown: &str) -> String {
     lines.join("\n").trim().to_owned()
 }
 
-/// The backticks with which a line begins a block of code.
+/// Backticks with which a line opens a code block.
 fn fence_of(line: &str) -> Option<&str> {
     let line = line.trim_start();
     let marks = line.find(|letter| letter != '`').unwrap_or(line.len());
@@ -76,7 +76,7 @@ fn first(text: &str) -> Option<(char, &str)> {
     letters.next().map(|letter| (letter, letters.as_str()))
 }
 
-/// The code between backticks at the start of a text, and the text after it.
+/// Code between the backticks at the start of `text`, and the text after the code span.
 fn code_span(text: &str) -> Option<(&str, &str)> {
     let marks = text.find(|letter| letter != '`').unwrap_or(text.len());
     let (fence, inside) = text.split_at_checked(marks).filter(|(fence, _)| !fence.is_empty())?;

@@ -1,4 +1,4 @@
-//! A server in the usual design, for comparison: shared state in a mutex, asynchronous handlers that wait before they
+//! Server of the usual design, for comparison: shared state in a mutex, asynchronous handlers that await before they
 //! lock it, and the message loop of tower-lsp with its limits.
 
 use std::io::{PipeReader, PipeWriter, Read as _};
@@ -25,7 +25,7 @@ impl LanguageServer for NaiveServer {
     }
 
     async fn did_change(&self, params: DidChangeTextDocumentParams) {
-        // As when the text is parsed before the state is touched: the longer the text, the longer it takes.
+        // Simulates a server that parses the text before it updates the state: a longer text takes more time.
         let version = params.text_document.version;
         for _ in 0..(version * 7) % 5 {
             tokio::task::yield_now().await;

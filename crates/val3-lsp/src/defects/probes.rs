@@ -1,4 +1,4 @@
-//! Our server with a few more requests, which do what is hard to bear.
+//! This server with additional requests that stress it.
 
 use std::io::{PipeReader, PipeWriter};
 
@@ -69,7 +69,7 @@ fn version(snapshot: &Snapshot, asked: &DocumentParams) -> Result<Option<i32>, R
     Ok(snapshot.documents.get(&asked.uri).map(|document| document.version))
 }
 
-/// Computes until it is stopped.
+/// Computes until it is cancelled.
 fn spin<T>(snapshot: &Snapshot) -> Result<T, Refusal> {
     snapshot.outbox.notify::<Spinning>(Value::Null);
     loop {

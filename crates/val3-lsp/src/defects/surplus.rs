@@ -1,4 +1,4 @@
-//! Memory of a workspace with many files.
+//! Memory use of a workspace with many files.
 
 use serde_json::{Value, json};
 
@@ -38,7 +38,7 @@ fn write(path: &std::path::Path, text: &str) {
     val3_files::replace(path, text.as_bytes()).unwrap();
 }
 
-/// Waits until the server has freed what an answered request left.
+/// Waits until the server has freed the syntax trees of a completed request.
 fn wait_for_few_trees(client: &mut Client) {
     let count = |client: &mut Client| client.ask("test/trees", json!({})).as_u64();
     let is_freed = (0..500).any(|_| {

@@ -1,4 +1,4 @@
-//! The capabilities of the server.
+//! Server capabilities.
 
 use serde_json::{Map, Value, json};
 use tower_lsp::lsp_types::*;
@@ -8,7 +8,7 @@ use val3_lines::Unit;
 use super::{code_action, execute_command, file_operations, text_document_content};
 use crate::session::Session;
 
-/// The answer to `initialize`.
+/// Capabilities in the response to `initialize`.
 pub(crate) fn capabilities(session: &Session) -> ServerCapabilities {
     ServerCapabilities {
         position_encoding: Some(position_encoding(session.encoding)),
@@ -30,7 +30,7 @@ pub(crate) fn capabilities(session: &Session) -> ServerCapabilities {
     }
 }
 
-/// Features that show something around the text or in it.
+/// Features that show information in or next to the text.
 fn showing(others: ServerCapabilities) -> ServerCapabilities {
     ServerCapabilities {
         hover_provider: Some(HoverProviderCapability::Simple(true)),
@@ -46,7 +46,7 @@ fn showing(others: ServerCapabilities) -> ServerCapabilities {
     }
 }
 
-/// Ways from one place to another.
+/// Navigation features.
 fn navigation(others: ServerCapabilities) -> ServerCapabilities {
     ServerCapabilities {
         definition_provider: Some(OneOf::Left(true)),
@@ -67,7 +67,7 @@ fn navigation(others: ServerCapabilities) -> ServerCapabilities {
     }
 }
 
-/// Features that change the text.
+/// Features that change text.
 fn writing(others: ServerCapabilities) -> ServerCapabilities {
     ServerCapabilities {
         completion_provider: Some(completion()),
@@ -109,7 +109,7 @@ fn signature_help() -> SignatureHelpOptions {
     }
 }
 
-/// Adds to [`capabilities`] what their type in lsp-types has no field for.
+/// Adds the capabilities that have no field in lsp-types.
 pub(crate) fn add_capabilities_without_type(capabilities: &mut Map<String, Value>) {
     capabilities.insert("typeHierarchyProvider".to_owned(), Value::Bool(true));
     if let Some(workspace) = capabilities.get_mut("workspace").and_then(Value::as_object_mut) {

@@ -13,13 +13,13 @@ use super::execute_command::apply;
 use crate::convert::{ImpossibleChange, completion, diagnostic, workspace_edit};
 use crate::snapshot::{Refusal, Snapshot};
 
-/// All safe fixes of a file; no assist is called like that.
+/// Action id for all safe fixes of a file; no assist has this id.
 const FIX_ALL: &str = "fix-all";
 
-/// Sorting a list of a project file.
+/// Action kind for sorting a list in a project file.
 const SORT: CodeActionKind = CodeActionKind::new("source.sort");
 
-/// The kinds of what is offered.
+/// Kinds of the offered actions.
 pub(super) const KINDS: [CodeActionKind; 6] = [
     CodeActionKind::QUICKFIX,
     CodeActionKind::REFACTOR_EXTRACT,
@@ -29,10 +29,10 @@ pub(super) const KINDS: [CodeActionKind; 6] = [
     SORT,
 ];
 
-/// An offered action and its place, from which the edit can be computed later.
+/// An offered action and its range, from which the edit is computed later.
 #[derive(Clone, Serialize, Deserialize)]
 struct CodeActionData {
-    /// That of the assist, or [`FIX_ALL`].
+    /// Assist id, or [`FIX_ALL`].
     id: String,
     uri: Url,
     range: Range,
@@ -58,7 +58,7 @@ pub(crate) fn code_action(
     let is_lazy = is_lazy(snapshot, file);
     actions.extend(assists.into_iter().filter_map(|found| assist(snapshot, at, found, &place, is_lazy)));
     if wanted.has(&CodeActionKind::SOURCE_FIX_ALL) {
-        // Clients that ask for this kind when a file is saved rarely resolve actions.
+        // Clients that request this kind when a file is saved rarely resolve actions.
         actions.extend(fix_all(snapshot, at, &place, is_lazy && wanted.0.is_none()));
     }
     let answer = actions.into_iter().filter_map(|action| match snapshot.session.client.has_code_actions {
@@ -68,12 +68,12 @@ pub(crate) fn code_action(
     Ok(Some(answer.collect()))
 }
 
-/// The fixes of the findings at a place.
+/// Fixes for the findings in a range.
 fn quick_fixes(snapshot: &Snapshot, at: FileRange) -> Vec<CodeAction> {
     let mut actions: Vec<CodeAction> = Vec::new();
     for findings in snapshot.findings(at.file) {
         for fix in snapshot.with_fixes(|context| val3_ide::quick_fixes(context, &findings, at)) {
-            // Two projects that share a file have most findings in common.
+            // Two projects that share a file report most findings in it twice.
             actions.extend(quick_fix(snapshot, fix).filter(|action| !actions.contains(action)));
         }
     }
@@ -97,13 +97,14 @@ fn quick_fix(snapshot: &Snapshot, fix: QuickFix<'_>) -> Option<CodeAction> {
     }
 }
 
-/// An action that cannot be done, with the reason, for clients that show it.
+/// A disabled action with the reason; `None` if the client does not show disabled actions.
 fn disabled(snapshot: &Snapshot, action: CodeAction, reason: String) -> Option<CodeAction> {
     let is_shown = snapshot.session.client.shows_disabled;
     is_shown.then_some(CodeAction { disabled: Some(CodeActionDisabled { reason }), ..action })
 }
 
-/// All safe fixes of a file at once; if several projects share it, those of the first with safe fixes.
+/// Action that applies all safe fixes of a file. If several projects share the file, it uses the first project with
+/// safe fixes.
 fn fix_all(snapshot: &Snapshot, at: FileRange, place: &CodeActionData, is_lazy: bool) -> Option<CodeAction> {
     let is_safe = |found: &Diagnostic| found.place.file == at.file && found.fix.as_ref().is_some_and(|fix| fix.safe);
     snapshot.findings(at.file).find(|findings| findings.iter().any(is_safe))?;
@@ -126,7 +127,7 @@ fn assist(
     offer(snapshot, found.id, at, action, place, is_lazy)
 }
 
-/// An action with its edit, or with what is needed to compute that later.
+/// An action with its edit, or with the data from which the edit is computed later.
 fn offer(
     snapshot: &Snapshot,
     id: &str,
@@ -142,13 +143,14 @@ fn offer(
     complete(snapshot, action, &change_of(snapshot, id, at)?).ok()
 }
 
-/// The action with its edit, and with what the client does after it.
+/// The action with its edit, and with the command that the client executes afterwards.
 fn complete(snapshot: &Snapshot, action: CodeAction, change: &SourceChange) -> Result<CodeAction, ImpossibleChange> {
     let edit = Some(workspace_edit(snapshot, change)?);
     Ok(CodeAction { edit, command: completion(snapshot, change), ..action })
 }
 
-/// The client asks for the edit of the action that is chosen, and no part of one can be impossible.
+/// Whether edits are computed when the client resolves an action. Required: the client resolves edits, supports all
+/// file operations, so that no edit is impossible, and a project lists the file.
 fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
     let client = snapshot.session.client;
     let can_all = client.changes_files.creates && client.changes_files.renames && client.changes_files.deletes;
@@ -157,7 +159,7 @@ fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
     client.resolves_edits && can_all && is_listed
 }
 
-/// The change that an action makes; `None` if there is nothing to do.
+/// Change made by an action; `None` if there is nothing to change.
 fn change_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<SourceChange> {
     match id {
         FIX_ALL => {
@@ -170,7 +172,8 @@ fn change_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<SourceChang
     }
 }
 
-/// The edit of an action that was chosen. Its place means another one if the document was edited since.
+/// Computes the edit of a chosen action. Fails as outdated if the document was edited, because the range is no longer
+/// valid.
 pub(crate) fn resolve(snapshot: &Snapshot, action: &CodeAction) -> Result<CodeAction, Refusal> {
     let mut action = action.clone();
     let Some(offered) = action.data.take().and_then(|data| serde_json::from_value::<CodeActionData>(data).ok()) else {
@@ -188,12 +191,12 @@ pub(crate) fn resolve(snapshot: &Snapshot, action: &CodeAction) -> Result<CodeAc
     Ok(complete(snapshot, action, &change)?)
 }
 
-/// For clients that know commands alone: the server asks them to make the edit.
+/// The action as a command, for clients that accept only commands: the server then requests the edit.
 fn command(snapshot: &Snapshot, action: CodeAction) -> Option<Command> {
     apply(snapshot, action.title, action.edit?)
 }
 
-/// The kinds that a client asks for; a kind asks for those below it as well.
+/// Action kinds requested by the client; a kind includes all kinds below it.
 struct RequestedKinds<'a>(Option<&'a [CodeActionKind]>);
 
 impl RequestedKinds<'_> {

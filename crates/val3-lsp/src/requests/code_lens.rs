@@ -11,7 +11,7 @@ use crate::display_cache::Fingerprint;
 use crate::session::ClientCommands;
 use crate::snapshot::{Refusal, Snapshot};
 
-/// Where a number of uses is to be shown.
+/// Document of a reference lens, from which the count is computed later.
 #[derive(Serialize, Deserialize)]
 struct UsesLensData {
     uri: Url,
@@ -27,12 +27,12 @@ pub(crate) fn code_lens(snapshot: &Snapshot, params: &CodeLensParams) -> Result<
     Ok(Some(lenses))
 }
 
-/// The lenses for the current state.
+/// Fingerprint of the current lenses; `None` for an unknown document.
 pub(crate) fn current_lenses(snapshot: &Snapshot, uri: &Url) -> Option<Fingerprint> {
     lenses(snapshot, uri).ok().map(|lenses| Fingerprint::of(&lenses))
 }
 
-/// The current number of uses of a lens.
+/// Current reference count of a lens.
 pub(crate) fn current_uses(snapshot: &Snapshot, uri: &Url, lens: Range) -> Option<usize> {
     snapshot.file(uri).ok().map(|file| places(snapshot, file, lens).len())
 }
@@ -57,7 +57,7 @@ fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
     let found = val3_ide::code_lenses(snapshot.db(), file);
     let is_test = found.iter().any(|lens| matches!(lens.kind, LensKind::RunTest(_)));
     let is_known = |found: &val3_ide::CodeLens| match found.kind {
-        // A test is executed as one, if the client can do so.
+        // A test has no "run" lens if the client can execute it as a test.
         LensKind::Run(manifest) => commands.runs && !(is_test && commands.runs_tests) && snapshot.is_shown(manifest),
         LensKind::Debug(manifest) => {
             commands.debugs && !(is_test && commands.debugs_tests) && snapshot.is_shown(manifest)
@@ -69,13 +69,13 @@ fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
     Ok(found.into_iter().filter(is_known).map(lens).collect())
 }
 
-/// A command of the client with the `.pjx` and the name of the program.
+/// Client command with the `.pjx` and the program name.
 fn start(snapshot: &Snapshot, (title, command): (&str, &str), manifest: File, program: &str) -> Command {
     let arguments = vec![json!(snapshot.uri(manifest)), json!(program)];
     Command { title: title.to_owned(), command: command.to_owned(), arguments: Some(arguments) }
 }
 
-/// The number of uses, once the line is on the screen.
+/// Computes the reference count of a lens when it becomes visible.
 pub(crate) fn resolve(snapshot: &Snapshot, lens: &CodeLens) -> Result<CodeLens, Refusal> {
     let mut lens = lens.clone();
     let Some(counted) = lens.data.take().and_then(|data| serde_json::from_value::<UsesLensData>(data).ok()) else {
@@ -94,13 +94,13 @@ pub(crate) fn resolve(snapshot: &Snapshot, lens: &CodeLens) -> Result<CodeLens, 
     Ok(lens)
 }
 
-/// The uses that a lens counts.
+/// References counted by a lens.
 fn places(snapshot: &Snapshot, file: File, lens: Range) -> Vec<FileRange> {
     let range = snapshot.lines(file).text_range(lens);
     val3_ide::lens_references(snapshot.db(), FileRange { file, range })
 }
 
-/// A client that cannot show the places shows their number alone, as a command without a name.
+/// Command that shows the references. For a client without support it has no name and only shows the count.
 fn references(snapshot: &Snapshot, uri: &Url, lens: &CodeLens, places: &[Location]) -> Command {
     let title = match places.len() {
         1 => "1 reference".to_owned(),

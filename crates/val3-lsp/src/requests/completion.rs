@@ -9,7 +9,7 @@ use super::execute_command::apply;
 use crate::convert::{completion_kind, documentation, edits, workspace_edit};
 use crate::snapshot::{Refusal, Snapshot};
 
-/// Where an item was offered, so that its documentation can be found later.
+/// Position of the completion, for a later lookup of the documentation.
 #[derive(Serialize, Deserialize)]
 struct CompletionItemData {
     uri: Url,
@@ -29,18 +29,18 @@ pub(crate) fn completion(
     let data = serde_json::to_value(offered).ok();
     let found = val3_ide::completions(snapshot.db(), at);
     let items = found.iter().enumerate().filter_map(|(rank, found)| item(snapshot, at.file, rank, found, data.clone()));
-    // More letters may fit what few letters left out.
+    // The list is incomplete, because further letters may match items that were omitted for short input.
     Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: true, items: items.collect() })))
 }
 
-/// The client asks because a blank was typed.
+/// Whether a typed space triggered the completion.
 fn is_after_blank(params: &CompletionParams) -> bool {
     let context = params.context.as_ref();
     context.and_then(|context| context.trigger_character.as_deref()) == Some(" ")
 }
 
-/// `None` if the item also changes another file and the client does not support such edits: applying half of the edits
-/// would be a mistake.
+/// Converts an item. `None` if the item also changes another file and the client does not support such edits, because
+/// applying only half of the edits would break the code.
 fn item(
     snapshot: &Snapshot,
     file: File,
@@ -78,18 +78,18 @@ fn commit_characters(snapshot: &Snapshot, found: &Completion) -> Option<Vec<Stri
     is_taken_by_some.then(|| found.commit.iter().map(char::to_string).collect())
 }
 
-/// Its documentation can be asked for.
+/// Whether documentation is available for the item.
 fn has_documentation(found: &Completion) -> bool {
     found.symbol.is_some() || found.documentation.is_some() || found.kind == CompletionKind::Keyword
 }
 
-/// Editors put first what fits in whole. A name that would be declared always does, and must not come before those that
-/// begin like it.
+/// Text that the editor filters by. Editors sort exact matches first. An item that declares a new name always matches
+/// exactly, so a trailing space keeps it below existing names with the same prefix.
 fn filter_text(found: &Completion) -> String {
     if found.additional.is_empty() { found.label.clone() } else { format!("{} ", found.label) }
 }
 
-/// The edits of an item in other files, which the client is asked to make once the item was taken.
+/// Command by which the client applies the item's edits in other files after it was accepted.
 fn declaring(snapshot: &Snapshot, elsewhere: &[&FileEdit]) -> Option<Command> {
     let edits = elsewhere.iter().copied().cloned().collect();
     let change = SourceChange { edits, ..SourceChange::default() };
@@ -106,8 +106,8 @@ pub(crate) fn resolve(snapshot: &Snapshot, item: &CompletionItem) -> Result<Comp
     Ok(item)
 }
 
-/// The text may have changed since the completion, so the completions at the position are computed again to find the
-/// name.
+/// Documentation for an item. The text may have changed since the completion, so the completions at the position are
+/// computed again.
 fn page(snapshot: &Snapshot, offered: &CompletionItemData, item: &CompletionItem) -> Option<String> {
     let at = snapshot.position_in(&offered.uri, offered.position).ok()?;
     let project = val3_ide::owner(snapshot.db(), at.file)?;

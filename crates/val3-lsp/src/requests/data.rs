@@ -16,7 +16,7 @@ use val3_ide::SourceChange;
 use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
 
-/// The tables of a data file, or their changes.
+/// Request for the tables of a data file, or for the changes since an earlier response.
 pub(crate) enum Data {}
 
 impl Request for Data {
@@ -25,7 +25,7 @@ impl Request for Data {
     const METHOD: &'static str = "val3/data";
 }
 
-/// The edits of a data file that a change of its tables means.
+/// Request for the text edits that implement edits of the tables.
 pub(crate) enum EditData {}
 
 impl Request for EditData {
@@ -34,7 +34,7 @@ impl Request for EditData {
     const METHOD: &'static str = "val3/editData";
 }
 
-/// The places of points, frames and tools.
+/// Request for the poses of points, frames and tools.
 pub(crate) enum DataPoses {}
 
 impl Request for DataPoses {
@@ -113,12 +113,12 @@ fn changes(
     }
 }
 
-/// The findings of a file on their cells.
+/// Findings of a file, by table cell.
 fn cell_findings(snapshot: &Snapshot, file: File) -> Vec<DataFinding> {
     convert::findings(snapshot, val3_ide::data_findings(snapshot.db(), file, findings(snapshot, file)))
 }
 
-/// The findings in a file. Projects that share it have most of them in common.
+/// Findings in a file. Findings reported by several projects that share the file are returned once.
 fn findings(snapshot: &Snapshot, file: File) -> Vec<Diagnostic> {
     let mut known = FxHashSet::default();
     let found = snapshot.findings(file).flatten().filter(|found| found.place.file == file);
@@ -146,7 +146,7 @@ pub(crate) fn edit_data(snapshot: &Snapshot, params: &EditDataParams) -> Result<
     }
 }
 
-/// The findings that a change adds to a file.
+/// Findings that a change adds to a file.
 fn added(snapshot: &Snapshot, file: File, change: &SourceChange) -> Vec<DataFinding> {
     let before = val3_ide::data_findings(snapshot.db(), file, findings(snapshot, file));
     let added = snapshot.with_fixes(|context| val3_ide::added_data_findings(context, file, change, &before));

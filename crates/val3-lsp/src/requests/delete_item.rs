@@ -1,4 +1,4 @@
-//! `val3/delete`: the edit that deletes a program, data, a library or a type, and the places that still use it.
+//! `val3/delete`: the edit that deletes a program, data, a library or a type, and the remaining uses.
 
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
@@ -17,7 +17,7 @@ impl Request for Delete {
     const METHOD: &'static str = "val3/delete";
 }
 
-/// The edit, and the uses that remain.
+/// The edit, and the remaining uses.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Deletion {
     edit: WorkspaceEdit,

@@ -41,7 +41,7 @@ pub(crate) fn document(
     Ok(DocumentDiagnosticReportResult::Report(report))
 }
 
-/// The findings in a document, by what the answer to the question for them calls them.
+/// Result id of the findings in a document.
 pub(crate) fn current_report(snapshot: &Snapshot, uri: &Url) -> String {
     id(&findings(snapshot, uri))
 }
@@ -58,7 +58,7 @@ fn findings(snapshot: &Snapshot, uri: &Url) -> Vec<Diagnostic> {
     items
 }
 
-/// The faults of a configuration; none for anything else.
+/// Faults of a configuration; empty for any other file.
 fn of_configuration(snapshot: &Snapshot, uri: &Url) -> Vec<Diagnostic> {
     let Some(path) = uri::path(uri, None) else { return Vec::new() };
     let faults = snapshot.faults.iter().filter(|fault| is_same(&fault.path, &path));
@@ -70,10 +70,11 @@ fn is_configuration(uri: &Url) -> bool {
     path.is_some_and(|path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(val3_config::FILE_NAME)))
 }
 
-/// Trees that a part of the check of the workspace adds. The results of queries that it needs are about as many.
+/// Number of syntax trees that one part of the workspace check may add. It also bounds the memoised query results,
+/// whose number is similar.
 const TREES_OF_PART: usize = 512;
 
-/// The progress of the check, which the client shows until the last part is computed.
+/// Progress report of the check, shown by the client until the last part is computed.
 #[derive(Default)]
 pub(crate) struct PullProgress(Option<Progress>);
 
@@ -86,13 +87,13 @@ pub(crate) fn workspace(
     if !check(snapshot, params, progress) {
         return Part::More;
     }
-    // A token is valid until the answer.
+    // A token is valid until the response.
     progress.0 = None;
     let mut files: BTreeMap<Url, Vec<Diagnostic>> = BTreeMap::new();
     let mut known: FxHashMap<&Url, &str> = FxHashMap::default();
     for previous in &params.previous_result_ids {
         known.insert(&previous.uri, &previous.value);
-        // Findings that have disappeared since are cleared.
+        // Findings that no longer exist are cleared.
         files.insert(previous.uri.clone(), Vec::new());
     }
     for project in snapshot.projects.iter() {
@@ -112,14 +113,14 @@ pub(crate) fn workspace(
     Part::Last(WorkspaceDiagnosticReportResult::Report(WorkspaceDiagnosticReport { items: items.collect() }))
 }
 
-/// Checks the projects that are not checked yet, up to the first after which data should be freed. Whether all are done.
+/// Checks unchecked projects until data should be freed. Returns whether all projects are checked.
 fn check(snapshot: &Snapshot, params: &WorkspaceDiagnosticParams, progress: &mut PullProgress) -> bool {
     let Some(settings) = snapshot.settings else { return true };
     if progress.0.is_none() {
         let token = params.work_done_progress_params.work_done_token.clone().or_else(|| snapshot.first_pull.take());
         progress.0 = token.map(|token| Progress::begin(snapshot.outbox.clone(), token, "checking the projects"));
     }
-    // What is added is a measure of the work only if the trees of earlier requests are gone.
+    // The number of added trees measures the work only after the trees of earlier requests are freed.
     snapshot.db().trees().keep_latest(TREES);
     for (done, project) in (1..).zip(snapshot.projects.iter()) {
         val3_ide::check_project(snapshot.db(), settings, *project);
@@ -153,14 +154,14 @@ fn report(
     }
 }
 
-/// A file that two projects share has most of its findings twice.
+/// Adds a finding once, although two projects that share a file report it twice.
 fn add(items: &mut Vec<Diagnostic>, found: Diagnostic) {
     if !items.contains(&found) {
         items.push(found);
     }
 }
 
-/// The same findings have the same identifier.
+/// Result id: equal for equal findings.
 fn id(items: &[Diagnostic]) -> String {
     let mut hasher = FxHasher::default();
     serde_json::to_string(items).unwrap_or_default().hash(&mut hasher);

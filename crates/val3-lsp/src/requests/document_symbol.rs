@@ -59,7 +59,7 @@ fn flatten(
     item.children.iter().for_each(|child| flatten(child, Some(&item.name), uri, lines, flat));
 }
 
-/// Clients refuse a symbol without a name.
+/// Display name of a symbol. Clients reject a symbol without a name.
 fn name(item: &OutlineItem) -> String {
     if item.name.trim().is_empty() { "(no name)".to_owned() } else { item.name.to_string() }
 }

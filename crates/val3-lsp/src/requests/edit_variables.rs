@@ -1,4 +1,4 @@
-//! `val3/editVariables`: other parameters and locals for a program, with everything that follows from them.
+//! `val3/editVariables`: replaces the parameters and locals of a program, and changes all affected calls and uses.
 
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
@@ -20,17 +20,17 @@ impl Request for EditVariables {
     const METHOD: &'static str = "val3/editVariables";
 }
 
-/// The program with its new variables.
+/// A program with its new variables.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct EditVariablesParams {
     uri: Url,
-    /// The version of the document that the client has seen; `null` for a file that is not open.
+    /// Document version on which the edit is based; `null` for a file that is not open.
     version: Option<i32>,
     program: String,
     edits: VariableEdits,
 }
 
-/// All parameters and all locals, in their order. A missing list stays as it is.
+/// All parameters and all locals, in order. A missing list is unchanged.
 #[derive(Debug, Serialize, Deserialize)]
 struct VariableEdits {
     parameters: Option<Vec<ParameterEdit>>,
@@ -39,14 +39,14 @@ struct VariableEdits {
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct ParameterEdit {
-    /// The index that it had; missing for a new one.
+    /// Previous index; missing for a new parameter.
     from: Option<usize>,
     name: String,
     r#type: String,
     container: ContainerKind,
     dimensions: Option<u8>,
     passing: Passing,
-    /// The expression that callers pass for a new one.
+    /// Expression that callers pass for a new parameter.
     argument: Option<String>,
 }
 

@@ -1,4 +1,4 @@
-//! `workspace/executeCommand`: edits that the server asks the client to make, and the tests of the workspace.
+//! `workspace/executeCommand`: edits that the client applies on the server's request, and the tests of the workspace.
 
 use serde_json::Value;
 use tower_lsp::lsp_types::request::ApplyWorkspaceEdit;
@@ -7,13 +7,13 @@ use tower_lsp::lsp_types::{ApplyWorkspaceEditParams, Command, ExecuteCommandPara
 use super::test_list::{TESTS, tests};
 use crate::snapshot::{Refusal, Snapshot};
 
-/// Every command.
+/// All commands.
 pub(super) const COMMANDS: [&str; 2] = [APPLY_EDIT, TESTS];
 
-/// Makes the edit that is its argument.
+/// Command that applies the edit in its argument.
 pub(super) const APPLY_EDIT: &str = "val3.applyEdit";
 
-/// The command that makes an edit; `None` where the client makes none that the server asks for.
+/// Command that applies an edit; `None` if the client does not support `workspace/applyEdit`.
 pub(super) fn apply(snapshot: &Snapshot, title: String, edit: WorkspaceEdit) -> Option<Command> {
     let can_apply = snapshot.session.client.applies_edits;
     let argument = serde_json::to_value(edit).ok().filter(|_| can_apply)?;
@@ -30,7 +30,7 @@ pub(crate) fn execute_command(snapshot: &Snapshot, params: &ExecuteCommandParams
     };
     let edit: WorkspaceEdit = edit
         .ok_or_else(|| Refusal::Because(format!("the command `{}` does not accept these arguments", params.command)))?;
-    // A client that refuses says why to its user.
+    // A client that rejects the edit shows the reason itself.
     snapshot.outbox.request::<ApplyWorkspaceEdit>(ApplyWorkspaceEditParams { label: None, edit });
     Ok(None)
 }

@@ -1,4 +1,4 @@
-//! `workspace/willRenameFiles`, `willCreateFiles`, `willDeleteFiles`, and the notifications after each of them.
+//! `workspace/willRenameFiles`, `willCreateFiles`, `willDeleteFiles`, and the notifications that follow them.
 
 use camino::Utf8PathBuf;
 use tower_lsp::lsp_types::*;
@@ -12,7 +12,7 @@ use crate::watching::{Change, files_changed};
 
 type EditResult = Result<Option<WorkspaceEdit>, Refusal>;
 
-/// The files that the client asks about: files of projects, and folders, with which projects move.
+/// Filters for these requests: files of projects, and folders, because projects move with them.
 pub(super) fn capabilities() -> WorkspaceFileOperationsServerCapabilities {
     let filter = |glob: &str, matches| FileOperationFilter {
         scheme: Some("file".to_owned()),
@@ -53,7 +53,7 @@ pub(crate) fn will_delete(snapshot: &Snapshot, params: &DeleteFilesParams) -> Ed
 }
 
 fn answer(snapshot: &Snapshot, change: &SourceChange) -> EditResult {
-    // A change that cannot be followed does not keep the user from changing files.
+    // A change that the client cannot apply must not prevent the file operation.
     Ok(workspace_edit(snapshot, change).ok().filter(|_| !change.is_empty()))
 }
 

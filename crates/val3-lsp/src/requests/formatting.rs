@@ -1,7 +1,7 @@
 //! `textDocument/formatting`, `rangeFormatting` and `onTypeFormatting`
 //!
-//! The options of the client are ignored: `val3.toml` and `.editorconfig` define the layout for all editors and for
-//! `val3 fmt`.
+//! The client's options are ignored: `val3.toml` and `.editorconfig` define the format for all editors and for `val3
+//! fmt`.
 
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::File;

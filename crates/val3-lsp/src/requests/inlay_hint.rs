@@ -10,7 +10,7 @@ use tower_lsp::lsp_types::{
 use crate::display_cache::Fingerprint;
 use crate::snapshot::{Refusal, Snapshot};
 
-/// The place of a hint. A client that shows the code without XML has the hint itself elsewhere.
+/// Position of a hint in the file. A client that shows a code view displays the hint at another position.
 #[derive(Serialize, Deserialize)]
 struct Origin {
     uri: Url,
@@ -26,7 +26,7 @@ pub(crate) fn inlay_hint(snapshot: &Snapshot, params: &InlayHintParams) -> Resul
     Ok(Some(hints))
 }
 
-/// The current hints of a range.
+/// Fingerprint of the current hints in a range.
 pub(crate) fn current_hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Option<Fingerprint> {
     hints(snapshot, uri, range).ok().map(|hints| Fingerprint::of(&hints))
 }
@@ -54,7 +54,7 @@ fn origin(snapshot: &Snapshot, found: &val3_ide::InlayHint, uri: &Url, position:
     leads_on.then(|| serde_json::to_value(Origin { uri: uri.clone(), position }).ok())?
 }
 
-/// Only parts of a label can have a location.
+/// Label of a hint. Only label parts can have a location, which is resolved later.
 fn label(snapshot: &Snapshot, value: String) -> InlayHintLabel {
     match snapshot.session.client.resolves_hints {
         true => InlayHintLabel::LabelParts(vec![InlayHintLabelPart { value, ..InlayHintLabelPart::default() }]),
@@ -62,7 +62,7 @@ fn label(snapshot: &Snapshot, value: String) -> InlayHintLabel {
     }
 }
 
-/// The place of the declaration that the hint is taken from. A hint of an earlier text keeps its label.
+/// Adds the location of the declaration from which the hint is derived. A stale hint keeps its label.
 pub(crate) fn resolve(snapshot: &Snapshot, hint: &InlayHint) -> Result<InlayHint, Refusal> {
     let mut hint = hint.clone();
     let origin = hint.data.clone().and_then(|data| serde_json::from_value::<Origin>(data).ok());
@@ -77,7 +77,7 @@ pub(crate) fn resolve(snapshot: &Snapshot, hint: &InlayHint) -> Result<InlayHint
     Ok(hint)
 }
 
-/// The protocol has two kinds alone.
+/// Hint kind in the protocol, which has only two.
 fn kind(kind: val3_ide::InlayHintKind) -> Option<InlayHintKind> {
     match kind {
         val3_ide::InlayHintKind::Parameter => Some(InlayHintKind::PARAMETER),

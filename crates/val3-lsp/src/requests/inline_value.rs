@@ -5,7 +5,7 @@ use tower_lsp::lsp_types::{InlineValue, InlineValueEvaluatableExpression, Inline
 
 use crate::snapshot::{Refusal, Snapshot};
 
-/// The request. That of lsp-types has a single value as its result.
+/// The request. The type in lsp-types has only one value as its result.
 pub(crate) enum InlineValues {}
 
 impl Request for InlineValues {
@@ -14,8 +14,8 @@ impl Request for InlineValues {
     const METHOD: &'static str = "textDocument/inlineValue";
 }
 
-/// The variables on the lines that are shown, up to the line at which the debugger has stopped. Lines that follow have
-/// not been executed, so that their values would be wrong.
+/// Variables on the visible lines, up to the line at which the debugger has stopped. Later lines have not been
+/// executed, so their values would be wrong.
 pub(crate) fn inline_value(
     snapshot: &Snapshot,
     params: &InlineValueParams,

@@ -1,4 +1,4 @@
-//! `val3/libraries` and `val3/addLibrary`: the projects that can become a library or a type, and the edit for one.
+//! `val3/libraries` and `val3/addLibrary`: projects that can be added as a library or type, and the edit that adds one.
 
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
@@ -13,7 +13,7 @@ use super::workspace_tree::kind_name;
 use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
 
-/// The request for candidates.
+/// Request for candidates.
 pub(crate) enum Libraries {}
 
 impl Request for Libraries {
@@ -22,47 +22,47 @@ impl Request for Libraries {
     const METHOD: &'static str = "val3/libraries";
 }
 
-/// The project that gets a library or a type.
+/// Project to which a library or type is added.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct LibrariesParams {
-    /// Its `.pjx`, or another of its files.
+    /// The project's `.pjx`, or any other project file.
     uri: Url,
 }
 
-/// What the cell has for a project.
+/// Available libraries and types for a project.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct LibraryList {
-    /// The dialect of the project has user types.
+    /// Whether the dialect of the project has user types.
     has_types: bool,
     candidates: Vec<Candidate>,
 }
 
-/// Another project.
+/// A project that can be added.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct Candidate {
     uri: Url,
     /// `application`, `tests`, `library` or `type`.
     kind: String,
-    /// A name that is still free.
+    /// An unused name.
     name: String,
     path: String,
-    /// The identifiers that it has as a library.
+    /// Library identifiers that already refer to the candidate.
     libraries: Vec<String>,
-    /// The names that it has as a type.
+    /// Type names that already refer to the candidate.
     types: Vec<String>,
     public_programs: usize,
     public_data: usize,
-    /// The library identifiers under which it can be loaded.
+    /// Library identifiers under which it can be loaded.
     fits: Vec<String>,
-    /// As a library, it would use itself.
+    /// Whether it would use itself as a library.
     library_circle: bool,
-    /// As a type, it would contain itself.
+    /// Whether it would contain itself as a type.
     type_circle: bool,
 }
 
-/// The request for an edit.
+/// Request for an edit.
 pub(crate) enum AddLibrary {}
 
 impl Request for AddLibrary {
@@ -71,7 +71,7 @@ impl Request for AddLibrary {
     const METHOD: &'static str = "val3/addLibrary";
 }
 
-/// A new entry of a `.pjx`.
+/// A new element of a `.pjx`.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct AddLibraryParams {
     /// The `.pjx`, or another file of the project.

@@ -1,4 +1,4 @@
-//! `val3/page`: the pages of a rule, an instruction, a type or another word, in Markdown.
+//! `val3/page`: the page of a rule, an instruction, a type or another topic, in Markdown.
 
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
@@ -15,19 +15,20 @@ impl Request for Page {
     const METHOD: &'static str = "val3/page";
 }
 
-/// The subject of the request.
+/// Topic of the request.
 #[derive(Debug, Deserialize, Serialize)]
 pub(crate) struct PageParams {
-    /// A word that `val3 explain` accepts: a code (`V0203`), an instruction, a type, the number of a run-time error.
+    /// A word that `val3 explain` accepts, for example a code (`V0203`), an instruction, a type or a run-time error
+    /// number.
     topic: String,
 }
 
 /// The page.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct PageResult {
-    /// Its name in `val3 explain`.
+    /// Topic name in `val3 explain`.
     title: String,
-    /// Markdown.
+    /// Page in Markdown.
     markdown: String,
 }
 

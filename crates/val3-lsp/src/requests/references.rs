@@ -12,7 +12,7 @@ pub(crate) fn references(snapshot: &Snapshot, params: &ReferenceParams) -> Resul
     Ok(Some(of_one_file.flat_map(|places| locations(snapshot, places)).collect()))
 }
 
-/// Places in one file.
+/// Protocol locations of ranges in one file.
 fn locations(snapshot: &Snapshot, places: &[FileRange]) -> Vec<Location> {
     let file = places.first().map(|place| place.file).filter(|file| snapshot.is_shown(*file));
     let Some(file) = file else { return Vec::new() };

@@ -13,13 +13,13 @@ pub(crate) fn selection_range(
         let at = snapshot.position_in(uri, *position)?;
         let lines = snapshot.lines(at.file);
         let ranges = val3_ide::selections(snapshot.db(), at).into_iter().map(|range| lines.range(range));
-        // Every position has a selection, be it an empty one.
+        // The protocol requires a selection for each position, so the fallback is an empty one.
         Ok(nested(ranges.collect()).unwrap_or(SelectionRange { range: Range::new(*position, *position), parent: None }))
     });
     selections.collect::<Result<Vec<_>, _>>().map(Some)
 }
 
-/// The innermost range comes first.
+/// Nests ranges, given from the innermost to the outermost.
 fn nested(ranges: Vec<Range>) -> Option<SelectionRange> {
     let wrap = |parent: Option<SelectionRange>, range| Some(SelectionRange { range, parent: parent.map(Box::new) });
     ranges.into_iter().rev().fold(None, wrap)

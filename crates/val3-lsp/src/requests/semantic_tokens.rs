@@ -56,7 +56,7 @@ fn whole(snapshot: &Snapshot, uri: &Url) -> Result<SemanticTokens, Refusal> {
     Ok(SemanticTokens { result_id: Some(format!("{:x}", hasher.finish())), data })
 }
 
-/// Each token relative to the one before.
+/// Tokens encoded relative to their predecessors.
 fn encoded(snapshot: &Snapshot, file: File, within: Option<TextRange>) -> Vec<SemanticToken> {
     let lines = snapshot.lines(file);
     let mut before = Position::default();
@@ -78,8 +78,8 @@ fn encoded(snapshot: &Snapshot, file: File, within: Option<TextRange>) -> Vec<Se
     relative.collect()
 }
 
-/// One edit that covers everything between what both begin with and what both end with. It counts numbers, of which
-/// a token has five.
+/// One edit that replaces everything between the common prefix and suffix. Its positions count integers, five for each
+/// token.
 fn difference(before: &[SemanticToken], after: &[SemanticToken]) -> Vec<SemanticTokensEdit> {
     const NUMBERS: usize = 5;
     let same = |(a, b): &(&SemanticToken, &SemanticToken)| a == b;

@@ -32,7 +32,7 @@ fn signature(form: &Form, active_parameter: Option<u32>, format: TextFormat) -> 
     }
 }
 
-/// Offsets in labels count units of UTF-16, whatever positions count.
+/// Converts a byte offset in a label to UTF-16 units, which labels use independently of the position encoding.
 fn utf16(line: &str, bytes: u32) -> u32 {
     let before = usize::try_from(bytes).ok().and_then(|bytes| line.get(..bytes)).unwrap_or(line);
     u32::try_from(before.encode_utf16().count()).unwrap_or(bytes)

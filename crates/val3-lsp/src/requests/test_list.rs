@@ -1,4 +1,4 @@
-//! `val3.tests`, a command: the tests of the workspace, or those of one file.
+//! `val3.tests`: a command that returns the tests in the workspace or in one file.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -8,7 +8,7 @@ use val3_ide::TestProgram;
 
 use crate::snapshot::{Refusal, Snapshot};
 
-/// The command. Its argument is the URI of a file, or missing.
+/// Command name. Its argument is a file URI; without an argument it returns all tests.
 pub(super) const TESTS: &str = "val3.tests";
 
 /// A test, for clients that execute it in a terminal.
@@ -19,11 +19,11 @@ struct Test {
     name: String,
     application: String,
     program: String,
-    /// The URI of the application's `.pjx`.
+    /// URI of the application's `.pjx`.
     manifest: Url,
-    /// The name of the program in its file.
+    /// Location of the program's name in its file.
     location: Location,
-    /// The program that executes the test, with its arguments.
+    /// Command line that executes the test.
     command: Vec<String>,
 }
 

@@ -1,7 +1,7 @@
 //! `workspace/textDocumentContent` (3.18): the code of a program without XML, for any client.
 //!
-//! The URI is that of the program's file with the scheme `val-text`. The text is for reading: requests about it are
-//! made about the file. The client is told when the text changes (`workspace/textDocumentContent/refresh`).
+//! The URI is that of the program's file with the scheme `val-text`. The document is read-only: other requests use the
+//! URI of the file. When the code changes, the client is notified by `workspace/textDocumentContent/refresh`.
 
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::Url;
@@ -10,10 +10,10 @@ use tower_lsp::lsp_types::request::Request;
 use crate::display_cache::Fingerprint;
 use crate::snapshot::{Refusal, Snapshot};
 
-/// The scheme of the texts.
+/// URI scheme of code without XML.
 pub(crate) const SCHEME: &str = "val-text";
 
-/// The request, which lsp-types does not know yet.
+/// The request, which lsp-types does not define yet.
 pub(crate) enum TextDocumentContent {}
 
 impl Request for TextDocumentContent {
@@ -22,7 +22,7 @@ impl Request for TextDocumentContent {
     const METHOD: &'static str = "workspace/textDocumentContent";
 }
 
-/// The request to the client to ask again.
+/// Server request after which the client requests the content again.
 pub(crate) enum TextDocumentContentRefresh {}
 
 impl Request for TextDocumentContentRefresh {
@@ -31,13 +31,13 @@ impl Request for TextDocumentContentRefresh {
     const METHOD: &'static str = "workspace/textDocumentContent/refresh";
 }
 
-/// The text that is meant.
+/// URI of the document.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct TextDocumentContentParams {
     pub(crate) uri: Url,
 }
 
-/// The text.
+/// Content of the document.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Content {
     text: String,
@@ -52,7 +52,7 @@ pub(crate) fn text_document_content(
     Ok(Content { text })
 }
 
-/// What the current text is; `None` if there is none any more.
+/// Fingerprint of the current content; `None` if it no longer exists.
 pub(crate) fn current_text(snapshot: &Snapshot, uri: &Url) -> Option<Fingerprint> {
     text(snapshot, uri).ok().map(|text| Fingerprint::of(&text))
 }

@@ -26,7 +26,8 @@ fn related(snapshot: &Snapshot, of: &TypeHierarchyItem, find: fn(&dyn Db, File) 
     Ok(Some(find(snapshot.db(), file).iter().map(|found| item(snapshot, found)).collect()))
 }
 
-/// A type is its project file; it has no name of its own in there.
+/// Converts a type. A user type is a project file in which its name does not appear, so the range is the start of the
+/// file.
 fn item(snapshot: &Snapshot, found: &TypeItem) -> TypeHierarchyItem {
     TypeHierarchyItem {
         name: found.name.clone(),

@@ -18,30 +18,30 @@ impl Request for VariablesOfProgram {
     const METHOD: &'static str = "val3/variables";
 }
 
-/// The program.
+/// Program of the request.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct VariablesParams {
-    /// Its file.
+    /// URI of the program's file.
     uri: Url,
-    /// Its name; missing for the program that the file has.
+    /// Program name; may be omitted if the file contains only one program.
     program: Option<String>,
 }
 
-/// Its parameters and locals.
+/// Parameters and locals.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct VariablesResult {
     uri: Url,
-    /// The version of the document that they are from; `null` for a file that is not open.
+    /// Document version on which they are based; `null` for a file that is not open.
     version: Option<i32>,
     program: String,
     parameters: Vec<Parameter>,
     locals: Vec<Local>,
-    /// The names of the types that variables can have.
+    /// Names of the types that variables may have.
     types: Vec<String>,
-    /// The file has the form of s5 and s6.
+    /// Whether the file has the dialect of s5 and s6.
     is_old: bool,
-    /// Why the program cannot have other parameters.
+    /// Reason why the parameters cannot be changed; `null` if they can.
     fixed: Option<String>,
 }
 
@@ -50,12 +50,12 @@ struct Parameter {
     name: String,
     r#type: String,
     container: ContainerKind,
-    /// The number of dimensions of an array, else 1.
+    /// Number of array dimensions; 1 for other containers.
     dimensions: u8,
     passing: Passing,
-    /// The name in the declaration.
+    /// Range of the name in the declaration.
     range: Range,
-    /// Number of times that the code names it.
+    /// Number of uses in the code.
     uses: usize,
 }
 
@@ -64,13 +64,13 @@ struct Local {
     name: String,
     r#type: String,
     container: ContainerKind,
-    /// The sizes of the dimensions; empty for a collection.
+    /// Sizes of the dimensions; empty for a collection.
     size: Vec<u32>,
     range: Range,
     uses: usize,
 }
 
-/// How a variable stores its values.
+/// Container kind of a variable.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum ContainerKind {
@@ -79,7 +79,7 @@ pub(super) enum ContainerKind {
     Collection,
 }
 
-/// How a parameter is passed.
+/// Passing of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) enum Passing {
@@ -125,7 +125,7 @@ fn described(snapshot: &Snapshot, file: File, found: Variables) -> VariablesResu
     }
 }
 
-/// The kind of a container, and its number of dimensions.
+/// Container kind and number of dimensions.
 fn container(container: Container) -> (ContainerKind, u8) {
     match container {
         Container::Element => (ContainerKind::Element, 1),

@@ -10,10 +10,10 @@ use val3_syntax::{TextRange, TextSize};
 use crate::convert::symbol_kind;
 use crate::snapshot::{Refusal, Snapshot};
 
-/// Names that a client gets at most; more letters find others.
+/// Result limit; the user finds further names by typing more letters.
 const LIMIT: usize = 256;
 
-/// The position of a name in bytes. Lines are computed for the chosen symbol only.
+/// Byte range of a name. Lines are computed only when a symbol is chosen.
 #[derive(Serialize, Deserialize)]
 struct SymbolData {
     start: u32,

@@ -1,4 +1,4 @@
-//! `val3/workspaceTree`: the projects of the workspace with what they hold, for a tree view.
+//! `val3/workspaceTree`: the projects of the workspace and their contents, for a tree view.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -10,7 +10,7 @@ use val3_lang::types::Container;
 
 use crate::snapshot::{Refusal, Snapshot};
 
-/// The request. It takes no parameters.
+/// The request, without parameters.
 pub(crate) enum WorkspaceTree {}
 
 impl Request for WorkspaceTree {
@@ -27,7 +27,7 @@ pub(crate) struct TreeProject {
     uri: Url,
     /// `application`, `tests`, `library` or `type`.
     kind: String,
-    /// Its dialect has user types.
+    /// Whether the project's dialect has user types.
     has_types: bool,
     programs: Vec<Item<Program>>,
     data: Vec<Item<Data>>,
@@ -35,15 +35,15 @@ pub(crate) struct TreeProject {
     types: Vec<Item<Reference>>,
 }
 
-/// Something that a project holds.
+/// An item of a project.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Item<T> {
     name: String,
-    /// Its type, signature or path; may be empty.
+    /// Type, signature or path; may be empty.
     detail: String,
-    /// Of the name.
+    /// Location of the name.
     location: Location,
-    /// Of the whole declaration.
+    /// Range of the entire declaration.
     range: Range,
     #[serde(flatten)]
     what: T,
@@ -53,7 +53,7 @@ pub(crate) struct Item<T> {
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Program {
     public: bool,
-    /// It needs no caller.
+    /// Whether the program can be started without a caller.
     runs: bool,
 }
 
@@ -62,22 +62,22 @@ pub(crate) struct Program {
 #[serde(rename_all = "camelCase")]
 pub(crate) struct Data {
     public: bool,
-    /// As the file writes it: `pointRx`.
+    /// Type name as spelled in the file, for example `pointRx`.
     #[serde(rename = "type")]
     type_name: String,
-    /// Of each dimension; empty for a collection.
+    /// Array size, by dimension; empty for a collection.
     sizes: Vec<u32>,
     is_collection: bool,
-    /// The initial value of a single `num`, `bool` or `string`.
+    /// Initial value of a single `num`, `bool` or `string`.
     value: Option<String>,
 }
 
 /// A library identifier or a user type.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Reference {
-    /// The `.pjx` that it means, if there is one.
+    /// The `.pjx` to which it resolves; `null` if unresolved.
     project: Option<Url>,
-    /// The `.pjx` files of the libraries that programs load in its place.
+    /// The `.pjx` files of the libraries that programs load under this identifier.
     loaded: Vec<Url>,
 }
 
@@ -102,7 +102,7 @@ fn tree(snapshot: &Snapshot, project: Project, kind: ProjectKind) -> TreeProject
     }
 }
 
-/// The name of a kind in the protocol.
+/// Name of a project kind in the protocol.
 pub(super) fn kind_name(kind: ProjectKind) -> &'static str {
     match kind {
         ProjectKind::Application => "application",
@@ -114,7 +114,7 @@ pub(super) fn kind_name(kind: ProjectKind) -> &'static str {
 
 fn items<F, T>(snapshot: &Snapshot, found: Vec<TreeItem<F>>, what: impl Fn(F) -> T) -> Vec<Item<T>> {
     let mut items = Vec::with_capacity(found.len());
-    // Items of one file follow each other, and its lines are looked up once.
+    // Items in the same file are consecutive, so the file's lines are looked up once.
     let mut last = None;
     for found in found {
         let lines = match last.take() {

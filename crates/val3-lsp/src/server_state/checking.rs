@@ -1,4 +1,4 @@
-//! Checks projects on the threads of the pool.
+//! Checks projects on the thread pool.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -16,20 +16,20 @@ use crate::pool::Priority;
 use crate::published::{self, ProjectFindings};
 use crate::snapshot::Snapshot;
 
-/// Projects that are checked together, by all threads of a priority.
+/// Projects that are checked together, by all threads with the same priority.
 struct Batch {
     projects: Vec<Project>,
-    /// Edited files. The user waits for their findings.
+    /// Edited files, for whose findings the user waits.
     edited: FxHashSet<File>,
     next: AtomicUsize,
-    /// Threads that still work on it.
+    /// Number of threads that still work on the batch.
     working: AtomicUsize,
     generation: u64,
     priority: Priority,
 }
 
 impl ServerState {
-    /// Begins to check what changed since the last time.
+    /// Starts a round of checks if something has changed.
     pub(super) fn check(&mut self) {
         if !self.is_ready {
             return;
@@ -56,7 +56,7 @@ impl ServerState {
         }
     }
 
-    /// Begins the next batch, or ends the round.
+    /// Starts the next batch, or ends the round.
     fn check_next(&mut self) {
         let batch = self.checks.next_batch(&self.workspace.db);
         if batch.is_empty() {
@@ -99,7 +99,7 @@ impl ServerState {
         }
     }
 
-    /// A write stopped a check. The check starts again unless the write concerns it.
+    /// Restarts a check that a write has cancelled, unless the write itself has scheduled a new check.
     pub(super) fn check_again(&mut self, generation: u64) {
         if self.checks.is_current(generation) {
             self.checks.all();
@@ -117,14 +117,14 @@ impl ServerState {
         self.check_next();
     }
 
-    /// The findings of a project in one file, unless they are those of an earlier state.
+    /// Publishes the findings of a project in one file, unless they are stale.
     fn found_in_file(&mut self, generation: u64, project: Project, found: (Url, Vec<Diagnostic>)) {
         if self.checks.is_latest(generation) {
             self.published.file(project, found, &self.documents, &self.outbox);
         }
     }
 
-    /// The findings of a project, unless they are those of an earlier state.
+    /// Publishes the findings of a project, unless they are stale.
     fn found(&mut self, generation: u64, found: ProjectFindings) {
         if self.checks.is_latest(generation) {
             self.published.project(found, &self.documents, &self.outbox);
@@ -132,7 +132,7 @@ impl ServerState {
     }
 }
 
-/// Checks projects until none is left.
+/// Checks projects until all projects of the batch are taken.
 fn work(batch: &Batch, snapshot: &Snapshot, inbox: &Inbox) {
     while let Some(project) = batch.projects.get(batch.next.fetch_add(1, Ordering::Relaxed)) {
         let generation = batch.generation;
@@ -149,8 +149,8 @@ fn work(batch: &Batch, snapshot: &Snapshot, inbox: &Inbox) {
     }
 }
 
-/// All findings in the edited programs of `project`, before the rest of it is checked. A file that several projects
-/// share has those of each of them.
+/// Findings in the edited programs of `project`, before the rest of the project is checked. Files that several projects
+/// share are omitted, because their findings come from all these projects.
 fn found_early<'a>(
     batch: &'a Batch,
     snapshot: &'a Snapshot,
@@ -160,7 +160,7 @@ fn found_early<'a>(
     own.filter_map(move |file| Some((file, convert::program_diagnostics(snapshot, project, file)?)))
 }
 
-/// The edited files that belong to `project` only.
+/// Edited files that belong to `project` only.
 fn edited_in<'a>(batch: &'a Batch, snapshot: &'a Snapshot, project: Project) -> impl Iterator<Item = File> + 'a {
     batch.edited.iter().copied().filter(move |file| val3_ide::projects_of(snapshot.db(), *file) == [project])
 }

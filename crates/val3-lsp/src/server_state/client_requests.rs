@@ -1,4 +1,4 @@
-//! Requests to the client whose answers the main loop takes.
+//! Requests to the client whose responses the main loop handles.
 
 use serde_json::Value;
 use tower_lsp::lsp_types::request::Request;
@@ -6,7 +6,7 @@ use tower_lsp::lsp_types::request::Request;
 use super::ServerState;
 
 impl ServerState {
-    /// Asks the client; `answered` runs on the main loop if it answers.
+    /// Sends a request to the client; `answered` runs on the main loop after the response.
     pub(crate) fn ask_client<R: Request>(
         &mut self,
         params: R::Params,
@@ -19,7 +19,7 @@ impl ServerState {
         self.answer_handlers.insert(id, Box::new(read));
     }
 
-    /// The client answered. An answer without a waiting request is ignored.
+    /// Handles a response of the client. A response to no pending request is ignored.
     pub(crate) fn answered(&mut self, id: i64, answer: Result<Value, Value>) {
         let Some(method) = self.outbox.answered(id) else { return };
         if let Err(error) = &answer {

@@ -1,4 +1,4 @@
-//! The main loop: messages in their order, and what was put off while none waits.
+//! The main loop: processes messages in order, and deferred work while the inbox is empty.
 
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
@@ -14,7 +14,7 @@ use crate::job::{Job, OnEdit};
 use crate::panics::{self, contained};
 use crate::reply::Reply;
 
-/// Longer than any client takes for an answer.
+/// Time limit for the client's response to the progress request.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 impl ServerState {
@@ -33,12 +33,12 @@ impl ServerState {
                 self.complain("an event", &reason);
             }
         }
-        // The process ends: taking the database apart piece by piece would only cost time.
+        // The process ends, so dropping the database would only cost time.
         std::mem::forget(self.workspace);
     }
 
-    /// Does what was put off, and waits for a message. The first scan begins when the client has said whether it shows
-    /// it. `None` if the inbox is closed.
+    /// Executes deferred work and waits for a message. The first scan starts only after the client has responded to the
+    /// progress request. `None` if the inbox is closed.
     fn next(&mut self, inbox: &Receiver<Message>) -> Option<Message> {
         if !self.is_ready {
             return inbox.recv().ok();
@@ -53,7 +53,7 @@ impl ServerState {
         inbox.recv().ok()
     }
 
-    /// Nothing waits: what was put off is done.
+    /// Executes deferred work, because the inbox is empty.
     fn settle(&mut self) {
         let settled = contained(|| {
             self.bring_up_to_date();
@@ -65,7 +65,7 @@ impl ServerState {
         }
     }
 
-    /// Computes a request on the state at its position in the order of messages.
+    /// Computes a request on the state that results from all earlier messages.
     pub(crate) fn compute(&mut self, job: Job, reply: Reply) {
         self.bring_up_to_date();
         self.trace(job.method);
@@ -77,7 +77,7 @@ impl ServerState {
         self.pool.spawn(job.priority, move || {
             let outcome = contained(|| Cancelled::catch(std::panic::AssertUnwindSafe(|| (job.compute)(&snapshot))));
             let has_surplus = Self::has_many_trees(&snapshot.db);
-            // Before anything else, so that no writer waits for it.
+            // Dropped before the reply: a write blocks until all snapshots are dropped.
             drop(snapshot);
             if has_surplus {
                 inbox.post(|server| server.has_surplus = true);
@@ -96,7 +96,8 @@ impl ServerState {
         });
     }
 
-    /// Computes the next part of a request. Without other readers, what the last part no longer needs is freed before.
+    /// Computes the next part of a request. If no other thread reads the database, the data of the last part are freed
+    /// first.
     fn continue_with(&mut self, job: Job, reply: Reply) {
         self.has_surplus = true;
         self.workspace.db.trees().keep_latest(TREES);
@@ -104,7 +105,7 @@ impl ServerState {
         self.compute(job, reply);
     }
 
-    /// A write stopped a request. If it was an edit of a document, positions mean something else now.
+    /// Computes a cancelled request again, or returns `ContentModified` if its positions are invalid after an edit.
     fn retry(&mut self, job: Job, reply: Reply, edits: u64) {
         if job.on_edit == OnEdit::Refuse && edits != self.edits {
             reply.give(Err(Error::content_modified()));
@@ -113,7 +114,7 @@ impl ServerState {
         }
     }
 
-    /// Frees data of earlier states while no thread computes, so that the next edit is faster.
+    /// Frees data of earlier revisions while no thread computes, so that the next edit is faster.
     fn tidy(&mut self) {
         if self.has_surplus && Arc::strong_count(&self.readers) == 1 {
             self.forget_surplus();

@@ -1,4 +1,4 @@
-//! Messages of the main loop to the user and to the log.
+//! Messages of the main loop to the user and the log.
 
 use tower_lsp::lsp_types::notification::LogTrace;
 use tower_lsp::lsp_types::{LogTraceParams, MessageType};
@@ -7,7 +7,7 @@ use super::ServerState;
 use crate::session::Trace;
 
 impl ServerState {
-    /// Reports an internal error to the user once. The server continues.
+    /// Reports an internal error to the user, once. The server continues.
     pub(crate) fn complain(&mut self, what: &str, reason: &str) {
         self.log(&format!("{what} failed: {reason}"));
         if !self.complained.insert(what.to_owned()) {
@@ -17,7 +17,8 @@ impl ServerState {
         self.outbox.show(MessageType::ERROR, &message);
     }
 
-    /// Warns the user of something that the server does without; once is enough.
+    /// Warns the user that the server works without something, for example without a setting. Each warning is shown
+    /// once.
     pub(crate) fn warn(&mut self, warning: &str) {
         self.log(warning);
         if self.complained.insert(warning.to_owned()) {
@@ -25,7 +26,7 @@ impl ServerState {
         }
     }
 
-    /// Tells a client that wants to know it what is computed.
+    /// Reports the computed request to a client with tracing enabled.
     pub(super) fn trace(&mut self, method: &str) {
         if self.session.trace == Trace::On {
             self.outbox.notify::<LogTrace>(LogTraceParams { message: format!("computes {method}"), verbose: None });

@@ -1,4 +1,4 @@
-//! Shows the progress of the first scan.
+//! Progress report of the first scan.
 
 use tower_lsp::lsp_types::request::WorkDoneProgressCreate;
 use tower_lsp::lsp_types::{ProgressToken, WorkDoneProgressCreateParams};
@@ -10,7 +10,7 @@ const SCAN: &str = "val3/scan";
 const PULL: &str = "val3/pull";
 
 impl ServerState {
-    /// Asks the client whether it shows the first scan, and the first check that it asks for.
+    /// Requests progress reports for the first scan and for the first pull.
     pub(super) fn ask_for_progress(&mut self) {
         self.progress = ScanProgress::Over;
         if !self.session.client.shows_progress {
@@ -39,17 +39,17 @@ impl ServerState {
         self.ask_client::<WorkDoneProgressCreate>(params, |server, answer| agreed(server, answer.map(|()| token)));
     }
 
-    /// The first scan waits for the client's answer.
+    /// Whether the client has not yet responded to the progress request of the first scan.
     pub(super) fn awaits_progress(&self) -> bool {
         matches!(self.progress, ScanProgress::Asked)
     }
 
-    /// The client has not answered in time: the scan is not shown.
+    /// Ends the progress report, or stops waiting for the client's response.
     pub(super) fn end_progress(&mut self) {
         self.progress = ScanProgress::Over;
     }
 
-    /// Another part of the scan is done.
+    /// Reports the number of checked projects.
     pub(super) fn report_progress(&self) {
         if let ScanProgress::Shown(shown) = &self.progress {
             let all = self.projects().len();

@@ -1,4 +1,4 @@
-//! Reads changed files again before anything else is computed.
+//! Reads changed files before anything else is computed.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::panics::contained;
 use crate::parent::project_above;
 
 impl ServerState {
-    /// Reads what has to be read again.
+    /// Reads the stale files.
     pub(super) fn bring_up_to_date(&mut self) {
         let Some(stale) = self.stale.take() else { return };
         match contained(|| self.read_again(&|key| stale.contains(key))) {
@@ -42,7 +42,7 @@ impl ServerState {
         errors
     }
 
-    /// A database that was left half changed cannot be asked. The next change begins with a new one.
+    /// Discards a database that was left in an inconsistent state. The next change creates a new one.
     fn forget_everything(&mut self) {
         self.workspace = Workspace::empty();
         self.projects = Arc::default();
@@ -64,7 +64,8 @@ impl ServerState {
         errors
     }
 
-    /// The settings of the configurations and of the client. A faulty configuration keeps its earlier settings.
+    /// Combines the settings of the configurations and the client. While a configuration is faulty, the earlier
+    /// settings stay in effect.
     fn configure(&mut self) -> Vec<ConfigError> {
         let db = &mut self.workspace.db;
         let found = WorkspaceSettings::new(db, &self.projects, &self.session.options.selection());

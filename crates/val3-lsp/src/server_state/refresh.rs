@@ -1,7 +1,7 @@
-//! Requests to the client to ask again for findings, hints, lenses and texts that are stale.
+//! Refresh requests to the client for stale findings, inlay hints, code lenses and texts.
 //!
-//! For an edited document, clients ask by themselves. For the others, the current values are compared in the background
-//! with those that the client has, so that it is asked only where an edit elsewhere makes a difference.
+//! Clients refresh an edited document themselves. For all other documents, the current values are compared with the
+//! client's values in the background, so that a refresh is requested only if something differs.
 
 use std::panic::AssertUnwindSafe;
 
@@ -20,14 +20,14 @@ use crate::requests::inlay_hint::current_hints;
 use crate::requests::text_document_content::{TextDocumentContentParams, TextDocumentContentRefresh, current_text};
 use crate::snapshot::Snapshot;
 
-/// The current values of everything that the client has cached and that is now stale.
+/// Current values that differ from the client's cached values.
 struct StaleContents {
     reports: Vec<(Url, Report)>,
     shown: Vec<(Url, DisplayedDocument, Parts)>,
     texts: Vec<(Url, Fingerprint)>,
 }
 
-/// Which parts of a document look different.
+/// Stale parts of a document.
 #[derive(Clone, Copy, Default)]
 struct Parts {
     hints: bool,
@@ -35,7 +35,7 @@ struct Parts {
 }
 
 impl ServerState {
-    /// Checks whether something that the client has cached has changed.
+    /// Checks whether anything that the client has cached has changed.
     pub(super) fn check_for_refresh(&self, generation: u64) {
         let waits_for_findings = self.session.is_asked_for_findings() && self.session.client.pulls_again;
         let has_findings = waits_for_findings && !self.documents.reports().is_empty();
@@ -55,7 +55,7 @@ impl ServerState {
         });
     }
 
-    /// Requests one refresh, also from a client that does not react: the current values count as delivered.
+    /// Requests one refresh. The current values count as sent, even if the client does not react.
     fn request_refresh(&self, stale: StaleContents) {
         let StaleContents { reports, shown, texts } = stale;
         if !reports.is_empty() {
@@ -84,7 +84,7 @@ fn stale(snapshot: &Snapshot, has_findings: bool) -> StaleContents {
     StaleContents { reports, shown: stale_displays(snapshot), texts: stale_texts(snapshot) }
 }
 
-/// The reports that are others now.
+/// Stale findings.
 fn stale_reports(snapshot: &Snapshot) -> Vec<(Url, Report)> {
     let known = snapshot.documents.reports().into_iter().filter(|(uri, known)| is_shown(snapshot, uri, known.version));
     let now = known.map(|(uri, known)| {
@@ -95,16 +95,16 @@ fn stale_reports(snapshot: &Snapshot) -> Vec<(Url, Report)> {
     others.map(|(uri, known, id)| (uri, Report { version: known.version, id })).collect()
 }
 
-/// The texts that are others now. One whose file is gone stays as it is.
+/// Stale texts. A text whose file was removed is unchanged.
 fn stale_texts(snapshot: &Snapshot) -> Vec<(Url, Fingerprint)> {
     let texts = snapshot.documents.display_cache().texts().map(|(uri, text)| (uri.clone(), *text)).collect::<Vec<_>>();
     let now = texts.into_iter().filter_map(|(uri, known)| Some((current_text(snapshot, &uri)?, known, uri)));
     now.filter(|(now, known, _)| now != known).map(|(now, _, uri)| (uri, now)).collect()
 }
 
-/// The documents that look different now.
+/// Documents whose displayed contents are stale.
 fn stale_displays(snapshot: &Snapshot) -> Vec<(Url, DisplayedDocument, Parts)> {
-    // The lock is not held while the answers are computed: requests note theirs meanwhile.
+    // The lock is released before the computation, because requests need it.
     let known: Vec<(Url, DisplayedDocument)> =
         snapshot.documents.display_cache().iter().map(|(uri, shown)| (uri.clone(), shown.clone())).collect();
     let known = known.into_iter().filter(|(uri, known)| is_shown(snapshot, uri, known.version));
@@ -117,7 +117,7 @@ fn stale_displays(snapshot: &Snapshot) -> Vec<(Url, DisplayedDocument, Parts)> {
     now.filter(|(_, _, parts)| parts.hints || parts.lenses).collect()
 }
 
-/// The current state of a document, as far as the client has seen it.
+/// Current contents of a document, restricted to what the client has displayed.
 fn look(snapshot: &Snapshot, uri: &Url, known: &DisplayedDocument) -> DisplayedDocument {
     let uses = known.uses.iter().map(|(lens, count)| (*lens, current_uses(snapshot, uri, *lens).unwrap_or(*count)));
     DisplayedDocument {

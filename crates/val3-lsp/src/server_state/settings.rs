@@ -1,4 +1,4 @@
-//! The settings of the editor.
+//! Editor settings.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use super::ServerState;
 use crate::options::{Options, SECTION};
 
 impl ServerState {
-    /// Asks the client to report changed settings, if it does so on request only.
+    /// Registers for changes of settings, if the client supports registration.
     pub(crate) fn register_for_settings(&self) {
         if self.session.client.reports_settings {
             let registration = Registration {
@@ -23,7 +23,7 @@ impl ServerState {
         }
     }
 
-    /// Asks the client for the user's settings, if it has some.
+    /// Requests the user's settings, if the client supports it.
     pub(crate) fn ask_for_settings(&mut self) {
         if !self.session.client.has_settings {
             return;
@@ -37,11 +37,11 @@ impl ServerState {
         });
     }
 
-    /// Takes the settings of the editor, and warns of those that cannot be read.
+    /// Applies the editor's settings, and warns about invalid ones.
     pub(crate) fn set_options(&mut self, (options, faults): (Options, Vec<String>)) {
         faults.iter().for_each(|fault| self.warn(fault));
         if options != self.session.options {
-            // How findings get to the client was agreed at the start.
+            // The delivery of findings was agreed in the handshake.
             let delivery = self.session.options.check.delivery;
             let session = Arc::make_mut(&mut self.session);
             session.options = options;

@@ -1,32 +1,32 @@
-//! Messages in their frames: `Content-Length`, an empty line, the message.
+//! Message frames: `Content-Length`, an empty line, the message.
 
 use std::io::{self, BufRead, Read as _};
 
-/// Bytes that the head of a message may have.
+/// Size limit of a message header in bytes.
 const HEAD_LIMIT: usize = 16 << 10;
-/// Bytes that a message may have.
+/// Size limit of a message in bytes.
 const BODY_LIMIT: usize = 256 << 20;
 
-/// A fault of a frame.
+/// Framing error.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum FrameError {
-    /// There is no length; what follows may be another frame.
+    /// The header has no length; another frame may follow.
     Head,
-    /// The length is no number: where the next frame begins is not known.
+    /// The length is no number, so the start of the next frame is unknown.
     Length,
-    /// It is too large to go on.
+    /// The frame is too large to continue.
     Size,
 }
 
-/// A message in its frame.
+/// Frames a message.
 pub(crate) fn frame(message: &[u8]) -> Vec<u8> {
     let mut framed = format!("Content-Length: {}\r\n\r\n", message.len()).into_bytes();
     framed.extend_from_slice(message);
     framed
 }
 
-/// Reads one message; `None` at the end of the input. Letter case, further headers and bytes before
-/// `Content-Length` make no difference.
+/// Reads one message; `None` at the end of the input. Letter case, other headers and bytes before `Content-Length` are
+/// ignored.
 pub(crate) fn read_message(input: &mut impl BufRead) -> io::Result<Option<Result<Vec<u8>, FrameError>>> {
     let mut length = None;
     let mut seen = 0;
@@ -59,13 +59,13 @@ pub(crate) fn read_message(input: &mut impl BufRead) -> io::Result<Option<Result
     }
 }
 
-/// The length that a line gives, if it gives one; `Some(None)` if that is no number.
+/// Length in a header line; `None` if the line has no length, `Some(None)` if the length is no number.
 fn length_in(line: &str) -> Option<Option<usize>> {
     const NAME: &str = "content-length:";
     let at = line.to_ascii_lowercase().rfind(NAME)?;
     let length = line.get(at + NAME.len()..)?.trim();
     if !length.is_empty() && length.bytes().all(|byte| byte.is_ascii_digit()) {
-        // A number of more digits than fit is too large as well.
+        // A number that overflows counts as too large.
         return Some(Some(length.parse().unwrap_or(usize::MAX)));
     }
     Some(None)

@@ -1,5 +1,5 @@
-//! The thread that reads. It lets through what tower-lsp can read, and keeps from it what would end its loop or
-//! panic in its table of requests: broken messages are refused here, answers of the client go their own way.
+//! The reading thread. It passes valid requests to tower-lsp. Malformed messages, which would end tower-lsp's loop or
+//! cause a panic in its request table, are rejected here, and responses of the client bypass tower-lsp.
 
 use std::io::{self, BufRead};
 use std::pin::Pin;
@@ -17,7 +17,7 @@ use val3_syntax::Part;
 use super::frame::{FrameError, frame, read_message};
 use super::pump::Pump;
 
-/// The input of tower-lsp: messages in their frames.
+/// Input stream of tower-lsp: framed messages.
 pub(crate) struct Intake {
     messages: UnboundedReceiver<Vec<u8>>,
     rest: Vec<u8>,
@@ -25,7 +25,7 @@ pub(crate) struct Intake {
 }
 
 impl Intake {
-    /// An intake and the end that fills it.
+    /// Creates an intake and the sender that fills it.
     pub(crate) fn new() -> (UnboundedSender<Vec<u8>>, Self) {
         let (sender, messages) = unbounded();
         (sender, Self { messages, rest: Vec::new(), read: 0 })
@@ -53,7 +53,7 @@ impl AsyncRead for Intake {
     }
 }
 
-/// The kind of a message, as far as the transport needs it.
+/// Message fields that the transport needs.
 #[derive(Deserialize)]
 struct Envelope<'a> {
     jsonrpc: &'a str,
@@ -69,8 +69,8 @@ struct Envelope<'a> {
     _params: Option<IgnoredAny>,
 }
 
-/// Reads until the client closes its side, or cannot be understood any more. `answered` takes the answers of the client
-/// by the id of the request.
+/// Reads until the end of the input or an unrecoverable framing error. `answered` receives the client's responses by
+/// request id.
 pub(crate) fn read(
     mut input: impl BufRead,
     requests: &UnboundedSender<Vec<u8>>,
@@ -110,7 +110,7 @@ pub(crate) fn read(
     }
 }
 
-/// Answers a message whose id is not known.
+/// Sends an error for a message whose id is unknown.
 fn refuse(pump: &Pump, code: i64, message: &str) {
     let answer = json!({ "jsonrpc": "2.0", "id": null, "error": { "code": code, "message": message } });
     pump.write(frame(answer.to_string().as_bytes()));

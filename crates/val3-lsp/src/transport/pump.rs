@@ -1,4 +1,4 @@
-//! The thread that writes. Other threads leave their messages here and continue, so that a slow client delays none of them.
+//! The writing thread. Other threads queue their messages here, so that a slow client delays none of them.
 
 use std::io::{self, Write};
 use std::pin::Pin;
@@ -9,21 +9,21 @@ use std::time::Duration;
 
 use tokio::io::AsyncWrite;
 
-/// How long the end of the server waits for a client to read the last messages.
+/// Time limit at the end of the server for writing the last messages.
 const FAREWELL: Duration = Duration::from_millis(300);
 
 enum Order {
     Write(Vec<u8>),
-    /// Tells the other end when everything before it was written.
+    /// Signals the receiver when all earlier messages have been written.
     Flush(Sender<()>),
 }
 
-/// The way to the thread that writes.
+/// Sender to the writing thread.
 #[derive(Clone)]
 pub(crate) struct Pump(Sender<Order>);
 
 impl Pump {
-    /// Starts the thread; `closed` is called if the client reads no more.
+    /// Starts the thread; `closed` is called if the client no longer reads.
     pub(crate) fn start(
         output: impl Write + Send + 'static,
         closed: impl FnOnce() + Send + 'static,
@@ -38,13 +38,13 @@ impl Pump {
         Ok(Self(sender))
     }
 
-    /// Leaves whole frames to be written.
+    /// Queues complete frames.
     pub(crate) fn write(&self, frames: Vec<u8>) {
-        // A client that has closed its side reads nothing, and the server ends.
+        // If the client has closed its side, the server ends, so the error is ignored.
         let _ = self.0.send(Order::Write(frames));
     }
 
-    /// Waits a moment until what was left is written.
+    /// Waits until all queued frames are written, but only up to a time limit.
     pub(crate) fn finish(&self) {
         let (sender, done) = channel();
         if self.0.send(Order::Flush(sender)).is_ok() {
@@ -63,7 +63,7 @@ fn pump(mut output: impl Write, orders: &Receiver<Order>) -> io::Result<()> {
     Ok(())
 }
 
-/// The pump as tower-lsp writes to it: it takes all that it is given, which are whole frames.
+/// The pump as an `AsyncWrite` for tower-lsp. It accepts each write completely, and tower-lsp writes complete frames.
 pub(crate) struct PumpWriter(pub(crate) Pump);
 
 impl AsyncWrite for PumpWriter {

@@ -1,4 +1,4 @@
-//! Code actions: what is offered, what it changes, and for which clients.
+//! Code actions: offers, edits, and differences between clients.
 
 use serde_json::{Value, json};
 
@@ -8,7 +8,7 @@ use crate::open_session::{START, Session, each, find};
 
 const CELL: &str = "num nCount\nIF nCount==1\nnCuont=2\nENDIF\nnNew=3\ncall missing(nCount)";
 
-/// An editor that can do everything.
+/// Capabilities for an editor that supports everything.
 fn able() -> Value {
     let action = json!({
         "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } },
@@ -19,7 +19,7 @@ fn able() -> Value {
     json!({ "textDocument": { "codeAction": action }, "workspace": { "workspaceEdit": edit, "applyEdit": true } })
 }
 
-/// One that knows code actions and edits of texts alone.
+/// Capabilities for an editor that supports only code actions and text edits.
 fn modest() -> Value {
     let action = json!({ "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } } });
     json!({ "textDocument": { "codeAction": action } })
@@ -41,7 +41,7 @@ fn fixes_of_findings_are_offered() {
     assert_eq!(each(&all, "kind"), ["source.fixAll"]);
     let texts = each(&all[0]["edit"]["documentChanges"][0]["edits"], "newText");
     assert_eq!(texts, ["if", "endIf"]);
-    // Among others it costs nothing until it is chosen.
+    // If other actions are offered too, the edit is computed only after the action is chosen.
     let among = find(&session.actions_at("nCuont", Value::Null), "kind", "source.fixAll");
     assert_eq!(among["edit"], Value::Null);
     assert_eq!(session.client.ask("codeAction/resolve", among)["edit"], all[0]["edit"]);
@@ -77,7 +77,7 @@ fn the_edit_is_computed_when_an_action_is_chosen() {
     assert_eq!(changes[1]["textDocument"], json!({ "uri": path, "version": null }));
     assert!(changes[1]["edits"][0]["newText"].as_str().unwrap().contains("<Program name=\"missing\""));
     assert!(changes[2]["textDocument"]["uri"].as_str().unwrap().ends_with("/main.pjx"));
-    // Once the text is another one, the place means nothing any more.
+    // After an edit, the range is no longer valid.
     session.client.change(&session.cell.path(START), 2, "");
     assert_eq!(session.client.ask_in_vain("codeAction/resolve", create), -32801);
     assert_eq!(session.client.end(), 0);
@@ -101,7 +101,7 @@ fn a_name_that_was_made_up_can_be_replaced_at_once() {
     let [path, range] = resolved["command"]["arguments"].as_array().unwrap().as_slice() else { panic!("{resolved}") };
     assert_eq!(resolved["command"]["command"], "val3.rename");
     assert_eq!(path, &uri(&session.cell.path(START)));
-    // The declaration comes before the code, so that the name is below the place of the expression.
+    // The declaration is inserted before the code, so the name is below the original expression.
     let edits = resolved["edit"]["documentChanges"][0]["edits"].as_array().unwrap();
     let declaration = edits[0]["newText"].as_str().unwrap();
     assert!(declaration.contains("l_nValue"), "{resolved}");
@@ -204,7 +204,7 @@ fn actions_that_need_a_project_are_not_offered_without_one() {
 const PROJECT: &str = "usrapp/main/main.pjx";
 const STRAY: &str = "usrapp/main/stray.pgx";
 
-/// The program `stray` with this line, in a file that no project lists.
+/// Program `stray` with this line, in a file that no project lists.
 fn stray(line: &str) -> String {
     format!(
         "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  \

@@ -3,7 +3,7 @@
 use tempfile::TempDir;
 use val3_test::Fixture;
 
-/// A folder that lasts as long as the test.
+/// A folder that exists until the end of the test.
 pub struct Cell {
     folder: TempDir,
     fixture: Fixture,
@@ -18,12 +18,12 @@ impl Cell {
         cell
     }
 
-    /// The folder of the controller.
+    /// Controller folder.
     pub fn folder(&self) -> String {
         self.path("")
     }
 
-    /// The path of a file, which is given relative to the controller (`usrapp/main/start.pgx`).
+    /// Path of a file, given relative to the controller (`usrapp/main/start.pgx`).
     pub fn path(&self, file: &str) -> String {
         let folder = self.folder.path().canonicalize().unwrap().join("usr");
         folder.join(file).to_str().unwrap().trim_end_matches('/').to_owned()
@@ -58,7 +58,7 @@ impl Cell {
     }
 }
 
-/// The line and column of a part of a text.
+/// Line and column at which `part` starts in a text.
 pub fn place(text: &str, part: &str) -> (u32, u32) {
     let at = text.find(part).unwrap_or_else(|| panic!("{part:?} is not in {text}"));
     let before = &text[..at];

@@ -1,4 +1,4 @@
-//! A client over pipes in memory: it speaks plain JSON, so that the tests see what an editor sees.
+//! A client over pipes in memory, with messages as plain JSON, so that tests check exactly what an editor receives.
 
 use std::collections::VecDeque;
 use std::io::{self, BufRead, BufReader, PipeReader, PipeWriter, Write};
@@ -8,26 +8,26 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 
-/// Longer than anything takes, also on a busy machine.
+/// Time limit for a message, sufficient on a busy machine.
 pub const PATIENCE: Duration = Duration::from_secs(30);
 
 /// A client and its server.
 pub struct Client {
     to_server: Option<PipeWriter>,
     from_server: Receiver<Value>,
-    /// Messages that were read while another one was waited for.
+    /// Messages received while waiting for another message.
     passed: VecDeque<Value>,
     next_id: i64,
     server: Option<JoinHandle<u8>>,
 }
 
 impl Client {
-    /// A server that waits for `initialize`.
+    /// Starts a server that waits for `initialize`.
     pub fn fresh() -> Self {
         Self::of(|input, output| val3_lsp::run(input, output, &val3_lsp::ServerOptions::default()).unwrap())
     }
 
-    /// The client of any server, which gives its exit code.
+    /// Starts the client of any server; `server` returns the exit code.
     pub fn of(server: impl FnOnce(PipeReader, PipeWriter) -> u8 + Send + 'static) -> Self {
         let (server_input, to_server) = io::pipe().unwrap();
         let (from_server, server_output) = io::pipe().unwrap();
@@ -41,17 +41,17 @@ impl Client {
         }
     }
 
-    /// A server with these folders, initialized by a client that can do little.
+    /// Starts a server with these folders, initialized by a client with few capabilities.
     pub fn start(folders: &[&str]) -> Self {
         Self::start_with(folders, json!({}), Value::Null)
     }
 
-    /// As [`start`](Self::start), with these abilities and options.
+    /// Like [`start`](Self::start), with these capabilities and options.
     pub fn start_with(folders: &[&str], capabilities: Value, options: Value) -> Self {
         Self::fresh().begin(folders, capabilities, options)
     }
 
-    /// Sends the first messages.
+    /// Executes the handshake.
     pub fn begin(mut self, folders: &[&str], capabilities: Value, options: Value) -> Self {
         let client = &mut self;
         let folders: Vec<Value> = folders.iter().map(|folder| json!({ "uri": uri(folder), "name": folder })).collect();
@@ -74,7 +74,7 @@ impl Client {
         self.send(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
     }
 
-    /// Sends a request and gives its id.
+    /// Sends a request and returns its id.
     pub fn request(&mut self, method: &str, params: Value) -> i64 {
         let id = self.next_id;
         self.next_id += 1;
@@ -86,12 +86,12 @@ impl Client {
         id
     }
 
-    /// The whole answer to a request.
+    /// Complete response to a request.
     pub fn answer(&mut self, id: i64) -> Value {
         self.wait_for("an answer", |message| message.get("id") == Some(&json!(id)) && message.get("method").is_none())
     }
 
-    /// Asks and gives the result.
+    /// Sends a request and returns its result.
     #[track_caller]
     pub fn ask(&mut self, method: &str, params: Value) -> Value {
         let id = self.request(method, params);
@@ -100,7 +100,7 @@ impl Client {
         answer["result"].clone()
     }
 
-    /// Asks and gives the code of the error.
+    /// Sends a request and returns the error code.
     #[track_caller]
     pub fn ask_in_vain(&mut self, method: &str, params: Value) -> i64 {
         let id = self.request(method, params);
@@ -108,12 +108,12 @@ impl Client {
         answer["error"]["code"].as_i64().unwrap_or_else(|| panic!("{method}: {answer}"))
     }
 
-    /// The next request or notification of the server of this kind.
+    /// Waits for the server's next request or notification with this method.
     pub fn told(&mut self, method: &str) -> Value {
         self.wait_for(method, |message| message["method"] == method)
     }
 
-    /// As [`told`](Self::told), if one comes within a moment.
+    /// Like [`told`](Self::told); `None` if no message arrives within a moment.
     pub fn try_told(&mut self, method: &str) -> Option<Value> {
         let at = |passed: &VecDeque<Value>| passed.iter().position(|message| message["method"] == method);
         while at(&self.passed).is_none() {
@@ -122,7 +122,7 @@ impl Client {
         at(&self.passed).and_then(|at| self.passed.remove(at))
     }
 
-    /// The next findings in a file, of at least this version.
+    /// Next findings in a file, with at least this version.
     pub fn findings(&mut self, path: &str, version: Option<i64>) -> Vec<Value> {
         let uri = uri(path);
         let message = self.wait_for(&format!("findings in {path}"), |message| {
@@ -133,7 +133,7 @@ impl Client {
         message["params"]["diagnostics"].as_array().unwrap().clone()
     }
 
-    /// The last findings that come for a version of a file.
+    /// Last findings sent for a version of a file.
     pub fn latest_findings(&mut self, path: &str, version: i64) -> Vec<Value> {
         let mut latest = self.findings(path, Some(version));
         let uri = uri(path);
@@ -143,7 +143,7 @@ impl Client {
                 && message["params"]["version"] == version
         };
         loop {
-            // Responses keep their order. Published diagnostics do not.
+            // Responses keep their order; published diagnostics do not.
             while let Ok(message) = self.from_server.recv_timeout(Duration::from_millis(400)) {
                 self.passed.push_back(message);
             }
@@ -159,7 +159,7 @@ impl Client {
         self.notify("textDocument/didOpen", json!({ "textDocument": document }));
     }
 
-    /// Replaces the whole text.
+    /// Replaces the entire text.
     pub fn change(&mut self, path: &str, version: i64, text: &str) {
         let document = json!({ "uri": uri(path), "version": version });
         self.notify(
@@ -168,14 +168,14 @@ impl Client {
         );
     }
 
-    /// Ends the session as the protocol wants it and gives the exit code.
+    /// Ends the session as the protocol requires, and returns the exit code.
     pub fn end(mut self) -> u8 {
         self.ask("shutdown", Value::Null);
         self.notify("exit", Value::Null);
         self.exit_code()
     }
 
-    /// The exit code, once the server ends; the input stays open.
+    /// Waits for the end of the server and returns the exit code; the input stays open.
     pub fn exit_code(&mut self) -> u8 {
         self.server.take().unwrap().join().unwrap()
     }
@@ -212,7 +212,7 @@ impl Client {
         }
     }
 
-    /// The messages that have arrived and were not read yet.
+    /// Messages that have arrived and were not read yet.
     pub fn passed(&mut self) -> impl Iterator<Item = Value> {
         self.passed.extend(self.from_server.try_iter());
         self.passed.drain(..)
@@ -250,7 +250,7 @@ fn read(input: &mut impl BufRead) -> Option<Value> {
     Some(serde_json::from_slice(&body).unwrap())
 }
 
-/// The URI of a path; what is one already stays.
+/// URI of a path; a URI is returned unchanged.
 pub fn uri(path: &str) -> String {
     if path.starts_with('/') { format!("file://{path}") } else { path.to_owned() }
 }

@@ -1,4 +1,4 @@
-//! Completions that are taken: snippets or not, Markdown or not, and declarations in other files.
+//! Accepted completions: with and without snippets and Markdown, and declarations in other files.
 
 use serde_json::{Value, json};
 
@@ -33,7 +33,7 @@ fn what_can_follow_a_name_takes_it() {
     let characters = |label: &str| find(&items, "label", label)["commitCharacters"].clone();
     assert_eq!(characters("pA"), json!(["."]));
     assert_eq!(characters("nList"), json!(["["]));
-    // A name alone, and a call that brings its parentheses.
+    // A name, and a call that inserts its parentheses.
     assert_eq!(characters("nA"), Value::Null);
     assert_eq!(characters("movej"), Value::Null);
     assert_eq!(session.client.end(), 0);
@@ -82,7 +82,7 @@ fn a_completion_can_declare_in_another_file() {
     let edits = &asked["params"]["edit"]["changes"][&uri(&session.cell.path("usrapp/main/main.dtx"))];
     assert!(each(edits, "newText")[0].contains("nNewOne"), "{asked}");
     assert_eq!(session.client.end(), 0);
-    // A client that does not apply edits of the server gets no completion that needs a declaration elsewhere.
+    // A client that does not apply edits of the server gets no completion that requires a declaration in another file.
     let mut session = Session::of(CELL, json!({}));
     place["textDocument"] = session.place("nA")["textDocument"].clone();
     let items = session.client.ask("textDocument/completion", place)["items"].clone();
@@ -104,7 +104,7 @@ fn elements_and_attributes_are_completed() {
     assert_eq!((&ty["insertTextFormat"], &ty["textEdit"]["newText"]), (&json!(2), &json!("type=\"${1:type}\"")));
     let resolved = session.client.ask("completionItem/resolve", ty);
     assert!(resolved["documentation"]["value"].as_str().unwrap().contains("built-in type"), "{resolved}");
-    // A blank in code ends a word.
+    // A space in code ends a word.
     let (line, column) = crate::cell::place(&program, "nA=power");
     let mut code = at(&session.cell.path(START), line, column);
     code["context"] = place["context"].clone();

@@ -74,7 +74,7 @@ fn other_files_have_no_tables() {
     assert_eq!(session.client.end(), 0);
 }
 
-/// The result after a change of the text.
+/// Result after a change of the text.
 fn after_change(session: &mut Session, text: &str, version: i64, params: Value) -> Value {
     session.client.change(&session.cell.path(DATA), version, text);
     ask(session, "val3/data", params)
@@ -104,7 +104,7 @@ fn changes_are_sent_instead_of_the_tables() {
     assert_eq!(changes["data"]["items"], json!([]));
     assert_eq!(changes["findings"], json!({ "start": 0, "deleteCount": 1, "items": [] }));
 
-    // A line before the data moves them; an unknown result, or another list of types, needs all of them.
+    // A line before the data shifts them; an unknown result id, or another list of types, requires all data.
     let params = json!({ "previousResultId": changes["resultId"] });
     let moved = after_change(&mut session, &changed.replace("<Datas>", "\n<Datas>\n"), 3, params);
     assert_eq!((&moved["data"]["items"].as_array().unwrap().len(), &moved["lineShift"]), (&1, &json!(2)));
@@ -148,7 +148,7 @@ fn changed_values_of_an_array_are_sent_alone() {
     let changed = changes(&added, &changed);
     assert_eq!(changed["values"], json!({ "start": 89, "deleteCount": 0 }));
     assert_eq!(changed["data"]["items"][0]["values"], json!([{ "key": "51", "texts": [null] }]));
-    // Another head: all values.
+    // A different head requires all values.
     let public = added.replace("private", "public");
     let changed = changes(&public, &changed);
     assert_eq!(changed["values"], Value::Null);
@@ -191,7 +191,7 @@ fn every_kind_of_edit_is_understood() {
     let text: String = edits.iter().map(|edit| edit["newText"].as_str().unwrap()).collect();
     assert!(text.contains("<Value key=\"c\" />") && !text.contains("\"b\""), "{text}");
     assert!(text.contains("<Data name=\"nB\" access=\"public\" xsi:type=\"array\" type=\"num\" size=\"3\">"), "{text}");
-    // The copy has the fault of its model.
+    // The copy has the same fault as the original.
     assert_eq!(answer["findings"][0]["place"], json!({ "name": "nB", "key": "0" }), "{answer}");
     assert_eq!(session.client.end(), 0);
 }

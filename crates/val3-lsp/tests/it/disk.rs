@@ -1,4 +1,4 @@
-//! Files and folders that change outside of the editor.
+//! Files and folders that change outside the editor.
 
 use serde_json::{Value, json};
 
@@ -10,7 +10,7 @@ fn changed(client: &mut Client, path: &str) {
     happened(client, &[(path, 2)]);
 }
 
-/// Tells what happened to paths: 1 created, 2 changed, 3 deleted.
+/// Reports changed paths: 1 created, 2 changed, 3 deleted.
 fn happened(client: &mut Client, events: &[(&str, u8)]) {
     let changes: Vec<Value> = events.iter().map(|(path, kind)| json!({ "uri": uri(path), "type": kind })).collect();
     client.notify("workspace/didChangeWatchedFiles", json!({ "changes": changes }));
@@ -54,10 +54,10 @@ fn the_server_watches_the_disk_itself() {
     let mut client = Client::start(&[&cell.folder()]);
     client.open(&start, cell.text("usrapp/main/start.pgx"));
     assert_eq!(client.findings(&start, Some(1)), Vec::<Value>::new());
-    // The watch begins with `initialized`; the answer to a later request shows that it was handled.
+    // Watching starts with `initialized`; the response to a later request shows that it was handled.
     client.ask("val3/workspaceTree", Value::Null);
     cell.write("usrapp/main/other.pgx", &cell.text("usrapp/main/other.pgx").replace("nA", "nB"));
-    // The file may be seen half written first.
+    // The watcher may report the file half written first.
     while !codes(&client.findings(&cell.path("usrapp/main/other.pgx"), None)).contains(&"V0101") {}
     assert_eq!(client.end(), 0);
 }
@@ -105,7 +105,7 @@ fn an_edit_of_the_configuration_is_noticed() {
     assert_eq!(codes(&client.findings(&start, None)), ["V0101"]);
     client.open(&config, "[rules]\nV0101 = \"off\"\n");
     assert_eq!(client.findings(&start, None), Vec::<Value>::new());
-    // While it is at fault it counts as it was.
+    // While the configuration is faulty, its last valid state is in effect.
     client.change(&config, 2, "[rules]\nV0101 = \"of\"\n");
     let found = client.findings(&config, None);
     assert_eq!(found[0]["range"]["start"]["line"], 1, "{found:?}");
@@ -142,7 +142,7 @@ fn a_single_file_finds_its_project() {
 const MANIFEST: &str = "usrapp/main/main.pjx";
 const OTHER: &str = "usrapp/main/other.pgx";
 
-/// A cell that lists `OTHER.PGX`, which is `other.pgx` on the disk, and a client that registers watchers or does not.
+/// A cell that lists `OTHER.PGX`, which is `other.pgx` on the disk, and a client with or without file watchers.
 fn spelt_otherwise(watches: bool) -> (Cell, Client) {
     let cell = Cell::new(CELL);
     cell.write(MANIFEST, &cell.text(MANIFEST).replace("other.pgx", "OTHER.PGX"));
@@ -152,7 +152,7 @@ fn spelt_otherwise(watches: bool) -> (Cell, Client) {
     (cell, client)
 }
 
-/// Writes a file, as another program than the editor does.
+/// Writes a file like a program outside the editor.
 fn write(cell: &Cell, client: &mut Client, file: &str, text: &str, watches: bool) {
     cell.write(file, text);
     if watches {
@@ -160,7 +160,7 @@ fn write(cell: &Cell, client: &mut Client, file: &str, text: &str, watches: bool
     }
 }
 
-/// Waits for findings that are as wanted.
+/// Waits for findings that satisfy the condition.
 fn wait_for_codes(client: &mut Client, path: &str, wanted: impl Fn(&[&str]) -> bool) {
     while !wanted(&codes(&client.findings(path, None))) {}
 }
@@ -224,7 +224,7 @@ fn a_file_in_another_spelling_is_the_same() {
     client.change(&other, 2, &text.replace("nB", "nC"));
     let found = client.latest_findings(&other, 2);
     assert!(found.iter().any(|found| found["message"].as_str().unwrap().contains("nC")), "{found:?}");
-    // Another file of the project is read again: the document counts all the same.
+    // If another file of the project is read again, the document stays in effect.
     changed(&mut client, &cell.path(MANIFEST));
     client.ask("val3/workspaceTree", Value::Null);
     assert_eq!(client.try_told("textDocument/publishDiagnostics"), None);
@@ -241,7 +241,7 @@ fn the_later_of_two_documents_of_one_file_counts() {
     client.open(&one, cell.text(OTHER));
     client.open(&two, &cell.text(OTHER).replace("nA", "nB"));
     assert!(codes(&client.latest_findings(&two, 1)).contains(&"V0101"));
-    // Places in the other one would be places in another text.
+    // Positions in the other document would belong to another text.
     client.change(&one, 2, "");
     assert_eq!(client.ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": uri(&one) } })), Value::Null);
     client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri(&two) } }));
@@ -260,7 +260,7 @@ const FOLDERS: &str = "call other()\n\
     <Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n\
     <Program name=\"other\" access=\"private\"><Code><![CDATA[begin\n  cls()\nend]]></Code></Program></Programs>\n";
 
-/// Moves a folder, as another program than the editor does. Clients report the folder alone.
+/// Moves a folder like a program outside the editor. Clients report only the folder.
 fn move_folder(cell: &Cell, client: &mut Client, from: &str, to: &str, watches: bool) {
     cell.rename(from, to);
     if watches {

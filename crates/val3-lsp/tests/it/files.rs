@@ -38,7 +38,7 @@ fn edits_for_renamed_files_are_returned_before_the_rename() {
 
 #[test]
 fn renamed_files_are_read_again() {
-    // A client that announces to watch files but reports none: its notifications about renamed files must be enough.
+    // This client announces file watching but reports no changes: its notifications about renamed files must suffice.
     let watching = json!({ "workspace": { "didChangeWatchedFiles": { "dynamicRegistration": true } } });
     let mut session = Session::of(CELL, watching);
     let (other, manifest) = (session.cell.path(OTHER), session.cell.path(MANIFEST));

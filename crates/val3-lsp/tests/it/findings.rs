@@ -1,4 +1,4 @@
-//! Findings: those of `val3 check`, sent and asked for.
+//! Pushed and pulled findings, compared with `val3 check`.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ fn example(name: &str) -> String {
     path.canonicalize().unwrap().to_str().unwrap().to_owned()
 }
 
-/// The findings of `val3 check`: the same calls as in its engine.
+/// Findings of `val3 check`, computed by the same calls as in its engine.
 fn checked(folder: &str) -> Vec<Found> {
     let workspace = load(&Disk, &[Utf8PathBuf::from(folder)]).unwrap();
     let db = &workspace.db;
@@ -92,7 +92,7 @@ fn pulled_findings_equal_the_check() {
     let known = reports.iter().map(|report| json!({ "uri": report["uri"], "value": report["resultId"] }));
     let again = client.ask("workspace/diagnostic", json!({ "previousResultIds": known.collect::<Vec<_>>() }));
     assert!(again["items"].as_array().unwrap().iter().all(|report| report["kind"] == "unchanged"), "{again}");
-    // A client that pulls gets no published findings.
+    // A client that pulls receives no published findings.
     assert!(client.passed().all(|message| message["method"] != "textDocument/publishDiagnostics"));
     assert_eq!(client.end(), 0);
 }
@@ -174,7 +174,7 @@ fn settings_are_requested_from_the_client() {
     assert_eq!(client.end(), 0);
 }
 
-/// The kinds of the messages about a piece of work until its end.
+/// Kinds of the progress messages for a token, until the end.
 fn progress_of(client: &mut Client, token: &str) -> Vec<String> {
     let mut kinds = Vec::new();
     while kinds.last().is_none_or(|kind| kind != "end") {
@@ -186,7 +186,7 @@ fn progress_of(client: &mut Client, token: &str) -> Vec<String> {
     kinds
 }
 
-/// Agrees to the next piece of work that the server wants to show, and returns its token.
+/// Accepts the server's next progress request, and returns its token.
 fn agree(client: &mut Client) -> String {
     let asked = client.told("window/workDoneProgress/create");
     client.send(&json!({ "jsonrpc": "2.0", "id": asked["id"], "result": null }));
@@ -228,7 +228,7 @@ fn findings_of_the_workspace_report_their_progress() {
     let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
     let (scan, pull) = (agree(&mut client), agree(&mut client));
     assert_eq!(progress_of(&mut client, &scan), ["begin", "end"]);
-    // The client shows the first answer, and later ones if it brings a token.
+    // The client shows the progress of the first pull, and of later pulls that contain a token.
     client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
     assert_eq!(progress_of(&mut client, &pull), ["begin", "report", "report", "end"]);
     client.ask("workspace/diagnostic", json!({ "previousResultIds": [], "workDoneToken": "mine" }));
@@ -254,7 +254,7 @@ fn a_pulling_client_is_told_to_refresh() {
     };
     assert_eq!(ask(&mut client, &start), json!([]));
     assert_eq!(ask(&mut client, &other), json!([]));
-    // The client pulls the findings of an edited document without a refresh.
+    // The client pulls findings for an edited document without a refresh.
     client.change(&other, 2, &cell.text("usrapp/main/other.pgx").replace("put(x_n)", "put(x_m)"));
     assert_eq!(client.try_told("workspace/diagnostic/refresh"), None);
     assert_eq!(codes(ask(&mut client, &other).as_array().unwrap()), ["V0101"]);
@@ -272,7 +272,7 @@ fn shared_cause() -> String {
     format!("call message(\"\")\n{program}--- one\n{program}--- two\n{program}")
 }
 
-/// The files with a finding of this rule, as the client has them now.
+/// Files with a finding of this rule, in the client's current state.
 fn files_with(files: &BTreeMap<String, Vec<Value>>, code: &str) -> Vec<String> {
     let with = files.iter().filter(|(_, found)| found.iter().any(|found| found["code"] == code));
     with.map(|(uri, _)| uri.rsplit_once("/usrapp/").unwrap().1.to_owned()).collect()
@@ -361,7 +361,7 @@ fn unused_items_are_faded() {
     for found in found {
         assert_eq!((&found["severity"], &found["tags"]), (&json!(4), &json!([1])), "{found}");
     }
-    // A shop that wants to see them says so.
+    // A configuration can raise the level.
     client.open(&cell.path("val3.toml"), "[rules]\nV0113 = \"warning\"\n");
     let found = client.findings(&data, None);
     let unused = found.iter().find(|found| found["code"] == "V0113").unwrap();
@@ -384,7 +384,7 @@ fn a_pulling_client_sees_a_broken_configuration() {
         "workspace": { "diagnostics": { "refreshSupport": true } },
     });
     let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
-    // It may never ask for the findings in a file that is not open.
+    // A client may never pull the findings in a file that is not open.
     let sent = client.findings(&config, None);
     assert_eq!(sent[0]["range"]["start"]["line"], 1, "{sent:?}");
     let report = client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
@@ -439,13 +439,13 @@ fn unknown_settings_are_reported() {
     }
 }
 
-/// The bytes of a program of s5 with `café`.
+/// Bytes of an s5 program with `café`.
 const IN_LATIN1: &[u8] = b"<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n\
     <programList xmlns=\"ProgramNameSpace\">\n\
     <program name=\"start\" public=\"false\"><source><code>begin\n  putln(\"caf\xe9\")\nend</code></source></program>\n\
     </programList>\n";
 
-/// The encoding faults of a stored file that an editor shows as `shown`.
+/// Encoding faults of a stored file that an editor shows as `shown`.
 fn encoding_faults(stored: &[u8], shown: &str) -> Vec<String> {
     let cell = Cell::new("cls()");
     let start = cell.path("usrapp/main/start.pgx");
@@ -464,7 +464,7 @@ fn a_file_opened_in_the_wrong_encoding_is_reported() {
     assert_eq!(encoding_faults(IN_LATIN1, &in_latin1), Vec::<String>::new());
     let misread = encoding_faults(IN_LATIN1, &String::from_utf8_lossy(IN_LATIN1));
     assert!(misread[0].contains("open in another encoding"), "{misread:?}");
-    // It was opened like that and saved.
+    // The file was opened with the wrong encoding and saved.
     let lost = String::from_utf8_lossy(IN_LATIN1).into_owned();
     let found = encoding_faults(lost.as_bytes(), &lost);
     assert!(found[0].contains("lost"), "{found:?}");

@@ -1,4 +1,4 @@
-//! Calls, types, links and names that are edited together.
+//! Call and type hierarchies, links, and linked editing of names.
 
 use serde_json::json;
 

@@ -1,4 +1,4 @@
-//! Lines above declarations and remarks in the code.
+//! Code lenses and inlay hints.
 
 use serde_json::{Value, json};
 
@@ -27,7 +27,7 @@ fn programs_have_lenses_above_them() {
     assert_eq!(resolved["command"]["command"], "val3.showReferences");
     let places = &resolved["command"]["arguments"][2];
     assert_eq!(each(places, "uri"), [uri(&session.cell.path(START))]);
-    // As many as the editor finds, which the declaration and its entry in the project file do not belong to.
+    // The same number as the references without the declaration and its element in the project file.
     let mut params = session.place("other");
     params["context"] = json!({ "includeDeclaration": false });
     assert_eq!(&session.client.ask("textDocument/references", params), places);
@@ -127,7 +127,7 @@ fn edits_of_other_files_refresh_the_counts() {
     session.client.told("workspace/codeLens/refresh");
     let resolved = session.client.ask("codeLens/resolve", lenses[0].clone());
     assert_eq!(resolved["command"]["title"], "2 references");
-    // Of what it shows itself, a client learns when it asks after its own edit.
+    // A client requests the lenses of a document that it has edited itself.
     session.client.change(&other, 2, session.cell.text(OTHER));
     assert_eq!(session.client.try_told("workspace/codeLens/refresh"), None);
     assert_eq!(session.client.end(), 0);

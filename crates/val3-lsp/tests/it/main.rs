@@ -1,4 +1,4 @@
-//! The server as its clients see it.
+//! The server from the view of its clients.
 
 #![allow(unreachable_pub, missing_docs, dead_code, reason = "two suites share the client")]
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
@@ -23,7 +23,7 @@ mod test_list;
 mod torture;
 mod variables;
 
-/// The codes of findings.
+/// Codes of findings.
 fn codes(findings: &[serde_json::Value]) -> Vec<&str> {
     findings.iter().map(|finding| finding["code"].as_str().unwrap_or("")).collect()
 }

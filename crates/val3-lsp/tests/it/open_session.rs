@@ -1,4 +1,4 @@
-//! A client with one open program, and its requests about that program.
+//! A client with one open program, and requests about that program.
 
 use serde_json::{Value, json};
 
@@ -24,38 +24,38 @@ impl Session {
         Self { cell, client }
     }
 
-    /// The first place of a part of `start`.
+    /// Position of the first occurrence of `part` in `start`.
     pub fn place(&self, part: &str) -> Value {
         self.place_in(START, part)
     }
 
-    /// The first place of a part of a file.
+    /// Position of the first occurrence of `part` in a file.
     pub fn place_in(&self, file: &str, part: &str) -> Value {
         let (line, column) = place(self.cell.text(file), part);
         at(&self.cell.path(file), line, column)
     }
 
-    /// Asks about the first place of a part of `start`.
+    /// Sends a request for the first occurrence of `part` in `start`.
     #[track_caller]
     pub fn ask_at(&mut self, method: &str, part: &str) -> Value {
         let place = self.place(part);
         self.client.ask(method, place)
     }
 
-    /// Asks about `start` as a whole.
+    /// Sends a request for the document `start`.
     #[track_caller]
     pub fn ask(&mut self, method: &str) -> Value {
         let params = json!({ "textDocument": { "uri": uri(&self.cell.path(START)) } });
         self.client.ask(method, params)
     }
 
-    /// Asks about a range that begins and ends at the first place of a part of `start`.
+    /// Requests code actions at the first occurrence of `part` in `start`.
     #[track_caller]
     pub fn actions_at(&mut self, part: &str, only: Value) -> Value {
         self.actions_in(START, part, only)
     }
 
-    /// The same for a part of another file.
+    /// Like [`actions_at`](Self::actions_at), in another file.
     #[track_caller]
     pub fn actions_in(&mut self, file: &str, part: &str, only: Value) -> Value {
         let mut params = self.place_in(file, part);
@@ -66,14 +66,14 @@ impl Session {
     }
 }
 
-/// The text under `key` of each member of a list.
+/// Strings under `key` in each element of a list.
 #[track_caller]
 pub fn each<'v>(list: &'v Value, key: &str) -> Vec<&'v str> {
     let list = list.as_array().unwrap_or_else(|| panic!("no list: {list}"));
     list.iter().map(|found| found[key].as_str().unwrap_or("")).collect()
 }
 
-/// The member of a list that has this under a key.
+/// Element of a list in which `key` has this value.
 #[track_caller]
 pub fn find(list: &Value, key: &str, wanted: &str) -> Value {
     let found = list.as_array().and_then(|list| list.iter().find(|found| found[key] == wanted));

@@ -10,7 +10,7 @@ use crate::open_session::{START, Session};
 const HTML: &str = "usrapp/main/interface/main.html";
 const BINDINGS: &str = "usrapp/main/interface/main.bindings.json";
 
-/// A binding follows another one on its line, after letters of two UTF-16 units.
+/// A second binding on the same line, after characters with two UTF-16 units.
 const CELL: &str = r#"version s8.10
 num nCount
 program start()
@@ -31,7 +31,7 @@ end
 {"title":"😀 é","bindings":[{"id":"lblCount","attribute":"innerHTML","data":"nCount[0]","direction":"r"}],"callbacks":[{"id":"btnReset","event":"click","data":"clkReset"}]}
 "#;
 
-/// Abilities of a client that moves files in a rename.
+/// Capabilities of a client that moves files in a rename.
 fn moving() -> Value {
     json!({ "workspace": { "workspaceEdit": { "documentChanges": true, "resourceOperations": ["rename"] } } })
 }
@@ -132,7 +132,7 @@ fn findings_follow_edits_of_open_bindings() {
     assert_eq!(client.end(), 0);
 }
 
-/// The text of the file on the disk counts, whether the client or the server watches.
+/// The file on the disk is in effect, whether the client or the server watches.
 #[test]
 fn files_of_pages_are_watched() {
     let watches = json!({ "workspace": { "didChangeWatchedFiles": { "dynamicRegistration": true } } });
@@ -156,11 +156,11 @@ fn files_of_pages_are_watched() {
         cell.write(BINDINGS, cell.text(BINDINGS));
         tell(&mut client, &bindings, 2);
         while !client.findings(&bindings, None).is_empty() {}
-        // The page has no such element any more.
+        // The page no longer has this element.
         cell.write(HTML, &cell.text(HTML).replace("btnReset", "btnStop"));
         tell(&mut client, &html, 2);
         while codes(&client.findings(&bindings, None)) != ["V0560"] {}
-        // Without the HTML file nothing is known about elements.
+        // Without the HTML file, the elements are unknown.
         cell.remove(HTML);
         tell(&mut client, &html, 3);
         while !client.findings(&bindings, None).is_empty() {}

@@ -1,4 +1,4 @@
-//! Libraries and types that a project gets, and items that it loses.
+//! Libraries and types that are added to a project, and items that are deleted from it.
 
 use serde_json::{Value, json};
 

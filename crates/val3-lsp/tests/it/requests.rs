@@ -143,7 +143,7 @@ fn semantic_tokens_are_returned() {
         after.splice(start..start + count, data);
     }
     assert_eq!(session.ask("textDocument/semanticTokens/full")["data"], json!(after));
-    // Of an answer that is too old there is no difference.
+    // No difference is available for an outdated result, so the response contains all tokens.
     let whole = session.client.ask("textDocument/semanticTokens/full/delta", params);
     assert_eq!(whole["data"], json!(after));
     let range = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 2, "character": 0 } });
@@ -171,7 +171,7 @@ fn documents_are_formatted() {
     let mut params = at(&path, line + 1, 0);
     params["ch"] = json!("\n");
     params["options"] = options;
-    // The line that was finished, and the blanks of the one that begins.
+    // The completed line, and the indentation of the new line.
     let typed = session.client.ask("textDocument/onTypeFormatting", params);
     assert_eq!(each(&typed, "newText"), ["for", "        "]);
     assert_eq!(session.client.end(), 0);
@@ -204,7 +204,7 @@ fn the_code_without_xml_is_returned() {
     };
     let before = text(&mut session.client);
     assert!(before.starts_with("begin\n") && before.ends_with("\nend"), "{before}");
-    // The client is told once of a change of the code, and not of others.
+    // The client is notified once when the code changes, and never for other changes.
     let file = session.cell.text(START).to_owned();
     let edited = file.replace("begin\n", "begin\n  // first\n");
     session.client.change(&path, 2, &edited);

@@ -1,4 +1,4 @@
-//! One session from its first message to its last.
+//! Sessions from the first message to the last.
 
 use std::time::{Duration, Instant};
 
@@ -32,7 +32,7 @@ fn capabilities_are_announced() {
     let mut client = Client::fresh();
     let answer = client.ask("initialize", json!({ "capabilities": {} }));
     let capabilities = &answer["capabilities"];
-    // The types that make the answer know nothing of this one.
+    // The types of lsp-types have no field for this capability.
     assert_eq!(capabilities["typeHierarchyProvider"], true);
     assert_eq!(capabilities["executeCommandProvider"]["commands"], json!(["val3.applyEdit", "val3.tests"]));
     assert_eq!(capabilities["workspace"]["textDocumentContent"]["schemes"], json!(["val-text"]));
@@ -86,7 +86,7 @@ fn requests_before_initialize_and_after_shutdown_are_refused() {
     assert_eq!(client.ask_in_vain("initialize", json!({ "capabilities": {} })), -32600);
     assert_eq!(client.ask_in_vain("val3/nothing", json!({})), -32601);
     assert_eq!(client.ask_in_vain("textDocument/hover", json!({ "position": 3 })), -32602);
-    // Many clients say that there are no parameters.
+    // Many clients send `null` parameters.
     client.send(&json!({ "jsonrpc": "2.0", "id": "down", "method": "shutdown", "params": null }));
     let down = client.wait_for("an answer", |message| message["id"] == "down");
     assert_eq!(down, json!({ "jsonrpc": "2.0", "id": "down", "result": null }));
@@ -143,7 +143,7 @@ fn garbage_is_refused_and_the_session_continues() {
         assert_eq!(refused["error"]["code"], code, "{refused}");
         assert_eq!(refused["id"], Value::Null);
     }
-    // An answer to no request, and an unknown notification.
+    // A response to no request, and an unknown notification.
     client.send(&json!({ "jsonrpc": "2.0", "id": 99, "result": null }));
     client.notify("$/whatever", json!({}));
     client.notify("val3/whatever", json!([1]));
@@ -178,7 +178,7 @@ fn documents_without_a_project_have_findings() {
     let (line, column) = place(&text, "call");
     let hover = client.ask("textDocument/hover", at(&loose, line, column));
     assert!(hover["contents"]["value"].as_str().unwrap().contains("call"), "{hover}");
-    // No definition leads to the generated project file, which does not exist on the disk.
+    // No definition resolves to the generated project file, which does not exist on the disk.
     let (line, column) = place(&text, "start");
     let mut start = at(&loose, line, column);
     start["context"] = json!({ "includeDeclaration": true });
@@ -218,7 +218,7 @@ fn an_outdated_version_changes_nothing() {
 
 #[test]
 fn the_server_runs_if_the_client_process_is_invisible() {
-    // A process that has already ended looks like one that is invisible, so the server does not wait for it.
+    // A process that has already ended looks like an invisible process, so the server does not watch it.
     let mut gone = std::process::Command::new("true").spawn().unwrap();
     let process = gone.id();
     gone.wait().unwrap();

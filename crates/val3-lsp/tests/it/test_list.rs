@@ -1,4 +1,4 @@
-//! The tests of the workspace.
+//! Tests of the workspace.
 
 use serde_json::{Value, json};
 

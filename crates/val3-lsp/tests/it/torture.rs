@@ -1,11 +1,11 @@
-//! Random edits while requests fly. At the end the server knows what a fresh one knows.
+//! Random edits while requests are pending. At the end, the server's state equals the state of a fresh server.
 
 use serde_json::{Value, json};
 
 use crate::cell::Cell;
 use crate::client::{Client, at, uri};
 
-/// Edits of all runs.
+/// Total number of edits.
 const EDITS: usize = 20_000;
 
 const CELL: &str = "library part \"Disk://part/part.pjx\"\npoint pA\ntool tA\nmdesc mA\nnum nA\n\
@@ -21,7 +21,7 @@ const FILES: [&str; 5] = [
     "usrapp/part/part.dtx",
 ];
 
-/// The texts that edits insert.
+/// Texts inserted by the edits.
 const PIECES: [&str; 16] = [
     "",
     "x",
@@ -41,7 +41,7 @@ const PIECES: [&str; 16] = [
     "\r\n",
 ];
 
-/// Each is sent with [`parameters`]; what one does not know, it does not read.
+/// Requests, sent with [`parameters`]; each reads only its own parameters.
 const REQUESTS: [&str; 24] = [
     "textDocument/hover",
     "textDocument/completion",
@@ -69,7 +69,7 @@ const REQUESTS: [&str; 24] = [
     "workspace/willDeleteFiles",
 ];
 
-/// Numbers by chance, the same in every run (SplitMix64).
+/// Deterministic random numbers (SplitMix64).
 struct Chance(u64);
 
 impl Chance {
@@ -82,7 +82,7 @@ impl Chance {
     }
 }
 
-/// A document as the editor has it.
+/// Document in the editor.
 struct Document {
     path: String,
     original: String,
@@ -92,18 +92,18 @@ struct Document {
 }
 
 impl Document {
-    /// A random change as the protocol has it, made in the text as well.
+    /// Makes a random change to the text, and returns it as a protocol change.
     fn change(&mut self, chance: &mut Chance) -> Value {
         self.undo.push(self.text.clone());
         match chance.below(12) {
             0 => {
-                // Everything as it was, or as it was a while ago.
+                // Restores the original text or an earlier state.
                 let before = self.undo.len() - 1 - chance.below(self.undo.len());
                 self.text = if chance.below(2) == 0 { self.original.clone() } else { self.undo[before].clone() };
                 json!({ "text": self.text })
             }
             1 => {
-                // A copy of a part of the program at another position.
+                // Copies a part of the program to another position.
                 let (at, _) = self.two_places(chance);
                 let from = self.original.floor_char_boundary(chance.below(self.original.len()));
                 let half = self.original[from..].to_owned();
@@ -124,7 +124,7 @@ impl Document {
         json!({ "range": range, "text": piece })
     }
 
-    /// Two places, in order and near to each other. No place between `\r` and `\n`: editors have none there.
+    /// Two nearby positions in ascending order. No position is between `\r` and `\n`, because editors have none there.
     fn two_places(&self, chance: &mut Chance) -> (usize, usize) {
         let start = self.floor(chance.below(self.text.len() + 1));
         (start, self.floor((start + chance.below(30)).min(self.text.len())))
@@ -143,8 +143,7 @@ impl Document {
     }
 }
 
-/// The findings in every file that the server sends once it has nothing left to do, and the text it has: what it
-/// colours is a mirror of it.
+/// Findings that the idle server sends for every file, and its semantic tokens, which mirror its text.
 fn state(client: &mut Client, documents: &[Document]) -> Vec<Value> {
     let mut state = Vec::new();
     for document in documents {
@@ -164,7 +163,7 @@ fn random_edits_leave_the_server_consistent() {
     }
 }
 
-/// An editor that asks for the edits of actions, and for findings if it `pulls`.
+/// Capabilities for an editor that resolves action edits, and pulls findings if `pulls`.
 fn abilities(pulls: bool) -> Value {
     let action = json!({
         "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } },
@@ -180,7 +179,7 @@ fn abilities(pulls: bool) -> Value {
     abilities
 }
 
-/// Parameters that suit any of the requests, at a random position.
+/// Parameters at a random position that suit any of the requests.
 fn parameters(document: &Document, chance: &mut Chance) -> Value {
     let mut number = |limit| u32::try_from(chance.below(limit)).unwrap();
     let (line, column) = (number(30), number(40));
@@ -213,7 +212,7 @@ fn run(seed: u64, edits: usize, pulls: bool) {
         .collect();
     let mut asked = Vec::new();
     for _ in 0..edits {
-        // Programs are edited most.
+        // Programs are edited most often.
         let which = if chance.below(8) == 0 { chance.below(FILES.len()) } else { chance.below(2) };
         let document = &mut documents[which];
         let changes: Vec<Value> = (0..=chance.below(2)).map(|_| document.change(&mut chance)).collect();
@@ -231,7 +230,7 @@ fn run(seed: u64, edits: usize, pulls: bool) {
             client.notify("$/cancelRequest", json!({ "id": id }));
         }
         asked.push(id);
-        // Now and then the client waits, so that not every answer is overtaken by an edit.
+        // From time to time the client waits, so that some responses arrive before the next edit.
         if asked.len() > 50 || chance.below(6) == 0 {
             let answers: Vec<Value> = asked.drain(..).map(|id| answered(&mut client, id)).collect();
             asked.extend(answers.iter().filter_map(|answer| choose(&mut client, answer, &mut chance)));
@@ -241,8 +240,8 @@ fn run(seed: u64, edits: usize, pulls: bool) {
     compare(client, &cell, &documents, pulls);
 }
 
-/// Every request is answered: with a result, because an edit or the client made it useless, or with the reason why the
-/// server refuses it (an action that would add an error).
+/// Waits for the response to a request: a result, an error after an edit or a cancellation, or a reason why the server
+/// rejects the request (for example an action that would add an error).
 fn answered(client: &mut Client, id: i64) -> Value {
     let mut answer = client.answer(id);
     let code = answer["error"]["code"].as_i64();
@@ -250,7 +249,7 @@ fn answered(client: &mut Client, id: i64) -> Value {
     answer["result"].take()
 }
 
-/// Chooses one of several actions or lenses, and asks for the rest of it.
+/// Chooses one of several actions or lenses, and resolves it.
 fn choose(client: &mut Client, answer: &Value, chance: &mut Chance) -> Option<i64> {
     let unresolved = |found: &&Value| found.get("data").is_some();
     let found: Vec<&Value> = answer.as_array()?.iter().filter(unresolved).collect();
@@ -259,7 +258,7 @@ fn choose(client: &mut Client, answer: &Value, chance: &mut Chance) -> Option<i6
     Some(client.request(method, chosen.clone()))
 }
 
-/// A fresh server that opens the current documents has the same findings.
+/// Checks that a fresh server with the current documents reports the same findings.
 fn compare(mut client: Client, cell: &Cell, documents: &[Document], pulls: bool) {
     let mut fresh = Client::start_with(&[&cell.folder()], abilities(pulls), Value::Null);
     for document in documents {

@@ -1,4 +1,4 @@
-//! The table of parameters and locals.
+//! Table of parameters and locals.
 
 use serde_json::{Value, json};
 

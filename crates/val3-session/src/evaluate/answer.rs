@@ -1,4 +1,4 @@
-//! Answers to a text: its values and output, or its fault.
+//! Evaluation output: values, printed lines, or a fault.
 
 use std::fmt::{self, Display};
 
@@ -11,22 +11,22 @@ use val3_syntax::{Part, TextSize};
 
 use super::sources::offset_in_code;
 
-/// One line of the answer to a text.
+/// One item of the output.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum EvaluationOutput {
-    /// The value of an expression, or the output of a statement.
+    /// An expression's value, or a line printed by a statement.
     Line(String),
-    /// The text cannot be evaluated.
+    /// The code cannot be evaluated.
     Fault(CodeFault),
-    /// The text ended with this run-time error.
+    /// The evaluation ended with this run-time error.
     RunTime(u16),
 }
 
-/// A reason why a text cannot be evaluated, with its place in the text.
+/// Reason why code cannot be evaluated, with its location in the code.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CodeFault {
     message: String,
-    /// Line from 0, characters before the fault, characters in the fault.
+    /// Line from 0, characters before the fault, characters of the fault.
     place: Option<(usize, usize, usize)>,
 }
 
@@ -37,24 +37,24 @@ impl From<String> for CodeFault {
 }
 
 impl CodeFault {
-    /// A finding in the program that executes `code`, in which the text follows `before` bytes.
+    /// Converts a finding in the program that executes `code`, where the evaluated code follows `before` bytes.
     pub(super) fn found(finding: &Diagnostic, code: &str, before: usize) -> Self {
         let offset = |at: TextSize| offset_in_code(code, at.into()).saturating_sub(before);
         let range = (offset(finding.place.range.start()), offset(finding.place.range.end()));
         Self::at(finding.message.clone(), code.part(before..), range)
     }
 
-    /// A fault at a range of bytes of a text.
+    /// Fault at a byte range of the code.
     pub(crate) fn at(message: String, text: &str, (from, to): (usize, usize)) -> Self {
         Self { message, place: place(text, from, to) }
     }
 
-    /// The message without its place.
+    /// Message without its location.
     pub fn message(&self) -> &str {
         &self.message
     }
 
-    /// The faulty line of `text`, with marks below the place of the fault.
+    /// The faulty line of `text`, with marks below the fault.
     pub fn excerpt(&self, text: &str) -> Option<String> {
         let (line, before, marked) = self.place?;
         let line = text.lines().nth(line).unwrap_or_default();
@@ -62,7 +62,8 @@ impl CodeFault {
     }
 }
 
-/// Line, characters before and characters in a range of a text, cut at the end of its first line.
+/// Line, number of characters before the range, and number of characters in the range. Only the first line of the range
+/// counts.
 fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
     const CHARACTERS: Columns = Columns { unit: Unit::Utf32, count_mark: true };
     let lines = LineIndex::new(text);
@@ -73,7 +74,7 @@ fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
 }
 
 impl EvaluationOutput {
-    /// The answer that an event gives. The value of an expression of type string is in quotes.
+    /// Output that an event produces. The value of a string expression is in quotes.
     pub(crate) fn of(event: &Event, is_string: bool) -> Option<Self> {
         match &event.kind {
             EventKind::Print { text } if is_string => Some(Self::Line(printed::string(text))),
@@ -91,7 +92,7 @@ impl EvaluationOutput {
         matches!(self, Self::Line(_))
     }
 
-    /// The fault of the text, if there is one.
+    /// Fault of the code, if there is one.
     pub fn fault(&self) -> Option<&CodeFault> {
         match self {
             Self::Fault(fault) => Some(fault),
@@ -100,7 +101,7 @@ impl EvaluationOutput {
     }
 }
 
-/// The message about an instruction that cannot be executed.
+/// Message about an instruction that cannot be executed.
 pub fn missing_instruction(name: &str) -> String {
     format!("this controller does not have `{name}`")
 }

@@ -1,21 +1,21 @@
-//! A text that declares variables: `num nA`, `num nB=2`, `point pA[3]`, `num nC=1, nD`.
+//! Variable declarations in evaluated code: `num nA`, `num nB=2`, `point pA[3]`, `num nC=1, nD`.
 
 use val3_syntax::Part;
 
 use super::variable::Variable;
 
-/// A variable that a text declares.
+/// A declared variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Declaration {
     pub(super) variable: Variable,
-    /// The assignment of its value. Blanks before it keep its position in the text.
+    /// Assignment of the value, preceded by spaces that preserve its position in the code.
     pub(super) assignment: Option<String>,
 }
 
-/// The variables that a text declares; `None` if it does not begin with a type.
+/// Variables that the code declares; `None` if it does not begin with a type.
 ///
 /// # Errors
-/// The message about a wrong declaration.
+/// A message about an invalid declaration.
 pub(super) fn declarations(text: &str, is_type: impl Fn(&str) -> bool) -> Option<Result<Vec<Declaration>, String>> {
     let start = text.len() - text.trim_start().len();
     let code = text.get(start..)?;
@@ -40,7 +40,7 @@ fn declaration(ty: &str, text: &str, (from, piece): (usize, &str)) -> Result<Dec
     Ok(Declaration { variable, assignment })
 }
 
-/// The parts of a text after `from`, separated by commas outside of brackets and strings, with their positions.
+/// Parts of the text after `from`, separated by commas outside brackets and strings, with their offsets.
 fn pieces(text: &str, from: usize) -> Vec<(usize, &str)> {
     let (mut pieces, mut start, mut depth, mut in_string) = (Vec::new(), from, 0_u32, false);
     for (at, character) in text.char_indices().skip_while(|(at, _)| *at < from) {

@@ -1,4 +1,4 @@
-//! The execution of a text: its program runs to its end on the controller of the evaluator.
+//! Execution of code: its program runs to its end on the evaluator's controller.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -14,20 +14,20 @@ use super::answer::EvaluationOutput;
 use super::sources::NAME;
 use crate::pace::{Delay, Pace};
 
-/// The caller of an evaluation.
+/// Interface to the caller.
 pub trait Listener {
-    /// Receives each answer immediately. `Break` ends the text.
+    /// Receives each output item immediately. `Break` ends the evaluation.
     fn answer(&mut self, answer: &EvaluationOutput) -> ControlFlow<()>;
 
     /// Waits in real time.
     fn wait(&mut self, delay: Delay);
 }
 
-/// A controller with the data that earlier texts have changed.
+/// A controller, with the data that earlier evaluations have changed.
 pub(super) struct Execution {
     controller: Controller,
     pace: Pace,
-    /// Set from outside to end a text.
+    /// Set by the caller to interrupt an evaluation.
     pub(super) interrupt: Arc<AtomicBool>,
 }
 
@@ -38,15 +38,16 @@ impl Execution {
         Self { controller, pace: Pace::default(), interrupt }
     }
 
-    /// Replaces the image: new data get their initial values, and data that the image lacks are removed.
+    /// Replaces the image. New data receive their initial values, and data that the image does not contain are removed.
     ///
     /// # Errors
-    /// The controller has no memory for it; its image is then unchanged.
+    /// If the controller's memory is insufficient; the image is then unchanged.
     pub(super) fn exchange(&mut self, image: Arc<Image>) -> Result<(), &'static str> {
         self.controller.exchange(image).map_err(|_| "the controller does not have enough memory (run-time error 40)")
     }
 
-    /// Executes the program of a text until its task has ended. Other tasks run meanwhile, and with the next text.
+    /// Executes the program of the code until its task has ended. Other tasks run at the same time, and also during the
+    /// next evaluation.
     pub(super) fn run(&mut self, image: Arc<Image>, is_string: bool, listener: &mut dyn Listener) {
         self.interrupt.store(false, Relaxed);
         let started =
@@ -56,12 +57,12 @@ impl Execution {
             Err(message) => Some(message.to_owned()),
         };
         if let Some(fault) = fault {
-            // Nothing follows that the listener could stop.
+            // The evaluation has ended, so a `Break` of the listener has no effect.
             let _ = listener.answer(&EvaluationOutput::Fault(fault.into()));
         }
     }
 
-    /// Runs until the task has ended. The result says what kept it from its own end.
+    /// Runs until the task has ended. Returns the reason if it did not reach its end.
     fn run_task(&mut self, task: TaskNumber, is_string: bool, listener: &mut dyn Listener) -> Option<String> {
         let end = loop {
             let outcome = self.controller.step_tasks();
@@ -80,7 +81,8 @@ impl Execution {
         end
     }
 
-    /// Lets time pass until something can happen. `Break` if the text has ended, with what kept it from its own end.
+    /// Advances the time to the next possible event. `Break` if the evaluation has ended, with the reason if it did not
+    /// reach its end.
     fn next(&mut self, task: TaskNumber, outcome: Outcome) -> ControlFlow<Option<String>, Delay> {
         let state = self.controller.vm.tasks().iter().find(|known| known.id == task).map(|task| task.state);
         let delay = match (state, outcome) {
@@ -100,14 +102,14 @@ impl Execution {
         }
     }
 
-    /// The message about a text that waits without end, with the line at which it waits.
+    /// Message about code that waits endlessly, with the waiting line.
     fn endless_wait(&self, task: TaskNumber) -> String {
         let positions = self.controller.vm.tasks().iter().zip(self.controller.task_positions());
         let Some((_, position)) = positions.into_iter().find(|(known, _)| known.id == task) else {
             return "it waits for an event that cannot happen here".to_owned();
         };
         let place = match position.program == NAME {
-            // The code of a text begins on the second line of its file.
+            // The code begins on the second line of its file.
             true => format!("line {}", position.line.saturating_sub(1)),
             false => format!("line {} of `{}`", position.line, position.program),
         };

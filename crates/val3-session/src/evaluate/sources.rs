@@ -1,5 +1,5 @@
-//! The files of the application that evaluates texts: an existing or an empty one, with the program and the data of the
-//! texts.
+//! Files of the application that evaluates code: an existing or an empty application, with a program and a data file
+//! for the code.
 
 use std::ops::Range;
 
@@ -13,12 +13,12 @@ use val3_syntax::{TextRange, decode_entities};
 use super::variable::Variable;
 use crate::error::SessionError;
 
-/// The name of the program that holds a text, and of an application of its own.
+/// Name of the program for evaluated code, and of the empty application.
 pub(crate) const NAME: &str = "eval__";
 
 const HEAD: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n";
 
-/// The project file of an application of its own, in a folder that need not exist.
+/// Project file of the empty application, in a folder that need not exist.
 pub(crate) fn empty(folder: &Utf8Path) -> (Utf8PathBuf, String) {
     let manifest = format!(
         "{HEAD}<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n  \
@@ -29,7 +29,7 @@ pub(crate) fn empty(folder: &Utf8Path) -> (Utf8PathBuf, String) {
     (folder.join(format!("{NAME}.pjx")), manifest)
 }
 
-/// The project file of an application, with the program and the data file listed.
+/// The application's project file, with the additional program and data file.
 pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, String), SessionError> {
     let file = project.manifest(db);
     let (path, mut text) = (file.path(db).clone(), file.text(db).to_string());
@@ -47,14 +47,15 @@ pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, 
     Ok((path, text))
 }
 
-/// Whether a block of the code is not closed, and nothing else is wrong.
+/// Whether an unclosed block is the only fault of the code.
 pub fn has_open_block(code: &str) -> bool {
     let parse = val3_syntax::parse(&program(code));
     let is_open = |error: &SyntaxError| matches!(error.kind, SyntaxErrorKind::UnclosedBlock { .. });
     !parse.errors().is_empty() && parse.errors().iter().all(is_open)
 }
 
-/// The texts of pasted code: each line, or the lines of a block together. Empty lines outside of blocks are left out.
+/// Splits pasted code into separately evaluated parts: single lines, and the lines of a block together. Empty lines
+/// outside blocks are omitted.
 pub fn texts(code: &str) -> Vec<String> {
     let (mut texts, mut open) = (Vec::new(), String::new());
     for line in code.lines() {
@@ -64,7 +65,7 @@ pub fn texts(code: &str) -> Vec<String> {
     texts
 }
 
-/// Adds a line to the text that is being read. Returns the text if the line completes it.
+/// Appends a line to the unfinished code in `open`. Returns the code if the line completes it.
 pub fn next_text(open: &mut String, line: &str) -> Option<String> {
     if !open.is_empty() {
         open.push('\n');
@@ -77,7 +78,7 @@ pub fn next_text(open: &mut String, line: &str) -> Option<String> {
     (!text.trim().is_empty()).then_some(text)
 }
 
-/// The data file with the variables.
+/// Data file with the variables.
 pub(crate) fn data(variables: &[Variable]) -> String {
     let lines: Vec<String> = variables.iter().map(Variable::data).collect();
     format!(
@@ -87,21 +88,22 @@ pub(crate) fn data(variables: &[Variable]) -> String {
     )
 }
 
-/// The file of the program up to the code, which begins on its second line.
+/// Program file before the code, which begins on the second line.
 const BEFORE: &str = "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
      xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"eval__\"><Code>begin\n";
 
-/// The program that executes `code`. The code is escaped: a CDATA section cannot contain its own end.
+/// Program that executes `code`. The code is escaped, because a CDATA section cannot contain `]]>`.
 pub(crate) fn program(code: &str) -> String {
     format!("{BEFORE}{}\nend</Code></Program></Programs>\n", escaped(code))
 }
 
-/// The offset in the program that executes `code` of the character that follows `before`, the start of the code.
+/// Offset, in the program that executes the code, of the character after `before`, the start of the code.
 pub(crate) fn offset_in_program(before: &str) -> usize {
     BEFORE.len() + escaped(before).len()
 }
 
-/// The offset in `code` of the byte `offset` of the program that executes it. Offsets outside of the code are cut to it.
+/// Offset in `code` of the byte `offset` in the program that executes it. Offsets outside the code are limited to its
+/// range.
 pub(crate) fn offset_in_code(code: &str, offset: usize) -> usize {
     let escaped = escaped(code);
     let before = escaped.get(..offset.saturating_sub(BEFORE.len())).unwrap_or(&escaped);

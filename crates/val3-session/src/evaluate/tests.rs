@@ -6,7 +6,7 @@ use val3_test::Fixture;
 use super::*;
 use crate::Delay;
 
-/// Keeps the answers.
+/// Collects the output.
 #[derive(Default)]
 struct Answers(Vec<String>);
 
@@ -52,7 +52,7 @@ fn characters_of_xml_are_ordinary_characters() {
     assert_eq!(evaluated(&mut empty(), &texts), ["\"a]]>b\"", "\"a<b&amp;'\"", "true", "\"&#65;<\""]);
 }
 
-/// The excerpt of the fault of a text.
+/// Excerpt of the fault in the code.
 fn excerpt(text: &str) -> String {
     #[derive(Default)]
     struct Faults(Vec<CodeFault>);
@@ -97,7 +97,7 @@ fn a_listener_can_end_a_text() {
     assert_eq!(evaluated(&mut evaluator, &["2"]), ["2"]);
 }
 
-/// The evaluator of a listing's application, with the folder that holds it.
+/// Evaluator of a listing's application, with its folder.
 fn of_listing(listing: &str) -> (tempfile::TempDir, Evaluator) {
     let folder = tempfile::tempdir().unwrap();
     let root = Utf8Path::from_path(folder.path()).unwrap();

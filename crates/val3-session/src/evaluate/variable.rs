@@ -1,22 +1,22 @@
-//! Variables of texts: a type, a name and a container, written like a parameter.
+//! Variables of evaluated code: a type, a name and a container, written like a parameter.
 
 use val3_lang::types::{Arm, BaseType, DefaultValue, attributes, field};
 
-/// A variable of the texts.
+/// A declared variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Variable {
-    /// The type as files spell it, or the name of a user type.
+    /// Type name as spelled in files, or the name of a user type.
     ty: String,
     name: String,
     /// Sizes; `None` for a collection.
     sizes: Option<Vec<u32>>,
 }
 
-/// The arm of positions if the application does not give another.
+/// Arm kind of positions if the application does not determine it.
 const ARM: Arm = Arm::SixAxis;
 
 impl Variable {
-    /// Reads `num nVal`, `point pA[3]`, `num nM[2,4]`, `string sNames[""]`.
+    /// Parses `num nVal`, `point pA[3]`, `num nM[2,4]`, `string sNames[""]`.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let wrong = || {
             format!(
@@ -40,17 +40,17 @@ impl Variable {
         Ok(Self { ty, name: name.to_owned(), sizes })
     }
 
-    /// The name.
+    /// Name.
     pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
-    /// It is an array or a collection.
+    /// Whether it is an array or a collection.
     pub(crate) fn is_container(&self) -> bool {
         self.sizes.as_deref() != Some(&[1])
     }
 
-    /// The variable as a data file declares it.
+    /// Declaration of the variable in a data file.
     pub(crate) fn data(&self) -> String {
         let Self { ty, name, sizes } = self;
         let values = self.values();
@@ -64,7 +64,7 @@ impl Variable {
         format!(r#"    <Data name="{name}" access="private" {shape} type="{ty}">{values}</Data>"#)
     }
 
-    /// The initial values of a local variable, as far as the defaults of files differ from them (`mdesc`).
+    /// Initial values of a local variable, where they differ from the defaults of files (`mdesc`).
     fn values(&self) -> String {
         let begun = BaseType::from_file_name(&self.ty).map(|(ty, arm)| begun(ty, arm)).unwrap_or_default();
         let keys = self.sizes.iter().filter(|_| !begun.is_empty()).flat_map(|sizes| keys(sizes));
@@ -72,7 +72,7 @@ impl Variable {
     }
 }
 
-/// The attributes of a value whose default in a program differs from that in a file.
+/// Attributes of a value whose default in a program differs from the default in a file.
 fn begun(ty: BaseType, arm: Option<Arm>) -> String {
     let differing = attributes(ty, arm).iter().filter_map(|attribute| match field(ty, arm, attribute.field)?.default {
         DefaultValue::Number(number) if attribute.default != DefaultValue::Number(number) => {
@@ -83,7 +83,7 @@ fn begun(ty: BaseType, arm: Option<Arm>) -> String {
     differing.collect()
 }
 
-/// The indexes of an array as files write them: `0,0`, `0,1`, …
+/// Array indexes as spelled in files: `0,0`, `0,1`, …
 fn keys(sizes: &[u32]) -> Vec<String> {
     sizes.iter().fold(vec![String::new()], |keys, size| {
         let longer = |key: &String, index| if key.is_empty() { format!("{index}") } else { format!("{key},{index}") };
@@ -91,7 +91,7 @@ fn keys(sizes: &[u32]) -> Vec<String> {
     })
 }
 
-/// Sizes, or `None` within for a collection.
+/// Parses sizes; the inner `None` stands for a collection.
 #[expect(clippy::option_option, reason = "outside: cannot be read; inside: a collection has no sizes")]
 fn sizes(text: &str) -> Option<Option<Vec<u32>>> {
     if text.trim() == "\"\"" {

@@ -1,4 +1,4 @@
-//! Completions in a frame.
+//! Completions in a stack frame.
 
 use val3_ide::{Completion, CompletionKind, FilePosition, completions_in};
 use val3_machine::controller::Controller;
@@ -8,26 +8,26 @@ use super::evaluation::EvaluationError;
 use super::scratch::Scratch;
 use super::{FrameEvaluator, PRINT};
 
-/// A completion of a text that is evaluated in a frame.
+/// A completion of code that is evaluated in a stack frame.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FrameCompletion {
-    /// The displayed name.
+    /// Displayed name.
     pub label: String,
-    /// Its type or signature; may be empty.
+    /// Type or signature; may be empty.
     pub detail: String,
-    /// Its kind.
+    /// Kind.
     pub kind: CompletionKind,
-    /// The inserted text.
+    /// Inserted text.
     pub insert: String,
-    /// The bytes of the text that it replaces.
+    /// Replaced byte range of the code.
     pub range: std::ops::Range<usize>,
 }
 
 impl FrameEvaluator {
-    /// The completions after the first `at` bytes of a text: those in a statement, then those in an expression.
+    /// Completions after the first `at` bytes of the code, first for a statement, then for an expression.
     ///
     /// # Errors
-    /// There is no such frame.
+    /// If the stack frame does not exist.
     pub fn completions(
         &mut self,
         controller: &Controller,

@@ -1,4 +1,4 @@
-//! The conditions of the line that a task is at, with the values in them: why it waits, or why its loop goes on.
+//! Conditions in a task's current line, with their values: the reason why the task waits or its loop continues.
 
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
 use val3_analysis::db::File;
@@ -12,29 +12,29 @@ use val3_vm::FragmentContext;
 use super::target::Target;
 use super::{FrameEvaluator, Purpose};
 
-/// Values of a condition that are read.
+/// Limit of values that are read for a condition.
 const VALUES: usize = 8;
 
-/// A condition on which it depends that a task continues.
+/// A condition for the continuation of a task.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LineCondition {
-    /// The line of the file, from 1.
+    /// Line in the file, from 1.
     pub line: u32,
-    /// The code of the line.
+    /// Code of the line.
     pub text: String,
-    /// The expressions in the condition that are no constants, each with its value.
+    /// Non-constant expressions in the condition, each with its value.
     pub values: Vec<(String, String)>,
 }
 
-/// An expression that may have a value to show.
+/// An expression whose value may be displayed.
 struct Candidate {
     text: String,
-    /// The arguments of a call, whose values are shown if the call itself cannot be evaluated.
+    /// Arguments of a call, whose values are displayed if the call itself cannot be evaluated.
     arguments: Vec<Candidate>,
 }
 
 impl FrameEvaluator {
-    /// The conditions in the line that a task is at, and of the loop around it. Conditions without values are omitted.
+    /// Conditions in a task's current line and of the loop that contains it. Conditions without values are omitted.
     pub fn conditions(&mut self, controller: &mut Controller, task: TaskNumber) -> Vec<LineCondition> {
         let context = FragmentContext::Frame(task, 0);
         let Some(row) = frames(&controller.vm, task).first().map(|frame| frame.row) else { return Vec::new() };
@@ -49,7 +49,7 @@ impl FrameEvaluator {
         valued.filter(|condition| !condition.values.is_empty()).collect()
     }
 
-    /// Adds the value of an expression, or the values of its arguments.
+    /// Adds the expression's value, or its arguments' values.
     fn read(
         &mut self,
         controller: &mut Controller,
@@ -65,14 +65,14 @@ impl FrameEvaluator {
             // The name of a constant is its value.
             Ok(Some(value)) if value.shown == *text => {}
             Ok(Some(value)) => values.push((text.clone(), value.shown)),
-            // It has a side effect, waits, or raises an error.
+            // It has a side effect, waits, or causes a run-time error.
             Ok(None) | Err(_) => {
                 arguments.iter().for_each(|argument| self.read(controller, context, argument, values));
             }
         }
     }
 
-    /// The conditions in the code at a row, each with its line, the text of the line, and its expressions.
+    /// Conditions in the code at a row, each with its line, the line's code, and its expressions.
     fn written(&self, target: &Target, file: File, row: u32) -> Vec<(u32, String, Vec<Candidate>)> {
         let db = self.targets.application(target.application).db();
         let (text, body) = (file.text(db), body(db, file));
@@ -98,7 +98,7 @@ impl FrameEvaluator {
     }
 }
 
-/// The expressions of a statement outside of its blocks.
+/// Expressions of a statement, without its blocks.
 fn parts(stmt: &Stmt) -> Vec<ExprId> {
     match &stmt.kind {
         StmtKind::If { arms, .. } => arms.iter().filter_map(|(condition, _)| *condition).collect(),
@@ -115,7 +115,7 @@ fn loop_condition(stmt: &Stmt) -> Option<ExprId> {
     }
 }
 
-/// Collects the operands of an expression that are no constants.
+/// Collects the non-constant operands in an expression.
 fn collect(body: &Body, text: &str, id: ExprId, found: &mut Vec<Candidate>) {
     let candidate = |arguments: &[ExprId]| {
         let mut inner = Vec::new();

@@ -4,7 +4,7 @@ use val3_analysis::body::{Expr, ExprId, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::infer::infer;
 
-/// Why an expression may not be evaluated just to be shown; `None` if it has no side effect.
+/// Reason why an expression may not be evaluated for display; `None` if it has no side effect.
 pub(super) fn effect(db: &dyn Db, (project, file): (Project, File), id: ExprId) -> Option<String> {
     let (body, types) = (body(db, file), infer(db, project, file));
     body.within(id).find_map(|id| match body.expr(id) {

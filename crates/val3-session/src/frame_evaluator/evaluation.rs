@@ -1,4 +1,4 @@
-//! The result of an evaluation, or its error.
+//! Evaluation results and errors.
 
 use std::error::Error;
 use std::fmt::{self, Display};
@@ -9,16 +9,17 @@ use val3_vm::FragmentEnd;
 
 use crate::evaluate::{CodeFault, EvaluationOutput};
 
-/// The result of an evaluation.
+/// Evaluation result.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Evaluation {
-    /// The value of an expression.
+    /// Value; `None` for statements.
     pub value: Option<Value>,
-    /// The lines that were printed, logged or shown in pop-ups.
+    /// Lines that were printed, logged or shown in pop-ups.
     pub output: Vec<String>,
     /// All events of the evaluation.
     pub events: Vec<Event>,
-    /// Statements were executed: data, outputs and tasks may have changed, so that a new future begins.
+    /// Whether statements were executed, so that data, outputs and tasks may differ from the recorded future of the
+    /// run.
     pub changes_run: bool,
 }
 
@@ -29,16 +30,16 @@ impl Evaluation {
     }
 }
 
-/// Why a text has not been evaluated to its end.
+/// Reason why code was not evaluated to its end.
 #[derive(Debug, Clone, PartialEq)]
 pub enum EvaluationError {
-    /// It is no code that can be evaluated here.
+    /// The code is invalid or not allowed here.
     Code(CodeFault),
-    /// Its execution has ended early, after this.
+    /// The execution ended early.
     Ended {
         /// The reason, with the number of a run-time error.
         message: String,
-        /// The part that was executed.
+        /// Result of the executed part.
         done: Box<Evaluation>,
     },
 }
@@ -48,7 +49,7 @@ impl EvaluationError {
         Self::Ended { message: end_message(end), done: Box::new(done) }
     }
 
-    /// The part that was executed before the error.
+    /// Result of the part that was executed before the error.
     #[must_use]
     pub fn done(&self) -> Option<&Evaluation> {
         match self {
@@ -81,7 +82,7 @@ impl Display for EvaluationError {
 
 impl Error for EvaluationError {}
 
-/// The lines that an evaluation has printed. Text on a user page counts as printed.
+/// Lines that an evaluation has printed. Text on a user page counts as printed.
 fn output(events: &[Event]) -> Vec<String> {
     let line = |event: &Event| match &event.kind {
         EventKind::Put { text, .. } => Some(text.clone()),

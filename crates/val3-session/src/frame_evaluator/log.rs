@@ -1,10 +1,10 @@
-//! Messages of log points: text with expressions in braces.
+//! Log point messages: text with expressions in braces.
 
 use val3_debug::{CompiledExpression, LogMessage, LogPart};
 
 use super::evaluation::EvaluationError;
 
-/// Reads a message, and compiles the expressions in it.
+/// Parses a message and compiles its expressions.
 pub(super) fn message(
     text: &str,
     mut compile: impl FnMut(&str) -> Result<CompiledExpression, EvaluationError>,
@@ -33,7 +33,8 @@ pub(super) fn message(
     Ok(LogMessage { parts })
 }
 
-/// The expression up to its closing brace, and what follows. Braces of structures and in strings belong to it.
+/// Expression up to its closing brace, and the remaining text. Braces of structures and in strings belong to the
+/// expression.
 fn expression(text: &str) -> Option<(&str, &str)> {
     let (mut depth, mut is_string) = (0_u32, false);
     for (at, character) in text.char_indices() {

@@ -1,4 +1,4 @@
-//! The file that holds a text as the code of a program with the variables of a frame.
+//! Scratch file: evaluated code as the body of a program with the variables of a stack frame.
 
 use salsa::Setter as _;
 use val3_analysis::db::{Database, File, FileStatus};
@@ -12,27 +12,27 @@ use val3_syntax::{Part, SyntaxKind, TextSize, decode_entities};
 use super::target::{Target, Targets};
 use crate::evaluate::CodeFault;
 
-/// The file up to the code of a program without variables.
+/// Program file before the code, without variables.
 const HEAD: &str = "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
      xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"eval__\"><Code>";
 const TAIL: &str = "</Code></Program></Programs>\n";
 
 const BEGIN: &str = "begin\n";
 
-/// A text in the program of a target.
+/// Evaluated code in the program of a target.
 pub(super) struct Scratch<'t> {
     targets: &'t Targets,
     target: &'t Target,
     file: File,
-    /// The code, and the bytes of it that precede the text.
+    /// The code, and its prefix length in bytes.
     code: String,
     before: usize,
-    /// Where the code begins in the file.
+    /// Offset of the code in the file.
     start: usize,
 }
 
 impl<'t> Scratch<'t> {
-    /// Makes the file of a text, after `before`, which makes it a statement.
+    /// Creates the file for `text` after the prefix `before`.
     pub(super) fn new(targets: &'t mut Targets, target: &'t Target, (before, text): (&str, &str)) -> Self {
         let code = format!("{before}{text}");
         let (head, tail) = around(targets, target);
@@ -50,11 +50,11 @@ impl<'t> Scratch<'t> {
         database(self.targets, self.target)
     }
 
-    /// The first reason in the text why it cannot be evaluated.
+    /// First fault in the evaluated code.
     pub(super) fn fault(&self) -> Option<CodeFault> {
         let unit = Unit::Program(self.target.project, self.file);
         let refusals = unit_refusals(self.db(), unit);
-        // The header is that of a program which was compiled.
+        // The header comes from a program that was compiled, so its faults are ignored.
         let is_in_code = |at: TextSize| usize::from(at) >= self.start.saturating_sub(BEGIN.len());
         let found = refusals
             .into_iter()
@@ -64,14 +64,14 @@ impl<'t> Scratch<'t> {
         Some(CodeFault::at(found.message, self.code.part(self.before..), range))
     }
 
-    /// The offset in the code of a byte of the file.
+    /// Offset in the evaluated code of a byte in the file.
     pub(super) fn offset(&self, offset: usize) -> usize {
         let escaped = escaped(&self.code);
         let before = escaped.get(..offset.saturating_sub(self.start)).unwrap_or(&escaped);
         decode_entities(before).len()
     }
 
-    /// The offset in the file of the character that follows the first `at` bytes of the text.
+    /// Offset in the file of the character after the first `at` bytes of the evaluated code.
     pub(super) fn position(&self, at: usize) -> usize {
         let before = self.code.get(..self.before + at).unwrap_or(&self.code);
         self.start + escaped(before).len()
@@ -79,11 +79,11 @@ impl<'t> Scratch<'t> {
 }
 
 fn database<'t>(targets: &'t Targets, target: &Target) -> &'t Database {
-    // A target names an application that was found among these.
+    // The application of a target always exists.
     targets.application(target.application).db()
 }
 
-/// The text of the program's file around its code.
+/// Text of the program file before and after its code.
 fn around(targets: &Targets, target: &Target) -> (String, String) {
     let db = database(targets, target);
     let of_file = |file: File| {
@@ -97,7 +97,7 @@ fn around(targets: &Targets, target: &Target) -> (String, String) {
     target.program.and_then(of_file).unwrap_or_else(|| (HEAD.to_owned(), TAIL.to_owned()))
 }
 
-/// Gives the file of texts of the target's project a text.
+/// Sets the text of the scratch file in the target's project.
 fn set(targets: &mut Targets, target: &Target, text: String) -> File {
     let key = (target.application, target.project);
     let known = targets.files.get(&key).copied();

@@ -1,4 +1,4 @@
-//! The project, the image and the program in which a text is evaluated.
+//! Evaluation context: the project, the image and the program in which code is evaluated.
 
 use std::sync::Arc;
 
@@ -14,26 +14,26 @@ use val3_vm::{FragmentContext, InstanceId, Vm};
 use super::evaluation::EvaluationError;
 use crate::application::Application;
 
-/// The applications whose frames are evaluated in, and a file in each project for texts.
+/// Applications in whose stack frames code is evaluated, with a scratch file for each project.
 pub(super) struct Targets {
-    /// The application that runs.
+    /// The running application.
     main: Application,
-    /// Libraries that it does not refer to.
+    /// Libraries that it does not reference.
     others: Vec<Application>,
     pub(super) files: FxHashMap<(usize, Project), File>,
     /// Images of projects that are not in memory.
     images: FxHashMap<(usize, Project), Arc<Image>>,
 }
 
-/// Where a text is evaluated.
+/// Evaluation context.
 pub(super) struct Target {
-    /// The application by its number, which has the database.
+    /// Index of the application, which contains the database.
     pub(super) application: usize,
     pub(super) project: Project,
-    /// The file of the program, which declares the variables.
+    /// Program file, which declares the variables.
     pub(super) program: Option<File>,
     pub(super) image: Arc<Image>,
-    /// The variables of the program.
+    /// Variables of the program.
     pub(super) variables: Vec<Variable>,
 }
 
@@ -42,12 +42,12 @@ impl Targets {
         Self { main: application, others: Vec::new(), files: FxHashMap::default(), images: FxHashMap::default() }
     }
 
-    /// The application with a number. One that does not exist is the one that runs.
+    /// Application with this index. The fallback is the running application.
     pub(super) fn application(&self, number: usize) -> &Application {
         number.checked_sub(1).and_then(|number| self.others.get(number)).unwrap_or(&self.main)
     }
 
-    /// As [`application`](Self::application), to be changed.
+    /// Like [`application`](Self::application), mutable.
     pub(super) fn application_mut(&mut self, number: usize) -> &mut Application {
         number.checked_sub(1).and_then(|number| self.others.get_mut(number)).unwrap_or(&mut self.main)
     }
@@ -56,7 +56,7 @@ impl Targets {
         std::iter::once(&self.main).chain(&self.others).enumerate()
     }
 
-    /// The target of a context.
+    /// Evaluation context of a fragment context.
     pub(super) fn of_context(&mut self, vm: &Vm, context: FragmentContext) -> Result<Target, EvaluationError> {
         match context {
             FragmentContext::Instance(id) => self.of_program(vm, (id, None)),
@@ -69,7 +69,7 @@ impl Targets {
         }
     }
 
-    /// The target of a program in a file, which need not be in memory.
+    /// Evaluation context of a program in a file, which need not be in memory.
     pub(super) fn of_file(&mut self, vm: &Vm, path: &str) -> Result<Target, EvaluationError> {
         for (id, instance) in vm.space.loaded() {
             let image = &instance.image;
@@ -97,7 +97,7 @@ impl Targets {
         Target { application, project, program, image, variables }
     }
 
-    /// The target of a program whose application or library is not in memory.
+    /// Evaluation context of a program whose application or library is not in memory.
     fn of_source(&mut self, path: &str) -> Result<Target, EvaluationError> {
         let found = self.applications().find_map(|(number, application)| {
             let db = application.db();
@@ -119,7 +119,7 @@ impl Targets {
         Ok(self.target((number, project), image, program))
     }
 
-    /// The project of an image. A library that nothing refers to is read from its files.
+    /// Project from which an image was compiled. An unreferenced library is read from its files.
     fn project(&mut self, path: &str) -> Result<(usize, Project), EvaluationError> {
         let key = path_key(path);
         let known = self.applications().find_map(|(number, application)| {

@@ -1,4 +1,4 @@
-//! Conditions of breakpoints, and log points.
+//! Breakpoint conditions, and log points.
 
 use val3_debug::{
     Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Debugger, Format, PastLimits, ProgramBreakpoint, Progress,
@@ -11,11 +11,11 @@ use val3_vm::FragmentContext;
 
 use crate::stopped::on_disk;
 
-/// Counts to 10 in a program, whose line 2 is `l_nTwice=x_nAt*2`.
+/// Calls a program for the numbers 1 to 10. Line 2 of the program is `l_nTwice=x_nAt*2`.
 const COUNTING: &str = "num nSum\nstring sNames[2]\nprogram start()\nnum l_n\nbegin\n  for l_n=1 to 10\n    call add(l_n)\n  \
                         endFor\nend\nprogram add(num x_nAt)\nnum l_nTwice\nbegin\n  nSum=nSum+x_nAt\n  l_nTwice=x_nAt*2\nend\n";
 
-/// A run with one breakpoint at line 2 of `add`: its condition, its condition on hits, its message.
+/// A run with one breakpoint at line 2 of `add`, with a condition, a hit condition and a message.
 fn debugger([condition, hits, log]: [&str; 3]) -> Debugger {
     let mut debugger = Debugger::new(Running::start(COUNTING).controller);
     let mut evaluator = FrameEvaluator::new(application(COUNTING));
@@ -52,14 +52,14 @@ fn run(debugger: &mut Debugger) -> Option<Stop> {
     }
 }
 
-/// The value of `nSum`.
+/// Value of `nSum`.
 fn sum(debugger: &Debugger) -> f64 {
     let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
     let data = usize::from(application.image.data("nSum").unwrap());
     debugger.controller.vm.space.memory.store(application.data[data]).unwrap().nums[0]
 }
 
-/// The values of `nSum` at each stop.
+/// Values of `nSum` at each stop.
 fn sums(debugger: &mut Debugger) -> Vec<f64> {
     std::iter::from_fn(|| run(debugger).map(|_| sum(debugger))).collect()
 }
@@ -77,7 +77,7 @@ fn a_task_stops_where_the_condition_holds() {
 
 #[test]
 fn only_hits_with_the_condition_count() {
-    // Of 2, 4, 6, 8 and 10 the third.
+    // The third of the numbers 2, 4, 6, 8 and 10.
     assert_eq!(sums(&mut debugger(["x_nAt/2==round(x_nAt/2)", "3", ""])), [21.0]);
     assert_eq!(sums(&mut debugger(["x_nAt>5", "%2", ""])), [28.0, 45.0]);
 }
@@ -181,7 +181,7 @@ fn a_condition_in_a_library_that_is_loaded_later_is_compiled_before() {
     assert_eq!(run(&mut debugger), None);
 }
 
-/// By the name of the library, by the identifier, and by the program alone.
+/// The breakpoint names the library, the identifier, or only the program.
 #[test]
 fn a_program_of_a_library_that_is_loaded_later_has_a_breakpoint() {
     let listing = "library tools \"Disk://part/part.pjx\" autoload=false\nnum nCount\nprogram start()\nbegin\n  \
@@ -204,7 +204,7 @@ fn a_program_of_a_library_that_is_loaded_later_has_a_breakpoint() {
     }
 }
 
-/// Data of a library are watched from the program that uses it, and while the library changes them.
+/// Data of a library are watched in the program that uses it, and while the library changes them.
 #[test]
 fn data_of_a_library_are_watched() {
     let listing = "library tools \"Disk://part/part.pjx\"\nnum nCount\nprogram start()\nbegin\n  for nCount=1 to 3\n    call \

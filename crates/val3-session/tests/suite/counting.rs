@@ -1,4 +1,4 @@
-//! Counters of lines and branches change nothing but themselves: the example of a palletiser with its libraries.
+//! Counters of lines and branches have no other effect, tested with the palletiser example and its libraries.
 
 use camino::Utf8Path;
 use val3_analysis::system::Disk;
@@ -9,7 +9,7 @@ use val3_session::{Application, ControllerSettings, Pace, Tape};
 
 const CELL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/palletiser");
 
-/// The record of two boxes, and the controller after it.
+/// Event record for two boxes, and the controller afterwards.
 fn two_boxes(is_counted: bool) -> (String, Controller) {
     let cell = Utf8Path::new(CELL);
     let application = Application::open(&Disk, &cell.join("usr/usrapp/palletiser"), None).unwrap();

@@ -1,4 +1,4 @@
-//! Evaluation in the frames of a stopped run.
+//! Evaluation in the stack frames of a stopped run.
 
 use expect_test::expect;
 use val3_debug::{Errors, Format, Progress, Stop};
@@ -8,7 +8,7 @@ use val3_vm::FragmentContext;
 
 use crate::stopped::{Stopped, VARIABLES, shown};
 
-/// `text: answer` on a line.
+/// Formats `text: answer` as a line.
 fn line(text: &str, answer: &str) -> String {
     format!("{}: {answer}", text.trim()).trim_end().to_owned() + "\n"
 }

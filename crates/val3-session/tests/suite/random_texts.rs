@@ -1,4 +1,4 @@
-//! Evaluation of whatever is typed.
+//! Evaluation of random input.
 
 use proptest::prelude::{ProptestConfig, Strategy};
 use proptest::test_runner::TestRunner;
@@ -7,7 +7,7 @@ use val3_vm::FragmentContext;
 
 use crate::stopped::{Stopped, VARIABLES};
 
-/// Parts of expressions and statements, also wrong ones.
+/// Tokens of valid and invalid expressions and statements.
 fn token() -> impl Strategy<Value = String> {
     let tokens = [
         "nCount",

@@ -1,4 +1,4 @@
-//! The example of a palletiser in step mode.
+//! The palletiser example in step mode.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use val3_machine::controller::Outcome;
 use val3_machine::script::Script;
 use val3_session::{Application, ControllerSettings, Pace, Tape};
 
-/// A cycle of the palletiser: each move is a stop, and no stop is for an arm that does not move.
+/// In a cycle of the palletiser, each move is a stop, and no stop occurs while the arm does not move.
 #[test]
 fn the_palletiser_steps_from_move_to_move() {
     let cell = Utf8Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/palletiser"));
@@ -28,7 +28,7 @@ fn the_palletiser_steps_from_move_to_move() {
         match debugger.advance() {
             Progress::Stopped(Stop::Motion(motion)) => {
                 assert_eq!(motion.hold, None, "{motion:?}");
-                // A move to where the arm is has no piece.
+                // A move to the current position has no piece.
                 let Some(found) = motion.piece else { continue };
                 assert_eq!(found.piece.joints, debugger.controller.devices.state.arm.joint());
                 let source = found.source.unwrap();
@@ -39,6 +39,6 @@ fn the_palletiser_steps_from_move_to_move() {
             Progress::Stopped(stop) => panic!("{stop:?}"),
         }
     }
-    // Two boxes: the moves of `pick` and `place`, and the arrivals at their ends.
+    // Two boxes: the moves of `pick` and `place`, and the stops at their ends.
     assert!(arrivals["home"] >= 2 && arrivals["pick"] >= 8 && arrivals["place"] >= 8, "{arrivals:?}");
 }

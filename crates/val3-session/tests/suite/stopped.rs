@@ -1,4 +1,4 @@
-//! A run that has stopped, and the evaluator of its frames.
+//! A stopped run, and the evaluator of its stack frames.
 
 use camino::Utf8Path;
 use tempfile::TempDir;
@@ -12,7 +12,7 @@ use val3_test::Fixture;
 use val3_tests::running::{Running, application};
 use val3_vm::FragmentContext;
 
-/// Variables of all sorts, and programs that change them.
+/// Variables of all kinds, and programs that change them.
 pub(crate) const VARIABLES: &str = r#"
 type Slot "Disk://Slot/Slot.pjx"
 num nCount
@@ -68,12 +68,12 @@ public num nCount
 public string sNames[2]
 "#;
 
-/// A run at the last line of the program `show`.
+/// A run stopped at the last line of the program `show`.
 pub(crate) struct Stopped {
     pub(crate) debugger: Debugger,
     pub(crate) evaluator: FrameEvaluator,
     pub(crate) task: TaskNumber,
-    /// The files of the application, if they are on a disk.
+    /// Folder of the application, if its files are on a disk.
     pub(crate) folder: Option<TempDir>,
 }
 
@@ -83,13 +83,13 @@ impl Stopped {
         Self::on(Running::devices(), listing)
     }
 
-    /// The application on a controller with these devices.
+    /// Runs the application on a controller with these devices.
     #[track_caller]
     pub(crate) fn on(devices: Devices, listing: &str) -> Self {
         Self::of(Running::on(devices, listing).controller, application(listing), None)
     }
 
-    /// The application in a folder, whose libraries can be loaded.
+    /// Runs the application from a folder, so that its libraries can be loaded.
     #[track_caller]
     pub(crate) fn on_disk(listing: &str) -> Self {
         let (folder, mut controller, application) = on_disk(listing);
@@ -125,7 +125,7 @@ impl Stopped {
         shown(self.evaluate(0, text, Purpose::Watch))
     }
 
-    /// The answer of the debug console.
+    /// Response of the debug console.
     pub(crate) fn execute(&mut self, text: &str) -> String {
         shown(self.evaluate(0, text, Purpose::Execute))
     }
@@ -138,7 +138,7 @@ impl Stopped {
     }
 }
 
-/// The lines that were printed, and the value as `type value` or the error.
+/// Printed lines, and the value as `type value` or the error.
 pub(crate) fn shown(result: Result<Evaluation, EvaluationError>) -> String {
     match result {
         Ok(Evaluation { value, mut output, .. }) => {
@@ -170,7 +170,7 @@ pub(crate) fn on_disk(listing: &str) -> (TempDir, Controller, Application) {
     (folder, controller, application)
 }
 
-/// The file and the row of the last line of a program, of whichever application or library.
+/// File and row of the last line of a program, in any application or library.
 fn last_line(debugger: &Debugger, name: &str) -> (String, u32) {
     let found = debugger.controller.vm.space.loaded().find_map(|(_, instance)| {
         let program = &instance.image.programs[usize::from(instance.image.program(name)?)];

@@ -1,4 +1,4 @@
-//! Values that are shown: their expressions, assignments to them, inputs and outputs.
+//! Displayed values: their expressions, assignments to them, inputs and outputs.
 
 use expect_test::expect;
 use val3_debug::{Format, Inside, Value, count, scopes, values};
@@ -33,13 +33,13 @@ public num nWeight
 num nSecret
 "#;
 
-/// The children of something, all of them.
+/// All children of a value.
 fn children(stopped: &mut Stopped, inside: &Inside) -> Vec<Value> {
     let all = count(&mut stopped.debugger.controller.vm, inside);
     values(&mut stopped.debugger.controller, inside, 0..all, Format::default())
 }
 
-/// Each value of the scopes with all that is inside, if its name passes.
+/// All values of the scopes and their children, if their names pass.
 fn all_values(stopped: &mut Stopped) -> Vec<(Inside, Value)> {
     let mut open: Vec<Inside> =
         scopes(&stopped.debugger.controller.vm, stopped.task, 0).into_iter().map(|scope| scope.inside).collect();

@@ -1,4 +1,4 @@
-//! Whether a parameter can be passed otherwise without a difference for the program and its callers.
+//! Checks whether the passing of a parameter can be changed without an effect on the program and its callers.
 
 use val3_analysis::body::StmtKind;
 use val3_analysis::effects::{AccessKind, Effects, Root};
@@ -10,8 +10,9 @@ use crate::assists::context::Context;
 use crate::change_signature::passes_variables;
 use crate::declare::is_old_program;
 
-/// The program only reads the parameter, every caller passes a variable, and no variable can change meanwhile. A task
-/// begins later than it is created, so the variable may change before.
+/// Whether the passing can be changed: the program only reads the parameter, every caller passes a variable, and no
+/// variable can change during the call. Calls that create a task are excluded, because the variable may change before
+/// the task starts.
 pub(super) fn can_change(context: &Context<'_>, index: usize, param: &ParamDecl) -> bool {
     let base = resolve_type(&context.items().types, &param.type_name);
     let Some(base) = base.filter(|base| base.builtin().is_none_or(|ty| !ty.is_linkable())) else { return false };
@@ -19,7 +20,7 @@ pub(super) fn can_change(context: &Context<'_>, index: usize, param: &ParamDecl)
     is_single && !changes_anything(context) && passes_variables(context.db, context.file, index, base)
 }
 
-/// The program writes something else than its locals, calls a program, or waits while others may write.
+/// Whether the program writes anything other than its locals, calls a program, or waits while other tasks may write.
 fn changes_anything(context: &Context<'_>) -> bool {
     let effects = Effects::new(context.db, context.project, context.file);
     let outer = |root: &Root| !matches!(root, Root::Local(_));

@@ -1,4 +1,4 @@
-//! The arguments of the calls of a program for a new parameter.
+//! Arguments for a new parameter in the calls of a program.
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::interfaces::is_public;
@@ -18,19 +18,19 @@ use crate::owner::projects_of;
 use crate::references::uses;
 use crate::xml_list::escaped;
 
-/// The arguments of the calls.
+/// New arguments of the calls.
 #[derive(Debug, Default)]
 pub(super) struct CallArguments {
-    /// One more argument in each call.
+    /// Edits that add an argument to each call.
     pub(super) edits: Vec<FileEdit>,
-    /// The value that a call passes whose program has no variable of the name.
+    /// Default argument for calls in programs that have no suitable variable of this name.
     pub(super) default: Option<&'static str>,
 }
 
-/// One more argument in each call of the program.
+/// Adds an argument to each call of the program.
 ///
 /// # Errors
-/// If some call would have nothing to pass, or other programs have to have the same parameters: why.
+/// A reason for the user, if a call has nothing to pass, or if another program must have the same parameters.
 pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: bool) -> Result<CallArguments, String> {
     let name = &context.header().name;
     let mut passed = CallArguments::default();
@@ -54,7 +54,7 @@ pub(super) fn pass(context: &Context<'_>, unknown: &UnknownName, by_reference: b
     Ok(passed)
 }
 
-/// A library and its interface have the program with the same parameters.
+/// Checks that no library or interface requires another program with the same parameters.
 fn same_elsewhere(db: &dyn Db, project: Project, name: &str) -> Result<(), String> {
     let others = implemented(db, project).chain(implementing(db, project));
     let other = others.into_iter().find(|other| items(db, *other).programs.contains_key(name));
@@ -67,7 +67,7 @@ fn same_elsewhere(db: &dyn Db, project: Project, name: &str) -> Result<(), Strin
     }
 }
 
-/// The program of a call has a variable of the name that can be passed. Where it calls itself it has the new parameter.
+/// Whether the calling program has a suitable variable of this name. In a recursive call it is the new parameter.
 fn is_available(context: &Context<'_>, unknown: &UnknownName, file: File, user: Project) -> bool {
     let db = context.db;
     if file == context.file {
@@ -86,7 +86,7 @@ fn is_available(context: &Context<'_>, unknown: &UnknownName, file: File, user: 
         || param.is_some_and(|param| suits(&param.type_name, param.container))
 }
 
-/// The literal that is passed for a single value.
+/// Literal that is passed for a single value; `None` if a variable is required.
 fn default(ty: Ty, by_reference: bool) -> Option<&'static str> {
     if by_reference || ty.container != Container::Element {
         return None;
@@ -99,7 +99,7 @@ fn default(ty: Ty, by_reference: bool) -> Option<&'static str> {
     }
 }
 
-/// One more argument at the end of a call.
+/// Edit that appends an argument to a call.
 fn with(call: &Call, argument: &str) -> FileEdit {
     let argument = if call.is_escaped { escaped(argument) } else { argument.to_owned() };
     let text = if call.has_arguments() { format!(",{argument}") } else { argument };

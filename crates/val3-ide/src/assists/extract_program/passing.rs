@@ -1,4 +1,4 @@
-//! How variables get into a program that is taken out of another, and back.
+//! Passing of variables between the original and the extracted program.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,18 +12,19 @@ use val3_syntax::TextRange;
 use super::super::context::Context;
 use crate::declare::Variable;
 
-/// How a variable gets into the new program.
+/// Passing of a variable to the extracted program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Passing {
     Value,
     Reference,
-    /// It is used there alone, and becomes a local of it.
+    /// Not passed: only the extracted statements use it, so it becomes a local there.
     Inside,
-    /// Its value goes neither in nor out: the new program has a local of its own, and the old one keeps its own.
+    /// Not passed: its value is neither read before it is written nor used afterwards, so both programs have their own
+    /// local.
     Apart,
 }
 
-/// A local or parameter that the new program uses.
+/// A local or parameter that the extracted program uses.
 pub(super) struct PassedVariable {
     pub(super) variable: Variable,
     pub(super) passing: Passing,
@@ -31,7 +32,7 @@ pub(super) struct PassedVariable {
 
 type Names = BTreeSet<SmolStr>;
 
-/// The locals and parameters that the statements in `range` use, by name.
+/// Locals and parameters that the statements in `range` use, by name.
 pub(super) fn variables(context: &Context<'_>, range: TextRange) -> Vec<PassedVariable> {
     let effects = Effects::new(context.db, context.project, context.file);
     let mut uses: BTreeMap<SmolStr, Vec<&Access>> = BTreeMap::new();
@@ -44,7 +45,7 @@ pub(super) fn variables(context: &Context<'_>, range: TextRange) -> Vec<PassedVa
     uses.into_iter().filter_map(|(name, uses)| passed(context, range, &living, &name, &uses)).collect()
 }
 
-/// The local or parameter that is used.
+/// The accessed local or parameter; `None` for other data.
 fn own(access: &Access) -> Option<&SmolStr> {
     match &access.root {
         Root::Local(name) | Root::Param(name) => Some(name),
@@ -67,7 +68,7 @@ fn passed(
     let written = inside.iter().any(|access| access.kind != AccessKind::Read);
     let (goes_in, comes_out) = (living.before.contains(name), written && living.behind.contains(name));
     let (variable, is_local) = declared(context, name)?;
-    // Without a loop around it, no other code has seen the value.
+    // Inside a loop, the next iteration would read the value.
     let alone = is_local && inside.len() == uses.len() && !(goes_in && is_in_loop(context, range));
     let passing = match (alone, goes_in, comes_out) {
         (true, ..) => Passing::Inside,
@@ -79,7 +80,7 @@ fn passed(
     Some(PassedVariable { variable, passing })
 }
 
-/// A local or parameter of the program; whether it is a local.
+/// Declaration of a local or parameter; the second value is true for a local.
 fn declared(context: &Context<'_>, name: &str) -> Option<(Variable, bool)> {
     let variable = |type_name: &str, container, sizes: Vec<u32>| Variable {
         name: name.to_owned(),
@@ -92,7 +93,7 @@ fn declared(context: &Context<'_>, name: &str) -> Option<(Variable, bool)> {
         return Some((variable(&local.type_name, local.container, local.sizes.clone()), true));
     }
     let param = header.params.iter().find(|param| param.name == name)?;
-    // A parameter of the old dialect may be an array: it is handed on as it came.
+    // A parameter of the old dialect may be an array, so it is passed unchanged.
     let sizes = match param.container {
         Container::Array { dims } => vec![2; usize::from(dims)],
         _ => vec![1],
@@ -100,24 +101,25 @@ fn declared(context: &Context<'_>, name: &str) -> Option<(Variable, bool)> {
     Some((variable(&param.type_name, param.container, sizes), false))
 }
 
-/// Arrays and collections are passed by reference; inputs, outputs and serial lines are nothing without their link.
+/// Whether the variable must be passed by reference. Arrays and collections always are, and inputs, outputs and serial
+/// lines have no meaning without their link.
 fn is_whole(variable: &Variable) -> bool {
     let is_array = variable.container == Container::Collection || !matches!(variable.sizes.as_slice(), [] | [1]);
     is_array || BaseType::from_name(&variable.type_name).is_some_and(BaseType::is_linkable)
 }
 
-/// The statements are inside a loop of the program.
+/// Whether the statements are inside a loop of the program.
 fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
     let repeats = |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
     let around = |stmt: &&Stmt| stmt.range.contains_range(range) && stmt.range != range;
     context.body().stmts().iter().filter(|stmt| around(stmt)).any(|stmt| repeats(&stmt.kind))
 }
 
-/// The variables whose values are used later.
+/// Live variables: their values are used later.
 struct LiveVariables {
-    /// Where the statements start.
+    /// Live where the statements start.
     before: Names,
-    /// Where the statements are left.
+    /// Live where the statements end.
     behind: Names,
 }
 
@@ -145,7 +147,7 @@ impl LiveVariables {
     }
 }
 
-/// Variables live at a point; all of them if no path leads from it to the end.
+/// Variables live at a flow node; all variables if no path leads from it to the end.
 fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<Names>, id: PointId) -> Names {
     let header = context.header();
     let all = || header.locals.iter().map(|it| &it.name).chain(header.params.iter().map(|it| &it.name));
@@ -156,7 +158,7 @@ fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<Names>, id: Po
     }
 }
 
-/// Variables live before a point, computed from those live after it (backward analysis).
+/// Variables live before a flow node, computed from the variables live after it (backward analysis).
 fn before(effects: &Effects<'_>, id: PointId, behind: &Names) -> Names {
     let mut names = behind.clone();
     for access in effects.at(id).iter().rev() {

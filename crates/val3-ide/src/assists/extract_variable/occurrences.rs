@@ -1,4 +1,4 @@
-//! Equal expressions of one list of statements that have the same value.
+//! Equal expressions with the same value within one block.
 
 use std::cmp::Reverse;
 
@@ -10,21 +10,21 @@ use super::super::evaluation::Evaluation;
 use super::super::stability::Dependencies;
 use super::apart;
 
-/// Where one value is used.
+/// Uses of the same value.
 pub(super) struct Occurrences {
-    /// The start of the statement before which the value is computed.
+    /// Start of the statement before which the value is computed.
     pub(super) before: TextSize,
-    /// The expressions, in the order of the text.
+    /// Ranges of the expressions, in the order of the text.
     pub(super) ranges: Vec<TextRange>,
 }
 
 impl Occurrences {
-    /// The expression alone.
+    /// Only the expression itself.
     pub(super) fn single(body: &Body, id: ExprId, stmt: &Stmt) -> Self {
         Self { before: stmt.range.start(), ranges: vec![body.range(id)] }
     }
 
-    /// All uses of the value of `id` around it; `None` if there is no other.
+    /// All uses of `id`'s value in its block; `None` if it is the only use.
     pub(super) fn of<'db>(context: &Context<'db>, evaluation: &Evaluation<'db>, id: ExprId) -> Option<Self> {
         let dependencies = Dependencies::of(context, evaluation, id)?;
         let (block, at) = evaluation.stmt(id)?;
@@ -42,7 +42,7 @@ impl Occurrences {
             first -= 1;
         }
         let stmts = block.get(first..=last)?;
-        // The value is computed where it is computed today, so that the same faults stop the task.
+        // The value is computed at its first evaluation, so that a run-time error occurs at the same point.
         let start = stmts.iter().position(|stmt| equal.iter().any(|id| is_computed_at(evaluation, *id, stmt)))?;
         let stmts = stmts.get(start..)?;
         let ranges = equal.iter().map(|id| evaluation.body.range(apart(context, *id)));
@@ -52,7 +52,7 @@ impl Occurrences {
     }
 }
 
-/// The expressions that are written like `id` and used as values, in the order of the text.
+/// Expressions with the same source as `id` that are used as values, in the order of the text.
 fn equal(evaluation: &Evaluation<'_>, id: ExprId) -> Vec<ExprId> {
     let body = evaluation.body;
     let form = body.written_form(id);
@@ -60,12 +60,13 @@ fn equal(evaluation: &Evaluation<'_>, id: ExprId) -> Vec<ExprId> {
     let mut found: Vec<ExprId> =
         ids.filter(|other| body.written_form(*other) == form && evaluation.is_value(*other)).collect();
     found.sort_by_key(|id| (body.range(*id).start(), Reverse(body.range(*id).end())));
-    // Parentheses around an expression are written like the expression. The outermost ones are replaced.
+    // An expression in parentheses has the same normalised source as the expression itself. The outermost range is
+    // kept.
     found.dedup_by(|inner, outer| body.range(*outer).contains_range(body.range(*inner)));
     found
 }
 
-/// The statement itself, outside of its blocks, always evaluates the expression.
+/// Whether the statement itself, not a nested block, always evaluates the expression.
 fn is_computed_at(evaluation: &Evaluation<'_>, id: ExprId, stmt: &Stmt) -> bool {
     let own = evaluation.stmt(id).and_then(|(block, at)| block.get(at));
     own.is_some_and(|own| own.range == stmt.range) && evaluation.movable(id).is_ok()

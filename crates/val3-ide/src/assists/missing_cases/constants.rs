@@ -1,4 +1,4 @@
-//! Data that programs use as names of numbers.
+//! Data that programs use as named constants.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,7 +9,7 @@ use val3_analysis::items::project::{data_files, program_files};
 
 use super::super::context::Context;
 
-/// The data with one number that no program of the project assigns to.
+/// Data with a single number to which no program of the project assigns.
 pub(super) struct Constants(BTreeMap<SmolStr, f64>);
 
 impl Constants {
@@ -23,19 +23,19 @@ impl Constants {
         Self(constants.map(|(name, number, _)| (name, number)).collect())
     }
 
-    /// The number that a name stands for.
+    /// Number of a named constant.
     pub(super) fn number(&self, name: &str) -> Option<f64> {
         self.0.get(name).copied()
     }
 
-    /// The names that continue `prefix` with a new word, with their numbers.
+    /// Constants whose names continue `prefix` with a new word.
     pub(super) fn group(&self, prefix: &str) -> impl Iterator<Item = (&SmolStr, f64)> {
         let own = self.0.iter().filter(move |(name, _)| starts_word(name, prefix));
         own.map(|(name, number)| (name, *number))
     }
 }
 
-/// The longest prefix after which each name has a new word; `None` if there is none, or only one name.
+/// Longest prefix after which each name begins a new word; `None` if there is no such prefix or fewer than two names.
 pub(super) fn common_prefix<'n>(names: &[&'n str]) -> Option<&'n str> {
     let [first, _, ..] = names else { return None };
     let prefixes = (1..first.len()).rev().filter_map(|len| first.get(..len));
@@ -48,7 +48,7 @@ fn starts_word(name: &str, prefix: &str) -> bool {
     rest.is_some_and(|letter| letter.is_uppercase() || prefix.ends_with('_') && letter != '_')
 }
 
-/// The names of variables that get a value.
+/// Names of assigned variables.
 fn written(body: &Body) -> Vec<SmolStr> {
     let in_stmts = body.stmts().into_iter().filter_map(|stmt| match &stmt.kind {
         StmtKind::Assign { target, .. } => Some(*target),

@@ -1,4 +1,4 @@
-//! The values that the selector of a `switch` is known to have.
+//! Known values of a `switch` selector.
 
 use std::collections::BTreeMap;
 
@@ -14,19 +14,19 @@ use val3_syntax::ast::{AstNode, CaseClause};
 use super::super::context::Context;
 use super::constants::{Constants, common_prefix};
 
-/// Values in order, each with its text. A value with a name and a number is one value.
+/// Values in order, with their source texts. A named constant and a literal with the same number are one value.
 #[derive(Default)]
 struct Values(BTreeMap<Key, String>);
 
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
-    /// The bits of a number in the order of numbers.
+    /// Bits of a number, mapped so that their order is the numeric order.
     Number(u64),
-    /// An enumerator by its place, or another value by its text.
+    /// Enumerator index, or the text for other values.
     Other(usize, String),
 }
 
-/// The texts of the values that no case has, in plain characters.
+/// Texts of the known values without a case, unescaped.
 pub(super) fn missing(
     context: &Context<'_>,
     constants: &Constants,
@@ -64,7 +64,7 @@ pub(super) fn missing(
 impl Values {
     fn add_number(&mut self, number: f64, text: String) {
         let bits = number.to_bits();
-        // Negative numbers come first, and the greater ones of them last.
+        // Negative numbers sort first, in reverse bit order.
         let order = if number.is_sign_negative() { !bits } else { bits | 1 << 63 };
         self.0.entry(Key::Number(if number == 0.0 { 1 << 63 } else { order })).or_insert(text);
     }
@@ -80,12 +80,12 @@ struct Search<'c> {
 }
 
 impl Search<'_> {
-    /// A constant, or the name of one.
+    /// Adds a constant, or the name of a constant.
     fn label(&mut self, body: &Body, id: ExprId) {
         match body.constant(id) {
             Some(Constant::Number(number)) => self.found.add_number(number, number.to_string()),
             Some(Constant::Bool(value)) => self.found.add_other(0, &value.to_string()),
-            // The quote of a string has an escape that this one would need.
+            // A string with a quote or backslash would have to be escaped.
             Some(Constant::String(text)) if !text.contains(['"', '\\']) => {
                 self.found.add_other(0, &format!("\"{text}\""));
             }
@@ -100,7 +100,7 @@ impl Search<'_> {
         }
     }
 
-    /// Notes the assigned value: a constant, or the result of an instruction.
+    /// Adds an assigned value: a constant, or an instruction's result codes.
     fn value(&mut self, body: &Body, id: ExprId) {
         match body.expr(body.without_parentheses(id)) {
             Expr::Call(..) => self.result(body, id),
@@ -109,7 +109,7 @@ impl Search<'_> {
         }
     }
 
-    /// The codes that an instruction returns.
+    /// Adds an instruction's result codes.
     fn result(&mut self, body: &Body, id: ExprId) {
         let Expr::Call(callee, _) = body.expr(body.without_parentheses(id)) else { return };
         let (Expr::Name(name) | Expr::Path { item: name, .. }) = body.expr(*callee) else { return };
@@ -117,7 +117,7 @@ impl Search<'_> {
         codes.for_each(|code| self.found.add_number(code.into(), code.to_string()));
     }
 
-    /// The values that programs assign to the same variable, or compare it with.
+    /// Adds the values that programs assign to the same variable or compare with it.
     fn uses(&mut self, context: &Context<'_>, selector: ExprId) {
         let Some(place) = place(context.body(), selector) else { return };
         let root = place.split('.').next().unwrap_or("");
@@ -159,7 +159,8 @@ impl Search<'_> {
         }
     }
 
-    /// The constants whose names begin like those of the cases. The prefix of a type makes no group.
+    /// Adds the constants whose names have the common prefix of the cases. The type prefix of the naming convention
+    /// does not count.
     fn group(&mut self, context: &Context<'_>, labels: &[ExprId]) {
         let names = labels.iter().filter_map(|label| match context.body().expr(*label) {
             Expr::Name(name) => self.constants.number(name).map(|_| name.as_str()),
@@ -174,7 +175,7 @@ impl Search<'_> {
     }
 }
 
-/// A variable with its fields, whatever its indexes.
+/// A variable with its fields, without indexes.
 fn place(body: &Body, id: ExprId) -> Option<String> {
     match body.expr(id) {
         Expr::Name(name) => Some(name.to_string()),

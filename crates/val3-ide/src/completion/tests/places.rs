@@ -1,4 +1,4 @@
-//! Strings, the old dialect, attributes, and where nothing is offered.
+//! Completions in strings, in the old dialect and in attributes, and positions without completions.
 
 use expect_test::expect;
 
@@ -74,7 +74,7 @@ fn strings_are_completed_by_their_use() {
     check_nothing("putln(\"mov$0\")");
 }
 
-/// A cell with two libraries for one interface, something else, and another cell with a library of the same name.
+/// A cell with two libraries for one interface, an unrelated project, and another cell with a library of the same name.
 fn libraries(code: &str) -> String {
     let other =
         "<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\"><Parameters version=\"s7.11\" /></Project>";

@@ -1,4 +1,4 @@
-//! Whole lines: statements after a dot, and comments about the program.
+//! Completions of entire lines: postfix statements and documentation comments.
 
 use expect_test::expect;
 

@@ -1,10 +1,10 @@
-//! XML: what is offered at many places of files in both dialects, and what it writes.
+//! Completions in XML at many positions of files in both dialects, and their inserted text.
 
 use expect_test::expect;
 
 use super::{check, check_insert, check_nothing, found};
 
-/// The cell of the places: libraries, a user type, a collection, frames, inputs, unknown names.
+/// Cell of the tests: libraries, a user type, a collection, frames, inputs, unresolved names.
 const CELL: &str = r#"
     library part "Disk://part/part.pjx"
     type Slot "Disk://Slot/Slot.pjx"
@@ -38,7 +38,7 @@ const CELL: &str = r#"
     <Database />
 "#;
 
-/// The cell with a file that has the cursor in it.
+/// The cell with an additional file that contains the cursor.
 fn with(path: &str, text: &str) -> String {
     let cell: String = CELL.lines().map(|line| line.strip_prefix("    ").unwrap_or(line).to_owned() + "\n").collect();
     format!("{cell}=== {path}\n{text}\n")
@@ -61,13 +61,13 @@ const MANIFEST: &str = r#"<?xml version="1.0" encoding="utf-8"?>
   </Types>
 </Project>"#;
 
-/// The project file with `new` instead of `old`.
+/// The project file with `old` replaced by `new`.
 fn manifest(old: &str, new: &str) -> String {
     assert!(MANIFEST.contains(old), "{old}");
     with("main/main.pjx", &MANIFEST.replacen(old, new, 1))
 }
 
-/// A data file of the application, which is read with `main.dtx`.
+/// A data file of the application, in addition to `main.dtx`.
 fn data(inner: &str) -> String {
     let manifest =
         MANIFEST.replacen("<Data file=\"main.dtx\" />", "<Data file=\"main.dtx\" /><Data file=\"more.dtx\" />", 1);
@@ -105,7 +105,7 @@ fn old(manifest: &str, data: &str) -> String {
     format!("{cell}=== main/main.dtx\n<dataList xmlns=\"DataNameSpace\">\n{data}\n</dataList>\n")
 }
 
-/// Every place with what ought to be offered first.
+/// Positions, each with the expected first completion.
 fn places() -> Vec<(String, &'static str)> {
     vec![
         // Project files of s7 and s8.
@@ -242,7 +242,7 @@ fn places() -> Vec<(String, &'static str)> {
         (program("    <Locals>\n      <Local name=\"l_n\" type=\"num\" size=\"$0\" />\n    </Locals>"), "1"),
         (program("").replace("<Program name=\"other\">", "<Program name=\"$0\">"), "other"),
         (program("").replace("<Program name=\"other\">", "<Program name=\"other\" $0>"), "access"),
-        // s5 and s6.
+        // Files of s5 and s6.
         (old("  <$0", ""), "aliasSection"),
         (old("  <aliasSection>\n    <$0\n  </aliasSection>", ""), "alias"),
         (old("  <aliasSection>\n    <alias name=\"part\" interface=\"$0\" />\n  </aliasSection>", ""), "part"),

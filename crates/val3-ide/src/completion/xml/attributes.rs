@@ -1,4 +1,4 @@
-//! The attributes that a start tag does not have yet.
+//! Attributes that a start tag does not contain yet.
 
 use val3_lang::file_pages;
 use val3_lang::files::{self, Attribute, Presence};
@@ -11,11 +11,11 @@ use crate::declare::old_data;
 use crate::hover;
 use crate::xml_context::XmlContext;
 
-/// Bonus of required attributes, and of attributes that every writer adds.
+/// Score bonus of required attributes, and of attributes that every writer adds.
 const REQUIRED: i32 = 60;
 const EXPECTED: i32 = 30;
 
-/// The attributes that are not there yet, those first that have to be.
+/// Missing attributes, required attributes first.
 pub(super) fn attributes(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     let Some(tag) = &context.cursor.tag else { return };
     let known = files::find(context.file, tag.name);
@@ -56,7 +56,7 @@ fn detail(attribute: &Attribute) -> String {
     }
 }
 
-/// The attributes that give a value of the type around.
+/// Value attributes for the surrounding type.
 fn of_value(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     let (db, project) = (found.db, found.project);
     let Some((ty, arm)) = context.builtin(db, project) else { return };
@@ -74,7 +74,7 @@ fn of_value(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     }
 }
 
-/// Data of s5 and s6 writes every attribute.
+/// Attributes in data of s5 and s6, which contain all attributes.
 fn of_old_data(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     let (Some(tag), Some(ty)) = (&context.cursor.tag, context.types().next()) else { return };
     if context.cursor.open.first().is_none_or(|root| root.name != "dataList") {
@@ -90,7 +90,7 @@ fn of_old_data(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     }
 }
 
-/// An attribute that can be written.
+/// An attribute that can be added.
 struct Offer<'o> {
     name: &'o str,
     detail: String,

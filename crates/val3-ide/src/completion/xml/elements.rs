@@ -1,4 +1,4 @@
-//! The elements that can follow: each is written whole, with places for what it needs.
+//! Elements at the cursor. Each is inserted completely, with placeholders for its required parts.
 
 use val3_analysis::db::Project;
 use val3_analysis::items::declarations::is_old;
@@ -14,14 +14,14 @@ use crate::completion::list::{CompletionKind as Kind, CompletionList};
 use crate::declare::old_data;
 use crate::xml_context::XmlContext;
 
-/// Elements of which there can be several, by the kind of file.
+/// Elements that may occur several times in a list, by file kind.
 const REPEATED: [(FileKind, &[&str]); 3] = [
     (FileKind::Project, &["Program", "Data", "Library", "Type", "program", "data", "alias"]),
     (FileKind::Data, &["Data", "Value", "Field"]),
     (FileKind::Program, &["Parameter", "Local", "param", "local"]),
 ];
 
-/// The elements of a place; `angle` is the bracket that is not there yet.
+/// Elements allowed at the cursor; `angle` is the bracket if it is missing.
 pub(super) fn elements(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str) {
     for (place, child) in (0..).zip(children(found, context)) {
         match (child.name, context.base(found.db, found.project)) {
@@ -41,7 +41,7 @@ pub(super) fn elements(found: &mut CompletionList<'_>, context: &XmlContext<'_>,
     }
 }
 
-/// The elements that the one around may contain and that are not there yet.
+/// Elements that the parent may contain and does not contain yet.
 fn children(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<&'static Element> {
     let is_there = |name: &str| context.cursor.siblings.iter().any(|sibling| sibling.name == name);
     let Some(parent) = context.cursor.parent() else {
@@ -74,7 +74,7 @@ fn add(
     score: i32,
 ) {
     let file = context.file;
-    // A tag that has its end or attributes already gets another name.
+    // If the tag already has its end or attributes, only its name is replaced.
     let has_attributes = context.cursor.tag.as_ref().is_some_and(|tag| !tag.attributes.is_empty());
     let is_whole = context.cursor.tag.is_some() && (has_attributes || found.is_before(">") || found.is_before("/>"));
     let added = found.add(label, Kind::Element).scored(score);
@@ -91,7 +91,7 @@ fn add(
     });
 }
 
-/// `<Value>` with the attributes of its type, or the fields of a user type.
+/// `<Value>` with the type's attributes, or a user type's fields.
 fn value(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str, base: Option<Base>) {
     let mut snippet = Snippet::default();
     snippet.push(&format!("{angle}Value key=\""));
@@ -119,7 +119,7 @@ fn value(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str, 
     add(found, context, "Value", "Value", snippet, 0);
 }
 
-/// A `<Field>` for each field of the user type that has none yet.
+/// A `<Field>` for each missing field of the user type.
 fn user_fields(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str, project: Project) {
     let is_there = |name: &str| context.cursor.siblings.iter().any(|sibling| sibling.value("name") == Some(name));
     for (place, (name, item)) in (0..).zip(sorted_fields(found, project)) {
@@ -140,7 +140,7 @@ fn sorted_fields(found: &CompletionList<'_>, project: Project) -> Vec<(String, D
     fields
 }
 
-/// A field of a user type as the project of the type declares it.
+/// A field of a user type, as its project declares it.
 fn field(snippet: &mut Snippet, name: &str, item: &DataItem) {
     let ty = &item.decl.type_name;
     let shape = match item.decl.container {
@@ -153,7 +153,7 @@ fn field(snippet: &mut Snippet, name: &str, item: &DataItem) {
     snippet.push(&format!("Field name=\"{name}\" {shape} />"));
 }
 
-/// Data of s5 and s6: a section for each type, variables called as their type, and values in several parts.
+/// Data elements of s5 and s6: a section for each type, variables named after their type, and values in several parts.
 fn old_elements(found: &mut CompletionList<'_>, context: &XmlContext<'_>, angle: &str) {
     let Some(parent) = context.cursor.parent() else { return };
     if parent.name == "dataList" {

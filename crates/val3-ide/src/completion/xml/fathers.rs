@@ -1,4 +1,4 @@
-//! Frames and tools that a value can be relative to.
+//! Frames and tools to which a value can be relative.
 
 use val3_analysis::items::project::items;
 use val3_analysis::ty::Base;
@@ -18,7 +18,7 @@ pub(super) fn fathers(found: &mut CompletionList<'_>, context: &XmlContext<'_>, 
     let mut data: Vec<_> = items(found.db, found.project).data.iter().collect();
     data.sort_unstable_by_key(|(name, _)| *name);
     for (name, item) in data {
-        // A single frame or tool is not relative to itself.
+        // A single frame or tool cannot be relative to itself.
         if own == Some(name.as_str()) && item.decl.sizes == [1] {
             continue;
         }

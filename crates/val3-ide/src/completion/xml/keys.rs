@@ -1,4 +1,4 @@
-//! Keys and indexes of values, and what a value starts with.
+//! Keys and indexes of values, and initial values of attributes.
 
 use val3_analysis::items::sizes;
 use val3_lang::enumerations;
@@ -9,16 +9,16 @@ use crate::declare::built_in_father;
 use crate::rename::spelt_keys;
 use crate::xml_context::XmlContext;
 
-/// Keys of an array that are offered at most.
+/// Limit of offered array indexes.
 const SHOWN: usize = 50;
 
-/// The likeliest key or index of a new value.
+/// Most likely key or index of a new value.
 pub(super) fn next(found: &CompletionList<'_>, context: &XmlContext<'_>) -> String {
     let key = free(found, context).into_iter().next();
     key.unwrap_or_else(|| if is_collection(context) { "key" } else { "0" }.to_owned())
 }
 
-/// The keys that have no value yet: the indexes of an array, or the keys that the code asks a collection for.
+/// Unused keys: array indexes, or collection keys that the code uses.
 pub(super) fn free(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<String> {
     let Some((data, parent)) = context.declarations().next() else { return Vec::new() };
     let is_old = parent.ends_with("Section");
@@ -31,7 +31,7 @@ pub(super) fn free(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<
     let keys = match is_collection(context) {
         true if is_direct => spelt_keys(found.db, found.project, data.value("name").unwrap_or("")),
         true => Vec::new(),
-        // The old dialect counts the values it has.
+        // In the old dialect, the size is the number of values.
         false if is_old => (0..=context.cursor.siblings.len()).map(|index| index.to_string()).collect(),
         false => indexes(&data.value("size").and_then(sizes).unwrap_or_else(|| vec![1]), context.cursor.siblings.len()),
     };
@@ -42,7 +42,7 @@ fn is_collection(context: &XmlContext<'_>) -> bool {
     context.declarations().next().is_some_and(|(data, _)| data.value("xsi:type") == Some("collection"))
 }
 
-/// The first indexes of an array, up to [`SHOWN`] more than `taken`.
+/// First array indexes, at most [`SHOWN`] more than `taken`.
 fn indexes(sizes: &[u32], taken: usize) -> Vec<String> {
     let wanted = taken.saturating_add(SHOWN);
     let mut keys = vec![String::new()];
@@ -55,7 +55,7 @@ fn indexes(sizes: &[u32], taken: usize) -> Vec<String> {
     keys
 }
 
-/// The default of an attribute of a value.
+/// Default of a value's attribute.
 pub(super) fn initial(attribute: &Attribute) -> String {
     match (attribute.value, attribute.default) {
         (AttributeValue::Father(ty), _) => father(ty),
@@ -68,7 +68,7 @@ pub(super) fn initial(attribute: &Attribute) -> String {
     }
 }
 
-/// The default father of a position.
+/// Default father of a position.
 fn father(ty: BaseType) -> String {
     built_in_father(ty.name()).map(|name| format!("{name}[0]")).unwrap_or_default()
 }

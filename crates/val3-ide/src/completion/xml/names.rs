@@ -1,4 +1,4 @@
-//! Names, files and versions that fit an attribute.
+//! Names, files and versions for attributes.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ use crate::line::Names;
 use crate::reachable_projects::{Reachable, reachable};
 use crate::xml_context::XmlContext;
 
-/// A value that is likelier than the default in a new element.
+/// Value that is more likely than the default in a new element.
 pub(super) fn likely(
     found: &CompletionList<'_>,
     context: &XmlContext<'_>,
@@ -51,12 +51,12 @@ pub(super) fn likely(
     }
 }
 
-/// The name of a file without its extension.
+/// File name without extension.
 pub(super) fn stem(db: &dyn Db, file: File) -> Option<String> {
     file.path(db).file_stem().map(str::to_owned)
 }
 
-/// The files of the project's folder with an extension, and whether the project lists them.
+/// Files with this extension in the project folder, each with whether the project lists it.
 pub(super) fn files(found: &CompletionList<'_>, extension: &str) -> Vec<(SmolStr, bool)> {
     let (db, project) = (found.db, found.project);
     let manifest = manifest(db, project.manifest(db));
@@ -70,20 +70,20 @@ fn unlisted(found: &CompletionList<'_>, extension: &str) -> Option<String> {
     files(found, extension).into_iter().find(|(_, is_listed)| !is_listed).map(|(name, _)| name.to_string())
 }
 
-/// The projects that can be named and that the project file does not name yet.
+/// Reachable projects that the project file does not reference yet.
 fn unnamed(db: &dyn Db, project: Project) -> Vec<Reachable> {
     let named = named(db, project);
     reachable(db, project).into_iter().filter(|other| !named.contains(&other.project)).collect()
 }
 
-/// The projects that the project file names.
+/// Projects that the project file references.
 pub(super) fn named(db: &dyn Db, project: Project) -> FxHashSet<Project> {
     let items = items(db, project);
     let libraries = items.libraries.values().filter_map(|library| library.interface);
     libraries.chain(items.types.values().copied().flatten()).collect()
 }
 
-/// Versions, those of other projects in reach first.
+/// Versions; the versions of other reachable projects come first.
 pub(super) fn versions(db: &dyn Db, project: Project) -> Vec<String> {
     let others = reachable(db, project).into_iter().map(|other| other.project);
     let written = others.map(|other| manifest(db, other.manifest(db)).version.to_string());
@@ -94,7 +94,7 @@ pub(super) fn versions(db: &dyn Db, project: Project) -> Vec<String> {
     versions
 }
 
-/// Names for a path: the name of its project, and identifiers that the code uses but that are not declared.
+/// Library identifiers for a path: the project name, and undeclared identifiers that the code uses.
 pub(super) fn aliases(found: &CompletionList<'_>, path: Option<&str>) -> Vec<String> {
     let (db, project) = (found.db, found.project);
     let of_path = path.map(Utf8Path::new).and_then(Utf8Path::file_stem).filter(|stem| !stem.is_empty());
@@ -112,7 +112,7 @@ pub(super) fn aliases(found: &CompletionList<'_>, path: Option<&str>) -> Vec<Str
     names
 }
 
-/// Names of variables that these programs use and nothing declares.
+/// Undeclared variable names that these programs use.
 pub(super) fn undeclared(found: &CompletionList<'_>, files: &[File]) -> BTreeSet<SmolStr> {
     files.iter().flat_map(|file| undeclared_in(found.db, found.project, *file)).collect()
 }

@@ -1,11 +1,11 @@
-//! Elements and attributes to fill in.
+//! Snippets of elements and attributes.
 
 use val3_lang::files::{self, Attribute, Element, FileKind, Presence};
 
-/// Attributes that the controller's files leave out where they have their default.
+/// Attributes that the controller's files omit if they have their default.
 const LEFT_OUT: [&str; 6] = ["autoload", "password", "access", "use", "dimensions", "privilege"];
 
-/// Elements without which another one says nothing.
+/// Child elements without which an element is useless.
 const MANDATORY: [(FileKind, &str, &[&str]); 8] = [
     (FileKind::Project, "Project", &["Parameters", "Programs", "Database"]),
     (FileKind::Project, "project", &["parameters", "programSection", "dataSection"]),
@@ -17,11 +17,11 @@ const MANDATORY: [(FileKind, &str, &[&str]); 8] = [
     (FileKind::Program, "source", &["code"]),
 ];
 
-/// Roots whose attributes have the prefix `xsi`.
+/// Root elements that declare the namespace prefix `xsi`.
 const WITH_XSI: [&str; 2] = ["Database", "Programs"];
 const XSI: &str = "http://www.w3.org/2001/XMLSchema-instance";
 
-/// A text with places to fill in, and the same without.
+/// A text with placeholders, and the same text without them.
 #[derive(Debug, Default)]
 pub(super) struct Snippet {
     pub(super) text: String,
@@ -31,13 +31,13 @@ pub(super) struct Snippet {
 }
 
 impl Snippet {
-    /// Plain text.
+    /// Appends plain text.
     pub(super) fn push(&mut self, text: &str) {
         self.text += &text.replace('\\', "\\\\").replace('$', "\\$").replace('}', "\\}");
         self.plain += text;
     }
 
-    /// A place to fill in, with a text that is there already.
+    /// Appends a placeholder with a default text.
     pub(super) fn place(&mut self, text: &str) {
         self.places += 1;
         let escaped = text.replace('\\', "\\\\").replace('$', "\\$").replace('}', "\\}");
@@ -45,26 +45,26 @@ impl Snippet {
         self.plain += text;
     }
 
-    /// A place for one of some words, the first of which is there already.
+    /// Appends a placeholder with choices; the first choice is the default.
     fn choice(&mut self, words: &[&str]) {
         self.places += 1;
         self.text += &format!("${{{}|{}|}}", self.places, words.join(","));
         self.plain += words.first().unwrap_or(&"");
     }
 
-    /// Where the cursor stays.
+    /// Marks the final cursor position.
     fn last(&mut self) {
         if !self.has_last {
             self.text += "$0";
             self.has_last = true;
         }
-        // Without places to fill in, the line would be blank.
+        // Without placeholders, the line would be blank.
         if let Some(before) = self.plain.trim_end_matches(' ').strip_suffix('\n') {
             self.plain.truncate(before.len());
         }
     }
 
-    /// ` name="value"` with a place for the value, which has this text if it is known.
+    /// Appends ` name="value"` with a placeholder for the value; `known` is its default if it is known.
     pub(super) fn attribute(&mut self, attribute: &Attribute, known: Option<&str>) {
         let default = match attribute.presence {
             Presence::Required => attribute.name,
@@ -82,8 +82,8 @@ impl Snippet {
         self.push("\"");
     }
 
-    /// A new element without its first `<`; `indent` is before its further lines. `known` gives values that are
-    /// likelier than the defaults.
+    /// Appends a new element without its first `<`; `indent` is inserted before its further lines. `known` returns
+    /// values that are more likely than the defaults.
     pub(super) fn element(
         &mut self,
         file: FileKind,
@@ -105,14 +105,14 @@ impl Snippet {
         self.content(file, element, indent, known);
     }
 
-    /// An element around others.
+    /// Appends an element that contains the final cursor position.
     pub(super) fn list(&mut self, angle: &str, name: &str) {
         self.push(&format!("{angle}{name}>\n  "));
         self.last();
         self.push(&format!("\n</{name}>"));
     }
 
-    /// Written XML in which each value is a place to fill in, and each index is `index`.
+    /// Appends XML in which each value becomes a placeholder, and each index becomes `index`.
     pub(super) fn filled(&mut self, written: &str, index: &str) {
         let mut rest = written;
         while let Some((before, behind)) = rest.split_once("=\"") {
@@ -148,7 +148,7 @@ impl Snippet {
             (None, "code") => around(self, ">begin\n  ", "\nend\n"),
             (None, "Description") => around(self, "><![CDATA[", "]]>"),
             (None, "description") => around(self, ">", ""),
-            // A variable has its defaults without any values.
+            // A variable without values has its defaults.
             (None, _) if element.children.is_empty() || !element.attributes.is_empty() => self.push(" />"),
             (None, _) => around(self, &format!(">\n{inner}"), &format!("\n{indent}")),
         }

@@ -1,4 +1,4 @@
-//! The values of attributes.
+//! Values of attributes.
 
 use smol_str::SmolStr;
 use val3_analysis::db::Project;
@@ -21,7 +21,7 @@ use crate::io_links::{io_links, linked_type};
 use crate::reachable_projects::reachable;
 use crate::xml_context::XmlContext;
 
-/// The possible values of an attribute.
+/// Possible values for an attribute.
 pub(super) fn values(found: &mut CompletionList<'_>, context: &XmlContext<'_>, name: &str) {
     let element = context.cursor.tag.as_ref().map_or("", |tag| tag.name);
     match context.file {
@@ -38,14 +38,14 @@ fn add(found: &mut CompletionList<'_>, text: &str, kind: Kind, detail: &str, sco
     }
 }
 
-/// Texts in the order of how likely they are.
+/// Adds texts, given in order of probability.
 fn add_all(found: &mut CompletionList<'_>, texts: impl IntoIterator<Item = impl AsRef<str>>, kind: Kind, detail: &str) {
     for (place, text) in (0..).zip(texts) {
         add(found, text.as_ref(), kind, detail, -place);
     }
 }
 
-/// The words that the format knows for an attribute, its default, its namespace.
+/// Values that the file format defines for an attribute: its keywords, default and namespace.
 fn known_values(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
     let Some(known) = files::find(context.file, element) else { return };
     if let Some(namespace) = known.namespace.filter(|_| name == "xmlns") {
@@ -87,15 +87,15 @@ fn of_project(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element:
     }
 }
 
-/// The files of the project's folder that its list does not name yet come first.
+/// Files in the project folder; files that the project does not list come first.
 fn files_of(found: &mut CompletionList<'_>, extension: &str) {
     for (name, is_listed) in folder_files(found, extension) {
         add(found, &name, Kind::Path, "", if is_listed { 0 } else { FITS });
     }
 }
 
-/// The projects that can be named here, those first that the project file does not name yet. A user type has data and
-/// seldom programs.
+/// Projects that can be referenced; projects that the project file does not reference yet come first. A user type has
+/// data and rarely programs.
 fn projects(found: &mut CompletionList<'_>, is_type: bool) {
     let (db, project) = (found.db, found.project);
     let named = names::named(db, project);
@@ -152,18 +152,18 @@ fn of_data(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element: &s
     }
 }
 
-/// Names of variables that programs use and nothing declares.
+/// Undeclared variable names that programs use.
 fn unknown_data(found: &mut CompletionList<'_>) {
     let unknown = names::undeclared(found, program_files(found.db, found.project));
     add_all(found, unknown, Kind::Data, "used and not declared");
 }
 
-/// Data files name the arm of positions, headers of programs do not.
+/// Types. Position types include the arm kind in data files, but not in program headers.
 fn types(found: &mut CompletionList<'_>, is_data: bool) {
     let (db, project) = (found.db, found.project);
     let items = items(db, project);
     let arm = items.arm.filter(|_| is_data);
-    // The type that most variables have comes first.
+    // The most common types come first.
     let common = [BaseType::Num, BaseType::Bool, BaseType::String, BaseType::Point, BaseType::Dio];
     let rest = BaseType::DECLARABLE.into_iter().filter(|ty| !common.contains(ty));
     for (place, ty) in (0..).zip(common.into_iter().chain(rest)) {
@@ -176,7 +176,7 @@ fn types(found: &mut CompletionList<'_>, is_data: bool) {
     }
 }
 
-/// The user type whose fields are written here: that of the next declaration further out.
+/// User type whose fields are edited: the type of the next outer declaration.
 fn owner_of_field(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Option<Project> {
     let types = &items(found.db, found.project).types;
     let mut outer = context.declarations().filter(|(tag, _)| Some(*tag) != context.cursor.tag.as_ref());
@@ -196,7 +196,7 @@ fn user_fields(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     }
 }
 
-/// The declaration of the field that the tag names.
+/// Declaration of the field that the tag names.
 fn declared_field(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Option<DataItem> {
     let name = context.cursor.tag.as_ref()?.value("name")?;
     fields(found.db, owner_of_field(found, context)?).get(name).cloned()
@@ -216,7 +216,7 @@ fn field_size(found: &mut CompletionList<'_>, context: &XmlContext<'_>) {
     }
 }
 
-/// The possible values of this attribute for a value of the type around it.
+/// Possible values of this attribute for a value of the surrounding type.
 fn value_attribute(found: &mut CompletionList<'_>, context: &XmlContext<'_>, name: &str) {
     let Some((ty, arm)) = context.builtin(found.db, found.project) else { return };
     let Some(known) = attribute(ty, arm, name) else { return };
@@ -232,7 +232,7 @@ fn value_attribute(found: &mut CompletionList<'_>, context: &XmlContext<'_>, nam
     }
 }
 
-/// The default of an attribute in s5 and s6.
+/// Attribute default in s5 and s6.
 fn old_default(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
     let Some(ty) = context.types().next() else { return };
     let default = old_data::attributes(ty, element).into_iter().find(|(known, _)| known == name);
@@ -241,7 +241,7 @@ fn old_default(found: &mut CompletionList<'_>, context: &XmlContext<'_>, element
     }
 }
 
-/// The inputs and outputs of the cell that have this type.
+/// Inputs and outputs of the cell with this type.
 fn links(found: &mut CompletionList<'_>, ty: BaseType) {
     let wanted = linked_type(ty);
     for link in io_links(found.db, found.project, ty) {
@@ -250,7 +250,7 @@ fn links(found: &mut CompletionList<'_>, ty: BaseType) {
     }
 }
 
-/// The digital outputs that a tool of s5 and s6 can name.
+/// Digital outputs that a tool of s5 and s6 can reference.
 fn outputs(found: &mut CompletionList<'_>) {
     let data = &items(found.db, found.project).data;
     let outputs = data.iter().filter(|(_, item)| item.base == Base::of(BaseType::Dio));

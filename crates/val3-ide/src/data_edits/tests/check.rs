@@ -1,4 +1,4 @@
-//! The findings that changes would add.
+//! Findings that edits would add.
 
 use val3_check::settings::{Selection, WorkspaceSettings};
 
@@ -29,7 +29,7 @@ put(nB)
 </Database>
 "#;
 
-/// `place column: code message`, one line for each finding.
+/// Added findings as `place column: code message`, one line each.
 fn added(edits: &[DataEdit]) -> String {
     let marked = MarkedListing::new(CELL);
     let (db, file) = (marked.db(), marked.at().file);
@@ -59,7 +59,7 @@ fn a_text_that_is_no_number_has_the_finding_of_the_rule() {
 
 #[test]
 fn findings_that_the_file_has_before_are_left_out() {
-    // The new data move the present finding.
+    // The new data shift the existing finding.
     let edits = [add("nC", "num", &[1], Some("fA")), set("nA[0]", "value", Some("wrong"))];
     expect_test::expect![[r#"
         nA[0] value: V0510 `value` of type `num` is `wrong`, but must be a number

@@ -4,7 +4,7 @@ use expect_test::expect;
 
 use super::*;
 
-/// The layout of the vendor's editor.
+/// Format of the vendor's editor.
 const CELL: &str = r#"
 type Slot "Disk://Slot/Slot.pjx"
 cls()
@@ -61,7 +61,7 @@ cls()
 </Database>
 "#;
 
-/// The layout of the controller, in another order of the attributes.
+/// Format of the controller, with another order of the attributes.
 const CONTROLLER: &str = r#"
 cls()
 === main/main.dtx

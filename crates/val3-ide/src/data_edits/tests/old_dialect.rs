@@ -233,6 +233,6 @@ fn arrays_get_other_sizes() {
 fn characters_that_the_encoding_lacks_are_references() {
     let text = "\u{e9} \u{2192}";
     let added = done(CELL, &[add("sNew", "string", &[1], None), set("sNew[0]", "value", Some(text))]).unwrap();
-    // The listing is stored as UTF-8, which reads as ISO-8859-1 because the file declares it.
+    // The listing is stored as UTF-8, but the file declares ISO-8859-1.
     assert!(added.contains("value=\"\u{e9} &#8594;\""), "{added}");
 }

@@ -1,4 +1,4 @@
-//! Changes that are impossible.
+//! Impossible edits.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! Poses, joints and loops of fathers.
+//! Poses, joints and circular fathers.
 
 use expect_test::{Expect, expect};
 
@@ -7,7 +7,7 @@ use crate::testing::MarkedListing;
 
 const ARM: &str = "=== /configs/arm.cfx\n<arm><String name=\"arm\" value=\"tx2_90-S1\"/></arm>\n";
 
-/// The lines of a hover that follow the declaration and its values.
+/// Checks the hover lines after the declaration and its values.
 fn check(code: &str, values: &str, arm: &str, expected: Expect) {
     let data = format!(
         "=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \

@@ -1,4 +1,4 @@
-//! Hovers on the XML of files in both dialects.
+//! Hover for the XML of files in both dialects.
 
 use expect_test::expect;
 
@@ -58,7 +58,7 @@ end]]></Code>
 const LIBRARIES: &str = "\n--- part\npublic num nWeight[2]\npublic program pick(num x_n)\nbegin\nend\nnum nInner\n--- Slot\npublic num nHeight\n\
     === /configs/bio.cfx\n<bio><bioDin index=\"0\" /></bio>\n";
 
-/// The cell with the cursor before `part` of one of its files.
+/// The cell with the cursor before `part` in one of its files.
 fn at(part: &str) -> String {
     let files = [("main/main.pjx", MANIFEST), ("main/main.dtx", DATA), ("main/start.pgx", PROGRAM)];
     let (mut listing, mut is_marked) = (format!("cls(){LIBRARIES}"), false);
@@ -72,7 +72,7 @@ fn at(part: &str) -> String {
     listing
 }
 
-/// Every element, attribute and value of these files has something to say.
+/// Every element, attribute and value of these files has a hover.
 #[test]
 fn every_element_and_attribute_has_a_hover() {
     let mut silent = String::new();

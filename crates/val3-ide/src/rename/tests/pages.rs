@@ -6,7 +6,7 @@ use super::check;
 use crate::references::references;
 use crate::testing::{MarkedListing, shown_all};
 
-/// An application with a page; `cursor` is a part of a file that gets `$0`.
+/// An application with a page; `cursor` is a part of a file, with `|` for the cursor.
 fn cell(cursor: &str) -> String {
     let marked = cursor.replace('|', "$0");
     let listing = r#"version s8.10

@@ -1,4 +1,4 @@
-//! Tables that the client has, and the difference to those of the present text.
+//! Tables that the client has, and the difference from the current text.
 
 use std::hash::{Hash as _, Hasher as _};
 use std::ops::Range;
@@ -9,12 +9,12 @@ use val3_ide::{DataOutline, DataType, DatumSource};
 use super::messages::{DataFinding, Datum, ReplacedValues, Replacement};
 use crate::lines::Lines;
 
-/// The last result of `val3/data` about a document, as far as the next one has to be compared with it.
+/// Extract of the last `val3/data` result for a document, sufficient for comparison with the next result.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct KeptTables {
     pub(super) types: Vec<DataType>,
     data: Vec<KeptDatum>,
-    /// Hashes of the rows of each datum.
+    /// Row hashes, by datum.
     rows: Vec<KeptRows>,
     /// Hashes of the findings.
     findings: Vec<u64>,
@@ -25,18 +25,18 @@ pub(crate) struct KeptTables {
 struct KeptDatum {
     fingerprint: u64,
     line: u32,
-    /// Columns of both ends of the name.
+    /// Start and end column of the name.
     columns: (u32, u32),
-    /// Lines since the variable before.
+    /// Number of lines since the previous variable.
     distance: u32,
 }
 
-/// The rows of a variable that the client has.
+/// Rows of a variable that the client has.
 #[derive(Debug, Clone, PartialEq)]
 struct KeptRows {
-    /// Hash of the datum without its values and its place.
+    /// Hash of the datum without its values and location.
     head: u64,
-    /// Hashes of its values.
+    /// Hashes of the values.
     values: Box<[u64]>,
 }
 
@@ -47,7 +47,7 @@ impl KeptRows {
     }
 }
 
-/// Where the variable is in absolute numbers is left out: an edit before it shifts it.
+/// The absolute line is not compared, because an edit before the variable shifts it.
 impl PartialEq for KeptDatum {
     fn eq(&self, other: &Self) -> bool {
         let key = |datum: &Self| (datum.fingerprint, datum.columns, datum.distance);
@@ -75,8 +75,8 @@ impl KeptTables {
         self.rows = data.iter().map(KeptRows::of).collect();
     }
 
-    /// Sets the rows that differ from those `before`, and reduces the rows of a datum that has kept its head to the values
-    /// that have changed. Returns the values that they replace.
+    /// Stores the rows that differ from `before`. If only the values of a datum have changed, removes all unchanged
+    /// values from `data` and returns the replaced range.
     pub(super) fn change_rows(
         &mut self,
         before: &Self,
@@ -99,12 +99,12 @@ impl KeptTables {
         self.findings = findings.iter().map(hash).collect();
     }
 
-    /// Takes over the findings of an earlier result, which the client keeps.
+    /// Copies the findings from an earlier result, which the client keeps.
     pub(super) fn keep_findings(&mut self, before: &Self) {
         self.findings.clone_from(&before.findings);
     }
 
-    /// A name of this state: equal states have equal names.
+    /// Identifier of this state; equal states have equal identifiers.
     pub(super) fn id(&self) -> String {
         let mut hasher = FxHasher::default();
         self.findings.hash(&mut hasher);
@@ -114,7 +114,7 @@ impl KeptTables {
         format!("{:x}", hasher.finish())
     }
 
-    /// The data that differ from those `before`, and the shift of the lines after them.
+    /// Data that differ from `before`, and the line shift of the data after them.
     pub(super) fn changed_data(&self, before: &Self) -> (Difference, i64) {
         let difference = Difference::between(&before.data, &self.data);
         let line = |data: &[KeptDatum], at: usize| data.get(at).map(|datum| i64::from(datum.line));
@@ -123,13 +123,13 @@ impl KeptTables {
         (difference, shift)
     }
 
-    /// The findings that differ from those `before`.
+    /// Findings that differ from `before`.
     pub(super) fn changed_findings(&self, before: &Self) -> Difference {
         Difference::between(&before.findings, &self.findings)
     }
 }
 
-/// The parts of two lists between the items that both have at the start and at the end.
+/// Ranges in which two lists differ, after their common prefix and suffix are removed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Difference {
     pub(super) old: Range<usize>,
@@ -145,7 +145,7 @@ impl Difference {
         Self { old: start..old.len() - common, new: start..new.len() - common }
     }
 
-    /// The new items in place of the old ones.
+    /// Replacement of the old range by `items`.
     pub(super) fn replace_with<T>(&self, items: Vec<T>) -> Replacement<T> {
         Replacement { start: self.old.start, delete_count: self.old.len(), items }
     }

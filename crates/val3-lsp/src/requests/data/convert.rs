@@ -1,4 +1,4 @@
-//! From the tables of the features to the messages of the data editor.
+//! Conversion of feature tables to messages of the data editor.
 
 use tower_lsp::lsp_types::DiagnosticSeverity;
 use val3_ide as ide;
@@ -9,7 +9,7 @@ use crate::convert::diagnostic;
 use crate::lines::Lines;
 use crate::snapshot::Snapshot;
 
-/// The form of a file.
+/// Dialect of a file.
 pub(super) fn dialect(dialect: ide::Dialect) -> Dialect {
     match dialect {
         ide::Dialect::Old => Dialect::Old,
@@ -27,7 +27,7 @@ pub(super) fn data(lines: &Lines<'_>, data: Vec<ide::Datum>) -> Vec<Datum> {
     data.into_iter().map(|data| datum(data, Some(lines))).collect()
 }
 
-/// A sentence with the line that it is about.
+/// Reason as a sentence with its line number.
 pub(super) fn in_words(lines: &Lines<'_>, problem: &ide::DataProblem) -> String {
     match problem.range {
         Some(range) => format!("{} (line {})", problem.reason, lines.position(range.start()).line + 1),
@@ -77,7 +77,7 @@ fn container(container: types::Container) -> Container {
     }
 }
 
-/// A variable, which has a place in the file, or a field.
+/// A variable, or a field, which has no location in the file.
 fn datum(data: ide::Datum, lines: Option<&Lines<'_>>) -> Datum {
     let access = if data.public { Access::Public } else { Access::Private };
     let value = |value: ide::DatumValue| Value {
@@ -96,7 +96,7 @@ fn datum(data: ide::Datum, lines: Option<&Lines<'_>>) -> Datum {
     }
 }
 
-/// Findings on their cells.
+/// Findings by table cell.
 pub(super) fn findings(snapshot: &Snapshot, findings: Vec<ide::DataFinding>) -> Vec<DataFinding> {
     findings.into_iter().map(|found| finding(snapshot, found)).collect()
 }
@@ -123,7 +123,7 @@ fn place(place: ide::DataPlace) -> Place {
     Place { name: place.name, key: place.key, within }
 }
 
-/// Where a value is.
+/// Pose of a value.
 pub(super) fn pose(found: ide::DataPose) -> DataPose {
     let Place { name, key, within } = place(found.place);
     DataPose {

@@ -1,11 +1,11 @@
-//! From the messages of the data editor to the changes of the features.
+//! Conversion of data editor messages to feature edits.
 
 use val3_ide as ide;
 use val3_lang::types;
 
 use super::messages::*;
 
-/// A change of the tables.
+/// Converts one edit of the tables.
 pub(super) fn edit(edit: &DataEdit) -> ide::DataEdit {
     match edit {
         DataEdit::Set { cells } => ide::DataEdit::Set(cells.iter().map(cell).collect()),

@@ -1,24 +1,24 @@
-//! The messages of the data editor.
+//! Messages of the data editor.
 
 use std::hash::{Hash, Hasher};
 
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::{Range, Url, WorkspaceEdit};
 
-/// The data file that a request is about.
+/// Data file of a request.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct DataParams {
     pub(super) uri: Url,
-    /// The result that the client has: only what has changed since is sent.
+    /// Earlier result that the client has; only the changes since then are sent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) previous_result_id: Option<String>,
-    /// The client keeps the findings that it has, so that the result does not wait for a check.
+    /// Whether the client keeps its findings, so that the response does not wait for a check.
     #[serde(default)]
     pub(super) without_findings: bool,
 }
 
-/// The tables, or their changes since an earlier result.
+/// Tables, or their changes since an earlier result.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(untagged)]
 pub(crate) enum DataResult {
@@ -26,7 +26,7 @@ pub(crate) enum DataResult {
     Changes(DataChanges),
 }
 
-/// The difference between two results.
+/// Difference between two results.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct DataChanges {
@@ -34,16 +34,16 @@ pub(crate) struct DataChanges {
     pub(super) version: Option<i32>,
     pub(super) problem: Option<String>,
     pub(super) data: Replacement<Datum>,
-    /// `null`: the data have all their values. Otherwise the only new datum has some of its values, which replace these
-    /// values of the earlier datum.
+    /// `null` if the data contain all their values. Otherwise the only new datum contains some of its values, which
+    /// replace these values of the earlier datum.
     pub(super) values: Option<ReplacedValues>,
-    /// Added to the lines of the data after the replaced ones.
+    /// Line offset for the data after the replaced items.
     pub(super) line_shift: i64,
-    /// `null`: the findings of the earlier result remain.
+    /// `null` if the findings of the earlier result are unchanged.
     pub(super) findings: Option<Replacement<DataFinding>>,
 }
 
-/// New items of a list in place of others.
+/// New items that replace a range of a list.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Replacement<T> {
@@ -52,7 +52,7 @@ pub(super) struct Replacement<T> {
     pub(super) items: Vec<T>,
 }
 
-/// The values of the earlier datum that others replace.
+/// Range of the earlier datum's values that is replaced.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct ReplacedValues {
@@ -65,10 +65,10 @@ pub(super) struct ReplacedValues {
 #[serde(rename_all = "camelCase")]
 pub(crate) struct DataTables {
     pub(super) result_id: String,
-    /// The version of the open document that the tables show.
+    /// Version of the open document on which the tables are based.
     pub(super) version: Option<i32>,
     pub(super) dialect: Dialect,
-    /// Why the file cannot be edited as tables.
+    /// Reason why the file cannot be edited as tables.
     pub(super) problem: Option<String>,
     pub(super) types: Vec<DataType>,
     pub(super) data: Vec<Datum>,
@@ -137,7 +137,7 @@ pub(super) enum Access {
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Datum {
     pub(super) name: String,
-    /// Left out of fields, as is the range.
+    /// Omitted for fields, like the range.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) access: Option<Access>,
     #[serde(rename = "type")]
@@ -149,7 +149,7 @@ pub(super) struct Datum {
     pub(super) values: Vec<Value>,
 }
 
-/// The place in the file is left out: an edit before the datum shifts it.
+/// The location in the file is not hashed, because an edit before the datum shifts it.
 impl Hash for Datum {
     fn hash<H: Hasher>(&self, state: &mut H) {
         (&self.name, self.access, &self.type_name, self.container, &self.size, &self.values).hash(state);
@@ -198,15 +198,15 @@ pub(super) enum Severity {
     Hint,
 }
 
-/// Changes of a data file.
+/// Edits of a data file.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct EditDataParams {
     pub(super) uri: Url,
-    /// The version of the document that the client shows; `null` for a file that is not open.
+    /// Document version that the client shows; `null` for a file that is not open.
     pub(super) version: Option<i32>,
-    /// Each is made in the result of those before it.
+    /// Edits in order; each edit applies to the result of the previous ones.
     pub(super) edits: Vec<DataEdit>,
-    /// Also returns the findings that the edits would add.
+    /// Whether to return the findings that the edits would add.
     #[serde(default)]
     pub(super) check: bool,
 }
@@ -263,43 +263,43 @@ pub(super) enum DataEdit {
 pub(super) struct Cell {
     pub(super) place: Place,
     pub(super) column: String,
-    /// `null`: the default.
+    /// `null` for the default.
     pub(super) text: Option<String>,
 }
 
-/// The edit of the file, or why there is none.
+/// Text edit of the file, or the reason why there is none.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct EditDataResult {
     pub(super) edit: Option<WorkspaceEdit>,
-    /// A sentence for people.
+    /// Reason as a sentence for users.
     pub(super) refused: Option<String>,
-    /// The findings of the file after the edit that it does not have before.
+    /// Findings that the edit adds to the file.
     pub(super) findings: Vec<DataFinding>,
 }
 
-/// Points, frames and tools whose places are wanted.
+/// Points, frames and tools whose poses are requested.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct DataPosesParams {
     pub(super) uri: Url,
     pub(super) names: Vec<String>,
 }
 
-/// Where a value is.
+/// Pose of a value.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct DataPose {
     pub(super) name: String,
     pub(super) key: String,
-    /// The way to a value in the fields of a user type.
+    /// Path to a value within the fields of a user type.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) within: Vec<Step>,
-    /// x, y and z in mm, and rx, ry and rz in degrees, in `world` (a tool: on the flange); `null` if not known.
+    /// x, y, z in mm and rx, ry, rz in degrees, relative to `world` (tools: to the flange); `null` if unknown.
     pub(super) world: Option<[f64; 6]>,
     /// The value and its fathers, joined by ` on `; empty for joints.
     pub(super) chain: String,
     pub(super) reach: Option<Reach>,
-    /// Why the place is not known or out of reach, or with which tool it is reached.
+    /// Reason why the pose is unknown or out of reach, or the tool with which it is reached.
     pub(super) why: Option<String>,
-    /// The joints in which the arm reaches the place.
+    /// Joint position in which the arm reaches the pose.
     pub(super) joints: Option<Vec<f64>>,
 }
 
