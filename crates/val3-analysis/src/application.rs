@@ -121,7 +121,7 @@ pub fn is_library_item(db: &dyn Db, name: &str) -> bool {
     is_mentioned(db, Sources::get(db), name.into())
 }
 
-/// A separate query, so that callers depend on one name instead of all names.
+/// Whether library items include `name`. A separate query, so that callers depend on one name instead of all names.
 #[salsa::tracked(returns(copy))]
 fn is_mentioned(db: &dyn Db, sources: Sources, name: SmolStr) -> bool {
     library_items(db, sources).contains(&name)
