@@ -108,8 +108,8 @@ impl AddOnProgram {
     }
 }
 
-/// Returns the forms of an instruction that is described only by its stand-in: one with all parameters, and one without
-/// the last parameter if that can receive the result.
+/// Returns the forms that a stand-in defines for an instruction without another description: one with all parameters,
+/// and one without the last parameter if that can receive the result.
 #[salsa::tracked]
 pub(crate) fn forms(db: &dyn Db, library: Project, file: File) -> Vec<AddOnOverload> {
     let params = &signature(db, library, file).params;

@@ -46,7 +46,7 @@ pub struct Application {
     pub sound: bool,
     /// Whether all uses of private names are known: the application is sound, and no user page (s8) uses its names.
     pub closed: bool,
-    /// All tasks, first those of `start` and `stop`.
+    /// All tasks; the tasks of `start` and `stop` come first.
     pub tasks: Vec<Task>,
     /// Tasks that may run each program, as indexes in `tasks`. A program without an entry runs in no task of this
     /// project.
@@ -115,8 +115,8 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
     application
 }
 
-/// Whether any program uses a library item called `name`. Libraries can be loaded in place of each other, so the item
-/// may belong to any project.
+/// Whether any program uses a library item called `name`. Libraries can be loaded in place of each other, so the
+/// project of the item is not compared.
 pub fn is_library_item(db: &dyn Db, name: &str) -> bool {
     is_mentioned(db, Sources::get(db), name.into())
 }
@@ -134,7 +134,7 @@ fn library_items(db: &dyn Db, sources: Sources) -> FxHashSet<SmolStr> {
 }
 
 /// Returns the names after a colon in a file: the item of every `library:item`, and some other words. Only the text is
-/// searched, because parsing every program of a workspace for the check of one program would be slow.
+/// searched, because the check of a program would be slow if it parsed every program in the workspace.
 #[salsa::tracked]
 fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let mut mentions = FxHashSet::default();
@@ -206,7 +206,7 @@ impl Application {
         }
     }
 
-    /// Fills `run_by`: follows the calls from the program of each task.
+    /// Fills `run_by`: follows the calls from every task's program.
     fn find_runs(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
         for (index, task) in self.tasks.iter().enumerate() {
             let first = &task.start.program;

@@ -14,11 +14,11 @@ use val3_lang::operators::{BinaryOp, UnaryOp};
 use crate::db::{Db, File};
 use crate::items::parse;
 
-/// Identifier of an expression in a body.
+/// Expression identifier in a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ExprId(u32);
 
-/// Code of one program.
+/// Code of a program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Body {
     exprs: Vec<(Expr, TextRange)>,
@@ -105,7 +105,7 @@ pub enum StmtKind {
     Switch {
         /// The value that is compared.
         selector: Option<ExprId>,
-        /// Values and block of each `case`; no values for `default`.
+        /// Values and blocks of the `case` clauses; no values for `default`.
         cases: Vec<(Vec<ExprId>, Vec<Stmt>)>,
     },
     /// `return`
@@ -134,7 +134,7 @@ pub enum StmtKind {
     Error,
 }
 
-/// Kind and parts of an expression.
+/// Kind and parts of expressions.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expr {
     /// A missing or unreadable expression.
@@ -213,7 +213,7 @@ impl Body {
         self.exprs.get(id.0 as usize).map_or(&Expr::Missing, |(expr, _)| expr)
     }
 
-    /// Returns the range of an expression.
+    /// Returns an expression's range.
     pub fn range(&self, id: ExprId) -> TextRange {
         self.exprs.get(id.0 as usize).map_or_else(TextRange::default, |(_, range)| *range)
     }

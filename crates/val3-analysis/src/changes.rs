@@ -14,7 +14,7 @@ use crate::items::project::{program_files, signature};
 /// calls terminate.
 const LONGEST: usize = 80;
 
-/// Whether a program of the project may change the value at a path, a value that contains it, or one of its fields.
+/// Whether a program of the project may change the value at a path, a value that contains it, or a field in it.
 pub fn is_changed(db: &dyn Db, project: Project, path: &str) -> bool {
     let name = path.split('[').next().unwrap_or(path);
     changes(db, project).get(name).is_some_and(|changes| {
@@ -171,7 +171,7 @@ fn without_indexes(path: &str) -> String {
     path.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
 }
 
-/// Whether `part` is equal to `whole` or is one of its fields.
+/// Whether `part` is equal to `whole` or is a field in it.
 fn is_part(part: &str, whole: &str) -> bool {
     part.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }

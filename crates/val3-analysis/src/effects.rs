@@ -16,7 +16,7 @@ use crate::infer::{Inference, infer};
 use crate::items::program::{Header, header};
 use crate::items::project::{Items, Signature, items, signature};
 
-/// Root variable of an expression, for example `a` for `a[1].x`.
+/// Root variable, for example `a` for the expression `a[1].x`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Root {
     /// A local variable.
@@ -29,7 +29,7 @@ pub enum Root {
     Item(SmolStr, SmolStr),
 }
 
-/// Kind of use of a variable.
+/// Kind of variable use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum AccessKind {
     /// The value is read.

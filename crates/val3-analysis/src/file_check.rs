@@ -22,7 +22,7 @@ use crate::xml::{Attribute, Element};
 /// Name of the value element in a data file.
 pub(crate) const VALUE: &str = "Value";
 
-/// Collects the problems of one file.
+/// Collects a file's problems.
 pub(crate) struct FileCheck<'db> {
     file: File,
     items: &'db Items,
@@ -50,7 +50,7 @@ impl<'db> FileCheck<'db> {
         self.problems.push(Problem { kind, place: FileRange { file: self.file, range }, related: Vec::new() });
     }
 
-    /// Reports the second of two equal declarations.
+    /// Reports the repetition of an equal declaration.
     pub(crate) fn report_again(&mut self, range: TextRange, kind: ProblemKind, first: Option<FileRange>) {
         let related = first.into_iter().map(|place| Related { place, role: Role::First }).collect();
         self.problems.push(Problem { kind, place: FileRange { file: self.file, range }, related });
@@ -167,7 +167,7 @@ impl<'db> FileCheck<'db> {
         self.report(found.range, kind);
     }
 
-    /// Checks the `size` of an array. Returns whether it is valid.
+    /// Checks an array's `size`. Returns whether it is valid.
     pub(crate) fn size(&mut self, element: Element<'_>) -> bool {
         let Some(found) = element.attribute("size") else { return true };
         let sound = sizes(&found.text()).is_some_and(|sizes| !sizes.contains(&0));

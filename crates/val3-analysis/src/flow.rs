@@ -20,7 +20,7 @@ use crate::db::{Db, File};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PointId(u32);
 
-/// Flow nodes of one program with their edges. The first node is the start, the second the end.
+/// Flow nodes of a program with their edges. The first node is the start, the second the end.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Flow {
     points: Vec<Point>,
@@ -131,7 +131,7 @@ impl Flow {
         self.points.get(id.index())
     }
 
-    /// Returns all flow nodes: start, end, and the others in source order.
+    /// Returns all flow nodes: start, end, then the rest in source order.
     pub fn points(&self) -> impl Iterator<Item = (PointId, &Point)> {
         (0u32..).map(PointId).zip(&self.points)
     }

@@ -67,7 +67,7 @@ fn missing_code(check: &mut FileCheck<'_>, program: Element<'_>) {
     }
 }
 
-/// Checks that the program has the name of its file, in any letter case.
+/// Checks that the program has its file's name, in any letter case.
 fn file_name(check: &mut FileCheck<'_>, name: Attribute<'_>, stem: &str) {
     let program = name.text();
     if !program.eq_ignore_ascii_case(stem) {

@@ -1,6 +1,6 @@
-//! Type inference: the type of each expression of a program, the form of each call, and the faults.
+//! Type inference: expression types, call forms, and faults.
 //!
-//! `Infer` walks the expressions of one body. `scope` resolves names, `fit` and `arguments` select the form of a call,
+//! `Infer` walks the expressions in a body. `scope` resolves names, `fit` and `arguments` select the form of a call,
 //! `table` stores the results and `sink` the problems.
 
 mod access;
@@ -27,7 +27,7 @@ use crate::db::{Db, File, Project};
 use crate::problem::{Problem, ProblemKind};
 use crate::ty::Ty;
 
-/// Results of the inference for the code of one program.
+/// Inference results for the code of a program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inference {
     table: Table,
@@ -35,7 +35,7 @@ pub struct Inference {
 }
 
 impl Inference {
-    /// Returns the type of an expression. An expression without an index has the container of its variable.
+    /// Returns the expression's type. An expression without an index has the container of its variable.
     pub fn ty(&self, id: ExprId) -> Ty {
         self.table.ty(id)
     }
@@ -45,7 +45,7 @@ impl Inference {
         self.table.call(id)
     }
 
-    /// Returns the call at `id`, if it calls an instruction of an add-on's table.
+    /// Returns the call at `id`, if it calls an instruction that an add-on's table declares.
     pub fn add_on_call(&self, id: ExprId) -> Option<&AddOnCall> {
         self.table.add_on_call(id)
     }
@@ -83,7 +83,7 @@ pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     infer(db, project, file).faults.lasting(db, project)
 }
 
-/// State of the walk over the expressions of one body.
+/// State of the walk over the expressions in a body.
 struct Infer<'db> {
     body: &'db Body,
     scope: Scope<'db>,
@@ -98,7 +98,7 @@ impl Infer<'_> {
         self.sink.report(self.body.range(id), kind, None);
     }
 
-    /// Returns the result of a lookup of the name at `id`, or reports why it failed.
+    /// Returns the lookup's result for the name at `id`, or reports why the lookup failed.
     fn resolved<T>(&mut self, id: ExprId, lookup: Result<T, Unresolved>) -> Option<T> {
         self.resolved_at(self.body.range(id), lookup)
     }

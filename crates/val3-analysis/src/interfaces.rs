@@ -40,7 +40,7 @@ pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     check.problems
 }
 
-/// Returns pairs of an interface project and a library that a program loads in its place.
+/// Returns pairs: an interface project, and a library that a program loads in its place.
 #[salsa::tracked]
 pub fn replacements(db: &dyn Db, project: Project) -> Vec<(Project, Project)> {
     if items(db, project).libraries.is_empty() {

@@ -1,6 +1,6 @@
 //! Declarations in files: names, types, containers, access. The code of programs cannot change them.
 //!
-//! Items contain no ranges, so that an edit elsewhere in the file leaves them equal. `declarations` finds an item's
+//! Items contain no ranges, so they do not change if another part of the file is edited. `declarations` finds an item's
 //! range when a message needs it.
 
 pub mod attributes;

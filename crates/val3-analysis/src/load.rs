@@ -105,11 +105,11 @@ struct Loader<'s> {
     /// Projects in the order of loading.
     order: Vec<(String, Project)>,
     cells: FxHashMap<CellKey, Option<Cell>>,
-    /// Applicable `val3.toml` of each folder, by path key.
+    /// Applicable `val3.toml`, by the path key of the folder.
     configurations: FxHashMap<String, Option<Configuration>>,
     config_errors: Vec<ConfigError>,
     folders: FxHashMap<Utf8PathBuf, FolderNames>,
-    /// Folder of `Disk://` of each project that is an application, by path key.
+    /// Folder of `Disk://` for projects that are applications, by path key.
     own_disks: FxHashMap<String, Option<Utf8PathBuf>>,
     queue: Vec<LoadedProject>,
     unreadable: Vec<(Utf8PathBuf, String)>,

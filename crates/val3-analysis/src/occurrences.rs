@@ -35,11 +35,11 @@ pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence>
     found
 }
 
-/// Ranges of each symbol in a file. This small table remains memoised when the occurrences are evicted, and a workspace
+/// Ranges in a file by symbol. This small table remains memoised when the occurrences are evicted, and a workspace
 /// search reads only this table.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct RangesBySymbol {
-    /// Each symbol with the end index of its part of `ranges`.
+    /// Symbols, each with the end index in `ranges`.
     symbols: Box<[(Symbol, usize)]>,
     ranges: Box<[TextRange]>,
 }

@@ -1,4 +1,4 @@
-//! User pages of s8: HTML files in the folder `interface` of an application, and their bindings to data and programs.
+//! User pages of s8: HTML files in an application's folder `interface`, with bindings to data and programs.
 
 mod binding_file;
 mod check;
@@ -17,7 +17,7 @@ pub use escapes::{escaped, unescaped};
 pub use html::{PageIds, page_ids};
 pub(crate) use page_names::{element, occurrences};
 
-/// Folder of an application's user pages.
+/// Folder of the user pages in applications.
 pub const FOLDER: &str = "interface";
 
 /// File name suffix of page bindings.
@@ -38,7 +38,7 @@ pub fn binding_files(db: &dyn Db, project: Project) -> impl Iterator<Item = File
     project.pages(db).iter().copied().filter(|file| is_bindings(db, *file))
 }
 
-/// Whether the file name is that of a binding file.
+/// Whether the file name ends like a binding file's.
 pub fn is_bindings(db: &dyn Db, file: File) -> bool {
     file.path(db).file_name().is_some_and(|name| page_name(name, BINDINGS).is_some())
 }

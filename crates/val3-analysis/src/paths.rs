@@ -97,7 +97,7 @@ pub fn near_root(root: &str, roots: &Roots) -> Option<SmolStr> {
 }
 
 /// Resolves a prefix of a reference, as in `"Disk://parts/part" + sName`: the folder that contains the projects, and
-/// the prefix of their own folder names in lower case.
+/// the prefix of the project folders in lower case.
 pub fn projects_from(folder: &Utf8Path, roots: &Roots, prefix: &str) -> Option<(Utf8PathBuf, String)> {
     let (start, partial) = prefix.rsplit_once('/').unwrap_or(("", prefix));
     match project(folder, roots, &format!("{start}/x.pjx")) {

@@ -40,7 +40,7 @@ pub enum Role {
     Declared,
     /// The parameter of the argument.
     Parameter,
-    /// The first of two equal declarations.
+    /// The first declaration, which the second one repeats.
     First,
     /// The interface that the library must implement.
     Interface,
@@ -57,7 +57,7 @@ pub enum Role {
 /// Kind of item that a name refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameKind {
-    /// Global data of an application.
+    /// Global data.
     Data,
     /// A local variable.
     Local,

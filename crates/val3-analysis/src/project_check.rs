@@ -138,7 +138,7 @@ impl ProjectCheck<'_> {
         }
     }
 
-    /// Checks the name of an entry. Returns whether an earlier entry has the same name.
+    /// Checks an entry's name. Returns whether an earlier entry has the same name.
     fn project_name(&mut self, found: Attribute<'_>, what: FileRole, seen: &mut FxHashMap<String, TextRange>) -> bool {
         let kind = if what == FileRole::Library { NameKind::Library } else { NameKind::Type };
         self.found.name(found, kind);

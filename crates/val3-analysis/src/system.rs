@@ -18,7 +18,7 @@ use crate::paths::normalise;
 
 pub use overlay::OverlayFs;
 
-/// Kind of the target of a path.
+/// Kind of path target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A file.
@@ -29,7 +29,7 @@ pub enum Kind {
 
 /// A file system as the loader uses it.
 pub trait System: Send + Sync + Debug {
-    /// Reads a file up to the size limit of its class.
+    /// Reads a file up to the size limit of the class.
     ///
     /// # Errors
     /// If the path is no file of this size, or the file system cannot read it.
@@ -152,7 +152,7 @@ impl Content {
         }
     }
 
-    /// Creates the content of an unreadable file.
+    /// Creates the content for an unreadable file.
     pub(crate) fn unreadable(reason: String) -> Self {
         Self { text: "".into(), status: Some(FileStatus::Unreadable(reason)) }
     }

@@ -143,7 +143,7 @@ pub fn path(body: &Body, id: ExprId) -> Option<SmolStr> {
     Some(format!("{name}[{key}]").into())
 }
 
-/// Returns the key of an element with constant indexes, for example `1,2` or `near`.
+/// Returns the key for constant indexes, for example `1,2` or `near`.
 pub fn key(body: &Body, keys: &[ExprId]) -> Option<String> {
     let part = |key: &ExprId| match body.constant(*key)? {
         Constant::Number(number) => Some(number.to_string()),

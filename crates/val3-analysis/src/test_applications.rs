@@ -5,7 +5,7 @@ use val3_lang::test_names::is_test_application;
 use crate::db::{Configuration, Db, Project};
 use crate::items::project::folder;
 
-/// Whether a project may use private items of its libraries: test applications may, because only `val3` executes tests.
+/// Whether a project may use private items in its libraries: test applications may, because only `val3` executes tests.
 #[must_use]
 pub fn sees_private_items(db: &dyn Db, project: Project) -> bool {
     has_tests(db, project)

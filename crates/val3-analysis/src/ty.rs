@@ -15,14 +15,14 @@ pub enum Base {
     Builtin(BaseType, Option<Arm>),
     /// A user type, identified by its project.
     User(Project),
-    /// An unknown type as a consequence of another fault: never reported.
+    /// An unknown type, which is the consequence of a reported fault and causes no further problems.
     Unknown,
 }
 
-/// A type: the base of each value, and the container of the values.
+/// A type: the base of the values, and the container that stores them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Ty {
-    /// Base of each value.
+    /// Base of the values.
     pub base: Base,
     /// Container of the values.
     pub container: Container,

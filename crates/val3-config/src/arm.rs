@@ -44,7 +44,7 @@ impl ArmSetting {
     }
 }
 
-/// Model of an arm.
+/// Arm model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArmModel<'a> {
     /// Model name, for example `tx2-60l`.

@@ -24,7 +24,7 @@ pub struct ConfigFile {
     pub text: String,
     /// Settings in the file.
     pub config: Config,
-    /// Byte range of each key (`rules.V0301`) in the text.
+    /// Byte ranges in the text, by key (`rules.V0301`).
     key_ranges: BTreeMap<String, Range<usize>>,
 }
 

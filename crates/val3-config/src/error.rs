@@ -6,7 +6,7 @@ use std::ops::Range;
 use camino::Utf8PathBuf;
 use val3_lines::LineIndex;
 
-/// An error in a configuration file, with all parts of its message.
+/// An error in a configuration file, with all parts of the message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConfigError {
     /// Path of the file.

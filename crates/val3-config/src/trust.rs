@@ -1,4 +1,4 @@
-//! Trusted folders: their settings may refer to paths outside of their cell.
+//! Trusted folders: their settings may refer to paths outside the cell.
 //!
 //! A cell is often cloned or received from another person. Its files may control the tools only inside the cell: the
 //! repository that contains the file, otherwise the folder of the file. The user trusts folders, and the binary

@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use crate::program::ProgramCoverage;
 use crate::share::Share;
 
-/// Coverage of programs by file path, independent of the order of execution.
+/// Coverage by file path, independent of the order of execution.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Coverage {
     programs: BTreeMap<String, ProgramCoverage>,
 }
 
-/// The programs of an application or library.
+/// The programs in an application or library.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProjectCoverage<'c> {
     /// Name; with the folder if several applications or libraries have the same name.
@@ -71,7 +71,7 @@ impl Coverage {
         self.programs.iter().map(|(file, program)| (file.as_str(), program))
     }
 
-    /// Returns the programs of each application and library, sorted by project file.
+    /// Returns the programs by application and library, sorted by project file.
     #[must_use]
     pub fn projects(&self) -> Vec<ProjectCoverage<'_>> {
         let mut projects: BTreeMap<(&str, &str), Vec<(&str, &ProgramCoverage)>> = BTreeMap::new();

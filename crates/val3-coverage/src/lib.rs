@@ -1,4 +1,4 @@
-//! Test coverage of programs: the number of executions of every line and every branch side.
+//! Test coverage of programs: execution counts of lines and branch sides.
 //!
 //! [`Coverage`] sums the counts of any number of controllers, in any order. Its formats are a table, LCOV, Cobertura,
 //! JSON, and HTML pages.

@@ -1,4 +1,4 @@
-//! Coverage of one program.
+//! Coverage of a program.
 
 use std::collections::BTreeMap;
 
@@ -46,9 +46,9 @@ pub enum LineState {
     Uncounted,
     /// The line was never executed.
     Missed,
-    /// The line was executed, but not all sides of its branch were taken.
+    /// The line was executed, but a side of its branch was never taken.
     Partial,
-    /// The line was executed, and all sides of its branch were taken.
+    /// The line was executed, and every side of its branch was taken.
     Hit,
 }
 

@@ -16,7 +16,7 @@ pub(crate) use matching::{Matched, matched};
 /// Files of a tree by path.
 pub(crate) type Files<'t> = BTreeMap<Utf8PathBuf, &'t [u8]>;
 
-/// A file of an application.
+/// A file in an application.
 #[derive(Debug, Clone)]
 pub(crate) struct SourceFile<'t> {
     /// Path in the tree.

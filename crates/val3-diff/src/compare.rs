@@ -1,4 +1,4 @@
-//! Comparison of two trees.
+//! Comparison of file trees.
 
 mod alignment;
 mod application;

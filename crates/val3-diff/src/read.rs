@@ -1,4 +1,4 @@
-//! Reading of one file, in either dialect, to plain declarations.
+//! Reading of a file, in either dialect, to plain declarations.
 
 pub(crate) mod code;
 pub(crate) mod contents;

@@ -1,4 +1,4 @@
-//! Selection of parts of a comparison.
+//! Selection of report parts.
 
 use camino::Utf8Path;
 
@@ -47,7 +47,7 @@ fn class_of_file(path: &str) -> Class {
     }
 }
 
-/// Keeps the selected values. Values of a user type belong to the classes of their fields.
+/// Keeps the selected values. The values of a user type are selected by the classes of the fields.
 fn keep_data(data: &mut DataChange, classes: &[Class]) -> bool {
     if classes.contains(&data.class) {
         return true;

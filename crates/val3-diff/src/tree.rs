@@ -6,7 +6,7 @@ use std::hash::{BuildHasher as _, BuildHasherDefault, DefaultHasher};
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::system::Content;
 
-/// Name of the folder of applications on a controller.
+/// Name of the applications folder on a controller.
 const APPLICATIONS: &str = "usrapp";
 /// Name of the configuration folder next to it.
 const SETTINGS: &str = "configs";

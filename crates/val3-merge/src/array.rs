@@ -8,7 +8,7 @@ use crate::same::same_value;
 
 /// Container of values in one version of a file.
 pub(crate) struct Array<'n, 't> {
-    /// Size of each dimension; `None` for a collection.
+    /// Sizes of the dimensions; `None` for a collection.
     pub(crate) sizes: Option<Vec<usize>>,
     elements: FxHashMap<Vec<usize>, &'n Node<'t>>,
 }
@@ -76,7 +76,7 @@ pub(crate) fn values<'n, 't>(node: &'n Node<'t>) -> impl Iterator<Item = &'n Nod
     node.children.iter().filter(|child| child.name().to_ascii_lowercase().starts_with("value"))
 }
 
-/// Parses the index of an element: `7`, `2,1`.
+/// Parses an element's index: `7`, `2,1`.
 pub(crate) fn index_of(value: &Node<'_>) -> Option<Vec<usize>> {
     numbers(value.key.as_deref()?, ',')
 }

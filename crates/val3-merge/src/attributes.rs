@@ -13,7 +13,7 @@ const UNITS: [&[&str]; 2] = [
     &["j1", "j2", "j3", "j4", "j5", "j6"],
 ];
 
-/// Merges the attributes of an element. Attributes in `of_theirs` are copied from theirs.
+/// Merges the attributes. Attributes in `of_theirs` are copied from theirs.
 pub(crate) fn merge(merger: &mut Merger<'_>, versions: Versions<'_, '_>, path: &str, of_theirs: &[&str]) {
     let mut names: Vec<&str> = Vec::new();
     for node in [Some(versions.theirs), Some(versions.ours), versions.base].into_iter().flatten() {
@@ -121,7 +121,7 @@ fn end(attribute: Attribute<'_>) -> TextSize {
     attribute.range.end() + TextSize::of(attribute.quote)
 }
 
-/// Returns the source of an attribute's value for this quote character.
+/// Returns an attribute's value as written between this kind of quotes.
 fn written(attribute: Attribute<'_>, quote: char) -> String {
     if attribute.quote == quote {
         return attribute.raw.to_owned();

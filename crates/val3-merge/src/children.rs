@@ -1,4 +1,4 @@
-//! Merge of the content of an element: by identity, in the order of ours.
+//! Merge of child elements: by identity, in the order of ours.
 
 use rustc_hash::FxHashMap;
 
@@ -17,7 +17,7 @@ struct Group<'n, 't> {
 }
 
 impl Merger<'_> {
-    /// Merges the children of an element that is in ours and theirs.
+    /// Merges the children if the element is in ours and theirs.
     pub(crate) fn children(&mut self, versions: Versions<'_, '_>, path: &str) {
         let Versions { base, ours, theirs } = versions;
         let mut groups: FxHashMap<&str, Group<'_, '_>> = FxHashMap::default();
@@ -82,7 +82,7 @@ impl Merger<'_> {
         }
     }
 
-    /// Whether ours has added data with this name in the section of another type.
+    /// Whether ours has added data with this name in a section for a different type.
     fn is_added_by_ours(&self, theirs: &Node<'_>) -> bool {
         let declares = theirs.name() == theirs.type_name.as_str();
         declares && theirs.key.as_ref().is_some_and(|name| self.added.contains(name))

@@ -22,7 +22,7 @@ pub(crate) enum Chunk {
     },
 }
 
-/// Merges the changes of two sequences since `base`.
+/// Merges the changes on both sides since `base`.
 pub(crate) fn merge<T: Ord + Hash + Eq>(base: &[T], ours: &[T], theirs: &[T]) -> Vec<Chunk> {
     let [in_ours, in_theirs] = [matches(base, ours), matches(base, theirs)];
     let mut chunks = Vec::new();

@@ -61,7 +61,7 @@ impl FileKind {
         }
     }
 
-    /// Returns the default of an attribute in a declaration; `None` if it has no default.
+    /// Returns the default for an attribute in a declaration; `None` if it has no default.
     pub(crate) fn default_of(self, attribute: &str) -> Option<&'static str> {
         let is_known = self != Self::Settings;
         DEFAULTS.iter().find(|(name, _)| is_known && *name == attribute).map(|(_, default)| *default)

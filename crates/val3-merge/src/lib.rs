@@ -1,10 +1,10 @@
 //! Three-way merge of controller files: data, projects, programs and configuration.
 //!
 //! The merge reads all three versions as trees. Data are matched by name, array elements by index or key, list entries
-//! by their key, and code by lines. The result is the text of ours with edits, so everything that theirs has not
-//! changed is preserved byte for byte. If both sides have changed the same value, ours remains, a comment before it
-//! contains the values of base and theirs, and the parser of VAL 3 files reports this comment as an unresolved
-//! conflict. In code, the lines of both sides are between the marks of version control.
+//! by their key, and code by lines. The result is the text of ours with edits. Text that theirs has not changed is
+//! preserved byte for byte. If both sides have changed the same value, ours remains, a comment before it contains the
+//! values of base and theirs, and the parser of VAL 3 files reports this comment as an unresolved conflict. In code,
+//! the lines of both sides are between the marks of version control.
 //!
 //! **A clean result contains every change of both sides.** A text that is no well-formed XML is merged by lines, which
 //! is never a clean result.

@@ -1,4 +1,4 @@
-//! Merge of one element: its attributes, then its content.
+//! Merge of an element: its attributes, then its content.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -27,7 +27,7 @@ pub(crate) struct Merger<'m> {
     pub(crate) line_end: &'static str,
 }
 
-/// Versions of one element.
+/// Element in all versions.
 #[derive(Clone, Copy)]
 pub(crate) struct Versions<'n, 't> {
     pub(crate) base: Option<&'n Node<'t>>,
@@ -36,7 +36,7 @@ pub(crate) struct Versions<'n, 't> {
 }
 
 impl Merger<'_> {
-    /// Merges an element that is in ours and theirs. `around` is the path of its parent element.
+    /// Merges an element that is in ours and theirs. `around` is the path of the parent element.
     pub(crate) fn element(&mut self, versions: Versions<'_, '_>, around: &str) {
         let Versions { base, ours, theirs } = versions;
         let kind = self.kind;
@@ -64,7 +64,7 @@ impl Merger<'_> {
         }
     }
 
-    /// Returns the path of an element for messages.
+    /// Returns the path of `node` for messages.
     pub(crate) fn path(&self, around: &str, node: &Node<'_>) -> String {
         match self.kind {
             FileKind::Data => path_of(around, node),
@@ -111,7 +111,7 @@ impl Merger<'_> {
     }
 }
 
-/// Whether the parts of an element form one value, so that changes on both sides are a conflict.
+/// Whether the parts of the element form one value, so that changes on both sides are a conflict.
 fn is_unit(kind: FileKind, Versions { base, ours, theirs }: Versions<'_, '_>) -> bool {
     let nodes = || [base, Some(ours), Some(theirs)].into_iter().flatten();
     let is_place = kind == FileKind::Data && PLACES.iter().any(|place| ours.name().starts_with(place));

@@ -16,7 +16,7 @@ const NESTING: usize = 64;
 pub(crate) struct Node<'t> {
     /// The element; `None` for a comment and for the file.
     pub(crate) element: Option<Element<'t>>,
-    /// Identity among siblings: name and key of an element, text of a comment.
+    /// Identity among siblings: name and key for an element, text for a comment.
     pub(crate) id: String,
     /// Attribute that contains the key.
     pub(crate) key_name: Option<&'static str>,
@@ -174,7 +174,7 @@ impl<'t> Node<'t> {
         self.element.map_or("", Element::name)
     }
 
-    /// Returns the value of an attribute.
+    /// Returns an attribute's value.
     pub(crate) fn value(&self, name: &str) -> Option<String> {
         Some(self.element?.value(name)?.into_owned())
     }

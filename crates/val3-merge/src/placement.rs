@@ -20,7 +20,7 @@ pub(crate) fn prefix_in(node: &Node<'_>, line_end: &str) -> String {
     prefix(node).replace("\r\n", "\n").replace('\n', line_end)
 }
 
-/// Returns the text of an element of theirs with the line ends of ours, and with the indentation of `place` in ours.
+/// Returns the text of an element from theirs with the line ends of ours and the indentation of `place` in ours.
 pub(crate) fn adapted(theirs: &Node<'_>, line_end: &str, place: Option<&str>) -> String {
     let text = theirs.text().replace("\r\n", "\n");
     let [from, to] =
@@ -31,7 +31,7 @@ pub(crate) fn adapted(theirs: &Node<'_>, line_end: &str, place: Option<&str>) ->
     text.replace('\n', line_end)
 }
 
-/// Inserts the text of an element after an element of ours.
+/// Inserts an element's text after an element of ours.
 pub(crate) fn after(anchor: &Node<'_>, text: &str) -> Edit {
     insert(anchor.range.end(), format!("{}{text}", prefix(anchor)))
 }
@@ -44,7 +44,7 @@ pub(crate) fn before(anchor: &Node<'_>, text: &str) -> Edit {
     insert(anchor.range.start(), format!("{text}{separator}"))
 }
 
-/// Inserts the text of an element of theirs as the only element in `parent`.
+/// Inserts the text of an element from theirs as the only element in `parent`.
 pub(crate) fn inside(parent: &Node<'_>, theirs_parent: &Node<'_>, first: &Node<'_>, text: &str) -> Vec<Edit> {
     let text = prefix_in(first, parent.line_end) + text;
     let is_on_own_line = prefix(first).contains('\n');

@@ -36,7 +36,7 @@ pub(crate) struct Append {
     pub(crate) from: usize,
     /// Number that is added to the index.
     pub(crate) by: usize,
-    /// Number of elements of theirs that move.
+    /// Number of moved elements.
     pub(crate) count: usize,
     /// Size in the merged file.
     pub(crate) size: usize,

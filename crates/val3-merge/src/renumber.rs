@@ -6,8 +6,8 @@ use val3_syntax::xml::{Attribute, escaped};
 use crate::node::Node;
 use crate::plan::{Append, Plan, Plans, moved, path_of};
 
-/// Returns edits of theirs that change the indexes of elements to those in the merged file. References in theirs to
-/// these elements are changed as well, so that the frame of a point is still the same frame.
+/// Returns edits of theirs that set the indexes of the merged file. References in theirs to renumbered elements are
+/// changed as well, so that the frame of a point is still the same frame.
 pub(crate) fn edits(theirs: &Node<'_>, plans: &Plans) -> Vec<Edit> {
     let mut appends: Vec<&Append> = plans.values().filter_map(Plan::append).collect();
     if appends.is_empty() {

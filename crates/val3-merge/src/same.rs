@@ -22,7 +22,7 @@ pub(crate) fn same_content(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> 
         && same_children(kind, one, other)
 }
 
-/// Like [`same`]; a missing element has the default of its type.
+/// Like [`same`]; a missing element has the type's default.
 pub(crate) fn same_value(kind: FileKind, one: Option<&Node<'_>>, other: Option<&Node<'_>>) -> bool {
     match (one, other) {
         (Some(one), Some(other)) => same(kind, one, other),
@@ -31,7 +31,7 @@ pub(crate) fn same_value(kind: FileKind, one: Option<&Node<'_>>, other: Option<&
     }
 }
 
-/// Whether an array element has the default of its built-in type, which files may omit.
+/// Whether an array element has the default of a built-in type, which files may omit.
 pub(crate) fn is_default(kind: FileKind, node: &Node<'_>) -> bool {
     kind == FileKind::Data && node.name() == "Value" && has_defaults(node, &[])
 }
@@ -53,7 +53,7 @@ fn same_attributes(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
     names.all(|name| same_attribute(kind, one, name, first.value(name).as_deref(), second.value(name).as_deref()))
 }
 
-/// Whether two values of an attribute have the same meaning; `None` for an omitted attribute.
+/// Whether two attribute values have the same meaning; `None` for an omitted attribute.
 pub(crate) fn same_attribute(
     kind: FileKind,
     node: &Node<'_>,

@@ -7,7 +7,7 @@ use crate::node::Node;
 /// Start and end mark of a CDATA section.
 const CDATA: [&str; 2] = ["<![CDATA[", "]]>"];
 
-/// Text of an element as written in the file.
+/// Element text as written in the file.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Content<'t> {
     /// Blanks and the start mark of a CDATA section before the text.

@@ -1,4 +1,4 @@
-//! Shapes and texts of an SVG picture. Coordinates are pixels from the upper left corner.
+//! Shapes and texts in an SVG picture. Coordinates are pixels from the upper left corner.
 
 use std::fmt::Write as _;
 

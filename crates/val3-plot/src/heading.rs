@@ -51,7 +51,7 @@ fn paths(picture: &Picture, canvas: &mut Canvas) {
     }
 }
 
-/// Draws the marks of points. Returns the end of their row.
+/// Draws the marks of points. Returns the x coordinate after the last entry.
 fn points(picture: &Picture, canvas: &mut Canvas) -> f64 {
     let mut points: Vec<(&str, DrawMark)> = vec![("start", marks::start), ("target", marks::target)];
     if picture.moves.iter().any(|mark| mark.intermediate.is_some()) {
@@ -66,7 +66,7 @@ fn points(picture: &Picture, canvas: &mut Canvas) -> f64 {
     x
 }
 
-/// Draws the name of an entry at the coordinates. Returns the beginning of the next entry.
+/// Draws an entry's name at the coordinates. Returns the x coordinate for the next entry.
 fn named(canvas: &mut Canvas, [x, y]: [f64; 2], name: &str) -> f64 {
     canvas.text([x + 32.0, y], "small", name);
     x + 50.0 + 7.5 * name.len() as f64

@@ -38,7 +38,7 @@ pub(crate) struct Labels {
 /// Size of a cell in pixels.
 const CELL: f64 = 4.0;
 
-/// Place of a label: the beginning of its base line, and the start of the leader line to its point.
+/// Place of a label: the beginning of the base line, and the start of the leader line to the point.
 pub(crate) struct Place {
     pub(crate) at: [f64; 2],
     pub(crate) anchor: Option<[f64; 2]>,

@@ -15,7 +15,7 @@ pub struct Picture {
     pub samples: Vec<Sample>,
     /// Moves, in the order in which they were recorded.
     pub moves: Vec<Mark>,
-    /// Recorded motion for comparison; empty if there is none.
+    /// Recorded motion for comparison; empty without a comparison.
     pub reference: Vec<Sample>,
     /// Largest deviation from the recorded motion.
     pub deviation: Option<Deviation>,
@@ -25,7 +25,7 @@ pub struct Picture {
     pub times_note: Option<String>,
 }
 
-/// A point of one motion and the nearest point of the other motion.
+/// A point on a motion's path and the nearest point on the other path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     /// Distance as text, for example `12.3 mm`.
@@ -60,7 +60,7 @@ pub struct Axis {
 pub struct Sample {
     /// Time in seconds.
     pub t: f64,
-    /// Position of each axis.
+    /// Positions of the axes.
     pub joints: [f64; 6],
     /// Position of the tool centre point in world, in mm.
     pub position: [f64; 3],
@@ -113,11 +113,11 @@ impl Mark {
 /// Limits of a motion descriptor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveLimits {
-    /// `vel`: speed of each axis in % of its nominal speed.
+    /// `vel`: axis speeds in % of the nominal speeds.
     pub joint_speed: f64,
-    /// `accel`: acceleration of each axis in % of its nominal acceleration.
+    /// `accel`: axis accelerations in % of the nominal accelerations.
     pub acceleration: f64,
-    /// `decel`: deceleration of each axis in % of its nominal deceleration.
+    /// `decel`: axis decelerations in % of the nominal decelerations.
     pub deceleration: f64,
     /// `tvel`: speed of the tool centre point, in mm/s.
     pub tool_speed: f64,

@@ -1,4 +1,4 @@
-//! Three views of the path of the tool centre point, with the same scale.
+//! Three views of the tool path, with the same scale.
 
 mod names;
 

@@ -20,7 +20,7 @@ pub enum DocumentFault {
     },
 }
 
-/// A fault that makes the structure of a file uncertain.
+/// A fault that hides the structure of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum BrokenStructure {
     /// The element has no end tag, or a tag or comment continues to the end of the file.

@@ -135,7 +135,7 @@ pub enum SyntaxErrorKind {
         /// The keyword.
         word: String,
     },
-    /// An operator or keyword of another language.
+    /// A foreign operator or keyword.
     ForeignSpelling {
         /// Foreign spelling, for example `&&`, `<>`, `then` or `not`.
         found: String,
@@ -197,11 +197,11 @@ pub enum Expected {
     ForTo,
     /// A value after `step`.
     ForStep,
-    /// `(` of an argument list.
+    /// `(` before arguments.
     OpenParen,
     /// `,` between parts.
     Comma,
-    /// `=` of an assignment or `(` of a call after a name.
+    /// `=` or `(` after a name, for an assignment or a call.
     AssignmentOrCall,
     /// A value after `case`.
     CaseValue,
@@ -249,7 +249,7 @@ impl SyntaxErrorKind {
         self.is_local_to_code() && !self.is_about_blocks() && !matches!(self, Self::MissingBegin | Self::NoCode)
     }
 
-    /// Whether the error makes the nesting of elements uncertain.
+    /// Whether the nesting of elements is uncertain because of the error.
     pub fn breaks_structure(&self) -> bool {
         matches!(
             self,
@@ -257,7 +257,7 @@ impl SyntaxErrorKind {
         )
     }
 
-    /// Whether the error makes its line unreadable. A block without an end does not affect the lines in it.
+    /// Whether the line is unreadable because of the error. A block without an end does not affect the lines in it.
     pub fn breaks_line(&self) -> bool {
         !matches!(
             self,

@@ -15,7 +15,7 @@ use rowan::{TextRange, TextSize};
 use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
 
-/// A token: its kind, its end, and its indentation if it is the first token of its line.
+/// A token: its kind, its end, and its indentation if it starts a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Token {
     /// Byte offset after the token.
@@ -29,7 +29,7 @@ pub(crate) struct Token {
 pub(crate) struct Indent(u16);
 
 impl Indent {
-    /// A token that is not the first of its line.
+    /// A token that does not start a line.
     pub(crate) const NONE: Self = Self(u16::MAX);
     pub(crate) const ZERO: Self = Self(0);
 
@@ -131,7 +131,7 @@ impl<'t> Lexer<'t> {
 const ESCAPED_OPENING: &[u8] = b"&lt;&lt;&lt;&lt;&lt;&lt;&lt; ";
 const ESCAPED_END: &[u8] = b"&gt;&gt;&gt;&gt;&gt;&gt;&gt; ";
 
-/// Prefix of a comment that contains the other versions of an element in a merge conflict.
+/// Prefix of a comment in which a merge conflict stores the other versions of an element.
 const CONFLICT_COMMENT: &str = "<!-- <<<<<<<";
 
 /// Converts an offset; texts are shorter than 4 GiB.

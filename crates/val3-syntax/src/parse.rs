@@ -20,7 +20,7 @@ use crate::parser::{Input, Parser, build_tree};
 use crate::tree::Tree;
 use crate::view::View;
 
-/// Length in bytes from which each phase of parsing takes noticeable time.
+/// Length in bytes from which every phase of parsing needs noticeable time.
 const LONG: usize = 8 << 10;
 
 /// Text of a file with its tree and errors. Cheap to clone.

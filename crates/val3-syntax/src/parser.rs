@@ -16,8 +16,8 @@ use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind::{self, *};
 use crate::lexer::Indent;
 
-/// Maximum nesting of operands, blocks and elements, and maximum height of the tree of consecutive operators. The
-/// controller accepts much less, and every recursive walk over a tree of this height fits on the stack.
+/// Maximum nesting of operands, blocks and elements, and maximum tree height for consecutive operators. The controller
+/// accepts much less, and recursive walks over such a tree fit on the stack.
 pub(crate) const NESTING_LIMIT: u32 = 200;
 /// Part of the nesting limit that blocks and elements leave to the expressions inside them.
 const LEFT_TO_EXPRESSIONS: u32 = 100;
@@ -51,9 +51,9 @@ pub(crate) enum Matching {
 pub(crate) struct Parser<'i> {
     input: &'i Input<'i>,
     pos: usize,
-    /// Position of the current statement's first token, which may be the first token of its line.
+    /// Position of the current statement's first token, which may start a line.
     statement: usize,
-    /// Whether an error was reported for this statement, so that the rest of its line is skipped silently.
+    /// Whether an error was reported for this statement, so that the rest of the line is skipped silently.
     failed: bool,
     /// Whether a truncated text was already reported, so that open elements report nothing.
     is_end_reported: bool,

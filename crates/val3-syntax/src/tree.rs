@@ -38,7 +38,7 @@ pub(crate) struct Entry {
     pub(crate) size: u32,
 }
 
-/// Replacement of a range of entries by slices of other entries.
+/// Replacement of a range of entries by slices from another tree.
 pub(crate) struct Splice<'n> {
     pub(crate) range: Range<usize>,
     pub(crate) new: &'n [&'n [Entry]],

@@ -125,7 +125,7 @@ pub fn line_end(text: &str) -> &'static str {
     if text.contains("\r\n") { "\r\n" } else { "\n" }
 }
 
-/// Extends the range of an element to its line, if nothing else is on the line.
+/// Extends an element's range to its line, if nothing else is on the line.
 pub fn whole_line(text: &str, range: TextRange) -> TextRange {
     let (start, end) = (usize::from(range.start()), usize::from(range.end()));
     let before = text.get(..start).unwrap_or("");

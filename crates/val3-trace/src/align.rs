@@ -1,4 +1,4 @@
-//! Alignment of two traces: moves correspond in order, by their numbers.
+//! Alignment of traces: moves correspond in order, by number.
 
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ pub(crate) struct Pair {
     pub(crate) present: Range<usize>,
 }
 
-/// Aligns the moves of two traces.
+/// Aligns the moves in both traces.
 pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<Pair> {
     let [old, new] = [recorded, present].map(|stretches| stretches.iter().map(|one| one.number).collect::<Vec<_>>());
     let mut pairs = Vec::new();
@@ -57,7 +57,7 @@ fn gap(stretches: &[Stretch], before: usize) -> Range<usize> {
 mod tests {
     use super::*;
 
-    /// Returns stretches of two rows.
+    /// Returns stretches with two rows each.
     fn moves(numbers: &[i64]) -> Vec<Stretch> {
         let rows = |index: usize| 2 * index..2 * index + 2;
         numbers.iter().enumerate().map(|(index, number)| Stretch { number: *number, rows: rows(index) }).collect()

@@ -11,7 +11,7 @@ use crate::row::Row;
 use crate::stretch::stretches;
 use crate::times::{Times, UNCERTAINTY, differs};
 
-/// Differences of two traces.
+/// Differences between two traces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
     /// Moves of both traces, in order.

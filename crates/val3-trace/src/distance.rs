@@ -5,11 +5,11 @@ use val3_kinematics::Joints;
 
 use crate::row::Row;
 
-/// Difference of an axis in degrees from which two joint positions with the same pose have different configurations.
+/// Axis difference in degrees from which two joint positions with the same pose have different configurations.
 pub(crate) const CONFIGURATION: f64 = 10.0;
 
-/// Difference of an axis in degrees that has the weight of a tolerance. It is large, so that joints select the point of
-/// a path only if the pose is ambiguous.
+/// Axis difference in degrees that has the weight of a tolerance. It is large, so that joints select the point on a
+/// path only if the pose is ambiguous.
 const FAINT: f64 = 300.0;
 
 /// Maximum differences at which two motions are equal.
@@ -43,7 +43,7 @@ impl Distance {
     }
 
     /// Returns the distance as a multiple of the tolerances; above 1, the point differs. Joints are compared only if
-    /// the pose is equal, because the joints of another pose always differ.
+    /// the pose is equal, because the joints for different poses always differ.
     pub(crate) fn excess(&self, tolerances: &Tolerances) -> f64 {
         let pose = self.pose_excess(tolerances);
         if pose > 1.0 { pose } else { pose.max(self.joints / CONFIGURATION) }

@@ -1,8 +1,8 @@
 //! Recorded motion: traces of runs, their comparison, and limits of the tool centre point.
 //!
 //! A [`Trace`] is a table of the arm every 4 ms while it moves. [`compare`] compares a recorded trace with the present
-//! trace: the distance of their paths, independent of speed, and their times. Limits are conditions of only the present
-//! trace. Distances refer to the tool centre point; the links and the body of the tool are ignored.
+//! trace: the distance between the paths, independent of speed, and the times. Limits are conditions of only the
+//! present trace. Distances refer to the tool centre point; the links and the body of the tool are ignored.
 
 mod align;
 mod comparison;

@@ -10,7 +10,7 @@ use crate::row::Row;
 /// Time difference below which times are equal, even in per cent, because a move begins and ends within a cycle.
 pub(crate) const UNCERTAINTY: Time = 2 * CYCLE;
 
-/// Times of a part of a trace, in nanoseconds.
+/// Times for a part of a trace, in nanoseconds.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Times {
     /// Time in motion.

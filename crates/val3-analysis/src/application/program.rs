@@ -1,4 +1,4 @@
-//! Summary of one program's effects, without ranges.
+//! Summary of a program's effects, without ranges.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -117,7 +117,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     summary.add_tasks(body);
     summary.never_ends = never_ends(body, flow(db, file));
     let effects = Effects::new(db, project, file);
-    // The effect of an instruction of an add-on is unknown.
+    // The effects of add-on instructions are unknown.
     summary.waits = effects.may_wait() || !infer::problems(db, project, file).is_empty();
     for access in effects.all() {
         if let Root::Data(name) = &access.root {

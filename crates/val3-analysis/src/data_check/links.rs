@@ -1,4 +1,4 @@
-//! Checks of links of inputs and outputs against the cell's configuration.
+//! Checks of input and output links against the cell's configuration.
 
 use smol_str::SmolStr;
 use val3_lang::suggest::nearest;

@@ -66,7 +66,7 @@ impl DataCheck<'_> {
         }
     }
 
-    /// Checks the attributes of a value of a built-in type.
+    /// Checks the attributes of a built-in type's value.
     fn attributes(&mut self, value: Element<'_>, ty: BaseType, arm: Option<types::Arm>) {
         let arm = arm.or(self.items.arm);
         let names: Vec<&str> = types::attributes(ty, arm).iter().map(|attribute| attribute.name).collect();
@@ -101,7 +101,7 @@ impl DataCheck<'_> {
         self.report(found.range, kind);
     }
 
-    /// Checks the `<Field>` elements of a value of a user type.
+    /// Checks the `<Field>` elements of a user type's value.
     fn fields(&mut self, value: Element<'_>, base: Base) {
         let Base::User(project) = base else { return };
         let known = fields(self.db, project);
@@ -169,7 +169,7 @@ fn is_number(text: &str) -> bool {
     text.trim().parse::<f64>().is_ok_and(f64::is_finite)
 }
 
-/// Lists the values of an enumeration as spelt in files.
+/// Lists the enumeration's values as spelt in files.
 fn choices(ty: BaseType) -> SmolStr {
     let names: Vec<SmolStr> = enumerations::values(ty).map(|value| format_smolstr!("`{}`", value.file_name)).collect();
     alternatives(&names)

@@ -1,4 +1,4 @@
-//! Salsa inputs: everything that is read from the disk.
+//! Salsa inputs: all data that the loader reads from the disk.
 
 #![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
 
@@ -95,7 +95,7 @@ pub struct Sources {
     /// Unlisted programs and data in project folders, by path key.
     #[returns(ref)]
     pub unlisted: FxHashMap<String, File>,
-    /// Projects by the path key of their `.pjx`.
+    /// Projects by the path key of the `.pjx`.
     #[returns(ref)]
     pub projects: FxHashMap<String, Project>,
 }

@@ -101,7 +101,7 @@ impl Walk<'_, '_> {
 
     fn instruction(&mut self, id: ExprId, args: &[ExprId]) {
         let Some((instruction, form)) = self.effects.instruction(id) else {
-            // The effect of an unknown instruction on its arguments is unknown.
+            // An unknown instruction may have any effect on its arguments.
             return args.iter().for_each(|arg| self.argument(*arg, Some(AccessKind::Reference)));
         };
         for (position, arg) in args.iter().enumerate() {

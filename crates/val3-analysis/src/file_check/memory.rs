@@ -26,7 +26,7 @@ impl FileCheck<'_> {
     }
 }
 
-/// Returns the size of an array's values in bytes. For a user type, only the references to the fields are counted, as a
+/// Returns the size of an array's values in bytes. For user types, only the references to the fields are counted, as a
 /// lower bound.
 fn bytes(items: &Items, element: Element<'_>) -> u64 {
     let Some(declared) = data::declaration(element) else { return 0 };

@@ -50,7 +50,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Adds the next node, connects all open edges to it, and makes its own edge the open one.
+    /// Adds the next node and connects all open edges to it. The edge from the new node becomes the open edge.
     fn then(&mut self, kind: PointKind, range: TextRange) -> PointId {
         let id = self.add(kind, range);
         self.join(id);

@@ -36,7 +36,7 @@ impl Callee<'_> {
 pub(super) enum MatchingForms {
     /// The matching form, or else the most likely one.
     Form(usize),
-    /// Several forms, because the type of an argument is unknown.
+    /// Several forms, because an argument type is unknown.
     Several(Vec<usize>),
     /// No form matches; the mismatch was reported.
     None,
@@ -73,8 +73,8 @@ impl Infer<'_> {
         MatchingForms::Several(misses.iter().map(|(index, _)| *index).collect())
     }
 
-    /// Infers an argument; `slot` means that it may name an absent value. `{…}` is inferred later, with the type of its
-    /// parameter.
+    /// Infers an argument; `slot` means that it may name an absent value. `{…}` is inferred later, with the parameter's
+    /// type.
     fn argument(&mut self, id: ExprId, slot: bool) -> Argument {
         if let Expr::Struct(values) = self.body.expr(self.body.without_parentheses(id)) {
             return Argument { id, literal: Some(values.len()), value: Value::UNKNOWN };
@@ -85,7 +85,7 @@ impl Infer<'_> {
         Argument { id, literal: None, value }
     }
 
-    /// Infers the `{…}` arguments with the types of their parameters.
+    /// Infers the `{…}` arguments with the types of the parameters.
     fn literals(&mut self, arguments: &[Argument], form: Option<Formals<'_>>) {
         for (position, argument) in arguments.iter().enumerate() {
             if argument.literal.is_some() {

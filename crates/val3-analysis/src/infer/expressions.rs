@@ -44,7 +44,7 @@ impl Infer<'_> {
         self.resolved(id, found).unwrap_or(Value::UNKNOWN)
     }
 
-    /// Returns the type of an expression that is read as one value.
+    /// Infers an expression that is read as a single value. Returns its type.
     pub(super) fn element(&mut self, id: ExprId) -> Base {
         self.element_as(id, None)
     }
@@ -118,8 +118,8 @@ impl Infer<'_> {
         unknown_result(op)
     }
 
-    /// Returns the types of two operands. A `{…}` on one side has the type of the other side; on both sides, the
-    /// `expected` type.
+    /// Returns the operand types. A `{…}` on one side has the type of the other side; on both sides, the `expected`
+    /// type.
     fn operands(&mut self, left: ExprId, right: ExprId, expected: Option<Base>) -> (Base, Base) {
         if self.is_literal(left) {
             let right = self.element_as(right, expected);
@@ -193,13 +193,13 @@ fn is_equality(op: BinaryOp) -> bool {
     matches!(op, BinaryOp::Equal | BinaryOp::NotEqual)
 }
 
-/// Whether the operator returns a value of its operands' type.
+/// Whether the result has the type of the operands.
 fn is_arithmetic(op: BinaryOp) -> bool {
     use BinaryOp::{Add, Divide, Multiply, Remainder, Subtract};
     matches!(op, Add | Subtract | Multiply | Divide | Remainder)
 }
 
-/// Returns the result of an operator with an unknown operand: comparisons and logic always return `bool`.
+/// Returns the result if an operand is unknown: comparisons and logic always return `bool`.
 fn unknown_result(op: BinaryOp) -> Value {
     if is_arithmetic(op) { Value::UNKNOWN } else { Value::of(BaseType::Bool) }
 }

@@ -1,4 +1,4 @@
-//! Matching of an argument against a parameter (2.6).
+//! Matching of arguments against parameters (2.6).
 
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnParam;
@@ -12,7 +12,7 @@ use crate::db::Db;
 use crate::items::project::Param;
 use crate::ty::{Base, brackets};
 
-/// A parameter of an instruction, add-on instruction or program.
+/// A parameter: of a program, an instruction or an add-on instruction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Formal<'a> {
     pub(super) name: &'a str,
@@ -24,7 +24,7 @@ pub(super) struct Formal<'a> {
     pub(super) loose: bool,
 }
 
-/// Parameters of one form of a callee.
+/// Parameters in a form.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Formals<'a> {
     Instruction(&'a [val3_lang::instruction::Param]),
@@ -192,7 +192,7 @@ fn whole(value: &Value, shape: Shape, suits: impl Fn(Container) -> bool) -> Opti
     match &value.form {
         Form::Indexed { of } if suits(*of) => Some(Misfit::IndexNotAllowed),
         Form::Whole(variable) if suits(variable.container) => None,
-        // In the old dialect, the number of dimensions of an array parameter is unknown.
+        // In the old dialect, the number of dimensions is unknown for an array parameter.
         Form::Whole(variable) if variable.loose && shape != Shape::Collection => None,
         _ => Some(Misfit::Container),
     }

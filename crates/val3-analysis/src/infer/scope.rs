@@ -19,7 +19,7 @@ use crate::paths::distinct_ends;
 use crate::problem::{NameKind, ProblemKind, Related, Role};
 use crate::ty::Base;
 
-/// Resolves the names of one program. It reports nothing: a failed lookup returns its fault.
+/// Resolves the names in a program. It reports nothing: a failed lookup returns its fault.
 pub(super) struct Scope<'db> {
     db: &'db dyn Db,
     project: Project,
@@ -64,7 +64,7 @@ impl<'db> Scope<'db> {
         self.db
     }
 
-    /// Returns the kind of arm of the project, if known.
+    /// Returns the project's kind of arm, if known.
     pub(super) fn arm(&self) -> Option<Arm> {
         self.items.arm
     }
@@ -163,7 +163,7 @@ impl<'db> Scope<'db> {
         Err(Unresolved::fault(ProblemKind::UnknownProgram { name: name.clone(), near, is }))
     }
 
-    /// Returns the declaration of an expression's root variable.
+    /// Returns the declaration of the root variable.
     pub(super) fn declaration(&self, value: &Value, name: &str) -> Option<FileRange> {
         let Form::Whole(Variable { origin, .. }) = &value.form else { return None };
         match origin {
@@ -207,7 +207,7 @@ fn variables<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'db str,
     variables
 }
 
-/// Returns the value of a global variable or of a field of a user type.
+/// Returns the value for a global variable or a user type's field.
 fn data_value(item: &DataItem) -> Value {
     if !item.decl.plain {
         return Value::UNKNOWN;

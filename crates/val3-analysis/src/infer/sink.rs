@@ -8,23 +8,22 @@ use crate::db::{Db, File, FileRange, Project};
 use crate::problem::{Problem, ProblemKind, Related, Role};
 use crate::resizing::is_resized;
 
-/// Collects the problems of one body during inference.
+/// Collects the problems in a body during inference.
 pub(super) struct Sink<'db> {
     file: File,
     body: &'db Body,
     faults: Faults,
 }
 
-/// Problems of one body.
+/// Problems in a body.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Faults {
     problems: Vec<Problem>,
     overflows: Vec<Overflow>,
 }
 
-/// A constant index above the initial size of an array. It is a fault only if no program of the project changes that
-/// size, which is checked later: reading the other programs during inference would make every body depend on all
-/// programs.
+/// A constant index above an array's initial size. It is a fault only if no program of the project changes that size,
+/// which is checked later: reading the other programs during inference would make every body depend on all programs.
 #[derive(Debug, Clone, PartialEq)]
 struct Overflow {
     data: SmolStr,

@@ -1,4 +1,4 @@
-//! Inference of statements: expected types of their parts.
+//! Inference of statements: expected types of the parts.
 
 use smol_str::SmolStr;
 use val3_lang::operators;

@@ -1,4 +1,4 @@
-//! Results of inference: the type of each expression and the form of each instruction call.
+//! Inference results: expression types and forms of instruction calls.
 
 use smol_str::SmolStr;
 use val3_lang::add_on::AddOnOverload;
@@ -7,7 +7,7 @@ use val3_lang::instruction::{Instruction, Overload};
 use crate::body::ExprId;
 use crate::ty::Ty;
 
-/// A call of an instruction in the catalogue.
+/// A call to an instruction in the catalogue.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InstructionCall {
     /// Call expression, an [`Expr::Call`](crate::body::Expr::Call).
@@ -18,7 +18,7 @@ pub struct InstructionCall {
     pub form: Option<&'static Overload>,
 }
 
-/// A call of an instruction that an add-on's table declares.
+/// A call to an instruction that an add-on's table declares.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AddOnCall {
     /// Call expression, an [`Expr::Call`](crate::body::Expr::Call).

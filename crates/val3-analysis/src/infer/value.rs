@@ -1,4 +1,4 @@
-//! Value of an expression: its type, and whether it is a variable.
+//! Values of expressions: the type, and whether it is a variable.
 
 use smol_str::SmolStr;
 use val3_lang::types::{BaseType, Container};
@@ -63,7 +63,7 @@ impl Value {
         self.base == Base::Unknown
     }
 
-    /// Whether it is a variable or a part of one, which may be assigned and passed by reference.
+    /// Whether it is a variable or a part of a variable, which may be assigned and passed by reference.
     pub(super) fn is_variable(&self) -> bool {
         !matches!(self.form, Form::Computed) || self.is_unknown()
     }

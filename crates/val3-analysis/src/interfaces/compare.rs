@@ -1,4 +1,4 @@
-//! Comparison of one library with one interface.
+//! Comparison of a library with an interface.
 
 use smol_str::{SmolStr, format_smolstr};
 

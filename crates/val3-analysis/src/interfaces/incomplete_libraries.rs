@@ -37,7 +37,7 @@ fn lists_few(db: &dyn Db, library: Project) -> bool {
 }
 
 /// Whether the item may be missing because the library's project does not list the file that contains it, or lists few
-/// or none of the files in its folder.
+/// files or no file in its folder.
 pub(crate) fn is_left_out(db: &dyn Db, library: Project, item: &str, what: NameKind) -> bool {
     let unlisted = unlisted(db, library);
     let may_hold_it = match what {

@@ -1,4 +1,4 @@
-//! Comparison of an element's attributes with the attributes of the file format.
+//! Comparison of attributes with the file format.
 
 use val3_lang::files::{self, FileKind, Presence};
 

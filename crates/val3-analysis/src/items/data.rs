@@ -19,7 +19,7 @@ pub struct DataDecl {
     pub type_name: SmolStr,
     /// Container of the values. A single value is an array of size 1.
     pub container: Container,
-    /// Initial size of each dimension; empty for a collection.
+    /// Initial sizes of the dimensions; empty for a collection.
     pub sizes: Vec<u32>,
     /// Whether other projects may use the variable.
     pub public: bool,
@@ -52,8 +52,8 @@ pub fn is_complete(db: &dyn Db, file: File) -> bool {
     is_sound(db, file) && root.is_some_and(|root| sections(root).all(|(section, item)| declares(section, item)))
 }
 
-/// Returns the sections of the root element with the tag of their items; `None` for the old dialect, where the type
-/// name is the tag.
+/// Returns the sections of the root element with the tag of the items; `None` for the old dialect, where the type name
+/// is the tag.
 fn sections<'g>(root: Element<'g>) -> impl Iterator<Item = (Element<'g>, Option<&'static str>)> {
     let item = (root.name() == "Database").then_some("Data");
     root.elements().map(move |section| (section, item))

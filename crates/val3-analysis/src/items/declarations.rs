@@ -124,7 +124,7 @@ pub fn element_around(db: &dyn Db, file: File, place: TextRange) -> Option<TextR
 pub struct FileList {
     /// Range of the list's tag, or of the root's tag if the list is missing.
     pub place: TextRange,
-    /// Tag of an entry.
+    /// Tag of the entries.
     pub item: &'static str,
     /// Range of the last entry.
     pub last: Option<TextRange>,

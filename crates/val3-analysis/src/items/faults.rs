@@ -1,4 +1,4 @@
-//! Syntax faults of a file and the ranges of its code, memoised so that the tree can be dropped.
+//! Syntax faults and code ranges in a file, memoised so that the tree can be dropped.
 
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ pub struct TextFaults {
     pub codes: Vec<CodeRange>,
 }
 
-/// Code of a program: the content of its `<Code>`.
+/// Code of a program: the content of `<Code>`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CodeRange {
     /// Entire content.

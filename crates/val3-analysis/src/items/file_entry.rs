@@ -9,7 +9,7 @@ use super::project::find_file;
 use crate::db::{Db, File, Project};
 use crate::xml;
 
-/// The attribute `file` of an entry.
+/// The attribute `file` in an entry.
 pub(crate) struct FileEntry {
     /// Path as written in the project file.
     pub(crate) path: SmolStr,

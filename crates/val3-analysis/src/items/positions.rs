@@ -24,7 +24,7 @@ pub type Positions = FxHashMap<SmolStr, Position>;
 pub struct Position {
     /// Point, joint, frame, tool or transformation.
     pub ty: BaseType,
-    /// Kind of arm of a point or joint, if its type names one.
+    /// Kind of arm, if the type of a point or joint names one.
     pub arm: Option<Arm>,
     /// Translation and angles, or joint values.
     pub numbers: [f64; 6],
@@ -102,7 +102,7 @@ fn is_position(ty: BaseType) -> bool {
     ty.has_father() || matches!(ty, BaseType::Joint | BaseType::Trsf)
 }
 
-/// Removes blanks around the numbers of an index. The key of a collection without blanks is unchanged.
+/// Removes blanks around the numbers of an array index. A collection key without blanks is unchanged.
 pub fn key_of(key: &str) -> String {
     key.split(',').map(str::trim).collect::<Vec<_>>().join(",")
 }
@@ -150,14 +150,14 @@ impl PositionElement<'_> {
         text.trim().parse().ok().filter(|number: &f64| number.is_finite())
     }
 
-    /// Returns the index of an enumerated value among the values of its type.
+    /// Returns the index in the list of enumerators.
     fn choice(&self, attribute: &Attribute, ty: BaseType) -> Option<f64> {
         let Some(text) = self.written(attribute) else { return Some(0.0) };
         let found = find_in_file(ty, text.trim())?;
         values(ty).position(|value| value == found).and_then(|place| u8::try_from(place).ok()).map(f64::from)
     }
 
-    /// Returns the text of an attribute of the value; in the old dialect, of an element in it.
+    /// Returns the text of an attribute in the value; in the old dialect, in an element of the value.
     fn written(&self, attribute: &Attribute) -> Option<std::borrow::Cow<'_, str>> {
         let in_parts = || self.element.elements().find_map(|part| part.value(attribute.old_name()));
         self.element.value(attribute.name).or_else(in_parts)

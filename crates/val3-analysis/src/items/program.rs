@@ -50,7 +50,7 @@ pub struct LocalDecl {
     pub type_name: SmolStr,
     /// Container; always an array in files, with size 1 for a single value.
     pub container: Container,
-    /// Size of each dimension.
+    /// Sizes of the dimensions.
     pub sizes: Vec<u32>,
 }
 
@@ -84,7 +84,7 @@ pub fn code_element(file: View<'_>) -> Option<Element<'_>> {
     program.child(&["Code"]).or_else(|| program.child(&["source"])?.child(&["code"]))
 }
 
-/// Elements that a program may contain, with the tag of their items; `None` for elements without items.
+/// Elements that a program may contain, with the tag of the items; `None` for elements without items.
 pub(crate) const LISTS: [(&str, Option<&str>); 8] = [
     ("Parameters", Some("Parameter")),
     ("paramSection", Some("param")),

@@ -77,7 +77,7 @@ pub fn find_project(db: &dyn Db, project: Project, reference: &str) -> Option<Pr
     }
 }
 
-/// Whether a reference in the project file leads outside of the cell, so that its file is not read.
+/// Whether a reference in the project file is outside of the cell, so that its file is not read.
 pub fn leads_outside(db: &dyn Db, project: Project, reference: &str) -> bool {
     project.outside(db).iter().any(|outside| outside == reference)
 }
@@ -174,7 +174,7 @@ pub fn resolve_type(types: &FxHashMap<SmolStr, Option<Project>>, name: &str) -> 
     types.get(name).map(|project| project.map_or(Base::Unknown, Base::User))
 }
 
-/// Returns the kind of arm of a project: from the configuration, else from all its positions, else from the cell.
+/// Returns a project's kind of arm: from the configuration, else from all its positions, else from the cell.
 #[salsa::tracked(returns(copy))]
 fn arm(db: &dyn Db, project: Project) -> Option<Arm> {
     if let Some(arm) = project.config(db).and_then(|config| config.arm.as_ref()?.kind()) {
@@ -183,7 +183,7 @@ fn arm(db: &dyn Db, project: Project) -> Option<Arm> {
     arm_of_positions(db, project).or_else(|| project.cell_arm(db))
 }
 
-/// Returns the kind of arm of all positions in a project, if they agree.
+/// Returns the kind of arm for which all positions in a project are, if they agree.
 pub fn arm_of_positions(db: &dyn Db, project: Project) -> Option<Arm> {
     let mut arms = data_files(db, project).iter().flat_map(|file| data(db, *file)).filter_map(|decl| {
         let (_, arm) = BaseType::from_file_name(&decl.type_name)?;
@@ -197,7 +197,7 @@ fn is_old_section(type_name: &str) -> bool {
     type_name.ends_with("Vrb")
 }
 
-/// Returns the fields of a user type: the public data of its project.
+/// Returns a user type's fields: the public data in its project.
 #[salsa::tracked]
 pub fn fields(db: &dyn Db, project: Project) -> FxHashMap<SmolStr, DataItem> {
     let items = items(db, project);
@@ -234,7 +234,7 @@ impl Signature {
 pub struct Param {
     /// Parameter name.
     pub name: SmolStr,
-    /// Type of each value.
+    /// Type of the values.
     pub base: Base,
     /// Element, array or collection.
     pub container: Container,

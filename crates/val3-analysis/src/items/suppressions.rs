@@ -206,7 +206,7 @@ fn read(order: &str) -> Option<(AllowKeyword, Vec<(TextSize, &str)>)> {
     words.iter().all(|(_, word)| !word.is_empty()).then_some((reach, words))
 }
 
-/// Returns the first line after `from` that is neither blank nor a comment; empty if there is none.
+/// Returns the first line after `from` that is neither blank nor a comment; empty if no such line exists.
 fn next_line(text: &str, from: TextSize) -> TextRange {
     let mut start = usize::from(from);
     let rest = text.get(start..).unwrap_or("");

@@ -42,7 +42,7 @@ pub(super) fn read(
         }),
         None => Vec::new(),
     };
-    // An EtherCAT master has signals of its own.
+    // An EtherCAT master has additional signals.
     let has_master = MASTERS.iter().any(|folder| actual(&configs.join(folder)).is_some());
     let mut file = |path: &Utf8Path| {
         let path = actual(path)?;
@@ -83,7 +83,7 @@ pub(super) fn read(
     Some(CellConfig { arm, version, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_files, io })
 }
 
-/// Reads the table of an add-on.
+/// Reads an add-on's table.
 pub(super) fn named_table(system: &dyn System, path: &Utf8Path) -> Result<AddOnTable, String> {
     let bytes = system.read(path, FileClass::Cell).map_err(|error| error.to_string())?;
     let text = document::text(bytes).map_err(|fault| fault.to_string())?;
@@ -99,7 +99,7 @@ fn text(system: &dyn System, path: &Utf8Path) -> Result<Option<String>, String> 
     }
 }
 
-/// Returns the kind of arm in the name of an add-on table, for example `val3.Motion.anthro.cfx`.
+/// Returns the kind of arm in the name of a table, for example `val3.Motion.anthro.cfx`.
 fn arm_of_table(name: &str) -> Option<Arm> {
     let name = path_key(name);
     let (_, arm) = name.strip_prefix("val3.")?.strip_suffix(".cfx")?.rsplit_once('.')?;
@@ -112,7 +112,7 @@ fn tables(system: &dyn System, folder: &Utf8Path) -> io::Result<Vec<(Arm, Utf8Pa
     Ok(names.iter().filter_map(|name| Some((arm_of_table(name)?, folder.join(name)))).collect())
 }
 
-/// Reads the description file of an arm.
+/// Reads the file that describes an arm.
 pub(super) fn described_arm(system: &dyn System, path: &Utf8Path) -> Result<val3_kinematics::Arm, String> {
     let bytes = system.read(path, FileClass::Settings).map_err(|error| error.to_string())?;
     let text = String::from_utf8(bytes).map_err(|_| "it is not UTF-8".to_owned())?;

@@ -82,8 +82,8 @@ impl Loader<'_> {
         found
     }
 
-    /// Reads a configuration. A faulty file is replaced by its previous content or an empty configuration, and makes
-    /// [`load`](super::load) fail.
+    /// Reads a configuration. A faulty file is replaced by its previous content or an empty configuration, and
+    /// [`load`](super::load) then fails.
     fn read_configuration(&mut self, path: &Utf8Path) -> Option<ConfigFile> {
         let file = match read(self.system, path)? {
             Ok(file) => file,

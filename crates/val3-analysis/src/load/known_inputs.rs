@@ -1,4 +1,4 @@
-//! Inputs of an earlier load. They are reused, and set only if they differ, so that a second load invalidates only
+//! Inputs from an earlier load. They are reused, and set only if they differ, so that a second load invalidates only
 //! queries that depend on a change.
 
 use camino::Utf8Path;

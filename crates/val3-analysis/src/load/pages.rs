@@ -1,4 +1,4 @@
-//! User pages of an application: HTML and binding files in its folder `interface`.
+//! User pages of applications: HTML and binding files in the folder `interface`.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;

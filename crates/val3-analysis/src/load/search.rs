@@ -84,7 +84,7 @@ impl Search<'_> {
             }
             match self.system.kind(&entry) {
                 Some(Kind::File) if is_wanted && self.follows(&entry) => self.found.push(entry),
-                // A folder with the name of a searched file is reported; one with the name of an archive is searched below.
+                // A folder named like a searched file is reported; a folder named like an archive is searched below.
                 Some(Kind::Folder) if is_wanted && !is_archive_name(&entry) => {
                     self.unreadable.push((entry, Unreadable::Folder.to_string()))
                 }

@@ -24,7 +24,7 @@ pub(super) fn names(db: &dyn Db, project: Project, file: File, body: &Body) -> V
         .collect()
 }
 
-/// Returns the page and element id of each `userPageSet` in a program.
+/// Returns page and element id from every `userPageSet` in a program.
 pub fn elements(body: &Body) -> Vec<(ExprId, ExprId)> {
     let calls = body.exprs().filter_map(|(_, expr, _)| match expr {
         Expr::Call(callee, arguments) if matches!(body.expr(*callee), Expr::Name(name) if name == USER_PAGE_SET) => {
@@ -69,7 +69,7 @@ impl Texts<'_> {
         (found == whole && !found.is_empty()).then_some(Occurrence { range, symbol, usage })
     }
 
-    /// Returns the occurrence of an element whose page and id are literals.
+    /// Returns the occurrence of a page element if page and id are literals.
     fn element(&self, page: ExprId, id: ExprId) -> Option<Occurrence> {
         let (Expr::String(page), Expr::String(whole)) = (self.body.expr(page), self.body.expr(id)) else { return None };
         let (start, text) = self.inside(id);

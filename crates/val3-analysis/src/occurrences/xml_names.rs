@@ -44,7 +44,7 @@ impl Names<'_> {
         }
     }
 
-    /// Adds the type name of an element.
+    /// Adds the element's type name.
     fn type_of(&mut self, element: Element<'_>) {
         let Some(found) = element.attribute("type") else { return };
         let name = SmolStr::from(found.text());

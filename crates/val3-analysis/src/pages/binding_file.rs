@@ -20,7 +20,7 @@ pub struct Bindings {
     pub callbacks: Vec<Callback>,
 }
 
-/// Binding of data to an attribute of an element.
+/// Binding of data to an element's attribute.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BoundData {
     /// Element id.
@@ -56,7 +56,7 @@ pub struct BoundName {
 }
 
 impl BoundName {
-    /// Returns the range of a part of the name; `source` is the text of the file.
+    /// Returns the source range for a part of the name; `source` is the text of the file.
     pub fn part(&self, source: &str, part: &Range<usize>) -> TextRange {
         let raw = source.get(Range::<usize>::from(self.range)).unwrap_or("");
         source_range(raw, self.range.start(), part)

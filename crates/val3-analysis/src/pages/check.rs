@@ -178,7 +178,7 @@ fn is_read(db: &dyn Db, file: File) -> bool {
     matches!(file.status(db), FileStatus::Read { .. })
 }
 
-/// Returns the fault of an index beyond the declared size.
+/// Returns the fault if an index is beyond the declared size.
 fn index_fault(item: &DataItem, step: &ReferencePart) -> Option<PageFault> {
     let (Container::Array { .. }, Some(index)) = (item.decl.container, step.index.as_deref()) else { return None };
     let indexes: Option<Vec<u32>> = index.split(',').map(|index| index.trim().parse().ok()).collect();

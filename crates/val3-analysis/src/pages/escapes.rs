@@ -22,7 +22,7 @@ pub fn escaped(text: &str) -> String {
     raw
 }
 
-/// Returns the source range of a part of a string. `part` is in bytes of the unescaped string.
+/// Returns the source range for a part of a string. `part` is in bytes of the unescaped string.
 pub(super) fn source_range(raw: &str, start: TextSize, part: &Range<usize>) -> TextRange {
     let (mut from, mut to) = (None, raw.len());
     let mut at = 0;

@@ -1,4 +1,4 @@
-//! HTML file of a page: the ids of its elements.
+//! HTML file of a page: element ids.
 
 use std::ops::Range;
 
@@ -68,7 +68,7 @@ fn outside_comments(text: &str) -> Vec<Range<usize>> {
     parts
 }
 
-/// Returns attribute names with the ranges of their values: `name="value"`, `name='value'`, `name=value`.
+/// Returns attribute names and the ranges of the values: `name="value"`, `name='value'`, `name=value`.
 fn attributes(text: &str, part: Range<usize>) -> Vec<(&str, Range<usize>)> {
     let mut found = Vec::new();
     let end = part.end;

@@ -169,7 +169,7 @@ pub enum ProblemKind {
         /// Type of the variable.
         ty: SmolStr,
     },
-    /// An index that is not allowed: after an element, or after a container passed as a whole.
+    /// An index that is not allowed: after an element, or after a container that is passed entirely.
     IndexNotAllowed {
         /// The variable.
         name: SmolStr,
@@ -282,7 +282,7 @@ pub enum ProblemKind {
     FileOutside(FileRole, SmolStr),
     /// A file that exists but cannot be read.
     FileUnreadable {
-        /// Path as written in the project file; file name of an unlisted file.
+        /// Path as written in the project file; only the file name if no project lists the file.
         path: SmolStr,
         /// Error message of the system.
         reason: SmolStr,
@@ -446,7 +446,7 @@ pub enum ProblemKind {
         /// Actual declaration.
         found: SmolStr,
     },
-    /// A `size` that is no list of one to three integers.
+    /// A `size` that is no list of integers with one to three entries.
     InvalidSize {
         /// Actual text.
         size: SmolStr,
@@ -506,7 +506,7 @@ pub enum ProblemKind {
         /// The most similar link.
         near: Option<SmolStr>,
     },
-    /// A link to an input or output of another type.
+    /// A link whose input or output has a different type.
     IoLinkKind {
         /// The link as written.
         link: SmolStr,
@@ -532,7 +532,7 @@ pub enum ProblemKind {
         /// The most similar public item.
         near: Option<SmolStr>,
     },
-    /// The library's project file lists none of the used items (related: its list and the uses).
+    /// The library's project file omits all used items (related: its list and the uses).
     LibraryLeftOut {
         /// The identifier.
         alias: SmolStr,

@@ -6,8 +6,8 @@ impl ProblemKind {
     /// Whether the controller's compiler rejects an application or library with this fault.
     ///
     /// This is a property of the language; rule levels, settings and suppressions have no influence. Faults that the
-    /// controller reports at run time do not count: an index outside of an array (error 20), and a missing library or
-    /// one that differs from its interface (error 80 and the codes of `libLoad`). A syntax error always counts.
+    /// controller reports at run time do not count: an index outside the array (error 20), and a library that is
+    /// missing or differs from its interface (error 80 and the codes of `libLoad`). A syntax error always counts.
     #[must_use]
     pub fn is_refused(&self) -> bool {
         match self {

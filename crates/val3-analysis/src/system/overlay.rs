@@ -30,7 +30,7 @@ impl<S: System> OverlayFs<S> {
         Self { below, stored: FxHashMap::default(), folders: FxHashMap::default(), edited: FxHashMap::default() }
     }
 
-    /// Adds or replaces a file, which then appears in the listings of its parent folders.
+    /// Adds or replaces a file, which then appears in the listings of the parent folders.
     pub fn store(&mut self, path: Utf8PathBuf, bytes: Vec<u8>) {
         let mut child = path.as_path();
         while let (Some(parent), Some(name)) = (child.parent(), child.file_name()) {

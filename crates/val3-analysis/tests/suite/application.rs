@@ -1,4 +1,4 @@
-//! Combined effects of the programs of an application.
+//! Combined effects of all programs in an application.
 
 use expect_test::{Expect, expect};
 use smol_str::SmolStr;

@@ -22,7 +22,7 @@ fn application(folder: &str, libraries: &[&str]) -> Vec<(String, String)> {
     vec![(format!("{folder}/{name}.pjx"), manifest), (format!("{folder}/start.pgx"), PROGRAM.to_owned())]
 }
 
-/// Loads applications and other files; `asked` is the requested path.
+/// Loads applications and other files; `asked` is the path to load.
 fn loaded(applications: &[(&str, &[&str])], files: &[(&str, &str)], asked: &str) -> Result<Workspace, String> {
     let applications = applications.iter().flat_map(|(folder, libraries)| application(folder, libraries));
     let files = files.iter().map(|&(path, text)| (path.to_owned(), text.to_owned()));
@@ -30,7 +30,7 @@ fn loaded(applications: &[(&str, &[&str])], files: &[(&str, &str)], asked: &str)
     load(&memory, &[Utf8PathBuf::from(asked)]).map_err(|error| error.to_string() + "\n")
 }
 
-/// Shows the version, arm and disk of each project, then the faults.
+/// Shows version, arm and disk of the projects, then the faults.
 fn shown(applications: &[(&str, &[&str])], files: &[(&str, &str)], asked: &str) -> String {
     let workspace = match loaded(applications, files, asked) {
         Ok(workspace) => workspace,

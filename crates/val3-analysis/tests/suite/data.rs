@@ -14,7 +14,7 @@ pub(crate) fn datas(elements: &str) -> String {
     faults(&listing)
 }
 
-/// Returns the faults of an array with these values.
+/// Returns the faults in an array with these values.
 fn array(ty: &str, size: &str, values: &str) -> String {
     datas(&format!(r#"<Data name="vA" access="private" xsi:type="array" type="{ty}" size="{size}">{values}</Data>"#))
 }

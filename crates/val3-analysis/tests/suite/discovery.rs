@@ -33,7 +33,7 @@ fn files(projects: &[(&str, &[&str])]) -> Vec<(String, String)> {
     files.collect()
 }
 
-/// Shows the projects found under `path`, the folder of `Disk://` of each, and all faults.
+/// Shows the projects found under `path`, with the folder of `Disk://`, and all faults.
 fn found(system: &dyn System, path: &str) -> String {
     let workspace = match load(system, &[path.into()]) {
         Ok(workspace) => workspace,

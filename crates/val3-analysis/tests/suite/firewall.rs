@@ -1,4 +1,4 @@
-//! Recomputation after an edit: code of one program affects only this program.
+//! Recomputation after an edit: a program's code affects only this program.
 
 use std::sync::{Arc, Mutex};
 

@@ -6,7 +6,7 @@ use val3_analysis::items::project::data_files;
 
 use crate::show::{project, workspace};
 
-/// Shows each value of the data of `main`: whether it has a father, and its enumerated fields.
+/// Shows the values in `main`: whether a value has a father, and its enumerated fields.
 fn shown(data: &str) -> String {
     let workspace = workspace(&format!("return\n\n=== main/main.dtx\n<?xml version=\"1.0\"?>\n{data}\n"));
     let db = &workspace.db;

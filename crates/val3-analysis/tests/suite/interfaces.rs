@@ -229,8 +229,8 @@ fn types_of_libraries_are_the_same_by_path() {
     assert_eq!(faults(listing), "");
 }
 
-/// Shows the faults of an application that uses `part` in two programs; `pjx` is the library's list, and `files` are in
-/// its folder.
+/// Shows the faults if an application uses `part` in two programs; `pjx` is the library's list, and `files` are in its
+/// folder.
 fn left_out(pjx: &str, files: &[&str]) -> String {
     let text = |file: &str| match file.to_lowercase().strip_suffix(".pgx") {
         Some(name) => format!(

@@ -12,7 +12,7 @@ const TYPES: [&str; 14] = [
     "mdesc",
 ];
 
-/// One variable `v_TYPE` of each type.
+/// Returns a variable `v_TYPE` for each type.
 fn declarations() -> String {
     TYPES.iter().map(|ty| format!("{ty} v_{ty}\n")).collect()
 }

@@ -1,4 +1,4 @@
-//! Programs of an application that may let other tasks run.
+//! Programs that may let other tasks run.
 
 use val3_analysis::application::application;
 

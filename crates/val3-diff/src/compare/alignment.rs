@@ -1,4 +1,4 @@
-//! Alignment of two sequences: corresponding, removed and inserted elements.
+//! Alignment of sequences: corresponding, removed and inserted elements.
 
 use rustc_hash::FxHashMap;
 
@@ -19,8 +19,8 @@ pub(super) enum Step {
 }
 
 /// Aligns two sequences in O(n log n). Elements that occur once in each sequence are anchors, in their longest common
-/// order. Between two anchors, equal elements at both ends are paired first, then the others in order. An alignment
-/// with the fewest edits would take quadratic time for sequences without common elements.
+/// order. Between two anchors, equal elements at both ends are paired first, then the rest in order. An alignment with
+/// the fewest edits would need quadratic time for sequences without common elements.
 pub(super) fn align(old: &[u32], new: &[u32]) -> Vec<Step> {
     let mut steps = Vec::with_capacity(old.len().max(new.len()));
     let (mut old_start, mut new_start) = (0, 0);

@@ -1,4 +1,4 @@
-//! Comparison of one project in both trees.
+//! Comparison of a project in both trees.
 
 mod programs;
 mod sides;

@@ -37,7 +37,7 @@ pub(super) fn add_data(files: [&[(&str, &SourceFile<'_>)]; 2], compared: &mut Ap
     }
 }
 
-/// Adds differences of the project file outside of its parameters and the listed items.
+/// Adds differences in the project file outside its parameters and the listed items.
 pub(super) fn add_project([old, new]: [&Application<'_>; 2], compared: &mut ApplicationChange) {
     let Some(bytes) = old.manifest.zip(new.manifest) else { return };
     let is_other_list = |program: &ProgramChange| {

@@ -21,7 +21,7 @@ pub(super) fn add(changes: &mut [DataChange], new: &[Data], places: &mut Places<
         let Some((origin, value)) = places.origin(path).zip(places.new.value(path)) else { continue };
         let Some(father) = nearest(value.father(), &moved, &places.new) else { continue };
         if father == shown(path) {
-            // A loop of fathers leads back to the frame itself.
+            // A loop of fathers ends at the frame itself.
             continue;
         }
         let in_world = movement::in_world(&origin, path, places);

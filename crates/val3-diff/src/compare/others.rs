@@ -16,7 +16,7 @@ type Key = (Option<usize>, String);
 /// A file with its length and hash.
 type Found = (String, (usize, u64));
 
-/// Returns the files that differ. A file of an application is compared with the file in the matched application.
+/// Returns the files that differ. A file in an application is compared with the file in the matched application.
 pub(super) fn compare([old, new]: [&Tree; 2], pairs: &[Matched<'_, '_>], is_one_cell: bool) -> Vec<OtherChange> {
     let old = by_key(old, &pairs.iter().map(|pair| pair.old).collect::<Vec<_>>(), is_one_cell);
     let new = by_key(new, &pairs.iter().map(|pair| pair.new).collect::<Vec<_>>(), is_one_cell);

@@ -12,7 +12,7 @@ use val3_lang::builtins;
 use crate::read::data::Data;
 use crate::read::value::Value;
 
-/// Maximum length of a chain of fathers. Real chains have up to five.
+/// Maximum number of fathers in a chain. Real chains have up to five.
 const LONGEST: usize = 100;
 
 /// Frames, tools and points of both trees.
@@ -30,7 +30,7 @@ impl<'a> Places<'a> {
         Self { old, new, origins: FxHashMap::default() }
     }
 
-    /// Sets the old path of an element whose index differs; `None` for an inserted element.
+    /// Sets the old path if the index of an element differs; `None` for an inserted element.
     pub(super) fn set_origin(&mut self, path: SmolStr, old: Option<SmolStr>) {
         self.origins.insert(path, old);
     }

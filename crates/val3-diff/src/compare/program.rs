@@ -1,4 +1,4 @@
-//! Comparison of one program.
+//! Comparison of a program.
 
 use std::collections::BTreeSet;
 
@@ -14,7 +14,7 @@ use crate::read::program::{Program, access};
 /// A program with its file.
 pub(super) type Located<'a, 't> = (&'a SourceFile<'t>, &'a Program);
 
-/// Options for comparing the programs of an application.
+/// Options for comparing programs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rules<'r> {
     /// Whether both project files are readable, so that listing of programs is compared.

@@ -65,7 +65,7 @@ fn number(lines: &[Line], index: usize) -> usize {
     lines.get(index).map_or_else(|| lines.last().map_or(1, |last| last.number + 1), |line| line.number)
 }
 
-/// Returns the number of lines of a kind.
+/// Counts the lines with this kind.
 pub(crate) fn count(hunks: &[Hunk], kind: LineKind) -> usize {
     hunks.iter().flat_map(|hunk| &hunk.lines).filter(|line| line.kind == kind).count()
 }

@@ -33,7 +33,7 @@ fn target(folder: &Utf8Path, reference: &str) -> Option<String> {
     }
 }
 
-/// Returns the users of an application. In a tree without `usrapp`, the folder of `Disk://` is unknown, so the end of
+/// Returns the users of `application`. In a tree without `usrapp`, the folder of `Disk://` is unknown, so the end of
 /// the path is compared.
 pub(super) fn of(users: &Users, application: &Application<'_>) -> Vec<String> {
     let path = Utf8PathBuf::from(path_key(application.path.as_str()));

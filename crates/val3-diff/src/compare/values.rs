@@ -74,7 +74,7 @@ pub(super) fn key<'p>(name: &str, path: &'p str) -> &'p str {
     rest.split_once(']').map_or(rest, |(key, _)| key)
 }
 
-/// Compares a value. A missing value is the default of its type; for a field, the value in the user type.
+/// Compares a value. A missing value is the type's default; for a field, the value in the user type.
 fn compare_one(path: &SmolStr, old: Option<Value>, new: Option<Value>, places: &mut Places<'_>) -> Option<ValueChange> {
     let known = new.as_ref().or(old.as_ref())?;
     let (ty, arm) = (known.ty, known.arm);
@@ -126,7 +126,7 @@ fn some(data: &Data, indexes: &[usize], change: Change) -> Vec<ValueChange> {
     indexes.iter().map(|index| contents.element(data, &index.to_string(), change)).collect()
 }
 
-/// Non-default values and user type fields of each element in the file, by key.
+/// Non-default values and user type fields in the file, by element key.
 pub(super) struct Contents<'d>(FxHashMap<&'d str, Vec<String>>);
 
 impl<'d> Contents<'d> {

@@ -1,4 +1,4 @@
-//! Differences of one application, library or user type.
+//! Differences in an application, library or user type.
 
 use serde::Serialize;
 
@@ -8,14 +8,14 @@ use super::data::DataChange;
 use super::program::ProgramChange;
 use super::text::TextChange;
 
-/// Differences of one project: an application, a library or a user type.
+/// Differences in a project: an application, a library or a user type.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ApplicationChange {
     /// Name of the `.pjx` without its extension.
     pub name: String,
     /// Path of the `.pjx`, or of the folder for files that belong to no project.
     pub path: String,
-    /// Change of the entire project. All items of an added project are added.
+    /// Change of the entire project. If the project was added, all items are added.
     pub change: Change,
     /// Path in the old tree, if it differs.
     pub moved_from: Option<String>,

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// Change of an item from the old to the new tree.
+/// Change from the old to the new tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Change {
@@ -15,7 +15,7 @@ pub enum Change {
 }
 
 impl Change {
-    /// Returns the change of an item that is in the old tree, in the new tree, or in both.
+    /// Returns the change for an item that is in the old tree, in the new tree, or in both.
     pub(crate) fn of(in_old: bool, in_new: bool) -> Self {
         match (in_old, in_new) {
             (false, true) => Self::Added,

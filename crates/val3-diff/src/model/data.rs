@@ -52,7 +52,7 @@ impl DataChange {
     }
 }
 
-/// Elements of an array whose index differs in the new tree, with the same or changed content.
+/// Array elements whose index differs in the new tree, with the same or changed content.
 ///
 /// Removed elements are among the values with their old index, inserted and changed elements with their new index.
 /// Programs address elements by index, so every program that uses such an index uses another element.
@@ -62,7 +62,7 @@ pub struct Renumbering {
     pub runs: Vec<Run>,
     /// Number of indexes whose element differs for a program.
     pub differing_indexes: usize,
-    /// Maximum distance in `world` between the old and the new position of an index, in mm; `None` if the elements are
+    /// Maximum distance in `world` between the old and the new position at an index, in mm; `None` if the elements are
     /// no points or their fathers do not end at `world`.
     pub greatest_distance_mm: Option<f64>,
 }
@@ -90,13 +90,13 @@ pub struct ValueChange {
     /// Type of the value.
     #[serde(rename = "type")]
     pub type_name: String,
-    /// Entire value of an added or removed element.
+    /// Entire value of the added or removed element.
     pub value: Option<String>,
     /// Fields that differ. The value itself is a field without a name.
     pub fields: Vec<FieldChange>,
     /// Movement of a position.
     pub movement: Option<Movement>,
-    /// Maximum change of linear and of rotary axes of a joint position. A full turn of an axis is a change.
+    /// Maximum change of linear and of rotary axes of a joint position. A full turn is a change.
     pub axes: Option<Displacement>,
     /// Positions that moved because they depend on this frame or tool. Each position is listed at its nearest changed
     /// father.

@@ -110,7 +110,7 @@ impl Code {
 }
 
 impl CodeLine {
-    /// Returns the text by which lines of two versions are matched.
+    /// Returns the text by which the lines in both versions are matched.
     pub(crate) fn key(&self, layout: Layout, renames: &Renames) -> String {
         if layout == Layout::Ignored {
             return self.tokens.iter().map(|token| self.shown(token, renames)).collect::<Vec<_>>().join(" ");

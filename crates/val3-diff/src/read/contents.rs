@@ -61,7 +61,7 @@ fn is_usual((path, value): &Entry) -> bool {
     }
     let (element, attribute) = path.rsplit_once(' ').unwrap_or(("", path));
     if value.is_empty() {
-        // The name of an element is no default.
+        // An element's name is no default.
         return !path.ends_with(']') || innermost_value(path).is_some();
     }
     DEFAULTS.contains(&(attribute, value.as_str())) || innermost_value(element).is_some() && is_of_value(attribute)

@@ -155,7 +155,7 @@ fn values(name: &str, container: Element<'_>, base: Option<(BaseType, Option<Arm
     }
 }
 
-/// Whether the field has one element with the default value of its type, which files may omit.
+/// Whether the field has one element with the default value, which files may omit.
 fn is_unwritten_single(field: Element<'_>) -> bool {
     elements(field).next().is_none() && field.value("size").is_some_and(|size| size.trim() == "1")
 }

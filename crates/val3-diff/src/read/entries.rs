@@ -1,4 +1,4 @@
-//! Elements of an XML file as a flat list of entries.
+//! Elements in an XML file as a flat list of entries.
 
 use rustc_hash::FxHashMap;
 use val3_analysis::xml::Element;
@@ -23,7 +23,7 @@ pub(crate) struct Style {
     pub(crate) has_keys: bool,
 }
 
-/// Returns the entries of an element in order.
+/// Returns the entries in an element, in order.
 pub(crate) fn entries(root: Element<'_>, style: &Style) -> Vec<Entry> {
     let mut entries = Vec::new();
     add("", root, style, NESTING, &mut entries);

@@ -64,7 +64,7 @@ impl Program {
         params.chain(self.header.locals.iter().map(|local| &local.name)).any(|known| known == name)
     }
 
-    /// Returns the name and declaration of each local variable.
+    /// Returns the local variables: name and declaration.
     pub(crate) fn locals(&self) -> impl Iterator<Item = (&SmolStr, String)> {
         let locals = self.header.locals.iter();
         locals.map(|local| (&local.name, declaration(&local.type_name, &local.name, local.container, &local.sizes)))

@@ -29,7 +29,7 @@ pub(crate) enum AxisKind {
     Rotary,
 }
 
-/// Content of an attribute.
+/// Attribute content.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Part {
     /// A number.
@@ -39,12 +39,12 @@ pub(crate) enum Part {
 }
 
 impl Value {
-    /// Returns the value of an element that is not in the file.
+    /// Returns the value of elements that are not in the file.
     pub(crate) fn default_of(ty: BaseType, arm: Option<Arm>) -> Self {
         Self { ty, arm, parts: attributes(ty, arm).iter().map(default_part).collect() }
     }
 
-    /// Reads the value of `element`. `container` is the element of its data.
+    /// Reads the value of `element`. `container` is the element that declares the data.
     pub(crate) fn read(element: Element<'_>, container: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Self {
         let part = |attribute: &Attribute| match written(element, container, attribute) {
             Some(text) => part(attribute, &text),
@@ -71,7 +71,7 @@ impl Value {
         Some(Trsf::new([next()?, next()?, next()?], [next()?, next()?, next()?]))
     }
 
-    /// Returns the value with the new name of its father.
+    /// Returns the value with the father's new name.
     pub(crate) fn with_new_father(&self, renames: &Renames) -> Self {
         let mut renamed = self.clone();
         for (attribute, part) in attributes(self.ty, self.arm).iter().zip(&mut renamed.parts) {
@@ -134,7 +134,7 @@ pub(crate) fn field_name(attribute: &Attribute) -> &'static str {
     }
 }
 
-/// Formats the content of an attribute for a report.
+/// Formats attribute content for a report.
 pub(crate) fn shown_part(attribute: &Attribute, part: &Part) -> String {
     match (part, attribute.value) {
         (Part::Number(number), _) => number::shown(*number),
@@ -167,7 +167,7 @@ fn default_part(attribute: &Attribute) -> Part {
     }
 }
 
-/// Returns the text of an attribute: in the value, or in the old dialect in an element of the value or its container.
+/// Returns the attribute's text: in the value, or in the old dialect in an element of the value or its container.
 fn written<'g>(element: Element<'g>, container: Element<'g>, attribute: &Attribute) -> Option<Cow<'g, str>> {
     let in_parts = || element.elements().find_map(|part| part.value(attribute.old_name()));
     let old = || match attribute.value {

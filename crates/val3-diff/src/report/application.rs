@@ -1,4 +1,4 @@
-//! Report of one application.
+//! Report of an application's differences.
 
 use super::block::{Block, Mark, entry, heading};
 use super::changes::{arrow, optional_arrow};
@@ -11,7 +11,7 @@ use crate::model::{ApplicationChange, Change, DataChange, InterfaceChange, ItemK
 /// Number of elements that are shown for added or removed data.
 const SHOWN: usize = 4;
 
-/// Adds the report of an application.
+/// Adds the report of the differences in an application.
 pub(super) fn add(change: &ApplicationChange, blocks: &mut Vec<Block>) {
     let name = if change.name.is_empty() { "(this folder)" } else { &change.name };
     blocks.push(heading(1, name, &note(change)));

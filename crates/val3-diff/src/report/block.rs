@@ -1,4 +1,4 @@
-//! Blocks of a report, independent of their layout.
+//! Report blocks, independent of layout.
 
 use crate::model::{Change, HunkLine};
 

@@ -22,7 +22,7 @@ pub(super) fn add(files: &[ContentChange], blocks: &mut Vec<Block>) {
     }
 }
 
-/// Formats the change of an attribute as `num → numx`, of an element as `added` or `removed`.
+/// Formats a changed attribute as `num → numx`, an element as `added` or `removed`.
 fn text(change: &EntryChange) -> String {
     match (change.old.as_deref(), change.new.as_deref()) {
         (None, Some("")) => "added".to_owned(),

@@ -49,7 +49,7 @@ impl Counts {
         counts
     }
 
-    /// Adds the numbers of an application.
+    /// Adds the numbers for `application`.
     pub(super) fn with(mut self, application: &ApplicationChange) -> Self {
         self.applications += 1;
         self.programs += application.programs.len();

@@ -8,7 +8,7 @@ use crate::model::{Change, DataChange, Renumbering, Run, ValueChange};
 /// Number of removed or inserted elements that are shown with their values.
 const SHOWN: usize = 4;
 
-/// Adds the changes of an array's elements, and their effect on programs.
+/// Adds the changes of elements in an array, and the effect on programs.
 pub(super) fn add(change: &DataChange, renumbering: &Renumbering, blocks: &mut Vec<Block>) {
     let edited: Vec<&ValueChange> = change.values.iter().filter(|value| value.change != Change::Changed).collect();
     match one_edit(&change.name, &edited, &renumbering.runs) {

@@ -8,7 +8,7 @@ use super::counts::Counts;
 use super::points::{by_size, displacement, extent};
 use crate::model::{ApplicationChange, Change, Comparison, Displacement};
 
-/// Statistics of an application, or of the configuration and files outside of applications.
+/// Statistics for an application, or for the configuration and files outside of applications.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Statistics {
     /// Application name; `None` for files outside of applications that differ.

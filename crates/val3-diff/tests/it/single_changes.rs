@@ -1,4 +1,4 @@
-//! Every single change of an attribute, text or code is reported, in files of both dialects.
+//! Every single change to attributes, text or code is reported, in files of both dialects.
 
 use std::collections::BTreeMap;
 use std::ops::Range;

@@ -118,7 +118,7 @@ pub(super) fn shown(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// Draws the legend of limits before the right end of a row of names.
+/// Draws the legend of limits at the right end of the names.
 pub(super) fn legend(canvas: &mut Canvas, y: f64) {
     canvas.rule([RIGHT - 190.0, y - 4.0], [RIGHT - 164.0, y - 4.0], "limit");
     canvas.text([RIGHT - 158.0, y], "small", "limit");

@@ -1,4 +1,4 @@
-//! Strip with the position of one axis over time.
+//! Strip with an axis position over time.
 
 use super::chart::{Chart, shown};
 use super::layout::{AXES, LEFT, RIGHT};
@@ -18,7 +18,7 @@ const PADDING: f64 = 0.08;
 /// Distance to a limit in degrees or mm below which an axis is at the limit.
 const TOUCH: f64 = 0.01;
 
-/// Draws the strip of an axis from `top` on: the range that the motion uses, and the axis limits within it.
+/// Draws an axis strip from `top` on: the range that the motion uses, and the axis limits within it.
 pub(super) fn draw(picture: &Picture, canvas: &mut Canvas, time: &Time, index: usize, top: f64) {
     let Some(axis) = picture.axes.get(index) else { return };
     let position = |sample: &Sample| sample.joints.get(index).copied().unwrap_or_default();

@@ -13,7 +13,7 @@ pub(super) const HEIGHT: f64 = 130.0;
 /// Limits up to this multiple of the highest value are drawn.
 const FAR: f64 = 2.0;
 
-/// Ratio of the chart's range to its highest value, which leaves space for the name of the highest limit.
+/// Ratio of the chart's range to its highest value, so that there is space for the name of the highest limit.
 const HEADROOM: f64 = 1.12;
 
 /// Share of a limit from which a value is at the limit, because the planner keeps a small distance between knots.
@@ -22,9 +22,9 @@ const TOUCH: f64 = 0.98;
 /// A chart of rates.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Rate {
-    /// Speed of each axis.
+    /// Speeds of the axes.
     JointSpeed,
-    /// Acceleration of each axis.
+    /// Accelerations of the axes.
     JointAcceleration,
     /// Speed of the tool centre point.
     ToolSpeed,
@@ -53,7 +53,7 @@ impl Rate {
     }
 }
 
-/// Draws the speed of each axis in % of its nominal speed.
+/// Draws the axis speeds in % of the nominal speeds.
 fn joint_speeds(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
     let limits = InForce::of(picture, OnBlend::Smaller, |limits| limits.joint_speed);
     let curves: Vec<_> = picture.axes.iter().enumerate().map(|(index, axis)| speeds(picture, index, axis)).collect();
@@ -71,7 +71,7 @@ fn joint_speeds(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
     }
 }
 
-/// Draws the change of each axis speed: positive in % of the nominal acceleration, negative in % of the nominal
+/// Draws the changes of the axis speeds: positive in % of the nominal acceleration, negative in % of the nominal
 /// deceleration.
 fn joint_accelerations(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
     let [speeding, braking] = [
@@ -143,13 +143,13 @@ fn is_at(limits: &InForce) -> impl Fn(f64, f64) -> bool {
     |t, value| limits.at(t).is_some_and(|limit| value >= TOUCH * limit)
 }
 
-/// Returns the speed of an axis before each sample, in % of its nominal speed.
+/// Returns the axis speed before every sample, in % of the nominal speed.
 fn speeds(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
     let share = |speed: f64| if axis.nominal_speed > 0.0 { speed.abs() / axis.nominal_speed * 100.0 } else { 0.0 };
     rates(picture, index).into_iter().map(|[t, _, speed]| (t, share(speed))).collect()
 }
 
-/// Returns the change of an axis speed at each sample: in % of the nominal acceleration, or negative in % of the
+/// Returns the change of the axis speed at every sample: in % of the nominal acceleration, or negative in % of the
 /// nominal deceleration.
 fn accelerations(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
     let share = |pair: &[[f64; 3]]| {
@@ -167,7 +167,7 @@ fn accelerations(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)
     rates(picture, index).windows(2).flat_map(share).collect()
 }
 
-/// Returns for each sample its time, the seconds since the previous sample, and the speed of an axis in this time, per
+/// Returns for each sample its time, the seconds since the previous sample, and the axis speed in this time, per
 /// second.
 fn rates(picture: &Picture, index: usize) -> Vec<[f64; 3]> {
     let position = |sample: &Sample| sample.joints.get(index).copied().unwrap_or_default();

@@ -52,7 +52,7 @@ impl Time {
         canvas.frame([LEFT, top], [RIGHT - LEFT, bottom - top]);
     }
 
-    /// Draws the start of each move, with a label if there is space. Consecutive moves with the same label share it.
+    /// Draws the starts of moves, with labels where there is space. Consecutive moves with the same label share it.
     pub(super) fn starts(&self, picture: &Picture, canvas: &mut Canvas, [top, bottom]: [f64; 2]) {
         let mut free = f64::NEG_INFINITY;
         let mut last = String::new();

@@ -43,7 +43,7 @@ pub(super) fn expression(p: &mut Parser<'_>) -> Option<Completed> {
     operand(p, |p| binary(p, 1))
 }
 
-/// Parses a part of an expression, one level deeper. If this exceeds the nesting limit, the rest of the line is
+/// Parses a part of an expression at the next nesting level. If this exceeds the nesting limit, the rest of the line is
 /// skipped.
 fn operand(p: &mut Parser<'_>, read: impl FnOnce(&mut Parser<'_>) -> Option<Completed>) -> Option<Completed> {
     p.nested(read).unwrap_or_else(|| {
@@ -85,7 +85,7 @@ fn binary(p: &mut Parser<'_>, min: u8) -> Option<Completed> {
     Some(left)
 }
 
-/// Returns the precedence and the number of tokens of the current binary operator. Foreign spellings are reported and
+/// Returns the precedence and the length in tokens of the current binary operator. Foreign spellings are reported and
 /// accepted as their VAL 3 operators.
 fn binary_operator(p: &mut Parser<'_>) -> Option<(u8, usize)> {
     let kind = p.here();

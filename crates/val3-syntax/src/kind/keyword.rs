@@ -59,7 +59,7 @@ static SLOTS: [Option<(SyntaxKind, &str)>; SLOT_COUNT] = slots();
 
 const SLOT_COUNT: usize = 64;
 
-/// Returns the slot of a word, independent of its letter case.
+/// Returns the slot of a word in any letter case.
 const fn slot(word: &[u8]) -> usize {
     let (Some(first), Some(last)) = (word.first(), word.last()) else { return 0 };
     let (first, last) = (first.to_ascii_lowercase() as usize, last.to_ascii_lowercase() as usize);

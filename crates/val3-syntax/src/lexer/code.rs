@@ -201,7 +201,7 @@ impl Lexer<'_> {
         self.token(COMMENT, end);
     }
 
-    /// Reads an entity reference in escaped code as the character for which it stands.
+    /// Reads an entity reference in escaped code as the character that it encodes.
     fn reference(&mut self, stretch: CodeSegment) {
         let rest = self.text.get(self.pos..stretch.end).unwrap_or("");
         let Some((character, len)) = entity::resolve(rest) else {

@@ -1,6 +1,6 @@
 //! Foreign words at the start of a line: block keywords of other languages.
 
-/// Foreign block keywords of one or two words, with the VAL 3 keyword.
+/// Foreign block keywords, which have one or two words, with the VAL 3 keyword.
 const FOREIGN_WORDS: &[(&str, &str, &str)] = &[
     ("end", "if", "endIf"),
     ("end", "while", "endWhile"),

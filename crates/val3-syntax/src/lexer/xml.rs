@@ -205,7 +205,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Reads text up to the end of its line, because the next line may be a conflict marker.
+    /// Reads text up to the line end, because the next line may be a conflict marker.
     fn text(&mut self) {
         let rest = self.rest().as_bytes();
         let len = rest.iter().position(|byte| matches!(byte, b'<' | b'&' | b'\n')).unwrap_or(rest.len());

@@ -1,4 +1,4 @@
-//! The parser takes linear time, measured in token accesses instead of clock time.
+//! The parsing time is linear, measured in token accesses instead of clock time.
 
 use crate::grammar;
 use crate::lexer::lex;

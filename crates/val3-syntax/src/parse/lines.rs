@@ -65,7 +65,7 @@ impl Parse {
     }
 }
 
-/// Returns the text before and after lines of the same code section that makes them a program.
+/// Returns the text that is placed before and after lines of the same code section, so that they form a program.
 fn around(text: &str, path: &[Piece<'_>], at: TextSize) -> (&'static str, &'static str) {
     let code = path.iter().rfind(|node| node.kind() == SyntaxKind::CODE);
     let start = code.map_or(at, |code| code.range().start());
@@ -76,7 +76,7 @@ fn around(text: &str, path: &[Piece<'_>], at: TextSize) -> (&'static str, &'stat
     }
 }
 
-/// Whether the lines may contain the end of their code segment.
+/// Whether the lines may contain the end of the code segment.
 fn leaves_stretch(code: &str, tail: &str) -> bool {
     code.contains("]]>") || tail.starts_with("end<") && code.contains('<')
 }

@@ -53,7 +53,7 @@ impl Parse {
         let inside = sole_element(&fragment).filter(|_| are_local(&fragment.errors))?;
         let place = |at| at + old.start();
         let errors = self.spliced_errors(old, change, &fragment, place);
-        // Errors on the same line are merged, even across the boundary of an element.
+        // Errors on the same line are merged, even across an element's boundary.
         if reach_edge(self.tree.text(), &self.errors, old) || reach_edge(new_text, &errors, new) {
             return None;
         }
@@ -124,7 +124,7 @@ fn nodes(parent: Piece<'_>) -> impl Iterator<Item = Piece<'_>> {
     parent.children().filter(|piece| piece.kind().is_node())
 }
 
-/// Returns the element that makes up an entire fragment.
+/// Returns the element if it is the entire fragment.
 fn sole_element(fragment: &Parse) -> Option<Piece<'_>> {
     let root = fragment.tree.root();
     let element = nodes(root).next().filter(|child| child.kind() == SyntaxKind::ELEMENT)?;
@@ -176,7 +176,7 @@ mod tests {
 
     const TEXT: &str = "<a>\n<b c=\"1\"/>\n<Code><![CDATA[begin\n  x=1\nend]]></Code>\n</a>";
 
-    /// Returns the result of an edit from `old` to `new` if only the element is parsed.
+    /// Returns the tree after the edit from `old` to `new` if only the element is parsed.
     fn alone(old: &str, new: &str) -> Option<Parse> {
         let start = TextSize::try_from(TEXT.find(old).unwrap()).unwrap();
         let change = Change { range: TextRange::at(start, TextSize::of(old)), inserted: TextSize::of(new) };

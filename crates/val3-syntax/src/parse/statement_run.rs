@@ -99,7 +99,7 @@ impl<'p, 't> StatementRun<'p, 't> {
         None
     }
 
-    /// Replaces some lines by a run of another tree.
+    /// Replaces some lines by a run from a different tree.
     pub(super) fn with<'n>(&self, lines: Lines<'t>, new: &StatementRun<'_, 'n>) -> Option<EditedRun<'n>>
     where
         't: 'n,

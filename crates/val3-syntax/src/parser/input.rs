@@ -59,7 +59,7 @@ impl<'t> Input<'t> {
         self.solid.get(pos).map_or(SyntaxKind::EOF, |token| token.kind)
     }
 
-    /// Returns the indentation if the token is the first of its line.
+    /// Returns the indentation if the token starts a line.
     pub(crate) fn indent(&self, pos: usize) -> Indent {
         self.solid.get(pos).map_or(Indent::NONE, |token| token.indent)
     }

@@ -7,7 +7,7 @@ use crate::kind::SyntaxKind;
 pub(crate) struct Marker {
     /// Index of the node's `Start` event.
     at: usize,
-    /// Maximum height of its preceding siblings.
+    /// Maximum height of the preceding siblings.
     siblings: u32,
 }
 

@@ -27,11 +27,11 @@ thread_local! {
     static SHARING: RefCell<Sharing> = RefCell::new(Sharing::new());
 }
 
-/// Size of a table, a power of two.
+/// Table size, a power of two.
 const TABLE: usize = 1 << 13;
 /// Maximum length in bytes of shared tokens. Longer tokens are comments and texts, which rarely repeat.
 const LONGEST_TOKEN: usize = 32;
-/// Maximum number of children of shared nodes. Nodes with more children rarely repeat.
+/// Maximum number of children in shared nodes. Nodes with more children rarely repeat.
 const MOST_CHILDREN: usize = 3;
 /// Maximum text length in bytes of shared nodes. Longer nodes rarely repeat.
 const LONGEST_NODE: u32 = 64;

@@ -97,7 +97,7 @@ fn a_missing_end_is_reported_where_it_was() {
 
 #[test]
 fn a_missing_block_line_causes_one_message() {
-    // Removing an `elseIf`, `else` or second `case` line leaves a different but correct program.
+    // Without an `elseIf`, `else` or second `case` line, the program is different but correct.
     let needed = |line: &&str| is_block_line(line) && !["elseIf", "else"].contains(&keyword(line));
     for at in (0..lines().len()).filter(|&at| needed(&lines()[at])) {
         let mut rest = lines();

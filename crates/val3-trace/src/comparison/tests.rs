@@ -118,7 +118,7 @@ fn another_speed_changes_times_alone() {
 
 #[test]
 fn one_slow_move_is_enough() {
-    // The last of 100 moves takes 60 ms instead of 40 ms.
+    // The last of 100 moves needs 60 ms instead of 40 ms.
     let rows = line(1001);
     let mut present = rows.clone();
     present.iter_mut().skip(991).zip(1..).for_each(|(row, cycle)| row.time += cycle * 2_000_000);
@@ -170,7 +170,7 @@ fn no_motion_at_all() {
     assert!(found.moves.iter().all(MoveComparison::is_additional) && found.largest().is_none());
 }
 
-/// A move of one or two cycles may lie between two rows of a faster trace.
+/// A move with one or two cycles may lie between two rows of a faster trace.
 #[test]
 fn a_move_without_a_row_is_no_difference() {
     let mut rows = line(21);

@@ -105,7 +105,7 @@ fn of_two_places_with_one_pose_the_nearer_joints_count() {
     assert_eq!(from_path(&elsewhere, &moved).mm, 3.0);
 }
 
-/// The first of two equally near points is selected.
+/// If two points are equally near, the first is selected.
 #[test]
 fn equal_distances_do_not_change_the_place() {
     let place = |y: f64| at(&Row { joints: [0.0; 6], ..line(1)[0] }, [0.0, y, 0.0], [0.0; 3]);

@@ -15,7 +15,7 @@ use crate::items::project::items;
 use crate::problem::{NameKind, ProblemKind};
 
 impl<'db> Scope<'db> {
-    /// Returns the forms of an add-on instruction in the cell's tables.
+    /// Returns the forms that the cell's tables declare for an add-on instruction.
     pub(in crate::infer) fn add_on_forms(&self, name: &str, on_library: bool) -> Vec<&'db AddOnOverload> {
         let db = self.db;
         let tables = self.project.cell(db).map(|cell| cell.config(db).add_ons.as_slice()).unwrap_or_default();
@@ -50,7 +50,7 @@ impl<'db> Scope<'db> {
         })
     }
 
-    /// Returns the forms of an add-on instruction that is described only by its stand-in program.
+    /// Returns the forms that a stand-in program defines for an add-on instruction without another description.
     pub(in crate::infer) fn stand_in_forms(&self, name: &str, on_library: bool) -> Vec<&'db AddOnOverload> {
         let program = add_on_programs::program(self.db, self.project, name).filter(|_| !on_library);
         program.map_or_else(Vec::new, |program| {
@@ -58,7 +58,7 @@ impl<'db> Scope<'db> {
         })
     }
 
-    /// Returns the fault of an add-on instruction without a table in the cell.
+    /// Returns the fault for an add-on instruction without a table in the cell.
     pub(in crate::infer) fn missing_add_on(&self, name: &SmolStr) -> ProblemKind {
         let add_on = instructions::find(name).and_then(|instruction| match instruction.availability {
             Availability::AddOn(add_on) => Some(SmolStr::new_static(add_on)),

@@ -106,7 +106,7 @@ impl Scope<'_> {
         Err(self.unknown_field(Base::User(project), field, near, private))
     }
 
-    /// Returns the type of a field of a built-in type.
+    /// Returns the type of a built-in type's field.
     pub(in crate::infer) fn builtin_field(
         &self,
         ty: BaseType,

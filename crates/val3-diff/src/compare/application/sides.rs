@@ -20,7 +20,7 @@ pub(super) fn versions<'a, 't>(
     keys.into_iter().map(|key| [get(old, key), get(new, key)]).collect()
 }
 
-/// Data of both versions, in the order of each project file.
+/// Data in both versions, in the order of the project files.
 #[derive(Default)]
 pub(super) struct DataSides {
     pub(super) old: Vec<Data>,

@@ -11,7 +11,7 @@ use crate::read::data::Data;
 const FEWEST_PARTS: usize = 3;
 
 /// Adds the renamed data: data whose uses have a new name, if the types are equal, and data with equal content. The
-/// search is repeated, because a renamed frame may make the contents of its points equal.
+/// search is repeated, because points may have equal contents once their frame is renamed.
 pub(super) fn find([old, new]: [&[Data]; 2], names: &Names<'_>, followed: &Renames, renamed: &mut Renames) {
     let find_one = |list: &'_ [Data], name: &str| list.iter().position(|data| data.decl.name == name);
     for (before, after) in followed {

@@ -35,7 +35,7 @@ impl<'n> Names<'n> {
         Self { removed: &old - &new, added: &new - &old }
     }
 
-    /// Whether there is no pair of an old and a new name.
+    /// Whether there is no pair with an old and a new name.
     pub(super) fn is_empty(&self) -> bool {
         self.removed.is_empty() || self.added.is_empty()
     }

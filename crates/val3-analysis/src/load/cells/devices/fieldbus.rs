@@ -17,7 +17,7 @@ pub(super) fn read(text: &str) -> Option<Tags> {
     Some(tags).filter(|tags| !tags.is_empty())
 }
 
-/// Adds the signals of an element and of nested modules.
+/// Adds the signals in an element and in nested modules.
 fn add(element: Element<'_>, tags: &mut Tags) -> Option<()> {
     for inner in element.elements() {
         if inner.name() == "Signal" {

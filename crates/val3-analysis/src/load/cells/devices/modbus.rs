@@ -8,7 +8,7 @@ use crate::xml::{self, Element};
 /// Device name in the links.
 pub(super) const DEVICE: &str = "ModbusSrv-0";
 
-/// Maximum number of elements of an item: a table has at most 65,536 addresses.
+/// Maximum number of item elements: a table has at most 65,536 addresses.
 const MOST_ELEMENTS: u32 = 0x1_0000;
 
 /// Reads the items of all topics, for example `Modbus-Bit\bStart` and `Modbus-Word\nRecipe[1]`; `None` if the file does
@@ -40,7 +40,7 @@ pub(super) fn read(text: &str) -> Option<Device> {
     Some(device)
 }
 
-/// Adds the names of an item. Older files contain the number of elements in the links: `N1_102:8[0]`.
+/// Adds the item's names. In older files, links contain the number of elements: `N1_102:8[0]`.
 fn add(item: Element<'_>, module: &str, base: BaseType, device: &mut Device) -> Option<()> {
     let (name, syntax) = (item.value("Name")?, item.value("Syntaxe")?);
     device.insert(format!("{module}\\{name}"), base);

@@ -8,7 +8,7 @@ use crate::xml::{self, Element};
 /// Device name in the links.
 pub(super) const DEVICE: &str = "VirtualIOBoards";
 
-/// Letters between direction and channel of an analog signal: float, 8, 16 and 32 bits.
+/// Letters of analog signals between direction and channel: float, 8, 16 and 32 bits.
 const ANALOG: [&str; 4] = ["F", "B", "W", "DW"];
 
 /// Reads the signals of all boards, for example `Cell\%Q0` and `Cell\%IF8`.
@@ -42,7 +42,7 @@ fn channels<'g>(board: Element<'g>, list: &'static str) -> impl Iterator<Item = 
     items.filter_map(|item| Some(item.value("channel")?.trim().to_owned()))
 }
 
-/// Returns the possible letters of an analog signal: all of them if the format does not determine one.
+/// Returns the possible letters for an analog signal: all of them if the format does not determine one.
 fn letters(item: Element<'_>) -> &'static [&'static str] {
     let value = |name: &str| item.value(name).map(|text| text.trim().to_ascii_lowercase());
     match (value("format").as_deref(), value("bitCount").as_deref()) {
