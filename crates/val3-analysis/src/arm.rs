@@ -1,4 +1,4 @@
-//! The arm of applications: the model for checks of positions and moves.
+//! Arm model of a project, for checks of positions and moves.
 
 #![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
 

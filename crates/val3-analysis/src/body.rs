@@ -134,7 +134,7 @@ pub enum StmtKind {
     Error,
 }
 
-/// Kind and parts of expressions.
+/// Kind of expression, with its parts.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expr {
     /// A missing or unreadable expression.

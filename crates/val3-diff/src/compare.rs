@@ -1,4 +1,4 @@
-//! Comparison of file trees.
+//! Comparison of two file trees.
 
 mod alignment;
 mod application;

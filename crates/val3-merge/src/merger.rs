@@ -27,7 +27,7 @@ pub(crate) struct Merger<'m> {
     pub(crate) line_end: &'static str,
 }
 
-/// Element in all versions.
+/// The base, our and their version of an element.
 #[derive(Clone, Copy)]
 pub(crate) struct Versions<'n, 't> {
     pub(crate) base: Option<&'n Node<'t>>,

@@ -65,7 +65,7 @@ fn lock(body: &Body, condition: ExprId, held: bool, next: &Stmt) -> Option<Lock>
     found.then(|| Lock { flag: flag.clone(), test: body.range(condition), set: next.range })
 }
 
-/// Whether `condition` is true only if the flag has the value `value`.
+/// Whether the flag is certainly clear once `condition` no longer has the value `value`.
 fn holds_only_if(body: &Body, condition: ExprId, flag: &str, value: bool) -> bool {
     let is_flag = |id: ExprId| matches!(body.expr(body.without_parentheses(id)), Expr::Name(name) if name == flag);
     match body.expr(body.without_parentheses(condition)) {

@@ -1,4 +1,4 @@
-//! A list of values for each flow node, stored in one allocation.
+//! Lists of values for each flow node, stored as one flat list.
 
 use super::PointId;
 

@@ -24,7 +24,7 @@ pub(super) struct Formal<'a> {
     pub(super) loose: bool,
 }
 
-/// Parameters in a form.
+/// Parameters of a form.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Formals<'a> {
     Instruction(&'a [val3_lang::instruction::Param]),

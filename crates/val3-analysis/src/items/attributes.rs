@@ -34,8 +34,8 @@ pub fn is_plain(element: Element<'_>) -> bool {
     !has_unknown(file, element) && left_out(element, known.attributes).iter().all(|missing| missing.name == ACCESS)
 }
 
-/// Returns the missing attributes that are required. If there are none, returns the missing attributes that are
-/// optional but written by every tool.
+/// Returns the missing required attributes. If no required one is missing, returns the missing attributes that every
+/// tool writes.
 pub fn left_out<'k>(element: Element<'_>, known: &'k [files::Attribute]) -> Vec<&'k files::Attribute> {
     let missing = known.iter().filter(|attribute| is_left_out(element, attribute));
     let (required, expected): (Vec<_>, Vec<_>) =

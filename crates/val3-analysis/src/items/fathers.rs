@@ -30,7 +30,7 @@ pub(crate) fn fathers_in(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     names
 }
 
-/// Returns the built-in frame or tool that data with a different type hide, if it is a father in other data.
+/// Returns the built-in frame or tool that is hidden by data with another type, if other data name it as a father.
 pub fn hidden_father(db: &dyn Db, project: Project, name: &str) -> Option<&'static Builtin> {
     let builtin = builtins::find(name).filter(|builtin| builtin.is_variable)?;
     let item = items(db, project).data.get(name)?;

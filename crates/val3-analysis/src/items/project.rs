@@ -183,7 +183,7 @@ fn arm(db: &dyn Db, project: Project) -> Option<Arm> {
     arm_of_positions(db, project).or_else(|| project.cell_arm(db))
 }
 
-/// Returns the kind of arm for which all positions in a project are, if they agree.
+/// Returns the common kind of arm of all positions in a project, if they agree.
 pub fn arm_of_positions(db: &dyn Db, project: Project) -> Option<Arm> {
     let mut arms = data_files(db, project).iter().flat_map(|file| data(db, *file)).filter_map(|decl| {
         let (_, arm) = BaseType::from_file_name(&decl.type_name)?;
