@@ -1,7 +1,7 @@
-//! Programs that are called in place of instructions of add-ons (`run.add-ons` in `val3.toml`).
+//! Stand-in programs, which are called instead of add-on instructions (`run.add-ons` in `val3.toml`).
 //!
-//! A program has the parameters of the instruction. If the instruction returns a value, a last parameter by reference
-//! receives it.
+//! A stand-in has the parameters of its instruction. If the instruction returns a value, an additional last parameter
+//! by reference receives the value.
 
 use camino::Utf8PathBuf;
 use smol_str::{SmolStr, format_smolstr};
@@ -14,40 +14,39 @@ use crate::db::{Db, File, Project, Sources};
 use crate::items::project::{Param, items, signature};
 use crate::paths::{normalise, path_key, with_manifest};
 
-/// A program that is called in place of an instruction.
+/// A program that is called instead of an add-on instruction.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AddOnProgram {
-    /// The library of the program.
+    /// Library of the program.
     pub library: AddOnLibrary,
-    /// The name of the program.
+    /// Program name.
     pub name: SmolStr,
-    /// The file of the program.
+    /// Program file.
     pub file: File,
 }
 
-/// A library with programs that are called in place of instructions.
+/// A library of stand-in programs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AddOnLibrary {
-    /// The identifier under which it is loaded: `$` and its folder as the settings write it. No identifier of a program
-    /// begins with `$`.
+    /// Library identifier: `$` and the folder as written in the settings. Identifiers in programs never begin with `$`.
     pub alias: SmolStr,
-    /// The project.
+    /// Project of the library.
     pub project: Project,
 }
 
 impl AddOnLibrary {
-    /// The folder as the settings write it.
+    /// Returns the folder as written in the settings.
     pub fn path(&self) -> &str {
         self.alias.strip_prefix('$').unwrap_or(&self.alias)
     }
 }
 
-/// The project file of the library with a program that `file` names.
+/// Returns the path of the library's project file for a stand-in in `file`.
 pub fn manifest_of(file: &ConfigFile, program: &StandInProgram) -> Utf8PathBuf {
     with_manifest(normalise(&file.folder().join(program.folder())))
 }
 
-/// The programs that a settings file names, by the names of the instructions.
+/// Returns the stand-in programs in a settings file with their instruction names.
 pub fn named(file: &ConfigFile) -> impl Iterator<Item = (&String, &StandInProgram)> {
     file.config.run.add_ons.iter().filter_map(|(instruction, stand_in)| match stand_in {
         AddOnStandIn::Program(program) => Some((instruction, program)),
@@ -55,15 +54,14 @@ pub fn named(file: &ConfigFile) -> impl Iterator<Item = (&String, &StandInProgra
     })
 }
 
-/// The library of a program that a settings file names; `None` if it does not exist.
+/// Returns the library of a stand-in in a settings file; `None` if the library does not exist.
 pub fn library(db: &dyn Db, file: &ConfigFile, program: &StandInProgram) -> Option<AddOnLibrary> {
     let project = *Sources::get(db).projects(db).get(&path_key(manifest_of(file, program).as_str()))?;
     let alias = format_smolstr!("${}", normalise(program.folder()).as_str().replace('\\', "/"));
     Some(AddOnLibrary { alias, project })
 }
 
-/// The libraries that `project` loads for the programs of its settings, in alphabetical order. A project does not load
-/// itself.
+/// Returns the libraries that `project` loads for its stand-ins, sorted by identifier. The project itself is omitted.
 pub fn libraries(db: &dyn Db, project: Project) -> Vec<AddOnLibrary> {
     let Some(configuration) = project.configuration(db) else { return Vec::new() };
     let file = configuration.file(db);
@@ -74,13 +72,13 @@ pub fn libraries(db: &dyn Db, project: Project) -> Vec<AddOnLibrary> {
     found
 }
 
-/// The programs that the programs of `project` call in place of instructions.
+/// Returns all stand-in programs of `project`.
 pub fn programs(db: &dyn Db, project: Project) -> Vec<AddOnProgram> {
     let Some(configuration) = project.configuration(db) else { return Vec::new() };
     named(configuration.file(db)).filter_map(|(instruction, _)| program(db, project, instruction)).collect()
 }
 
-/// The program that is called in place of `instruction` in the programs of `project`.
+/// Returns the program that `project` calls instead of `instruction`.
 pub fn program(db: &dyn Db, project: Project, instruction: &str) -> Option<AddOnProgram> {
     let file = project.configuration(db)?.file(db);
     let AddOnStandIn::Program(program) = file.config.run.add_ons.get(instruction)? else { return None };
@@ -90,12 +88,12 @@ pub fn program(db: &dyn Db, project: Project, instruction: &str) -> Option<AddOn
 }
 
 impl AddOnProgram {
-    /// The parameters.
+    /// Returns the parameters.
     pub fn params<'db>(&self, db: &'db dyn Db) -> &'db [Param] {
         &signature(db, self.library.project, self.file).params
     }
 
-    /// Whether the program has the parameters of this form.
+    /// Whether the program has the parameters of this form of the instruction.
     pub fn fits(&self, db: &dyn Db, form: &AddOnOverload) -> bool {
         let params = match (form.result, self.params(db)) {
             (None, params) => Some(params),
@@ -110,8 +108,8 @@ impl AddOnProgram {
     }
 }
 
-/// The forms of an instruction whose only description is the program in its place: all parameters, and all but the last one
-/// if that can receive a result.
+/// Returns the forms that a stand-in defines for an instruction without another description: one with all parameters,
+/// and one without the last parameter if that can receive the result.
 #[salsa::tracked]
 pub(crate) fn forms(db: &dyn Db, library: Project, file: File) -> Vec<AddOnOverload> {
     let params = &signature(db, library, file).params;
@@ -129,7 +127,7 @@ fn add_on_param(param: &Param) -> AddOnParam {
     AddOnParam { name: param.name.to_string(), ty: param.base.builtin(), shape: param.shape() }
 }
 
-/// The type of the result that a parameter can receive.
+/// Returns the result type that a parameter can receive; `None` if it can receive no result.
 fn result_type(param: &Param) -> Option<BaseType> {
     let is_variable = param.by_reference && (param.loose || param.container == Container::Element);
     param.base.builtin().filter(|_| is_variable)

@@ -1,6 +1,6 @@
-//! The application as a whole: its calls, its tasks with the programs they run, and its uses of data.
+//! Call graph of an application: its calls, its tasks with their programs, and its uses of data.
 //!
-//! Each program is summed up on its own, without ranges, so that an edit that changes no sum changes nothing here.
+//! Each program is summarised separately and without ranges. An edit that changes no summary changes no result here.
 
 mod locks;
 mod program;
@@ -21,74 +21,73 @@ use crate::db::{Db, File, Project, Sources};
 use crate::items::project::items;
 use crate::pages;
 
-/// A program of the own project (`library` is `None`) or of a library.
+/// A program of the project itself (`library` is `None`) or of a library.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Callee {
-    /// The library identifier.
+    /// Library identifier.
     pub library: Option<SmolStr>,
-    /// The program.
+    /// Program name.
     pub program: SmolStr,
 }
 
-/// A task of the application: `start` and `stop` run in a task of their own, every `taskCreate` names another.
+/// A task of the application: `start` and `stop` have a task each, and every `taskCreate` defines another task.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Task {
-    /// The program that creates it; `None` for the task the controller starts.
+    /// Program that creates the task; `None` for a task that the controller starts.
     pub created_by: Option<SmolStr>,
-    /// How it is started.
+    /// Start of the task.
     pub start: TaskStart,
 }
 
-/// The programs of a project and how they hang together. Names are those of the project's own programs and data.
+/// The programs of a project and their relations. All names are names of the project's own programs and data.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Application {
-    /// Every program could be read and has no fault of names or types, so that the sums are complete.
+    /// Whether every program is readable and has no fault of names or types, so that all sets are complete.
     pub sound: bool,
-    /// All uses of its private names are known: it is sound, and no user page (s8) names its data and programs.
+    /// Whether all uses of private names are known: the application is sound, and no user page (s8) uses its names.
     pub closed: bool,
-    /// The tasks, those of `start` and `stop` first.
+    /// All tasks; the tasks of `start` and `stop` come first.
     pub tasks: Vec<Task>,
-    /// For each program the tasks (by their place in `tasks`) that may run it. Programs without an entry are run by
-    /// no task of this project.
+    /// Tasks that may run each program, as indexes in `tasks`. A program without an entry runs in no task of this
+    /// project.
     pub run_by: FxHashMap<SmolStr, FxHashSet<usize>>,
-    /// Programs that run each time the application does, unless one of them returns before.
+    /// Programs that run in each run of the application, unless a program returns early.
     pub certain: FxHashSet<SmolStr>,
-    /// Programs that run for good once they are called.
+    /// Programs that never return.
     pub endless: FxHashSet<SmolStr>,
-    /// How the names begin of tasks that a program ends or whose state it asks for, other than at the end of the
-    /// application.
+    /// Name prefixes of tasks that a program kills or whose status it reads, except at the end of the application.
     pub managed_tasks: FxHashSet<SmolStr>,
-    /// Programs that call each program, or create a task with it.
+    /// Programs that call each program or create a task with it.
     pub callers: FxHashMap<SmolStr, FxHashSet<SmolStr>>,
-    /// Programs during which other tasks may run: they wait, or call a program that does, or one that is not known.
+    /// Programs that may let other tasks run: they wait, or call a waiting or unknown program.
     pub waiting: FxHashSet<SmolStr>,
-    /// Programs that may call themselves, on their own or through others, and those on a way from one such circle to
-    /// another. It is empty for most applications.
+    /// Programs that may call themselves, directly or through other programs, and programs on a call path between two
+    /// such cycles. Empty for most applications.
     pub circles: FxHashSet<SmolStr>,
-    /// For each global the programs that use it.
+    /// Programs that use each global variable, with the use.
     pub users: FxHashMap<SmolStr, Vec<(SmolStr, Use)>>,
-    /// How the names begin of data that programs read by name, as a text.
+    /// Name prefixes of data that programs access by a name in a string.
     pub named_in_texts: FxHashSet<SmolStr>,
     /// Library identifiers that occur in code.
     pub libraries: FxHashSet<SmolStr>,
-    /// Programs that take a flag with `setMutex`.
+    /// Programs that lock a flag with `setMutex`.
     pub takers_of_mutexes: FxHashSet<SmolStr>,
-    /// Programs that let a stopped arm go on.
+    /// Programs that restart a stopped arm.
     pub restarting: FxHashSet<SmolStr>,
-    /// Flags that are tested on one line and set on the next, and the programs that do so.
+    /// Flags that are tested on one line and set on the next, with the programs that do this.
     pub locks: FxHashMap<SmolStr, Vec<SmolStr>>,
 }
 
-/// The programs the controller starts on its own (5.1, 6.2).
+/// Programs that the controller itself starts (5.1, 6.2).
 pub const ENTRY_POINTS: [&str; 2] = [START, STOP];
 
-/// The program that an application begins with.
+/// Program with which an application begins.
 pub const START: &str = "start";
 
-/// The program that runs when an application is stopped.
+/// Program that runs when an application is stopped.
 pub const STOP: &str = "stop";
 
-/// The effects of the programs of `project` together.
+/// Combines the effects of all programs of `project`.
 #[salsa::tracked]
 pub fn application(db: &dyn Db, project: Project) -> Application {
     let items = items(db, project);
@@ -116,13 +115,13 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
     application
 }
 
-/// Some program uses an item called `name` of some library. Libraries are loaded in place of each other, so it may be
-/// the item of any project.
+/// Whether any program uses a library item called `name`. Libraries can be loaded in place of each other, so the
+/// project of the item is not compared.
 pub fn is_library_item(db: &dyn Db, name: &str) -> bool {
     is_mentioned(db, Sources::get(db), name.into())
 }
 
-/// A query of its own, so that its callers depend on one name and not on all others.
+/// Whether library items include `name`. A separate query, so that callers depend on one name instead of all names.
 #[salsa::tracked(returns(copy))]
 fn is_mentioned(db: &dyn Db, sources: Sources, name: SmolStr) -> bool {
     library_items(db, sources).contains(&name)
@@ -134,8 +133,8 @@ fn library_items(db: &dyn Db, sources: Sources) -> FxHashSet<SmolStr> {
     files.flat_map(|file| mentions(db, *file)).cloned().collect()
 }
 
-/// The names after a colon in the text of a file: every `library:item`, and some other words. Only the text is searched,
-/// so that the check of one program does not parse every program of a workspace.
+/// Returns the names after a colon in a file: the item of every `library:item`, and some other words. Only the text is
+/// searched, because the check of a program would be slow if it parsed every program in the workspace.
 #[salsa::tracked]
 fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let mut mentions = FxHashSet::default();
@@ -155,7 +154,8 @@ fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<T
     ENTRY_POINTS.into_iter().filter(entry).map(task).collect()
 }
 
-/// Takes away programs that call none of the others, or that none of the others calls, until all are in circles.
+/// Returns the programs in call cycles, by repeatedly removing programs that call no remaining program or that no
+/// remaining program calls.
 fn circles(summaries: &FxHashMap<&SmolStr, &Summary>) -> FxHashSet<SmolStr> {
     let mut left: FxHashSet<SmolStr> = summaries.keys().map(|name| (*name).clone()).collect();
     loop {
@@ -206,7 +206,7 @@ impl Application {
         }
     }
 
-    /// Follows the calls from the program of each task.
+    /// Fills `run_by`: follows the calls from every task's program.
     fn find_runs(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
         for (index, task) in self.tasks.iter().enumerate() {
             let first = &task.start.program;
@@ -221,7 +221,7 @@ impl Application {
         }
     }
 
-    /// The effects of all programs of the project on the data called `name`.
+    /// Returns the combined uses of the data called `name` by all programs.
     pub fn uses_of(&self, name: &str) -> Use {
         let uses = self.users.get(name).into_iter().flatten();
         uses.fold(Use::default(), |all, (_, one)| Use {
@@ -233,13 +233,13 @@ impl Application {
         })
     }
 
-    /// A program reads data by a name that may be `name`, given as a text.
+    /// Whether a program may access the data `name` by a name in a string.
     pub fn is_named_in_text(&self, name: &str) -> bool {
         self.named_in_texts.iter().any(|beginning| beginning.starts_with(name) || name.starts_with(beginning.as_str()))
     }
 
-    /// The number of tasks that may run any of these programs at the same time; 2 means two or more. Tasks of the same
-    /// name run one after another.
+    /// Returns the number of tasks that may run any of these programs at the same time; 2 means two or more. Tasks with
+    /// the same name run one after another.
     pub fn tasks_at_once<'a>(&self, programs: impl IntoIterator<Item = &'a SmolStr>) -> usize {
         let tasks = programs.into_iter().flat_map(|program| self.tasks_of(program));
         let starts = tasks.map(|task| &task.start);
@@ -253,19 +253,19 @@ impl Application {
         distinct.len().min(2)
     }
 
-    /// Tasks that programs create may run both programs, each in one of its own, at the same time.
+    /// Whether two different created tasks may run the two programs at the same time.
     pub fn run_side_by_side(&self, one: &SmolStr, other: &SmolStr) -> bool {
         let (one, other) = (self.created_tasks_of(one), self.created_tasks_of(other));
         !one.is_empty() && !other.is_empty() && one.union(&other).count() > 1
     }
 
-    /// The tasks that programs create and that may run `program`, by their identity.
+    /// Returns the identities of created tasks that may run `program`.
     fn created_tasks_of(&self, program: &str) -> FxHashSet<(&SmolStr, &Callee)> {
         let created = self.tasks_of(program).filter(|task| task.created_by.is_some());
         created.map(|task| (&task.start.beginning, &task.start.program)).collect()
     }
 
-    /// A task of this project may be called `name`.
+    /// Whether a task of this project may have the name `name`.
     pub fn may_have_task(&self, name: &str) -> bool {
         self.created_tasks().any(|start| match &start.name {
             Some(known) => known == name,
@@ -273,12 +273,12 @@ impl Application {
         })
     }
 
-    /// The tasks that programs create, in the order of the programs' names.
+    /// Returns the tasks that programs create, sorted by the creating program.
     pub fn created_tasks(&self) -> impl Iterator<Item = &TaskStart> {
         self.tasks.iter().filter(|task| task.created_by.is_some()).map(|task| &task.start)
     }
 
-    /// Goes from the programs that wait to those that call them.
+    /// Fills `waiting`: follows calls backwards from the waiting programs.
     fn find_waiting(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
         let calls_unknown = |summary: &Summary| {
             summary.calls.iter().any(|callee| callee.library.is_none() && !summaries.contains_key(&callee.program))
@@ -296,7 +296,7 @@ impl Application {
         }
     }
 
-    /// The tasks that may run a program.
+    /// Returns the tasks that may run a program.
     pub fn tasks_of(&self, program: &str) -> impl Iterator<Item = &Task> {
         let indexes = self.run_by.get(program).into_iter().flatten();
         indexes.filter_map(|index| self.tasks.get(*index))

@@ -1,4 +1,4 @@
-//! The arm of an application: the model that positions and moves are checked against.
+//! Arm model of a project, for checks of positions and moves.
 
 #![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
 
@@ -17,7 +17,7 @@ use crate::items::project::items;
 /// An arm that takes precedence over all configurations and cells.
 #[salsa::input(singleton, debug)]
 pub struct RequestedArm {
-    /// Its model.
+    /// Model of the arm.
     #[returns(ref)]
     pub arm: Arc<Arm>,
 }
@@ -25,25 +25,25 @@ pub struct RequestedArm {
 /// The arm of a project.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProjectArm {
-    /// The model with the limits of the cell.
+    /// Model with the limits of the cell.
     pub model: Arc<Arm>,
-    /// How the model was chosen.
+    /// Source of the model.
     pub origin: ArmOrigin,
 }
 
-/// How the arm of a project was chosen.
+/// Source of a project's arm model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ArmOrigin {
-    /// The command line, `val3.toml` or the cell names it.
+    /// Set on the command line, in `val3.toml` or in the cell.
     Named,
-    /// Nothing names an arm: the default one.
+    /// The default arm, because no arm is set.
     Default,
-    /// The default arm, because this one of the cell is not known.
+    /// The default arm, because the cell's arm, named here, is unknown.
     Unknown(SmolStr),
 }
 
-/// The arm of a project: that of the command line, else that of `val3.toml`, else that of the cell, else the default
-/// one. The `Err` says why the arm that `val3.toml` names cannot be used.
+/// Returns the arm of a project from the command line, `val3.toml`, the cell or the default, in this order. The error
+/// is the reason why the arm of `val3.toml` cannot be used.
 #[salsa::tracked]
 pub fn arm(db: &dyn Db, project: Project) -> Result<ProjectArm, SmolStr> {
     let (model, origin) = match (RequestedArm::try_get(db), configured(db, project)) {
@@ -54,7 +54,7 @@ pub fn arm(db: &dyn Db, project: Project) -> Result<ProjectArm, SmolStr> {
     Ok(ProjectArm { model: narrowed(db, project, model), origin })
 }
 
-/// The model of a shipped arm.
+/// Returns the model of a shipped arm.
 ///
 /// # Errors
 /// No arm has this name.
@@ -91,7 +91,7 @@ fn of_cell(db: &dyn Db, project: Project) -> Result<(Arc<Arm>, ArmOrigin), SmolS
     }
 }
 
-/// The model with the limits of the cell. A limit that leaves an axis no range has no effect.
+/// Returns the model with the limits of the cell. A limit that would leave an axis without a range has no effect.
 fn narrowed(db: &dyn Db, project: Project, model: Arc<Arm>) -> Arc<Arm> {
     let files = project.cell(db).map_or(&[][..], |cell| cell.config(db).arm_files.as_slice());
     let ranges = files.iter().flat_map(|file| &file.ranges);

@@ -1,4 +1,4 @@
-//! The code of a program as plain data: statements and expressions without trivia.
+//! Code of a program as plain data: statements and expressions without trivia.
 
 mod constant;
 mod lower;
@@ -14,29 +14,29 @@ use val3_lang::operators::{BinaryOp, UnaryOp};
 use crate::db::{Db, File};
 use crate::items::parse;
 
-/// An expression of a body.
+/// Expression identifier in a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ExprId(u32);
 
-/// The code of one program.
+/// Code of a program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Body {
     exprs: Vec<(Expr, TextRange)>,
-    /// The statements between `begin` and `end`.
+    /// Statements between `begin` and `end`.
     pub block: Vec<Stmt>,
 }
 
 /// A statement and its range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stmt {
-    /// Its kind.
+    /// Kind of the statement.
     pub kind: StmtKind,
-    /// Its range.
+    /// Range of the statement.
     pub range: TextRange,
 }
 
 impl Stmt {
-    /// The blocks of the statement, in the order of the text.
+    /// Returns the blocks of the statement in source order.
     pub fn blocks(&self) -> impl Iterator<Item = &[Stmt]> {
         let (arms, cases, last): (&[_], &[_], Option<&[_]>) = match &self.kind {
             StmtKind::If { arms, otherwise } => (arms, &[], otherwise.as_deref()),
@@ -51,25 +51,25 @@ impl Stmt {
         arms.chain(cases).chain(last)
     }
 
-    /// The statement and those in its blocks, outer ones before inner ones, in the order of the text.
+    /// Returns the statement and all statements in its blocks, outer before inner ones, in source order.
     pub fn with_inner(&self) -> Vec<&Stmt> {
         let mut found = vec![self];
         self.blocks().for_each(|block| collect_stmts(block, &mut found));
         found
     }
 
-    /// The statement or one in its blocks is of this kind.
+    /// Whether the statement or a statement in its blocks is of this kind.
     pub fn holds(&self, kind: &StmtKind) -> bool {
         self.kind == *kind || self.blocks().flatten().any(|inner| inner.holds(kind))
     }
 }
 
-/// The kinds of statements.
+/// Kind and parts of a statement.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StmtKind {
     /// `if` and each `elseIf` with its block, then `else`.
     If {
-        /// Condition and block of `if` and of each `elseIf`.
+        /// Condition and block of `if` and each `elseIf`.
         arms: Vec<(Option<ExprId>, Vec<Stmt>)>,
         /// The block of `else`.
         otherwise: Option<Vec<Stmt>>,
@@ -105,7 +105,7 @@ pub enum StmtKind {
     Switch {
         /// The value that is compared.
         selector: Option<ExprId>,
-        /// Values and block of each `case`; no values for `default`.
+        /// Values and blocks of the `case` clauses; no values for `default`.
         cases: Vec<(Vec<ExprId>, Vec<Stmt>)>,
     },
     /// `return`
@@ -114,7 +114,7 @@ pub enum StmtKind {
     Call(ExprId),
     /// `taskCreate` or `taskCreateSync`
     TaskCreate {
-        /// It is `taskCreateSync`.
+        /// Whether the keyword is `taskCreateSync`.
         synchronous: bool,
         /// The arguments after the keyword: name, priority or period, overrun flag, call.
         arguments: Vec<ExprId>,
@@ -128,16 +128,16 @@ pub enum StmtKind {
         /// The right side.
         value: ExprId,
     },
-    /// An expression alone.
+    /// An expression as a statement.
     Expr(ExprId),
-    /// A line that could not be read.
+    /// A line with a syntax error.
     Error,
 }
 
-/// The kinds of expressions.
+/// Kind of expression, with its parts.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expr {
-    /// It could not be read.
+    /// A missing or unreadable expression.
     Missing,
     /// A number.
     Number(f64),
@@ -151,7 +151,7 @@ pub enum Expr {
     Path {
         /// The library identifier.
         library: SmolStr,
-        /// The item.
+        /// Item name.
         item: SmolStr,
     },
     /// `( … )`
@@ -170,17 +170,17 @@ pub enum Expr {
         base: ExprId,
         /// The field.
         field: SmolStr,
-        /// The range of the field.
+        /// Range of the field name.
         range: TextRange,
     },
     /// `callee(…)`
     Call(ExprId, Box<[ExprId]>),
-    /// `{…}`; `None` where a value is left out.
+    /// `{…}`; `None` for an omitted value.
     Struct(Box<[Option<ExprId>]>),
 }
 
 impl Expr {
-    /// The leftmost of the expressions that this one is made of.
+    /// Returns the leftmost subexpression.
     fn first_part(&self) -> Option<ExprId> {
         match self {
             Self::Paren(first) | Self::Unary(_, first) | Self::Field { base: first, .. } => Some(*first),
@@ -201,52 +201,52 @@ fn collect_stmts<'b>(block: &'b [Stmt], found: &mut Vec<&'b Stmt>) {
     }
 }
 
-/// The code of the program in `file`.
+/// Returns the code of the program in `file`.
 #[salsa::tracked(lru = 256, no_eq)]
 pub fn body(db: &dyn Db, file: File) -> Body {
     lower::lower(parse(db, file).view())
 }
 
 impl Body {
-    /// An expression.
+    /// Returns an expression.
     pub fn expr(&self, id: ExprId) -> &Expr {
         self.exprs.get(id.0 as usize).map_or(&Expr::Missing, |(expr, _)| expr)
     }
 
-    /// The range of an expression.
+    /// Returns an expression's range.
     pub fn range(&self, id: ExprId) -> TextRange {
         self.exprs.get(id.0 as usize).map_or_else(TextRange::default, |(_, range)| *range)
     }
 
-    /// Every expression, inner ones before outer ones.
+    /// Returns all expressions, inner before outer ones.
     pub fn exprs(&self) -> impl Iterator<Item = (ExprId, &Expr, TextRange)> {
         (0u32..).zip(&self.exprs).map(|(index, (expr, range))| (ExprId(index), expr, *range))
     }
 
-    /// The number of expressions.
+    /// Returns the number of expressions.
     pub fn len(&self) -> usize {
         self.exprs.len()
     }
 
-    /// There is no expression.
+    /// Whether the body has no expression.
     pub fn is_empty(&self) -> bool {
         self.exprs.is_empty()
     }
 
-    /// Every statement, outer ones before inner ones, in the order of the text.
+    /// Returns all statements, outer before inner ones, in source order.
     pub fn stmts(&self) -> Vec<&Stmt> {
         let mut found = Vec::new();
         collect_stmts(&self.block, &mut found);
         found
     }
 
-    /// `id` and every expression it is made of, inner ones before outer ones, from left to right.
+    /// Returns `id` and all its subexpressions, inner before outer ones, from left to right.
     pub fn within(&self, id: ExprId) -> impl DoubleEndedIterator<Item = ExprId> + use<> {
         (self.first_within(id).0..=id.0).map(ExprId)
     }
 
-    /// The first of the expressions that `id` consists of. Expressions are numbered in the order of lowering: the parts
-    /// from left to right, then the whole.
+    /// Returns the leftmost innermost subexpression of `id`. Expressions are numbered in the order of lowering: the
+    /// parts from left to right, then the whole.
     pub(crate) fn first_within(&self, mut id: ExprId) -> ExprId {
         while let Some(part) = self.expr(id).first_part() {
             id = part;
@@ -254,7 +254,7 @@ impl Body {
         id
     }
 
-    /// The expression without the parentheses around it.
+    /// Returns the expression without enclosing parentheses.
     pub fn without_parentheses(&self, mut id: ExprId) -> ExprId {
         while let Expr::Paren(inner) = self.expr(id) {
             id = *inner;
@@ -264,7 +264,7 @@ impl Body {
 }
 
 impl ExprId {
-    /// The place of the expression in [`Body::exprs`].
+    /// Returns the index of the expression in [`Body::exprs`].
     pub fn index(self) -> usize {
         self.0 as usize
     }

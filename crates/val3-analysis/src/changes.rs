@@ -1,4 +1,4 @@
-//! Which data the programs of a project may change, also through parameters by reference.
+//! Data that the programs of a project may change, directly or through parameters by reference.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -10,10 +10,11 @@ use crate::flow::{PointKind, flow};
 use crate::items::program::header;
 use crate::items::project::{program_files, signature};
 
-/// Longer paths of fields count as a change of the whole parameter, so that recursive calls come to an end.
+/// Maximum length of a field path in bytes. A longer path counts as a change of the entire parameter, so that recursive
+/// calls terminate.
 const LONGEST: usize = 80;
 
-/// A program of the project may change the value at a path, one that it is a field of, or one of its fields.
+/// Whether a program of the project may change the value at a path, a value that contains it, or a field in it.
 pub fn is_changed(db: &dyn Db, project: Project, path: &str) -> bool {
     let name = path.split('[').next().unwrap_or(path);
     changes(db, project).get(name).is_some_and(|changes| {
@@ -22,10 +23,10 @@ pub fn is_changed(db: &dyn Db, project: Project, path: &str) -> bool {
     })
 }
 
-/// The fields that programs may change, without indexes (`tSlots.bFull`), by the names of the data.
+/// Fields that programs may change, without indexes (`tSlots.bFull`), by data name.
 type Changes = FxHashMap<SmolStr, FxHashSet<SmolStr>>;
 
-/// The fields of parameters that programs may change: by program and position, as a rest of a path (`.bFull`).
+/// Fields of parameters that programs may change, as the rest of a path (`.bFull`), by program and parameter position.
 type ParamChanges = FxHashMap<(SmolStr, usize), FxHashSet<SmolStr>>;
 
 #[salsa::tracked]
@@ -65,7 +66,7 @@ fn changes(db: &dyn Db, project: Project) -> Changes {
     all
 }
 
-/// The variables that a program changes itself, and those that it hands over.
+/// Variables that a program changes directly, and variables that it passes by reference.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct ProgramChanges {
     name: SmolStr,
@@ -73,16 +74,16 @@ struct ProgramChanges {
     handed_over: Vec<HandOver>,
 }
 
-/// Data, or a parameter, with fields and without indexes.
+/// Data or a parameter, with fields and without indexes.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 enum Target {
     /// `tSlots.bFull`
     Data(SmolStr),
-    /// The position of the parameter, and `.bFull`.
+    /// Parameter position, and rest of the path, for example `.bFull`.
     Param(usize, SmolStr),
 }
 
-/// A variable that a program of the same project gets by reference.
+/// A variable that is passed by reference to a program of the same project.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct HandOver {
     target: Target,
@@ -120,7 +121,7 @@ struct Search<'db> {
 }
 
 impl<'db> Search<'db> {
-    /// The program that a line calls, and its arguments.
+    /// Returns the called program and the arguments of a line.
     fn called(&self, point: &PointKind) -> Option<(ExprId, &'db [ExprId])> {
         let call = match point {
             PointKind::Call(call) => call,
@@ -133,7 +134,7 @@ impl<'db> Search<'db> {
         }
     }
 
-    /// The argument, if a program of the project gets it by reference.
+    /// Returns the argument if it is passed by reference to a program of the project.
     fn hand_over(&self, callee: ExprId, position: usize, argument: ExprId) -> Option<HandOver> {
         let (project, file) = self.effects.program_file(callee).filter(|(project, _)| *project == self.project)?;
         let called = signature(self.db, project, file);
@@ -155,7 +156,7 @@ impl<'db> Search<'db> {
     }
 }
 
-/// The variable or field in the spelling of the code, without indexes.
+/// Returns the variable or field as spelt in the code, without indexes.
 fn fields(body: &Body, id: ExprId) -> String {
     match body.expr(id) {
         Expr::Name(name) => name.to_string(),
@@ -165,12 +166,12 @@ fn fields(body: &Body, id: ExprId) -> String {
     }
 }
 
-/// `tSlots.pPlace` of `tSlots[1,2].pPlace[0]`.
+/// Removes the indexes: `tSlots.pPlace` for `tSlots[1,2].pPlace[0]`.
 fn without_indexes(path: &str) -> String {
     path.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
 }
 
-/// `part` is `whole` or a field of it.
+/// Whether `part` is equal to `whole` or is a field in it.
 fn is_part(part: &str, whole: &str) -> bool {
     part.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }

@@ -24,7 +24,7 @@ use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::ty::Base;
 use crate::xml::{self, Attribute, Element};
 
-/// The problems of a data file.
+/// Checks a data file and returns its problems.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let items = items(db, project);
@@ -72,7 +72,8 @@ impl DataCheck<'_> {
         self.father_circles(view);
     }
 
-    /// `<Database>` holds `<Datas>`, which holds `<Data>`; the old dialect has a section a type.
+    /// Reports unexpected elements: `<Database>` contains `<Datas>`, which contains `<Data>`; the old dialect has a
+    /// section for each type.
     fn foreign_elements(&mut self, root: Element<'_>) {
         let old = root.name() == "dataList";
         for list in root.elements() {
@@ -86,7 +87,7 @@ impl DataCheck<'_> {
         }
     }
 
-    /// The name is sound, and declared nowhere else in the project.
+    /// Checks that the name is valid and declared only once in the project.
     fn name(&mut self, name: Attribute<'_>, seen: &mut FxHashMap<String, TextRange>) {
         self.found.name(name, NameKind::Data);
         self.found.once(name, NameKind::Data, seen);
@@ -109,8 +110,8 @@ impl DataCheck<'_> {
         self.values(element, base, container, &sizes);
     }
 
-    /// The container that an element declares, and its sizes if they can be relied on (`sound`). Any key suits one whose
-    /// attributes are misspelt or missing.
+    /// Returns the container that an element declares, and its sizes if they are reliable (`sound`). With misspelt or
+    /// missing attributes, any key is accepted.
     fn container(&self, element: Element<'_>, sound: bool) -> (Container, Vec<u32>) {
         let data::Shape { container, sizes, .. } = data::shape(element);
         match (attributes::is_plain(element), sound) {
@@ -125,13 +126,13 @@ impl DataCheck<'_> {
     }
 }
 
-/// `3 x 4`, as sizes are shown in messages.
+/// Formats sizes for messages, for example `3 x 4`.
 fn show_sizes(sizes: &[u32]) -> SmolStr {
     let sizes: Vec<String> = sizes.iter().map(u32::to_string).collect();
     sizes.join(" x ").into()
 }
 
-/// The size of a declaration.
+/// Formats the size of a declaration.
 fn show_size_of(decl: &DataDecl) -> SmolStr {
     show_sizes(&decl.sizes)
 }

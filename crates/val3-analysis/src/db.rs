@@ -1,6 +1,7 @@
 //! The salsa database and its inputs.
 //!
-//! Everything read from the disk is an input, set by the loader (`load`); queries never touch a file system.
+//! Everything that is read from the disk is an input, which the loader sets (`load`). Queries never access a file
+//! system.
 
 mod inputs;
 mod trees;
@@ -15,23 +16,23 @@ use val3_syntax::TextRange;
 pub use inputs::{Cell, Configuration, File, FileStatus, Project, Sources};
 pub use trees::Trees;
 
-/// A range of the text of a file.
+/// A range in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct FileRange {
     /// The file.
     pub file: File,
-    /// UTF-8 bytes of the decoded text.
+    /// Range in bytes of the decoded UTF-8 text.
     pub range: TextRange,
 }
 
-/// The interface of a database that queries use.
+/// Database interface that queries use.
 #[salsa::db]
 pub trait Db: salsa::Database {
-    /// The trees of files.
+    /// Returns the cache of syntax trees.
     fn trees(&self) -> &Trees;
 }
 
-/// The database. Clones share all data; a clone is a snapshot for another thread.
+/// The database. Clones share all data; a clone serves as a snapshot for another thread.
 #[salsa::db]
 #[derive(Clone, Default)]
 pub struct Database {
@@ -50,7 +51,7 @@ impl Db for Database {
 }
 
 impl Database {
-    /// A database that reports each query it runs to `observer`; for tests of incrementality.
+    /// Creates a database that reports each executed query to `observer`, for tests of incrementality.
     pub fn observed(observer: impl Fn(salsa::Event) + Send + Sync + 'static) -> Self {
         Self { storage: salsa::Storage::new(Some(Box::new(observer))), trees: Arc::default() }
     }
@@ -63,17 +64,17 @@ impl std::fmt::Debug for Database {
 }
 
 impl Project {
-    /// The folder of `Disk://`; `None` where it is unknown.
+    /// Returns the folder of `Disk://`; `None` if it is unknown.
     pub fn disk(self, db: &dyn Db) -> Option<&Utf8Path> {
         self.roots(db).disk.as_deref()
     }
 
-    /// The content of the `val3.toml` above it.
+    /// Returns the content of the nearest `val3.toml`.
     pub fn config(self, db: &dyn Db) -> Option<&Config> {
         self.configuration(db).map(|configuration| &configuration.file(db).config)
     }
 
-    /// The arm of the cell, if its configuration gives it.
+    /// Returns the kind of arm in the cell's configuration, if any.
     pub fn cell_arm(self, db: &dyn Db) -> Option<Arm> {
         self.cell(db).and_then(|cell| cell.config(db).arm)
     }

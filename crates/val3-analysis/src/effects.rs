@@ -1,4 +1,4 @@
-//! Which variables the lines of a program read, write and hand over.
+//! Variables that the lines of a program read, write and pass by reference.
 
 mod walk;
 
@@ -16,7 +16,7 @@ use crate::infer::{Inference, infer};
 use crate::items::program::{Header, header};
 use crate::items::project::{Items, Signature, items, signature};
 
-/// A variable by its root: `a` of `a[1].x`.
+/// Root variable, for example `a` for the expression `a[1].x`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Root {
     /// A local variable.
@@ -29,31 +29,31 @@ pub enum Root {
     Item(SmolStr, SmolStr),
 }
 
-/// A use of a variable.
+/// Kind of variable use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum AccessKind {
-    /// Its value is used.
+    /// The value is read.
     Read,
-    /// All of it gets a value.
+    /// The entire variable is written.
     Write,
-    /// An element or a field of it gets a value.
+    /// An element or a field of the variable is written.
     WritePart,
-    /// It is handed over by reference to something that may read and write it.
+    /// The variable is passed by reference, so that it may be read and written.
     Reference,
 }
 
 /// One use of a variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Access {
-    /// The variable with its indexes and fields.
+    /// Variable with its indexes and fields.
     pub id: ExprId,
-    /// The variable that it is a part of.
+    /// Root variable.
     pub root: Root,
-    /// The kind of use.
+    /// Kind of use.
     pub kind: AccessKind,
 }
 
-/// Expressions for each use of a variable, in programs that compute much.
+/// Typical number of expressions for each use of a variable, in programs with many computations.
 const EXPRESSIONS_AN_ACCESS: usize = 2;
 
 #[salsa::tracked(lru = 256, no_eq)]
@@ -65,7 +65,7 @@ fn accesses(db: &dyn Db, project: Project, file: File) -> PerPoint<Access> {
     accesses
 }
 
-/// The context for finding the effects of a program on its variables.
+/// Context for computing the effects of a program on variables.
 pub struct Effects<'db> {
     db: &'db dyn Db,
     project: Project,
@@ -75,12 +75,12 @@ pub struct Effects<'db> {
     inference: &'db Inference,
     header: &'db Header,
     items: &'db Items,
-    /// Computed on first use.
+    /// Accesses of the program, computed on first use.
     accesses: OnceCell<&'db PerPoint<Access>>,
 }
 
 impl<'db> Effects<'db> {
-    /// Those of the program in `file` as a part of `project`.
+    /// Returns the effects of the program in `file` as a part of `project`.
     pub fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
         Self {
             db,
@@ -95,13 +95,13 @@ impl<'db> Effects<'db> {
         }
     }
 
-    /// The instruction that the call `id` calls, with the form that suits the arguments.
+    /// Returns the instruction of the call `id`, with the form that matches the arguments.
     pub fn instruction(&self, id: ExprId) -> Option<(&'static Instruction, Option<&'static Overload>)> {
         self.inference.call(id).map(|call| (call.instruction, call.form))
     }
 
-    /// The scheduler may go on to the next task somewhere in the program: an instruction waits, a serial line is read
-    /// or written (5.4), or a program of a library is called, which may do anything.
+    /// Whether the scheduler may switch tasks during the program: an instruction waits, a serial line is accessed
+    /// (5.4), or a library program with unknown effects is called.
     pub fn may_wait(&self) -> bool {
         let blocks = self.inference.calls().iter().any(|call| call.instruction.blocking);
         blocks
@@ -109,7 +109,7 @@ impl<'db> Effects<'db> {
             || self.flow.points().any(|(_, point)| self.is_foreign(point))
     }
 
-    /// The scheduler may go on to the next task at this point.
+    /// Whether the scheduler may switch tasks at this flow node.
     pub fn may_wait_at(&self, point: &Point) -> bool {
         let mut parts = point.kind.exprs().flat_map(|id| self.body.within(id));
         let blocks = |id| self.instruction(id).is_some_and(|(instruction, _)| instruction.blocking);
@@ -120,7 +120,7 @@ impl<'db> Effects<'db> {
         self.inference.ty(id).base.builtin() == Some(BaseType::Sio)
     }
 
-    /// The call of a program of a library.
+    /// Whether the flow node calls a library program.
     fn is_foreign(&self, point: &Point) -> bool {
         let PointKind::Call(call) = point.kind else { return false };
         match self.body.expr(call) {
@@ -129,12 +129,12 @@ impl<'db> Effects<'db> {
         }
     }
 
-    /// The effects at a point, in the order of evaluation.
+    /// Returns the effects at a flow node in the order of evaluation.
     pub fn at(&self, point: PointId) -> &'db [Access] {
         self.accesses().at(point)
     }
 
-    /// Every use of a variable in the program.
+    /// Returns every use of a variable in the program.
     pub fn all(&self) -> &'db [Access] {
         self.accesses().all()
     }
@@ -143,7 +143,7 @@ impl<'db> Effects<'db> {
         self.accesses.get_or_init(|| accesses(self.db, self.project, self.file))
     }
 
-    /// The variable that `id` is or is a part of; `None` for constants, computed values and names that are built in.
+    /// Returns the root variable of `id`; `None` for constants, computed values and built-in names.
     pub fn root(&self, id: ExprId) -> Option<Root> {
         match self.body.expr(id) {
             Expr::Name(name) => self.named(name),
@@ -165,13 +165,13 @@ impl<'db> Effects<'db> {
         }
     }
 
-    /// The signature of the program that `callee` names, of the own project or of a library's interface.
+    /// Returns the signature of the program that `callee` names, in the project or in a library's interface.
     pub fn program(&self, callee: ExprId) -> Option<&'db Signature> {
         let (project, file) = self.program_file(callee)?;
         Some(signature(self.db, project, file))
     }
 
-    /// The file of the program that `callee` names, with its project.
+    /// Returns the file of the program that `callee` names, with its project.
     pub fn program_file(&self, callee: ExprId) -> Option<(Project, File)> {
         let (project, items, name) = match self.body.expr(callee) {
             Expr::Name(name) => (self.project, self.items, name),
@@ -185,7 +185,7 @@ impl<'db> Effects<'db> {
     }
 }
 
-/// The use of the argument at `position` by an instruction; `None` for a value.
+/// Returns the use of the argument at `position` by an instruction; `None` for an argument by value.
 fn handed_over(
     instruction: &'static Instruction,
     form: Option<&'static Overload>,

@@ -1,4 +1,4 @@
-//! Checks that every file shares: how it was read, its elements and attributes, and the names it declares.
+//! Checks that all file kinds share: encoding, elements, attributes, and declared names.
 
 mod memory;
 
@@ -19,20 +19,20 @@ use crate::items::sizes;
 use crate::problem::{EncodingFault, NameKind, Problem, ProblemKind, Related, Role};
 use crate::xml::{Attribute, Element};
 
-/// The element of a value in a data file.
+/// Name of the value element in a data file.
 pub(crate) const VALUE: &str = "Value";
 
-/// Collects what is wrong in one file.
+/// Collects a file's problems.
 pub(crate) struct FileCheck<'db> {
     file: File,
     items: &'db Items,
-    /// Bytes of the declared variables so far.
+    /// Memory of the declared variables so far, in bytes.
     bytes: u64,
     pub(crate) problems: Vec<Problem>,
 }
 
 impl<'db> FileCheck<'db> {
-    /// Starts with the faults that were found when the file was read as a part of `project`.
+    /// Creates the check of a file in `project`, with the problems of reading the file.
     pub(crate) fn new(db: &'db dyn Db, project: Project, file: File, items: &'db Items) -> Self {
         let mut check = Self { file, items, bytes: 0, problems: Vec::new() };
         match file.status(db) {
@@ -50,25 +50,25 @@ impl<'db> FileCheck<'db> {
         self.problems.push(Problem { kind, place: FileRange { file: self.file, range }, related: Vec::new() });
     }
 
-    /// Reports the second of two equal things.
+    /// Reports the repetition of an equal declaration.
     pub(crate) fn report_again(&mut self, range: TextRange, kind: ProblemKind, first: Option<FileRange>) {
         let related = first.into_iter().map(|place| Related { place, role: Role::First }).collect();
         self.problems.push(Problem { kind, place: FileRange { file: self.file, range }, related });
     }
 
-    /// An element in a place where it does not belong.
+    /// Reports an element that must not appear in `parent`.
     pub(crate) fn unexpected(&mut self, element: Element<'_>, parent: Element<'_>) {
         let kind = ProblemKind::UnexpectedElement { name: element.name().into(), parent: parent.name().into() };
         self.report(element.name_range(), kind);
     }
 
-    /// An element that is missing in `parent`.
+    /// Reports an element that is missing in `parent`.
     pub(crate) fn missing_element(&mut self, parent: Element<'_>, element: &'static str) {
         let kind = ProblemKind::MissingElement { parent: parent.name().into(), element: SmolStr::new_static(element) };
         self.report(parent.name_range(), kind);
     }
 
-    /// The namespaces and attributes of `root` and of every element in it.
+    /// Checks the namespaces and attributes of `root` and all elements in it.
     pub(crate) fn elements(&mut self, file: FileKind, root: Element<'_>) {
         let mut rest = vec![root];
         while let Some(element) = rest.pop() {
@@ -80,7 +80,7 @@ impl<'db> FileCheck<'db> {
                     self.attributes(element, known.attributes);
                 }
             }
-            // Misplaced elements are reported as such.
+            // Misplaced elements are reported by other checks.
             let belongs = |inner: &Element<'_>| {
                 known.is_none_or(|known| known.children.is_empty() || known.children.contains(&inner.name()))
             };
@@ -101,7 +101,7 @@ impl<'db> FileCheck<'db> {
         }
     }
 
-    /// The attributes of `element` are `known` ones, and none is missing that every writer gives.
+    /// Checks that the attributes of `element` are `known`, and that no required attribute is missing.
     pub(crate) fn attributes(&mut self, element: Element<'_>, known: &[files::Attribute]) {
         for (found, near) in self.unknown_attributes(element, known, &[]) {
             let kind =
@@ -110,8 +110,8 @@ impl<'db> FileCheck<'db> {
         }
     }
 
-    /// Reports the `known` attributes that are missing. Returns those that are neither known nor called as one of
-    /// `others`, each with the most similar attribute that is not there.
+    /// Reports missing `known` attributes. Returns the attributes that are neither in `known` nor in `others`, each
+    /// with the most similar attribute that the element does not have.
     pub(crate) fn unknown_attributes<'g>(
         &mut self,
         element: Element<'g>,
@@ -146,7 +146,7 @@ impl<'db> FileCheck<'db> {
         self.report(written.map_or(element.name_range(), |found| found.name_range), kind);
     }
 
-    /// The value of the attribute, if it is there, is one of `values`.
+    /// Checks that the value of the attribute, if present, is one of `values`.
     pub(crate) fn one_of(&mut self, element: Element<'_>, attribute: &str, values: &[&str]) {
         if let Some(found) = element.attribute(attribute)
             && !values.contains(&found.text().trim())
@@ -156,7 +156,7 @@ impl<'db> FileCheck<'db> {
         }
     }
 
-    /// An attribute with another value than `expected`.
+    /// Reports an attribute whose value is not `expected`.
     pub(crate) fn invalid(&mut self, element: Element<'_>, found: Attribute<'_>, expected: SmolStr) {
         let kind = ProblemKind::InvalidAttribute {
             element: element.name().into(),
@@ -167,7 +167,7 @@ impl<'db> FileCheck<'db> {
         self.report(found.range, kind);
     }
 
-    /// The `size` of an array; true if it can be relied on.
+    /// Checks an array's `size`. Returns whether it is valid.
     pub(crate) fn size(&mut self, element: Element<'_>) -> bool {
         let Some(found) = element.attribute("size") else { return true };
         let sound = sizes(&found.text()).is_some_and(|sizes| !sizes.contains(&0));
@@ -177,7 +177,8 @@ impl<'db> FileCheck<'db> {
         sound
     }
 
-    /// A declared name: its characters, its length, and no word of the language; true if it is sound.
+    /// Checks a declared name: its characters, its length, and that it is no keyword or built-in type. Returns whether
+    /// it is valid.
     pub(crate) fn name(&mut self, attribute: Attribute<'_>, what: NameKind) -> bool {
         let before = self.problems.len();
         let name = SmolStr::from(attribute.text());
@@ -194,7 +195,7 @@ impl<'db> FileCheck<'db> {
         self.problems.len() == before
     }
 
-    /// No other declaration of this scope has the name.
+    /// Checks that no other declaration in this scope has the name.
     pub(crate) fn once(&mut self, found: Attribute<'_>, what: NameKind, seen: &mut FxHashMap<String, TextRange>) {
         let name = found.text().into_owned();
         let kind = ProblemKind::DuplicateName { name: name.as_str().into(), what };
@@ -206,7 +207,7 @@ impl<'db> FileCheck<'db> {
         }
     }
 
-    /// The type is built in or a user type of the project.
+    /// Checks that the type is built in or a user type of the project.
     pub(crate) fn ty(&mut self, attribute: Attribute<'_>) {
         let name = attribute.text();
         if resolve_type(&self.items.types, &name).is_none() && !self.items.incomplete {
@@ -217,7 +218,8 @@ impl<'db> FileCheck<'db> {
     }
 }
 
-/// A file that cannot be read is reported where the project lists it; a file that is not listed, at its beginning.
+/// Creates the problem of an unreadable file, at the file's entry in the project file, or else at the beginning of the
+/// file.
 fn unreadable(db: &dyn Db, project: Project, file: File, reason: &str) -> Problem {
     let entry = file_entry(db, project, file);
     let path =
@@ -237,11 +239,11 @@ pub(crate) fn alternatives(names: &[SmolStr]) -> SmolStr {
     }
 }
 
-/// The encoding fault of a file with this status, and the first place where it is visible.
+/// Returns the encoding fault of a file, and the first range that shows it.
 fn encoding_fault(text: &str, encoding: Encoding, mismatch: Option<Mismatch>) -> Option<(EncodingFault, TextRange)> {
     if let Some(at) = text.find(REPLACEMENT) {
         let start = text_size(at);
-        // No byte is read as this character in ISO-8859-1: it comes from an editor.
+        // No ISO-8859-1 byte decodes to this character, so an editor has written it.
         let is_misread = encoding == Encoding::Latin1 && mismatch != Some(Mismatch::NotLatin1);
         let fault = if is_misread { EncodingFault::Misread } else { EncodingFault::Lost };
         return Some((fault, TextRange::at(start, TextSize::of(REPLACEMENT))));
@@ -253,7 +255,7 @@ fn encoding_fault(text: &str, encoding: Encoding, mismatch: Option<Mismatch>) ->
     Some((fault, first_foreign(text)))
 }
 
-/// The first character that is not ASCII; empty where there is none.
+/// Returns the range of the first non-ASCII character; an empty range if all characters are ASCII.
 fn first_foreign(text: &str) -> TextRange {
     let found = text.char_indices().find(|(_, character)| !character.is_ascii());
     found.map_or_else(TextRange::default, |(at, character)| {

@@ -1,7 +1,7 @@
-//! The order in which the lines of a program run: a control-flow graph.
+//! Control-flow graph: the order in which the lines of a program are executed.
 //!
-//! VAL 3 has no jump but `return`, so every loop is entered at one point and left at one. Evaluation within a line is
-//! not split: a point is what the scheduler counts as a line, plus the tests that branch.
+//! VAL 3 has no jump except `return`, so every loop has one entry and one exit. Evaluation within a line is not split:
+//! a flow node is a line as the scheduler counts it, or a test that branches.
 
 mod build;
 mod per_point;
@@ -16,42 +16,43 @@ use smallvec::SmallVec;
 use crate::body::{ExprId, body};
 use crate::db::{Db, File};
 
-/// The number of a point.
+/// Index of a flow node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PointId(u32);
 
-/// The points of one program and the ways between them. The first is the start, the second the end.
+/// Flow nodes of a program with their edges. The first node is the start, the second the end.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Flow {
     points: Vec<Point>,
 }
 
-/// A point of the control flow: its operation, its place and its successors.
+/// A flow node: its operation, source range and successors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// The operation.
+    /// Operation of the node.
     pub kind: PointKind,
-    /// Its place: for the test of a block the condition, or the keyword's statement if there is none.
+    /// Source range: for the test of a block the range of the condition, or of the statement if the condition is
+    /// missing.
     pub range: TextRange,
-    /// The points that may follow. Of a test: where it is true, then where it is false.
+    /// Successors. A test has two: first the successor if true, then the successor if false.
     pub next: SmallVec<[PointId; 2]>,
 }
 
-/// The operation at a point.
+/// Operation of a flow node.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PointKind {
     /// Before the first line.
     Start,
-    /// After the last line, and where every `return` leads.
+    /// After the last line; the target of every `return`.
     End,
-    /// `if`, `elseIf`, `while`, `until`: continues at the branch that the condition selects.
+    /// `if`, `elseIf`, `while`, `until`: branches by the condition.
     Test {
-        /// The condition; `None` where it could not be read.
+        /// Condition; `None` if it could not be parsed.
         condition: Option<ExprId>,
-        /// The condition repeats a block.
+        /// Whether the condition repeats a block.
         is_loop: bool,
     },
-    /// `for`: the counter gets its first value, the bounds are computed.
+    /// `for`: sets the counter to its first value and computes the bounds.
     ForStart {
         /// The counter.
         counter: Option<ExprId>,
@@ -62,16 +63,16 @@ pub enum PointKind {
         /// The value after `step`.
         step: Option<ExprId>,
     },
-    /// `for` before each round: the block, or what follows `endFor`.
+    /// `for` before each iteration: continues with the block, or after `endFor`.
     ForTest {
-        /// The counter, which grows.
+        /// Counter, which is incremented.
         counter: Option<ExprId>,
     },
-    /// `switch`: each `case` in turn, then `default` or what follows.
+    /// `switch`: compares with each `case` in turn, then continues with `default` or after `endSwitch`.
     Switch {
         /// The value that is compared.
         selector: Option<ExprId>,
-        /// The values of every `case`, which are compared in turn.
+        /// Values of all `case` lines, in the order of comparison.
         values: Vec<ExprId>,
     },
     /// `return`
@@ -89,16 +90,16 @@ pub enum PointKind {
         /// The right side.
         value: ExprId,
     },
-    /// An expression alone.
+    /// An expression as a statement.
     Expr(ExprId),
-    /// Nothing: the way through an empty block, or past the end of a loop.
+    /// No operation: an empty block, or the exit of a loop.
     Empty,
-    /// A line that could not be read.
+    /// A line with a syntax error.
     Unknown,
 }
 
 impl PointKind {
-    /// The outermost expressions of the point, in the order in which they are evaluated.
+    /// Returns the outermost expressions of the node in the order of evaluation.
     pub fn exprs(&self) -> impl Iterator<Item = ExprId> {
         let (few, many): ([Option<ExprId>; 4], &[ExprId]) = match self {
             Self::Test { condition: one, .. } | Self::ForTest { counter: one } => ([*one, None, None, None], &[]),
@@ -113,40 +114,40 @@ impl PointKind {
     }
 }
 
-/// The control-flow graph of the program in `file`.
+/// Returns the control-flow graph of the program in `file`.
 #[salsa::tracked(lru = 256, no_eq)]
 pub fn flow(db: &dyn Db, file: File) -> Flow {
     build::build(body(db, file))
 }
 
 impl Flow {
-    /// Before the first line.
+    /// Node before the first line.
     pub const START: PointId = PointId(0);
-    /// After the last line.
+    /// Node after the last line.
     pub const END: PointId = PointId(1);
 
-    /// A point.
+    /// Returns a flow node.
     pub fn point(&self, id: PointId) -> Option<&Point> {
         self.points.get(id.index())
     }
 
-    /// Every point in the order of the text; start and end come first.
+    /// Returns all flow nodes: start, end, then the rest in source order.
     pub fn points(&self) -> impl Iterator<Item = (PointId, &Point)> {
         (0u32..).map(PointId).zip(&self.points)
     }
 
-    /// The number of points.
+    /// Returns the number of flow nodes.
     pub fn len(&self) -> usize {
         self.points.len()
     }
 
-    /// There is no point, which is so only of a graph that was not built.
+    /// Whether the graph has no node, which is the case only for a default graph.
     pub fn is_empty(&self) -> bool {
         self.points.is_empty()
     }
 
-    /// For every point, whether some way leads there from the start. A way that the test `is_taken` rules out (point,
-    /// index of the branch) leads nowhere.
+    /// Returns for each flow node whether it is reachable from the start. Edges for which `is_taken` (node, branch
+    /// index) is false are ignored.
     pub fn reachable(&self, is_taken: impl Fn(&Point, usize) -> bool) -> Vec<bool> {
         let mut reached = vec![false; self.points.len()];
         let mut open = vec![Self::START];
@@ -163,7 +164,7 @@ impl Flow {
 }
 
 impl PointId {
-    /// The place of the point among all.
+    /// Returns the index of the node in [`Flow::points`].
     pub fn index(self) -> usize {
         self.0 as usize
     }

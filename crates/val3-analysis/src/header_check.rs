@@ -1,4 +1,4 @@
-//! The header of a program: names, types, attributes, and whether the file holds what it should.
+//! Checks of a program's header: names, types, attributes, and required elements.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_lang::files::FileKind;
@@ -11,7 +11,7 @@ use crate::items::{parse, program};
 use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::xml::{self, Attribute, Element};
 
-/// The problems of the file and the header of a program.
+/// Checks the file and the header of a program, and returns the problems.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let mut check = FileCheck::new(db, project, file, items(db, project));
@@ -45,7 +45,8 @@ fn root(check: &mut FileCheck<'_>, root: Element<'_>, program: Option<Element<'_
     declarations(check, program);
 }
 
-/// A misspelt element is reported as such.
+/// Reports a missing program element. If the file has other elements, these are reported instead, because one may be
+/// misspelt.
 fn missing_program(check: &mut FileCheck<'_>, root: Element<'_>) {
     let mut others = root.elements().peekable();
     if others.peek().is_none() {
@@ -54,7 +55,7 @@ fn missing_program(check: &mut FileCheck<'_>, root: Element<'_>) {
     others.for_each(|element| check.unexpected(element, root));
 }
 
-/// The program has its code, or an element that may be meant as such.
+/// Reports missing code, unless an unknown element may be a misspelt code element.
 fn missing_code(check: &mut FileCheck<'_>, program: Element<'_>) {
     let is_known = |element: Element<'_>| program::LISTS.iter().any(|(name, _)| *name == element.name());
     if program.elements().any(|element| matches!(element.name(), "Code" | "source") || !is_known(element)) {
@@ -66,7 +67,7 @@ fn missing_code(check: &mut FileCheck<'_>, program: Element<'_>) {
     }
 }
 
-/// The program is called as its file, but for letter case.
+/// Checks that the program has its file's name, in any letter case.
 fn file_name(check: &mut FileCheck<'_>, name: Attribute<'_>, stem: &str) {
     let program = name.text();
     if !program.eq_ignore_ascii_case(stem) {

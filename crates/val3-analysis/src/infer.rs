@@ -1,7 +1,7 @@
-//! Type inference: the type of each expression of a program, the form of each call, and the faults of both.
+//! Type inference: expression types, call forms, and faults.
 //!
-//! `Infer` walks the expressions of one body. `scope` resolves names, `fit` and `arguments` choose the form of a call,
-//! `table` holds the results and `sink` the problems.
+//! `Infer` walks the expressions in a body. `scope` resolves names, `fit` and `arguments` select the form of a call,
+//! `table` stores the results and `sink` the problems.
 
 mod access;
 mod arguments;
@@ -27,7 +27,7 @@ use crate::db::{Db, File, Project};
 use crate::problem::{Problem, ProblemKind};
 use crate::ty::Ty;
 
-/// Results of the inference for the code of one program.
+/// Inference results for the code of a program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inference {
     table: Table,
@@ -35,17 +35,17 @@ pub struct Inference {
 }
 
 impl Inference {
-    /// The type of an expression; a whole container keeps its container.
+    /// Returns the expression's type. An expression without an index has the container of its variable.
     pub fn ty(&self, id: ExprId) -> Ty {
         self.table.ty(id)
     }
 
-    /// The call that `id` is, if it calls an instruction.
+    /// Returns the call at `id`, if it calls an instruction of the catalogue.
     pub fn call(&self, id: ExprId) -> Option<&InstructionCall> {
         self.table.call(id)
     }
 
-    /// The call that `id` is, if it calls an instruction that the table of an add-on declares.
+    /// Returns the call at `id`, if it calls an instruction that an add-on's table declares.
     pub fn add_on_call(&self, id: ExprId) -> Option<&AddOnCall> {
         self.table.add_on_call(id)
     }
@@ -55,7 +55,7 @@ impl Inference {
         self.ty(id).is_unknown() && (self.call(id).is_some() || self.add_on_call(id).is_some())
     }
 
-    /// Every call of an instruction, inner ones before outer ones.
+    /// Returns all instruction calls, inner before outer ones.
     pub fn calls(&self) -> &[InstructionCall] {
         self.table.calls()
     }
@@ -76,19 +76,20 @@ pub fn infer(db: &dyn Db, project: Project, file: File) -> Inference {
     Inference { table: infer.table.finish(), faults: infer.sink.finish() }
 }
 
-/// The problems in the code of the program in `file`, by position. Kept when the types are dropped.
+/// Returns the problems in the code of the program in `file`, sorted by position. They remain memoised when the types
+/// are evicted.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     infer(db, project, file).faults.lasting(db, project)
 }
 
-/// The walk over the expressions of one body.
+/// State of the walk over the expressions in a body.
 struct Infer<'db> {
     body: &'db Body,
     scope: Scope<'db>,
     table: Table,
     sink: Sink<'db>,
-    /// The expression names a value that may be absent, so its index has no bounds.
+    /// Whether the value of the expression may be absent, so that its index has no bounds.
     may_be_absent: bool,
 }
 
@@ -97,7 +98,7 @@ impl Infer<'_> {
         self.sink.report(self.body.range(id), kind, None);
     }
 
-    /// The meaning of the name at `id`, or a report why it has none.
+    /// Returns the lookup's result for the name at `id`, or reports why the lookup failed.
     fn resolved<T>(&mut self, id: ExprId, lookup: Result<T, Unresolved>) -> Option<T> {
         self.resolved_at(self.body.range(id), lookup)
     }

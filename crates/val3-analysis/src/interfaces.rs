@@ -1,7 +1,7 @@
-//! Libraries against the interfaces they are loaded under (6.2, 6.3, 6.6).
+//! Checks libraries against the interfaces under which they are loaded (6.2, 6.3, 6.6).
 //!
-//! An identifier names an interface. Any library may be loaded under it, as long as what the program uses of the
-//! interface is there, public, and of the same kind.
+//! An identifier names an interface. Any library may be loaded under it if the library has all used items of the
+//! interface, as public items of the same kind.
 
 mod compare;
 mod incomplete_libraries;
@@ -22,7 +22,7 @@ pub use compare::{implements, is_same_item};
 pub(crate) use incomplete_libraries::is_left_out;
 pub use usage::{Load, LoadedPath, Uses, uses};
 
-/// The problems of the libraries of a project.
+/// Returns the interface problems of a project's libraries.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     let items = items(db, project);
@@ -40,7 +40,7 @@ pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     check.problems
 }
 
-/// The libraries that programs of a project load in place of others: first the project that gives the interface.
+/// Returns pairs: an interface project, and a library that a program loads in its place.
 #[salsa::tracked]
 pub fn replacements(db: &dyn Db, project: Project) -> Vec<(Project, Project)> {
     if items(db, project).libraries.is_empty() {
@@ -58,7 +58,8 @@ pub fn replacements(db: &dyn Db, project: Project) -> Vec<(Project, Project)> {
     found
 }
 
-/// What `library` lacks to be loaded under the identifier `alias` of a project, at the declaration of the identifier.
+/// Returns the problems of loading `library` under the identifier `alias` of a project, located at the identifier's
+/// declaration.
 pub fn stand_in_problems(db: &dyn Db, project: Project, alias: &SmolStr, library: Project) -> Vec<Problem> {
     let Some(place) = declarations::library(db, project, alias.clone()) else { return Vec::new() };
     let mut check = Interfaces::of(db, project);
@@ -66,18 +67,18 @@ pub fn stand_in_problems(db: &dyn Db, project: Project, alias: &SmolStr, library
     check.problems
 }
 
-/// How well a library fits an interface.
+/// How completely a library implements an interface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Fit {
-    /// It lacks something that the programs use, or the interface is not known.
+    /// A used item is missing, or the interface is unknown.
     Lacks,
-    /// It has what the programs use of the interface.
+    /// All used items of the interface are present.
     Used,
-    /// It has every public item of the interface.
+    /// All public items of the interface are present.
     Whole,
 }
 
-/// How well `library` fits the interface that `alias` names in `project`.
+/// Returns how completely `library` implements the interface that `alias` names in `project`.
 pub fn fit(db: &dyn Db, project: Project, alias: &str, library: Project) -> Fit {
     let Some((alias, item)) = items(db, project).libraries.get_key_value(alias) else { return Fit::Lacks };
     let Some(interface) = item.interface else { return Fit::Lacks };
@@ -91,14 +92,14 @@ pub fn fit(db: &dyn Db, project: Project, alias: &str, library: Project) -> Fit 
     if !needed.is_empty() && needed.iter().all(offers) { Fit::Used } else { Fit::Lacks }
 }
 
-/// The names of the public data and programs of a project.
+/// Returns the names of the public data and programs of a project.
 fn public_items(db: &dyn Db, project: Project) -> Vec<SmolStr> {
     let items = items(db, project);
     let names = items.data.keys().chain(items.programs.keys());
     names.filter(|name| is_public(db, project, name)).cloned().collect()
 }
 
-/// The project has public data or a public program called `item`.
+/// Whether the project has public data or a public program called `item`.
 pub fn is_public(db: &dyn Db, project: Project, item: &str) -> bool {
     let items = items(db, project);
     match items.data.get(item) {
@@ -122,7 +123,7 @@ impl<'db> Interfaces<'db> {
 }
 
 impl Interfaces<'_> {
-    /// An identifier that is used, is not loaded with the application, and is loaded by no program.
+    /// Reports an identifier that is used but loaded neither with the application nor by a program.
     fn never_loaded(&mut self, alias: &SmolStr) {
         let autoload = items(self.db, self.project).libraries.get(alias).is_none_or(|item| item.autoload);
         let loaded = self.programs.iter().any(|(_, uses)| uses.loads.iter().any(|load| load.alias == *alias));
@@ -136,7 +137,7 @@ impl Interfaces<'_> {
         }
     }
 
-    /// Every library that a program loads under the identifier by a path it spells out.
+    /// Checks every library that a program loads under the identifier by a constant path.
     fn loads(&mut self, alias: &SmolStr) {
         let mut compared = FxHashSet::default();
         let loads: Vec<(File, Load)> = self
@@ -155,8 +156,8 @@ impl Interfaces<'_> {
         }
     }
 
-    /// The projects that programs load under the identifier. A computed path may be that of every project that has all
-    /// used items of the interface.
+    /// Returns the projects that programs load under the identifier. For a computed path, every project that has all
+    /// used items of the interface is a candidate.
     fn loaded(&mut self, alias: &SmolStr) -> Vec<Project> {
         let uses = self.programs.iter().flat_map(|(file, uses)| uses.loads.iter().map(|load| (*file, load.clone())));
         let loads: Vec<(File, Load)> = uses.filter(|(_, load)| load.alias == *alias).collect();
@@ -201,7 +202,8 @@ impl Interfaces<'_> {
         }
     }
 
-    /// The fault of a path without a project; `None` where the project may be on a medium that is not available here.
+    /// Returns the fault of a path without a project; `None` if the project may be on a medium that is not available
+    /// here.
     fn unresolved(&self, path: &SmolStr) -> Option<ProblemKind> {
         let roots = self.project.roots(self.db);
         match paths::project(folder(self.db, self.project), roots, path) {
@@ -215,15 +217,14 @@ impl Interfaces<'_> {
         }
     }
 
-    /// The project has at least one of the used items of the interface. An application in the folder of the libraries
-    /// has none of them.
+    /// Whether the project has at least one used item of the interface, unlike an application in the libraries' folder.
     fn resembles(&self, alias: &SmolStr, library: Project) -> bool {
         let offered = items(self.db, library);
         let offers = |item: &SmolStr| offered.data.contains_key(item) || offered.programs.contains_key(item);
         self.needed(alias).iter().any(offers)
     }
 
-    /// The projects whose folder begins as the code says: `"Disk://parts/part" + sName`.
+    /// Returns the projects whose folder begins with a constant prefix, as in `"Disk://parts/part" + sName`.
     fn projects_from(&self, prefix: &str) -> Vec<Project> {
         let db = self.db;
         let roots = self.project.roots(db);
@@ -237,7 +238,7 @@ impl Interfaces<'_> {
             .iter()
             .filter(|(key, _)| {
                 let rest = key.strip_prefix(&start).and_then(|rest| rest.strip_prefix('/'));
-                // `partbox/partbox.pjx`: the folder itself, no deeper one.
+                // Only direct children: `partbox/partbox.pjx`, but no deeper folder.
                 rest.is_some_and(|rest| rest.starts_with(&partial) && rest.matches('/').count() == 1)
             })
             .map(|(key, project)| (key, *project))

@@ -1,7 +1,7 @@
-//! Declarations of files: names, types, containers, access. Bodies of programs cannot change any of it.
+//! Declarations in files: names, types, containers, access. The code of programs cannot change them.
 //!
-//! Items hold no ranges, so that an edit elsewhere in a file leaves them equal; `declarations` finds the place of
-//! an item when a message needs it.
+//! Items contain no ranges, so they do not change if another part of the file is edited. `declarations` finds an item's
+//! range when a message needs it.
 
 pub mod attributes;
 pub mod data;
@@ -25,17 +25,17 @@ use val3_syntax::Parse;
 
 use crate::db::{Db, File, FileStatus};
 
-/// The tree of a file. To ask for it is to look at the text.
+/// Returns the tree of a file. A query that calls this depends on the file's text.
 pub fn parse(db: &dyn Db, file: File) -> Parse {
     db.trees().parse(file, file.text(db))
 }
 
-/// The file was read, and its XML is well formed.
+/// Whether the file was read and its XML is well-formed.
 fn is_sound(db: &dyn Db, file: File) -> bool {
     matches!(file.status(db), FileStatus::Read { .. }) && parse(db, file).errors().is_empty()
 }
 
-/// `true` and `false` as files write them.
+/// Parses `true` and `false` as spelt in files.
 pub(crate) fn flag(text: &str) -> Option<bool> {
     match text.trim() {
         "true" => Some(true),
@@ -44,7 +44,7 @@ pub(crate) fn flag(text: &str) -> Option<bool> {
     }
 }
 
-/// The `size` attribute: one to three dimensions separated by blanks.
+/// Parses the `size` attribute: one to three dimensions separated by blanks.
 pub fn sizes(text: &str) -> Option<Vec<u32>> {
     let sizes: Option<Vec<u32>> = text.split_ascii_whitespace().map(|size| size.parse().ok()).collect();
     sizes.filter(|sizes| (1..=3).contains(&sizes.len()))

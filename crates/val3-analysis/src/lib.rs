@@ -1,7 +1,8 @@
 //! Names, types and library interfaces, computed incrementally.
 //!
-//! The chain of queries is short and coarse: `items::parse` → items (what files declare) → `body` → `infer`.
-//! Items are the firewall: the code of a program cannot change them, so an edit there re-infers that program alone.
+//! The chain of queries is short and coarse: `items::parse` → items (declarations of files) → `body` → `infer`. Items
+//! are the firewall: the code of a program cannot change them, so an edit of code repeats inference only for that
+//! program.
 
 pub mod add_on_programs;
 pub mod application;

@@ -1,4 +1,4 @@
-//! From folders to inputs: finds applications, reads their files and those of the libraries and types they use.
+//! The loader: finds applications, and reads their files and the libraries and types that they use.
 
 mod budget;
 mod cells;
@@ -41,30 +41,30 @@ use known_inputs::KnownInputs;
 use outside::Reach;
 use references::PathArgument;
 
-/// Everything that was found under some paths, ready to be asked.
+/// Result of loading paths.
 #[derive(Debug)]
 pub struct Workspace {
-    /// The database with all files in it.
+    /// Database with all files.
     pub db: Database,
-    /// The projects under the paths asked for, by path: those that are to be judged.
+    /// Projects under the requested paths, sorted by path. Only these projects are checked.
     pub projects: Vec<Project>,
-    /// Folders and entries under the paths asked for that cannot be read, with the reason.
+    /// Folders and entries under the requested paths that cannot be read, with the reason.
     pub unreadable: Vec<(Utf8PathBuf, String)>,
 }
 
-/// Finds the projects under `paths` and reads them with everything they refer to.
+/// Finds the projects under `paths` and reads them with all their references.
 ///
 /// # Errors
-/// If a path does not exist, holds no project, is a file that belongs to none, if a `val3.toml` is at fault, or if the
-/// programs and data exceed the limit of a workspace.
+/// If a path does not exist, contains no project or is a file of no project, if a `val3.toml` is invalid, or if the
+/// programs and data exceed the size limit of a workspace.
 pub fn load(system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, LoadError> {
     load_into(Database::default(), system, paths)
 }
 
-/// As [`load`], into a database that is empty so far.
+/// Like [`load`], into an empty database.
 ///
 /// # Errors
-/// Those of [`load`].
+/// As for [`load`].
 pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, LoadError> {
     let mut loader = Loader::new(db, system, KnownInputs::default(), &|_| true);
     let mut manifests = Vec::new();
@@ -81,35 +81,35 @@ pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Re
     Ok(loader.finish(&asked))
 }
 
-/// The `usr` folder and the configuration that a cell is read from.
+/// The `usr` folder and the configuration from which a cell is read.
 type CellKey = (Option<Utf8PathBuf>, Option<Configuration>);
 
-/// A project that another one loads.
+/// A project that another project loads.
 struct LoadedProject {
     manifest: Utf8PathBuf,
-    /// The folder of `Disk://` of the loading project.
+    /// Folder of `Disk://` of the loading project.
     disk: Option<Utf8PathBuf>,
 }
 
 struct Loader<'s> {
     system: &'s dyn System,
     db: Database,
-    /// The inputs of the previous load, to be reused.
+    /// Inputs of the previous load, for reuse.
     known: KnownInputs,
-    /// Whether a known file has to be read again, by its path key.
+    /// Whether the known file with this path key must be read again.
     is_stale: &'s dyn Fn(&str) -> bool,
     files: FxHashMap<String, File>,
-    /// Programs and data in the folder of a project that no project lists.
+    /// Unlisted programs and data in project folders, by path key.
     unlisted: FxHashMap<String, File>,
     projects: FxHashMap<String, Project>,
-    /// Projects in the order they were found.
+    /// Projects in the order of loading.
     order: Vec<(String, Project)>,
     cells: FxHashMap<CellKey, Option<Cell>>,
-    /// The `val3.toml` that counts for each folder, by path key.
+    /// Applicable `val3.toml`, by the path key of the folder.
     configurations: FxHashMap<String, Option<Configuration>>,
     config_errors: Vec<ConfigError>,
     folders: FxHashMap<Utf8PathBuf, FolderNames>,
-    /// The folder of `Disk://` of projects that are applications of their own, by path key.
+    /// Folder of `Disk://` for projects that are applications, by path key.
     own_disks: FxHashMap<String, Option<Utf8PathBuf>>,
     queue: Vec<LoadedProject>,
     unreadable: Vec<(Utf8PathBuf, String)>,
@@ -138,7 +138,7 @@ impl<'s> Loader<'s> {
         }
     }
 
-    /// Reads these projects and everything they refer to; gives the keys of their paths.
+    /// Reads these projects and all their references. Returns the path keys of the projects.
     fn read(&mut self, mut manifests: Vec<Utf8PathBuf>) -> FxHashSet<String> {
         manifests.sort_unstable();
         manifests.dedup();
@@ -149,7 +149,7 @@ impl<'s> Loader<'s> {
         manifests.iter().map(|path| path_key(path.as_str())).collect()
     }
 
-    /// Reads the application at `path` and all that it loads. Its folder of `Disk://` is that of all.
+    /// Reads the application at `path` and all projects that it loads. They share its folder of `Disk://`.
     fn application(&mut self, path: &Utf8Path) {
         self.project(path, None);
         while let Some(LoadedProject { manifest, disk }) = self.queue.pop() {
@@ -168,8 +168,8 @@ impl<'s> Loader<'s> {
         Workspace { db: self.db, projects, unreadable: self.unreadable }
     }
 
-    /// Reads the project at `path` and its files, and queues the projects it refers to. `disk` is the folder of `Disk://`
-    /// of the project that loads it.
+    /// Reads the project at `path` and its files, and queues the referenced projects. `disk` is the folder of `Disk://`
+    /// of the loading project.
     fn project(&mut self, path: &Utf8Path, disk: Option<&Utf8Path>) {
         let key = path_key(path.as_str());
         if self.projects.contains_key(&key) {
@@ -205,8 +205,8 @@ impl<'s> Loader<'s> {
         self.order.push((key, project));
     }
 
-    /// Whether a folder `tests` leads to the folder of a project: below the cell, which is around `usr` or the folder of
-    /// `Disk://`.
+    /// Whether the project's path contains a folder `tests` below the cell's folder, which contains `usr` or the folder
+    /// of `Disk://`.
     fn is_below_tests(&self, folder: &Utf8Path, roots: &Roots, configuration: Option<Configuration>) -> bool {
         let above = folder.parent().unwrap_or(folder);
         let disk = roots.disk.as_deref().unwrap_or(above);
@@ -216,7 +216,7 @@ impl<'s> Loader<'s> {
         is_below_tests(self.system, above, configured.as_deref(), base)
     }
 
-    /// Reads the files of many projects at once, which is faster than project by project.
+    /// Reads the files of many projects in one call, which is faster than reading them project by project.
     fn read_projects_ahead(&mut self, manifests: &[Utf8PathBuf]) {
         self.read_ahead(manifests);
         let mut named = Vec::new();
@@ -230,7 +230,7 @@ impl<'s> Loader<'s> {
         self.read_ahead(&named);
     }
 
-    /// Queues the project that a reference names. Returns whether the reference stays within reach.
+    /// Queues the referenced project. Returns whether the reference stays inside the reach.
     fn enqueue(&mut self, folder: &Utf8Path, roots: &Roots, reach: &Reach, reference: &str) -> bool {
         let Target::Path(path) = paths::project(folder, roots, reference) else { return true };
         let is_inside = reach.contains(self.system, &path);
@@ -240,14 +240,14 @@ impl<'s> Loader<'s> {
         is_inside
     }
 
-    /// The program and data files of a project that are not in its folder, as the project file names them.
+    /// Returns the program and data files outside of the project's folder, as written in the project file.
     fn files_outside(&self, folder: &Utf8Path, manifest: &Manifest) -> Vec<SmolStr> {
         let listed = manifest.programs.iter().chain(&manifest.data);
         let is_outside = |name: &&SmolStr| !outside::is_in_folder(self.system, folder, &paths::file_in(folder, name));
         listed.filter(is_outside).cloned().collect()
     }
 
-    /// Reads the programs and data of a project; the libraries that the programs load.
+    /// Reads the programs and data of a project. Returns the paths of libraries that the programs load.
     fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest, outside: &[SmolStr]) -> Vec<PathArgument> {
         let paths = |references: &[SmolStr]| -> Vec<Utf8PathBuf> {
             let inside = references.iter().filter(|reference| !outside.contains(reference));
@@ -262,7 +262,7 @@ impl<'s> Loader<'s> {
         programs.iter().flat_map(|program| references::loaded_libraries(program.text(&self.db))).collect()
     }
 
-    /// Queues every project whose folder begins as the code says: `"Disk://parts/part" + sName`.
+    /// Queues every project whose folder begins with a constant prefix, as in `"Disk://parts/part" + sName`.
     fn enqueue_prefix(&mut self, folder: &Utf8Path, roots: &Roots, reach: &Reach, prefix: &str) {
         let Some((start, partial)) = paths::projects_from(folder, roots, prefix) else { return };
         let Some(start) = self.actual(&start) else { return };
@@ -274,7 +274,7 @@ impl<'s> Loader<'s> {
         }
     }
 
-    /// The folders of the roots of paths for the project at `manifest`, which a project with the folder `disk` loads.
+    /// Returns the root folders of paths for the project at `manifest`; `disk` is the folder of the loading project.
     fn roots(&mut self, manifest: &Utf8Path, configuration: Option<Configuration>, disk: Option<&Utf8Path>) -> Roots {
         let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
         if roots.disk.is_none() {

@@ -1,4 +1,4 @@
-//! Every name in a file and its symbol: the basis of navigation, renaming and highlighting.
+//! All names in a file with their symbols: the basis of navigation, renaming and highlighting.
 
 mod code;
 mod data_path;
@@ -19,7 +19,7 @@ use crate::db::{Db, File, Project};
 use crate::items::project::{data_files, program_files};
 use crate::pages;
 
-/// Every name in `file` as a part of `project`, in the order of the text. Unresolved names are left out.
+/// Returns every resolved name in `file` as a part of `project`, in source order.
 #[salsa::tracked(lru = 256)]
 pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     if project.pages(db).contains(&file) {
@@ -35,11 +35,11 @@ pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence>
     found
 }
 
-/// The ranges of each symbol in a file. This small table is kept when the occurrences are dropped, and a search through
-/// a workspace reads only this.
+/// Ranges in a file by symbol. This small table remains memoised when the occurrences are evicted, and a workspace
+/// search reads only this table.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct RangesBySymbol {
-    /// Each symbol with the end of its part of `ranges`.
+    /// Symbols, each with the end index in `ranges`.
     symbols: Box<[(Symbol, usize)]>,
     ranges: Box<[TextRange]>,
 }
@@ -63,7 +63,7 @@ fn places(db: &dyn Db, project: Project, file: File) -> RangesBySymbol {
     }
 }
 
-/// The ranges of `symbol` in `file` as a part of `project`, in the order of the text.
+/// Returns the ranges of `symbol` in `file` as a part of `project`, in source order.
 pub fn places_of<'db>(db: &'db dyn Db, project: Project, file: File, symbol: &Symbol) -> &'db [TextRange] {
     let RangesBySymbol { symbols, ranges } = places(db, project, file);
     let Some(at) = symbols.iter().position(|(known, _)| known == symbol) else { return &[] };
@@ -76,14 +76,14 @@ pub fn index(db: &dyn Db, project: Project) {
     project_files(db, project).for_each(|file| _ = places(db, project, file));
 }
 
-/// The name at an offset: the one that covers it, or ends there.
+/// Returns the name that contains the offset or ends at it.
 pub fn occurrence_at(db: &dyn Db, project: Project, file: File, offset: TextSize) -> Option<&Occurrence> {
     let occurrences = occurrences(db, project, file);
     let covering = occurrences.iter().filter(|occurrence| occurrence.range.contains_inclusive(offset));
     covering.max_by_key(|occurrence| occurrence.range.start())
 }
 
-/// The files of a project: its `.pjx`, then data, programs and the files of its user pages.
+/// Returns the files of a project: the `.pjx`, data, programs and files of user pages.
 pub fn project_files(db: &dyn Db, project: Project) -> impl Iterator<Item = File> {
     let data = data_files(db, project).iter().copied();
     std::iter::once(project.manifest(db))

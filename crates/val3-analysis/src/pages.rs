@@ -1,4 +1,4 @@
-//! User pages of s8: HTML files in the folder `interface` of an application, and their bindings to data and programs.
+//! User pages of s8: HTML files in an application's folder `interface`, with bindings to data and programs.
 
 mod binding_file;
 mod check;
@@ -17,33 +17,33 @@ pub use escapes::{escaped, unescaped};
 pub use html::{PageIds, page_ids};
 pub(crate) use page_names::{element, occurrences};
 
-/// The folder of the user pages of an application.
+/// Folder of the user pages in applications.
 pub const FOLDER: &str = "interface";
 
-/// The ending of the file with the bindings of a page.
+/// File name suffix of page bindings.
 pub const BINDINGS: &str = ".bindings.json";
 
-/// The ending of the file of a page.
+/// File name suffix of pages.
 pub const HTML: &str = ".html";
 
-/// The name of the page that a file belongs to, by the ending of the file.
+/// Returns the page name of a file with this suffix.
 pub fn page_name<'p>(file: &'p str, ending: &str) -> Option<&'p str> {
     let at = file.len().checked_sub(ending.len())?;
     let (name, end) = (file.get(..at)?, file.get(at..)?);
     (!name.is_empty() && end.eq_ignore_ascii_case(ending)).then_some(name)
 }
 
-/// The files with the bindings of a project's pages.
+/// Returns the binding files of a project's pages.
 pub fn binding_files(db: &dyn Db, project: Project) -> impl Iterator<Item = File> {
     project.pages(db).iter().copied().filter(|file| is_bindings(db, *file))
 }
 
-/// Whether a file has the bindings of a page, by its name.
+/// Whether the file name ends like a binding file's.
 pub fn is_bindings(db: &dyn Db, file: File) -> bool {
     file.path(db).file_name().is_some_and(|name| page_name(name, BINDINGS).is_some())
 }
 
-/// The HTML file of the page called `name`, in any letter case.
+/// Returns the HTML file of the page called `name`, in any letter case.
 pub fn html_file(db: &dyn Db, project: Project, name: &str) -> Option<File> {
     let page = |file: &File| {
         let own = file.path(db).file_name().and_then(|own| page_name(own, HTML));
@@ -52,14 +52,14 @@ pub fn html_file(db: &dyn Db, project: Project, name: &str) -> Option<File> {
     project.pages(db).iter().copied().find(page)
 }
 
-/// The HTML file of the page to which a file of a project's pages belongs.
+/// Returns the HTML file of the page to which a page file belongs.
 pub fn page_of(db: &dyn Db, project: Project, file: File) -> Option<File> {
     let name = file.path(db).file_name()?;
     let page = page_name(name, BINDINGS).or_else(|| page_name(name, HTML))?;
     html_file(db, project, page)
 }
 
-/// The names of the pages of a project.
+/// Returns the names of a project's pages.
 pub fn names(db: &dyn Db, project: Project) -> Vec<SmolStr> {
     let files = project.pages(db).iter().filter_map(|file| file.path(db).file_name());
     files.filter_map(|name| page_name(name, HTML)).map(SmolStr::from).collect()

@@ -1,44 +1,44 @@
-//! The paths that projects and programs write: `Disk://a/a.pjx`, `./b`, `../c/c.pjx`, `io`, `USB0://d`.
+//! Paths in projects and programs: `Disk://a/a.pjx`, `./b`, `../c/c.pjx`, `io`, `USB0://d`.
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
 use val3_lang::suggest::nearest;
 
-/// The root of paths without one: the flash memory of the controller.
+/// Root of paths without an explicit root: the controller's flash memory.
 const DISK: &str = "Disk";
 
-/// The roots that every controller has (6.7).
+/// Roots that every controller has (6.7).
 const MEDIA: [&str; 4] = [DISK, "Floppy", "USB0", "USB1"];
 
-/// The nearest folder `usrapp` above a project. It is the folder of `Disk://` on a controller.
+/// Returns the nearest folder `usrapp` above a project, which is the folder of `Disk://` on a controller.
 pub(crate) fn usrapp(manifest: &Utf8Path) -> Option<&Utf8Path> {
     let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
     manifest.ancestors().skip(1).find(is_usrapp)
 }
 
-/// The ends of two different paths, from the last folder that contains both.
+/// Returns the ends of two different paths, starting with the last common folder.
 pub fn distinct_ends<'p>(one: &'p Utf8Path, other: &'p Utf8Path) -> [&'p Utf8Path; 2] {
     let common = one.ancestors().find(|folder| other.starts_with(folder) && *folder != one);
     let around = common.and_then(Utf8Path::parent).unwrap_or(Utf8Path::new(""));
     [one, other].map(|path| path.strip_prefix(around).unwrap_or(path))
 }
 
-/// The key under which a path is found: files are looked up without regard to letter case.
+/// Returns the lookup key of a path, which is independent of letter case.
 pub fn path_key(path: &str) -> String {
     path.to_lowercase()
 }
 
-/// The folders of the roots of paths.
+/// Folders of the path roots.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Roots {
-    /// `Disk://`; `None` where it is unknown.
+    /// Folder of `Disk://`; `None` if unknown.
     pub disk: Option<Utf8PathBuf>,
-    /// Other roots by name: `USB0`.
+    /// Other roots by name, for example `USB0`.
     pub others: Vec<(String, Utf8PathBuf)>,
 }
 
 impl Roots {
-    /// The folder of a root.
+    /// Returns the folder of a root.
     fn folder(&self, root: &str) -> Option<&Utf8Path> {
         if root.eq_ignore_ascii_case(DISK) {
             return self.disk.as_deref();
@@ -48,16 +48,16 @@ impl Roots {
     }
 }
 
-/// Where a reference points.
+/// Target of a reference.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Target {
-    /// A path of the local disk.
+    /// A path on the local disk.
     Path(Utf8PathBuf),
-    /// A root without a known folder (`USB0://`, an FTP connection): nothing to check against.
+    /// A root without a known folder (`USB0://`, an FTP connection), which cannot be checked.
     Elsewhere,
 }
 
-/// Reads the reference to a file of the project in `folder`, which is normal: a program or data file.
+/// Resolves a reference to a program or data file of the project in `folder`, which is normalised.
 pub fn file_in(folder: &Utf8Path, reference: &str) -> Utf8PathBuf {
     let reference = reference.trim();
     if is_plain_name(reference) {
@@ -66,13 +66,13 @@ pub fn file_in(folder: &Utf8Path, reference: &str) -> Utf8PathBuf {
     normalise(&folder.join(reference.replace('\\', "/")))
 }
 
-/// The name of a file in the same folder, as nearly every reference is.
+/// Whether the reference is a bare file name, as almost always.
 fn is_plain_name(reference: &str) -> bool {
     !reference.contains(['/', '\\']) && !matches!(reference, "" | "." | "..")
 }
 
-/// Reads the reference to another project, as `<Library path>`, `<Type path>` and `libLoad` write it (6.6):
-/// the root is `Disk` unless given, the path may be the folder or the `.pjx` in it.
+/// Resolves a reference to another project in `<Library path>`, `<Type path>` or `libLoad` (6.6). The default root is
+/// `Disk`; the path is the project's folder or its `.pjx`.
 pub fn project(folder: &Utf8Path, roots: &Roots, reference: &str) -> Target {
     let reference = reference.trim().replace('\\', "/");
     let path = match reference.split_once("://") {
@@ -83,21 +83,21 @@ pub fn project(folder: &Utf8Path, roots: &Roots, reference: &str) -> Target {
     path.map_or(Target::Elsewhere, |path| Target::Path(with_manifest(normalise(&path))))
 }
 
-/// The root of such a reference.
+/// Returns the root name of a reference.
 pub fn root(reference: &str) -> &str {
     let named = reference.trim().split_once("://").map(|(root, _)| root).filter(|root| !root.is_empty());
     named.unwrap_or(DISK)
 }
 
-/// The root that was probably meant by an unknown one; `None` for a medium of the controller.
+/// Returns the known root most similar to an unknown one; `None` for a medium of the controller.
 pub fn near_root(root: &str, roots: &Roots) -> Option<SmolStr> {
     let is_medium = MEDIA.iter().any(|medium| root.eq_ignore_ascii_case(medium));
     let named = roots.others.iter().map(|(name, _)| name.as_str());
     if is_medium { None } else { nearest(root, MEDIA.into_iter().chain(named)).map(SmolStr::from) }
 }
 
-/// Reads the start of such a reference (`"Disk://parts/part" + sName`): the folder that holds the projects, and how
-/// the names of their own folders begin, in lower case.
+/// Resolves a prefix of a reference, as in `"Disk://parts/part" + sName`: the folder that contains the projects, and
+/// the prefix of the project folders in lower case.
 pub fn projects_from(folder: &Utf8Path, roots: &Roots, prefix: &str) -> Option<(Utf8PathBuf, String)> {
     let (start, partial) = prefix.rsplit_once('/').unwrap_or(("", prefix));
     match project(folder, roots, &format!("{start}/x.pjx")) {
@@ -106,7 +106,7 @@ pub fn projects_from(folder: &Utf8Path, roots: &Roots, prefix: &str) -> Option<(
     }
 }
 
-/// `a/b` names the project `a/b/b.pjx`.
+/// Appends the project file: `a/b` becomes `a/b/b.pjx`.
 pub fn with_manifest(path: Utf8PathBuf) -> Utf8PathBuf {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx")) {
         return path;
@@ -117,13 +117,13 @@ pub fn with_manifest(path: Utf8PathBuf) -> Utf8PathBuf {
     }
 }
 
-/// Whether two paths name the same file, without regard to letter case.
+/// Whether two paths are equal in any letter case.
 pub fn is_same(path: &Utf8Path, other: &Utf8Path) -> bool {
     path_key(path.as_str()) == path_key(other.as_str())
 }
 
-/// The rest of `path` inside `folder`, empty for the folder itself; `None` if it lies elsewhere. Letter case makes no
-/// difference.
+/// Returns the rest of `path` below `folder` in any letter case: empty for the folder itself, `None` if the path is
+/// outside.
 pub fn inside<'p>(path: &'p Utf8Path, folder: &Utf8Path) -> Option<&'p Utf8Path> {
     let mut rest = path.components();
     for part in folder.components() {
@@ -135,7 +135,7 @@ pub fn inside<'p>(path: &'p Utf8Path, folder: &Utf8Path) -> Option<&'p Utf8Path>
     Some(rest.as_path())
 }
 
-/// Without `.`, `..` and doubled separators, computed from the path alone.
+/// Removes `.`, `..` and doubled separators, without disk access.
 pub fn normalise(path: &Utf8Path) -> Utf8PathBuf {
     let mut out = Utf8PathBuf::new();
     for component in path.components() {

@@ -1,4 +1,4 @@
-//! Positions in `world`, and tools on the flange, as the data files give them.
+//! Placement of data: positions in `world` and tools on the flange, from the data files.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -11,45 +11,45 @@ use crate::items::manifest::length_unit;
 use crate::items::positions::{Position, positions};
 use crate::items::project::items;
 
-/// A position with the frames or tools that it is relative to.
+/// Pose of a position or tool, and its chain of fathers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placement {
-    /// In `world`, or on the flange for a tool; lengths in mm.
+    /// Pose in `world`; for a tool, on the flange. Lengths in mm.
     pub pose: IsometryMatrix3<f64>,
-    /// The paths of the value and of its fathers, without the built-in one.
+    /// Data paths of the value and its fathers, without the built-in father.
     pub chain: Vec<SmolStr>,
 }
 
-/// Why the place of a position is not known.
+/// Reason why a placement is unknown.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Unplaced {
-    /// The data files write no such value.
+    /// The data files contain no such value.
     Unwritten(SmolStr),
-    /// It has no father.
+    /// The value has no father.
     NoFather(SmolStr),
-    /// The fathers form a loop: each is relative to the next, and the last to the first.
+    /// The fathers form a loop.
     Loop {
-        /// The first of them, at most 20.
+        /// First members of the loop, at most 20.
         first: Vec<SmolStr>,
-        /// The number of all of them.
+        /// Number of members.
         count: usize,
     },
 }
 
-/// Maximum number of fathers that an error about a loop names.
+/// Maximum number of loop members in an error.
 const MOST_OF_LOOP: usize = 20;
 
-/// The value that the data files of a project write for a path such as `tSlots[1,2].pPlace[0]`.
+/// Returns the value at a data path such as `tSlots[1,2].pPlace[0]` in the data files of a project.
 pub fn position<'db>(db: &'db dyn Db, project: Project, path: &str) -> Option<&'db Position> {
     let name = path.split('[').next()?;
     let item = items(db, project).data.get(name)?;
     positions(db, item.file).get(path)
 }
 
-/// Where a point, frame or tool is.
+/// Computes the placement of a point, frame or tool.
 ///
 /// # Errors
-/// The value or one of its fathers is not known.
+/// If the value or one of its fathers is unknown.
 pub fn placement(db: &dyn Db, project: Project, path: &str) -> Result<Placement, Unplaced> {
     if is_built_in(path) {
         return Ok(Placement { pose: IsometryMatrix3::identity(), chain: Vec::new() });
@@ -63,7 +63,7 @@ pub fn placement(db: &dyn Db, project: Project, path: &str) -> Result<Placement,
     Ok(Placement { pose: pose * transformation(value).scaled(unit).isometry(), chain })
 }
 
-/// The pose of a father, which many values have in common.
+/// Returns the pose of a father, memoised because many values share it.
 #[salsa::tracked]
 fn father_pose(db: &dyn Db, project: Project, path: SmolStr) -> Result<IsometryMatrix3<f64>, Unplaced> {
     let fathers = chain_from(db, project, path)?;
@@ -73,8 +73,8 @@ fn father_pose(db: &dyn Db, project: Project, path: SmolStr) -> Result<IsometryM
     Ok(chain::resolve(&links))
 }
 
-/// The paths of a father and of its fathers, without the built-in one. Chains are not kept: those of many values of a
-/// long chain would fill the memory.
+/// Returns the data paths of a father and its fathers, without the built-in one. Not memoised, because the chains of
+/// many values would need too much memory.
 fn chain_from(db: &dyn Db, project: Project, path: SmolStr) -> Result<Vec<SmolStr>, Unplaced> {
     let (mut chain, mut known): (Vec<SmolStr>, FxHashSet<SmolStr>) = (Vec::new(), FxHashSet::default());
     let mut next = path;
@@ -89,20 +89,20 @@ fn chain_from(db: &dyn Db, project: Project, path: SmolStr) -> Result<Vec<SmolSt
     Ok(chain)
 }
 
-/// The loop at the end of a chain, from the father at which it comes back.
+/// Returns the loop at the end of a chain, beginning with `start`.
 fn of_loop(chain: &[SmolStr], start: &SmolStr) -> Unplaced {
     let members = chain.iter().skip_while(|name| *name != start);
     let count = members.clone().count();
     Unplaced::Loop { first: members.take(MOST_OF_LOOP).cloned().collect(), count }
 }
 
-/// The transformation of a value, in the length unit of the application.
+/// Returns the transformation of a value in the length unit of the application.
 pub fn transformation(value: &Position) -> Trsf {
     let [x, y, z, rx, ry, rz] = value.numbers;
     Trsf::new([x, y, z], [rx, ry, rz])
 }
 
-/// The joints of a value in degrees; an axis that moves along a line is in mm.
+/// Returns the joints of a value in degrees; in mm for a linear axis.
 pub fn joints(db: &dyn Db, project: Project, value: &Position, arm: &val3_kinematics::Arm) -> [f64; 6] {
     let unit = length_unit(db, project.manifest(db)).millimetres();
     let mut joints = value.numbers;
@@ -110,14 +110,15 @@ pub fn joints(db: &dyn Db, project: Project, value: &Position, arm: &val3_kinema
     joints
 }
 
-/// `world` and `flange`, which are the last fathers. Files of s5 and s6 declare them too.
+/// Whether the data path is `world` or `flange`, where every chain ends. Files of s5 and s6 declare them, too.
 fn is_built_in(path: &str) -> bool {
     let name = path.strip_suffix("[0]").unwrap_or(path);
     builtins::find(name)
         .is_some_and(|builtin| builtin.is_variable && matches!(builtin.ty, BaseType::Frame | BaseType::Tool))
 }
 
-/// A path as programs write it: `tSlots[1,2].pPlace` for `tSlots[1,2].pPlace[0]`, `pPick["near"]` for `pPick[near]`.
+/// Formats a data path as in programs: `tSlots[1,2].pPlace` for `tSlots[1,2].pPlace[0]`, `pPick["near"]` for
+/// `pPick[near]`.
 pub fn shown(path: &str) -> String {
     let mut shown = String::new();
     for part in path.split('[') {

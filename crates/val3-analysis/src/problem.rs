@@ -1,4 +1,4 @@
-//! Problems found by the analysis, as values. The rules of `val3-check` word them.
+//! Problems found by the analysis, as values. The rules of `val3-check` create their messages.
 
 mod data_size;
 mod encoding;
@@ -13,51 +13,51 @@ pub use page_fault::PageFault;
 
 use crate::db::FileRange;
 
-/// One fault, with the place a person looks at first.
+/// A fault with its main location.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
     /// The kind of fault.
     pub kind: ProblemKind,
-    /// Where.
+    /// Main location.
     pub place: FileRange,
-    /// Other sides of the fault: declarations, first occurrences.
+    /// Related locations, for example declarations or first occurrences.
     pub related: Vec<Related>,
 }
 
-/// Another side of a fault.
+/// A related location of a fault.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Related {
-    /// Where.
+    /// Location.
     pub place: FileRange,
-    /// The role of that place.
+    /// Role of the location.
     pub role: Role,
 }
 
-/// The role of the other side of a fault.
+/// Role of a related location.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// The declaration of the name.
     Declared,
-    /// The parameter that takes the argument.
+    /// The parameter of the argument.
     Parameter,
-    /// The first of two equal things.
+    /// The first declaration, which the second one repeats.
     First,
-    /// The interface that the library has to fulfil.
+    /// The interface that the library must implement.
     Interface,
-    /// The item of the library that differs.
+    /// The differing item of the library.
     Implementation,
-    /// The entry in the project that leads here.
+    /// The entry in the project file.
     Entry,
-    /// The list that lacks an entry.
+    /// The list in which an entry is missing.
     List,
-    /// One of the uses of the name.
+    /// A use of the name.
     Use,
 }
 
-/// The kind of item that a name refers to.
+/// Kind of item that a name refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameKind {
-    /// A variable of the whole application.
+    /// Global data.
     Data,
     /// A local variable.
     Local,
@@ -75,7 +75,7 @@ pub enum NameKind {
     Field,
 }
 
-/// The role of a file in a project.
+/// Role of a file in a project.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileRole {
     /// `.pjx`
@@ -91,7 +91,7 @@ pub enum FileRole {
 }
 
 impl ProblemKind {
-    /// A declaration is missing: every use of the name has the same fault.
+    /// Whether the fault is an unresolved name, which is the same at every use.
     pub fn is_about_missing_name(&self) -> bool {
         matches!(
             self,

@@ -1,4 +1,4 @@
-//! The `.pjx`: its entries, the files they name, and circles among libraries and types.
+//! Checks of a `.pjx`: its entries, the listed files, and cycles of libraries and types.
 
 mod circles;
 
@@ -17,7 +17,7 @@ use crate::paths::{self, Target};
 use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::xml::{self, Attribute, Element};
 
-/// The problems of a project file.
+/// Checks a project file and returns its problems.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     let file = project.manifest(db);
@@ -55,7 +55,7 @@ impl ProjectCheck<'_> {
         self.cell_files(root);
     }
 
-    /// The files of the cell are outside the project, so they are reported at its root element.
+    /// Reports unreadable files of the cell at the root element, because they are outside of the project.
     fn cell_files(&mut self, root: Element<'_>) {
         let Some(cell) = self.project.cell(self.db) else { return };
         for file in &cell.config(self.db).unreadable_files {
@@ -94,7 +94,7 @@ impl ProjectCheck<'_> {
         }
     }
 
-    /// Program and data files.
+    /// Checks the entries of program or data files.
     fn files(&mut self, root: Element<'_>, list: (&'static str, &'static str), what: FileRole) {
         let mut seen: FxHashMap<String, TextRange> = FxHashMap::default();
         for element in entries(root, list) {
@@ -116,7 +116,7 @@ impl ProjectCheck<'_> {
         }
     }
 
-    /// Libraries and user types.
+    /// Checks the entries of libraries or user types.
     fn projects(
         &mut self,
         root: Element<'_>,
@@ -127,7 +127,7 @@ impl ProjectCheck<'_> {
         let mut seen = FxHashMap::default();
         for element in entries(root, list) {
             let is_again = element.attribute(name).is_some_and(|found| self.project_name(found, what, &mut seen));
-            // The second of two entries with one name is ignored.
+            // The second entry with the same name is ignored.
             if let Some(found) = element.attribute(path)
                 && !is_again
                 && !self.separators(found)
@@ -138,7 +138,7 @@ impl ProjectCheck<'_> {
         }
     }
 
-    /// True for a name that an entry before has.
+    /// Checks an entry's name. Returns whether an earlier entry has the same name.
     fn project_name(&mut self, found: Attribute<'_>, what: FileRole, seen: &mut FxHashMap<String, TextRange>) -> bool {
         let kind = if what == FileRole::Library { NameKind::Library } else { NameKind::Type };
         self.found.name(found, kind);
@@ -156,7 +156,7 @@ impl ProjectCheck<'_> {
         self.found.report_again(found.range, kind, Some(FileRange { file: self.file, range: first }));
     }
 
-    /// Reports a path with backslashes; true if it is one.
+    /// Reports a path with backslashes. Returns whether it has any.
     fn separators(&mut self, path: Attribute<'_>) -> bool {
         let found = path.text().contains('\\');
         if found {

@@ -1,9 +1,9 @@
-//! The poses that an arm reaches, whatever its position before.
+//! Reachability of poses, independent of the arm's previous position.
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Elbow, Joints, Request, RequestedConfiguration, Shoulder, Unreachable, Wrist};
 
-/// Joints in which the flange has a pose. The configuration of the start is not known, so `same` admits any.
+/// Returns joints for a flange pose. The initial configuration is unknown, so `same` accepts any configuration.
 pub fn reach(
     arm: &Arm,
     flange: &IsometryMatrix3<f64>,
@@ -12,7 +12,7 @@ pub fn reach(
     arm.solve(&Trsf::from(*flange), &[0.0; 6], without_same(requested))
 }
 
-/// The configuration as far as it does not depend on the start.
+/// Replaces `same` by `free`, because the initial configuration is unknown.
 pub fn without_same(requested: RequestedConfiguration) -> RequestedConfiguration {
     fn freed<T>(request: Request<T>) -> Request<T> {
         if matches!(request, Request::Same) { Request::Free } else { request }
@@ -24,7 +24,7 @@ pub fn without_same(requested: RequestedConfiguration) -> RequestedConfiguration
     }
 }
 
-/// The configuration of a joint position in the words of programs: `lefty`, `epositive`, `wpositive`.
+/// Returns the configuration of a joint position in VAL 3 words: `lefty`, `epositive`, `wpositive`.
 pub fn configuration_words(arm: &Arm, joints: &Joints) -> Vec<&'static str> {
     let found = arm.configuration(joints);
     let shoulder = if found.shoulder == Shoulder::Lefty { "lefty" } else { "righty" };

@@ -1,4 +1,4 @@
-//! Which data change their size while the application runs.
+//! Data whose size may change while the application runs.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -9,7 +9,7 @@ use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
 use crate::items::project::program_files;
 
-/// A program of the project may change the size of the data called `name`.
+/// Whether a program of the project may change the size of the data called `name`.
 pub fn is_resized(db: &dyn Db, project: Project, name: &str) -> bool {
     resized_data(db, project).contains(name)
 }
@@ -19,8 +19,8 @@ fn resized_data(db: &dyn Db, project: Project) -> FxHashSet<SmolStr> {
     program_files(db, project).iter().flat_map(|file| resized(db, *file)).cloned().collect()
 }
 
-/// The variables that a program passes as a whole: instructions (`insert`, `resize`, `libList` …) and programs can then
-/// change their size. An element that marks the start of a part counts as the whole.
+/// Returns the variables that a program passes as whole containers, so that instructions (`insert`, `resize`, `libList`
+/// …) and programs may change their size. A start element of a part counts as the whole container.
 #[salsa::tracked]
 fn resized(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let body = body(db, file);
@@ -34,7 +34,7 @@ fn resized(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     names
 }
 
-/// The parameter may be a container whose size changes: that of a program always, that of an instruction where it may
+/// Whether the parameter may be a container whose size changes: always for a program, and for an instruction that may
 /// change sizes.
 fn takes_container(body: &Body, callee: ExprId, position: usize) -> bool {
     let instruction = match body.expr(callee) {

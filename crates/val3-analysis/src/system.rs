@@ -1,4 +1,4 @@
-//! The file system as the loader sees it: the real one, one in memory, or one with files laid over it.
+//! File system interface of the loader, with implementations for the disk, for memory, and for an overlay.
 
 mod links;
 mod overlay;
@@ -18,7 +18,7 @@ use crate::paths::normalise;
 
 pub use overlay::OverlayFs;
 
-/// The kind of a path's target.
+/// Kind of path target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A file.
@@ -27,54 +27,54 @@ pub enum Kind {
     Folder,
 }
 
-/// The interface of a file system that the loader uses.
+/// A file system as the loader uses it.
 pub trait System: Send + Sync + Debug {
-    /// The bytes of a file, up to the limit of its class.
+    /// Reads a file up to the size limit of the class.
     ///
     /// # Errors
-    /// The path is not that of a file of this size, or the file system cannot read it.
+    /// If the path is no file of this size, or the file system cannot read it.
     fn read(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable>;
 
-    /// The contents of several programs, data files or projects, in the same order; `None` where there is no file. An implementation may read them
-    /// in parallel.
+    /// Reads several program, data or project files, in the same order; `None` if a file does not exist. An
+    /// implementation may read them in parallel.
     fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
         paths.iter().map(|path| Content::of(self.read(path, FileClass::Program))).collect()
     }
 
-    /// The text of a file that is being edited, which counts instead of the stored one.
+    /// Returns the text of a file that is open in an editor, which takes precedence over the stored text.
     fn edited(&self, _path: &Utf8Path) -> Option<Arc<str>> {
         None
     }
 
-    /// The stored bytes of a program, data file or project, even while it is being edited.
+    /// Reads the stored bytes of a program, data or project file, even if the file is open in an editor.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read).
+    /// As for [`read`](Self::read).
     fn stored(&self, path: &Utf8Path, class: FileClass) -> Result<Vec<u8>, Unreadable> {
         self.read(path, class)
     }
 
-    /// The size of a stored file in bytes; 0 if it does not exist.
+    /// Returns the size of a stored file in bytes; 0 if it does not exist.
     fn size(&self, path: &Utf8Path) -> u64;
 
-    /// Names of the entries of a folder, sorted. Names that are no UTF-8 are left out.
+    /// Returns the sorted names of a folder's entries, without names that are not valid UTF-8.
     ///
     /// # Errors
-    /// Those of the file system.
+    /// If the file system cannot list the folder.
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>>;
 
-    /// The kind of `path`, after following links; `None` where there is nothing.
+    /// Returns the kind of `path` after following links; `None` if it does not exist.
     fn kind(&self, path: &Utf8Path) -> Option<Kind>;
 
-    /// A path that is the same for every way to the same folder, so that links cannot lead around in circles.
+    /// Returns a path that is unique for a folder, so that circular links are recognised.
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf;
 
-    /// The path after following all links, of which the last names need not exist.
+    /// Resolves all links in the path. The last parts need not exist.
     fn target(&self, path: &Utf8Path) -> Utf8PathBuf {
         normalise(path)
     }
 
-    /// Whether the entry at `path` itself is a link.
+    /// Whether the entry at `path` is itself a link.
     fn is_link(&self, _path: &Utf8Path) -> bool {
         false
     }
@@ -122,20 +122,20 @@ impl<S: System + ?Sized> System for &S {
     }
 }
 
-/// The content of a file.
+/// Content of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Content {
-    /// Its text; empty where it cannot be read.
+    /// Decoded text; empty if the file is unreadable.
     pub text: Arc<str>,
-    /// How it was read; `None` where an editor has the text.
+    /// Result of reading; `None` if the text comes from an editor.
     pub status: Option<FileStatus>,
 }
 
-/// The largest file that is read, in bytes: offsets have 32 bits.
+/// Maximum file size in bytes: offsets have 32 bits.
 const SIZE_LIMIT: usize = u32::MAX as usize / 2;
 
 impl Content {
-    /// The content of what was read; `None` where there is no file.
+    /// Converts the result of reading to content; `None` if the file does not exist.
     pub fn of(read: Result<Vec<u8>, Unreadable>) -> Option<Self> {
         match read {
             Ok(bytes) if bytes.len() > SIZE_LIMIT => Some(Self::unreadable("it is larger than 2 GiB".to_owned())),
@@ -152,13 +152,13 @@ impl Content {
         }
     }
 
-    /// The content of a file that cannot be read.
+    /// Creates the content for an unreadable file.
     pub(crate) fn unreadable(reason: String) -> Self {
         Self { text: "".into(), status: Some(FileStatus::Unreadable(reason)) }
     }
 }
 
-/// The disk.
+/// The file system of the operating system.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Disk;
 
@@ -196,14 +196,14 @@ impl System for Disk {
     }
 }
 
-/// Files in memory.
+/// A file system in memory.
 #[derive(Debug, Clone, Default)]
 pub struct Memory {
     files: BTreeMap<Utf8PathBuf, Vec<u8>>,
 }
 
 impl Memory {
-    /// A file system with these files.
+    /// Creates a file system with these files.
     pub fn new<P: Into<Utf8PathBuf>, B: Into<Vec<u8>>>(files: impl IntoIterator<Item = (P, B)>) -> Self {
         Self { files: files.into_iter().map(|(path, bytes)| (path.into(), bytes.into())).collect() }
     }

@@ -1,4 +1,4 @@
-//! Which data are targets of moves, and with which tools.
+//! Data that are targets of moves, with the tools of these moves.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -13,19 +13,19 @@ use crate::infer::{Inference, infer};
 use crate::items::positions::key_of;
 use crate::items::project::program_files;
 
-/// How programs move to data.
+/// Use of data as a move target.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct TargetUse {
-    /// The paths of the tools of moves whose tools are data or built in.
+    /// Data paths of the tools, for moves whose tool is data or built in.
     pub tools: FxHashSet<SmolStr>,
-    /// A move with a tool that is not known, or the data are passed on, so that other moves are possible.
+    /// Whether other tools are possible: a move has an unknown tool, or the data are passed to a program.
     pub is_open: bool,
 }
 
-/// The data that are targets of moves, by their names.
+/// Uses of data as move targets, by data name.
 pub type Targets = FxHashMap<SmolStr, TargetUse>;
 
-/// The data of a project that its programs move to or pass on.
+/// Returns the data of a project that its programs use as move targets or pass on.
 #[salsa::tracked]
 pub fn targets(db: &dyn Db, project: Project) -> Targets {
     let mut all = Targets::default();
@@ -66,7 +66,7 @@ struct Search<'db> {
 }
 
 impl Search<'_> {
-    /// A move to data, or a call of a program that gets them.
+    /// Adds the targets of a move instruction.
     fn call(&mut self, id: ExprId, args: &[ExprId]) {
         let Some(call) = self.inference.call(id) else { return };
         let Some(MotionRole::Move(_)) = role(call.instruction) else { return };
@@ -97,7 +97,7 @@ impl Search<'_> {
     fn pass_on(&mut self, args: &[ExprId]) {
         for arg in args {
             match self.body.expr(self.body.without_parentheses(*arg)) {
-                // Arguments of a call in a `taskCreate`.
+                // Arguments of a call in `taskCreate`.
                 Expr::Call(_, inner) if self.inference.call(*arg).is_none() => self.pass_on(inner),
                 _ if self.may_hold_target(*arg) => {
                     self.uses(*arg).into_iter().for_each(|uses| uses.is_open = true);
@@ -107,13 +107,13 @@ impl Search<'_> {
         }
     }
 
-    /// A point, a joint, or a user type, which can have them as fields.
+    /// Whether the value is a point, a joint, or of a user type, which may have such fields.
     fn may_hold_target(&self, id: ExprId) -> bool {
         let ty = self.inference.ty(id).base.builtin();
         ty.is_none_or(|ty| matches!(ty, BaseType::Point | BaseType::Joint))
     }
 
-    /// The uses of the data whose value `id` is, or which it is computed from.
+    /// Returns the use of the data whose value `id` is, or from which it is computed.
     fn uses(&mut self, id: ExprId) -> Option<&mut TargetUse> {
         let id = self.body.without_parentheses(id);
         if let Expr::Call(_, args) = self.body.expr(id) {
@@ -127,7 +127,7 @@ impl Search<'_> {
     }
 }
 
-/// The path of a value in the data, with every index: `tSlots[1,2].pPlace[0]`. `None` if an index is not constant.
+/// Returns the data path of a value with every index: `tSlots[1,2].pPlace[0]`; `None` if an index is not constant.
 /// Whether such data exist is not checked.
 pub fn path(body: &Body, id: ExprId) -> Option<SmolStr> {
     let id = body.without_parentheses(id);
@@ -143,7 +143,7 @@ pub fn path(body: &Body, id: ExprId) -> Option<SmolStr> {
     Some(format!("{name}[{key}]").into())
 }
 
-/// The key of an element if its indexes are constant: `1,2`, `near`.
+/// Returns the key for constant indexes, for example `1,2` or `near`.
 pub fn key(body: &Body, keys: &[ExprId]) -> Option<String> {
     let part = |key: &ExprId| match body.constant(*key)? {
         Constant::Number(number) => Some(number.to_string()),

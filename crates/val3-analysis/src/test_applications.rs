@@ -1,17 +1,17 @@
-//! The applications that have tests.
+//! Recognition of applications with tests.
 
 use val3_lang::test_names::is_test_application;
 
 use crate::db::{Configuration, Db, Project};
 use crate::items::project::folder;
 
-/// Whether a project may use a private item of its libraries: tests may, and only `val3` executes such tests.
+/// Whether a project may use private items in its libraries: test applications may, because only `val3` executes tests.
 #[must_use]
 pub fn sees_private_items(db: &dyn Db, project: Project) -> bool {
     has_tests(db, project)
 }
 
-/// Whether the programs `test…` of a project are tests: its name, its folder or its configuration says so.
+/// Whether the programs `test…` of a project are tests, by its name, folder or configuration.
 pub fn has_tests(db: &dyn Db, project: Project) -> bool {
     let folder = folder(db, project);
     let is_listed = |configuration: Configuration| configuration.file(db).lists_tests_in(folder);

@@ -1,40 +1,40 @@
-//! Types as the analysis computes them: a base and a container.
+//! Types as inferred by the analysis: a base and a container.
 
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::types::{Arm, BaseType, Container};
 
 use crate::db::{Db, Project};
 
-/// The longest string, in bytes of UTF-8 (3.4.1).
+/// Maximum length of a string in bytes of UTF-8 (3.4.1).
 pub(crate) const STRING_LIMIT: usize = 128;
 
-/// The base of a type.
+/// Base of a type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Base {
-    /// A built-in type; positions may be bound to an arm.
+    /// A built-in type; positions may have a kind of arm.
     Builtin(BaseType, Option<Arm>),
-    /// A user type, named by its project.
+    /// A user type, identified by its project.
     User(Project),
-    /// Nothing is known, because something else is wrong: silent everywhere.
+    /// An unknown type, which is the consequence of a reported fault and causes no further problems.
     Unknown,
 }
 
-/// A type: what each value is, and how the values are stored.
+/// A type: the base of the values, and the container that stores them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Ty {
-    /// The type of each value.
+    /// Base of the values.
     pub base: Base,
-    /// How the values are stored.
+    /// Container of the values.
     pub container: Container,
 }
 
 impl Base {
-    /// A built-in type of no particular arm.
+    /// A built-in type without a kind of arm.
     pub const fn of(base: BaseType) -> Self {
         Self::Builtin(base, None)
     }
 
-    /// A position without an arm belongs to the arm of the project.
+    /// Returns the type with the project's kind of arm, if it is a position type without one.
     pub fn on_arm(self, arm: Option<Arm>) -> Self {
         match self {
             Self::Builtin(base, None) if base.depends_on_arm() => Self::Builtin(base, arm),
@@ -42,7 +42,7 @@ impl Base {
         }
     }
 
-    /// The built-in type, if it is one.
+    /// Returns the built-in type, if it is one.
     pub fn builtin(self) -> Option<BaseType> {
         match self {
             Self::Builtin(base, _) => Some(base),
@@ -50,7 +50,7 @@ impl Base {
         }
     }
 
-    /// Values of this type and of `other` are of the same type: arms differ only where both are known.
+    /// Whether the types are equal. Kinds of arm differ only if both are known.
     pub fn same_as(self, other: Self) -> bool {
         match (self, other) {
             (Self::Unknown, _) | (_, Self::Unknown) => true,
@@ -62,7 +62,7 @@ impl Base {
         }
     }
 
-    /// The name as a programmer writes it.
+    /// Formats the type name as in a program.
     pub fn display(self, db: &dyn Db) -> SmolStr {
         match self {
             Self::Builtin(base, Some(arm)) if base.depends_on_arm() => base.file_name(arm).into(),
@@ -74,31 +74,31 @@ impl Base {
 }
 
 impl Ty {
-    /// The type of nothing known.
+    /// The unknown type.
     pub const UNKNOWN: Self = Self::element(Base::Unknown);
 
-    /// One value.
+    /// The type of a single value.
     pub const fn element(base: Base) -> Self {
         Self { base, container: Container::Element }
     }
 
-    /// One value of a built-in type.
+    /// The type of a single value of a built-in type.
     pub const fn of(base: BaseType) -> Self {
         Self::element(Base::of(base))
     }
 
-    /// Nothing is known of it.
+    /// Whether the type is unknown.
     pub fn is_unknown(self) -> bool {
         self.base == Base::Unknown
     }
 
-    /// As a programmer writes it: `num`, `point[]`, `string[""]`, `num[,]`.
+    /// Formats the type as in a program: `num`, `point[]`, `string[""]`, `num[,]`.
     pub fn display(self, db: &dyn Db) -> SmolStr {
         format_smolstr!("{}{}", self.base.display(db), brackets(self.container))
     }
 }
 
-/// The brackets after the type or name: `[]`, `[,]`, `[""]`.
+/// Returns the brackets after the type or name: `[]`, `[,]`, `[""]`.
 pub fn brackets(container: Container) -> &'static str {
     match container {
         Container::Element => "",

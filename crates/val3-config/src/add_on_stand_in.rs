@@ -1,4 +1,4 @@
-//! Stand-ins for instructions of add-ons that a simulated controller does not have: values and programs.
+//! Stand-ins for add-on instructions that a simulated controller does not have: values and programs.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -43,12 +43,13 @@ pub struct StandInProgram {
 }
 
 impl StandInProgram {
-    /// The folder of the library, from the folder of the settings file; empty if the path names none.
+    /// Returns the folder of the library, relative to the folder of the settings file; empty if the path contains no
+    /// folder.
     pub fn folder(&self) -> &Utf8Path {
         self.program.parent().unwrap_or(Utf8Path::new(""))
     }
 
-    /// The name of the program.
+    /// Returns the program name.
     pub fn name(&self) -> &str {
         let name = self.program.file_name().unwrap_or_default();
         name.strip_suffix(".pgx").unwrap_or(name)
@@ -80,7 +81,7 @@ impl JsonSchema for AddOnStandIn {
     }
 }
 
-/// Reads stand-ins by the names of instructions, which begin with `$`.
+/// Reads stand-ins by instruction name. The names must begin with `$`.
 pub(crate) fn read<'de, D: Deserializer<'de>>(input: D) -> Result<BTreeMap<String, AddOnStandIn>, D::Error> {
     let stand_ins = BTreeMap::<String, AddOnStandIn>::deserialize(input)?;
     for (name, stand_in) in &stand_ins {

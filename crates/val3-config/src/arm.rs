@@ -5,35 +5,35 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 use val3_lang::types::Arm;
 
-/// The words for kinds of arms.
+/// Words for the kinds of arms.
 const KINDS: [(&str, Arm); 3] = [("six-axis", Arm::SixAxis), ("scara", Arm::Scara), ("other", Arm::Vrb)];
 
-/// The arm of a cell as the configuration names it.
+/// Arm of a cell as set in the configuration.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub struct ArmSetting {
-    /// A kind of arm, a model, or the path of a file that ends in `.toml`.
+    /// A kind of arm, a model name, or the path of a file that ends with `.toml`.
     name: String,
-    /// The kind; `None` for a file, which says it itself.
+    /// Kind of arm; `None` for a file, which defines the kind.
     #[serde(skip)]
     kind: Option<Arm>,
 }
 
 impl ArmSetting {
-    /// Reads a kind of arm (`scara`), a model (`tx2-60l`) or the path of a file.
+    /// Parses a kind of arm (`scara`), a model name (`tx2-60l`) or the path of a file.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         let kind = kind_of(text);
         (kind.is_some() || is_file(text)).then(|| Self { name: text.to_owned(), kind })
     }
 
-    /// The kind of arm; `None` where a file says it.
+    /// Returns the kind of arm; `None` if a file defines it.
     #[must_use]
     pub const fn kind(&self) -> Option<Arm> {
         self.kind
     }
 
-    /// The model, or the path of a file; `None` where only the kind is said.
+    /// Returns the model name or the path of a file; `None` if only the kind is set.
     #[must_use]
     pub fn model(&self) -> Option<ArmModel<'_>> {
         match self.name.as_str() {
@@ -44,12 +44,12 @@ impl ArmSetting {
     }
 }
 
-/// A model of an arm.
+/// Arm model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArmModel<'a> {
-    /// By its name: `tx2-60l`.
+    /// Model name, for example `tx2-60l`.
     Name(&'a str),
-    /// Described in a file, relative to the folder of the configuration.
+    /// Description file, relative to the folder of the configuration.
     File(&'a Utf8Path),
 }
 

@@ -1,4 +1,4 @@
-//! The settings of a `val3.toml`.
+//! Settings in a `val3.toml`.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Reading the text of a `val3.toml`.
+//! Parsing of a `val3.toml`.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -12,27 +12,28 @@ use crate::schema::schema;
 use crate::validate::{SettingError, first_error};
 use crate::{Config, ConfigError, Patterns};
 
-/// The name of a configuration file.
+/// Name of a configuration file.
 pub const FILE_NAME: &str = "val3.toml";
 
-/// A configuration together with its file.
+/// A configuration with its file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ConfigFile {
-    /// The file.
+    /// Path of the file.
     pub path: Utf8PathBuf,
-    /// Its text.
+    /// Content of the file.
     pub text: String,
-    /// Its settings.
+    /// Settings in the file.
     pub config: Config,
-    /// The byte range of each key (`rules.V0301`) in the text.
+    /// Byte ranges in the text, by key (`rules.V0301`).
     key_ranges: BTreeMap<String, Range<usize>>,
 }
 
 impl ConfigFile {
-    /// Reads `text`, the content of the file `path`.
+    /// Parses `text`, the content of the file `path`.
     ///
     /// # Errors
-    /// The first error if the text is not TOML, has an unknown key, or has a value that its key does not accept.
+    /// Reports the first error if the text is no valid TOML, has an unknown key, or has a value that its key does not
+    /// accept.
     pub fn parse(path: &Utf8Path, text: &str) -> Result<Self, ConfigError> {
         let error = |range: Range<usize>, message: String, help: String| ConfigError {
             path: path.to_owned(),
@@ -62,17 +63,17 @@ impl ConfigFile {
         }
     }
 
-    /// The folder that relative paths in the file start from.
+    /// Returns the folder to which paths in the file are relative.
     pub fn folder(&self) -> &Utf8Path {
         self.path.parent().unwrap_or(Utf8Path::new(""))
     }
 
-    /// The line of a key (`rules.V0301`), from 1; `None` if the file does not set it.
+    /// Returns the line of a key (`rules.V0301`), from 1; `None` if the file does not set it.
     pub fn line(&self, key: &str) -> Option<usize> {
         self.key_ranges.get(key).map(|range| line_of(&self.text, range.start))
     }
 
-    /// An error in the value of `key` that only the reader of the setting can detect.
+    /// Creates an error in the value of `key` that only the user of the setting can detect.
     pub fn fault(&self, key: &str, message: String, help: String) -> ConfigError {
         let range = self.key_ranges.get(key).cloned().unwrap_or_default();
         ConfigError { path: self.path.clone(), text: self.text.clone(), range, message, help }

@@ -36,14 +36,14 @@ pub struct DefaultRun {
 }
 
 impl DefaultRun {
-    /// The files that the run writes, each with its key and its file extension.
+    /// Returns the files that the run writes, each with its key and its file extension.
     fn written(&self) -> impl Iterator<Item = (&'static str, &Utf8Path, &'static str)> {
         let plot = self.plot.as_deref().map(|path| ("plot", path, "svg"));
         let export = self.export.as_deref().map(|path| ("export", path, "html"));
         plot.into_iter().chain(export)
     }
 
-    /// The key of the first setting that a run cannot follow, and the reason.
+    /// Returns the key of the first setting that a run cannot use, and the reason.
     pub(crate) fn fault(&self) -> Option<(&'static str, String)> {
         let is_unreachable = self.until.is_some_and(|until| !(0.0..1e9).contains(&until));
         if is_unreachable {
@@ -53,7 +53,8 @@ impl DefaultRun {
     }
 }
 
-/// The reason why a run writes no file at `path`. The extension keeps a cell from replacing files of another kind.
+/// Returns the reason why a run cannot write a file at `path`. The check of the extension prevents a cell from
+/// replacing other kinds of files.
 fn unwritable(path: &Utf8Path, extension: &str) -> Option<String> {
     let is_visible = |part: Utf8Component<'_>| match part {
         Utf8Component::Normal(name) => !name.starts_with('.') && !name.contains([':', '\\']),

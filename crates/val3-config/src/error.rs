@@ -6,28 +6,28 @@ use std::ops::Range;
 use camino::Utf8PathBuf;
 use val3_lines::LineIndex;
 
-/// An error in a configuration file, with the text of the message.
+/// An error in a configuration file, with all parts of the message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConfigError {
-    /// The file.
+    /// Path of the file.
     pub path: Utf8PathBuf,
-    /// Its text; empty if the file cannot be read.
+    /// Content of the file; empty if the file cannot be read.
     pub text: String,
-    /// The bytes of the text that the error refers to; empty for the whole file.
+    /// Byte range of the error; empty for the entire file.
     pub range: Range<usize>,
     /// One sentence that describes the error.
     pub message: String,
-    /// A suggestion for correcting it; may be empty.
+    /// A suggestion for the correction; may be empty.
     pub help: String,
 }
 
 impl ConfigError {
-    /// The number of the line, from 1.
+    /// Returns the line number, from 1.
     pub fn line(&self) -> usize {
         line_of(&self.text, self.range.start)
     }
 
-    /// The line of the error, and the marks below the range.
+    /// Returns the line of the error, and the marks below the range.
     fn excerpt(&self) -> Option<(&str, String)> {
         let start = self.text.floor_char_boundary(self.range.start);
         let end = self.text.floor_char_boundary(self.range.end);
@@ -57,7 +57,7 @@ impl fmt::Display for ConfigError {
 
 impl std::error::Error for ConfigError {}
 
-/// The number of the line that contains a byte offset, from 1.
+/// Returns the line number of a byte offset, from 1.
 pub(crate) fn line_of(text: &str, offset: usize) -> usize {
     LineIndex::new(text).line(offset) + 1
 }

@@ -1,4 +1,4 @@
-//! The level of the findings of a rule.
+//! Level of a rule's findings.
 
 use std::fmt;
 

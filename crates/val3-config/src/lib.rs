@@ -1,7 +1,7 @@
-//! The configuration file `val3.toml`: its settings, the line of each setting, and the JSON schema.
+//! The configuration file `val3.toml`: settings with their lines, and the JSON schema.
 //!
-//! [`Config`] is the only description. The reader, the schema, the messages about wrong settings and the list that
-//! `val3 check --explain-config` prints are all derived from it. This crate reads no files.
+//! [`Config`] is the only description. The reader, the schema, the messages about wrong settings and the output of
+//! `val3 check --explain-config` are derived from it. This crate reads no files.
 
 mod add_on_stand_in;
 mod arm;

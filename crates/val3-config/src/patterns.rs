@@ -1,4 +1,4 @@
-//! Patterns of paths, as the settings `exclude` and `test.applications` have them.
+//! Path patterns of the settings `exclude` and `test.applications`.
 
 use std::borrow::Cow;
 
@@ -16,12 +16,12 @@ pub struct Patterns {
 }
 
 impl Patterns {
-    /// Whether there are none, so that nothing matches.
+    /// Whether there are no patterns, so that no path matches.
     pub fn is_empty(&self) -> bool {
         self.patterns.is_empty()
     }
 
-    /// Whether `path`, relative to the folder of the configuration, or a folder around it matches.
+    /// Whether `path`, relative to the folder of the configuration, or a parent folder matches.
     pub fn contains(&self, path: &Utf8Path) -> bool {
         let inside = |path: &&Utf8Path| !path.as_str().is_empty();
         !self.is_empty() && path.ancestors().take_while(inside).any(|path| self.set.is_match(path))
@@ -47,7 +47,7 @@ impl TryFrom<Vec<String>> for Patterns {
     }
 }
 
-/// `old/**`, `old/` and `./old` mean the same: the folder and everything below it.
+/// Compiles a pattern. `old/**`, `old/` and `./old` are equivalent: the folder and everything below it.
 fn glob(pattern: &str) -> Result<Glob, String> {
     let path = pattern.strip_prefix("./").unwrap_or(pattern);
     let folder = path.strip_suffix("/**").unwrap_or(path).trim_end_matches('/');

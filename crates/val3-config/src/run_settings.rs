@@ -59,7 +59,7 @@ pub struct RunSettings {
     pub default: DefaultRun,
 }
 
-/// Reads a joint position of an arm with six or, for SCARA arms, four axes.
+/// Reads a joint position with six axes, or four axes for a SCARA arm.
 fn start<'de, D: Deserializer<'de>>(input: D) -> Result<Vec<f64>, D::Error> {
     let start = Vec::<f64>::deserialize(input)?;
     if [4, 6].contains(&start.len()) {

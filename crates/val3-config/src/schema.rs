@@ -1,11 +1,11 @@
-//! The JSON schema of `val3.toml`, for editors and for the messages about wrong settings.
+//! JSON schema of `val3.toml`, for editors and for the messages about wrong settings.
 
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
 
 use crate::Config;
 
-/// The schema as text, with a final newline. Editors read it from `editors/schema/val3.schema.json`.
+/// Returns the schema as text, with a final newline. Editors read it from `editors/schema/val3.schema.json`.
 pub fn json_schema() -> String {
     let mut schema = schema();
     if let Some(object) = schema.as_object_mut() {
@@ -14,20 +14,20 @@ pub fn json_schema() -> String {
     format!("{schema:#}\n")
 }
 
-/// The schema of the whole file, with all parts inlined.
+/// Returns the schema of the entire file, with all parts inlined.
 pub(crate) fn schema() -> Value {
     // TOML editors support draft 7.
     let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
     settings.into_generator().into_root_schema_for::<Config>().to_value()
 }
 
-/// The schema of the value under `key`.
+/// Returns the schema of the value under `key`.
 pub(crate) fn property<'s>(schema: &'s Value, key: &str) -> Option<&'s Value> {
     let named = schema.get("properties").and_then(|properties| properties.get(key));
     named.or_else(|| schema.get("additionalProperties").filter(|any| any.is_object()))
 }
 
-/// The keys that are declared by name.
+/// Returns the declared keys.
 pub(crate) fn keys(schema: &Value) -> impl Iterator<Item = &str> {
     schema.get("properties").and_then(Value::as_object).into_iter().flatten().map(|(key, _)| key.as_str())
 }
@@ -41,7 +41,7 @@ pub(crate) fn takes(schema: &Value, ty: &str) -> bool {
     }
 }
 
-/// The words that the schema accepts; empty if it accepts any.
+/// Returns the words that the schema accepts; empty if it accepts any.
 pub(crate) fn choices(schema: &Value) -> Vec<&str> {
     let listed = schema.get("enum").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str);
     let described = schema.get("oneOf").and_then(Value::as_array).into_iter().flatten();

@@ -1,4 +1,4 @@
-//! A list of all settings, each with its value and its line.
+//! List of all settings, each with its value and its line.
 
 use serde_json::Value;
 
@@ -8,15 +8,15 @@ use crate::{Config, ConfigFile};
 /// A setting with its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Setting {
-    /// `lint.line-length`
+    /// Key, for example `lint.line-length`.
     pub key: String,
-    /// The value as TOML writes it; empty if it has none.
+    /// Value in TOML syntax; empty if it has none.
     pub value: String,
-    /// The line of the file that sets it, from 1; `None` for a default.
+    /// Line that sets the value, from 1; `None` for a default.
     pub line: Option<usize>,
 }
 
-/// All settings, tables last. Without a file all have their defaults.
+/// Returns all settings, tables last. Without a file, all settings have their defaults.
 pub fn settings(file: Option<&ConfigFile>) -> Vec<Setting> {
     let default = ConfigFile::default();
     let file = file.unwrap_or(&default);

@@ -1,7 +1,8 @@
-//! Settings that reach outside of the cell that they come with, and the folders whose settings may do so.
+//! Trusted folders: their settings may refer to paths outside the cell.
 //!
-//! A cell is often cloned or received from somebody else. Its files steer the tools inside the cell only: the repository
-//! around the file, otherwise the folder of the file. The user trusts folders, and the binary connects the list.
+//! A cell is often cloned or received from another person. Its files may control the tools only inside the cell: the
+//! repository that contains the file, otherwise the folder of the file. The user trusts folders, and the binary
+//! connects this module to the user's list.
 
 use std::sync::OnceLock;
 
@@ -9,21 +10,21 @@ use camino::Utf8Path;
 
 use crate::{AddOnStandIn, ArmModel, ConfigError, ConfigFile, DefaultRun};
 
-/// The user's statements about folders. Links in their paths are resolved.
+/// Access to the user's list of trusted folders. Links in paths are resolved.
 #[derive(Debug, Clone, Copy)]
 pub struct UserTrust {
-    /// Whether the user trusts the settings in a folder.
+    /// Returns whether the user trusts the settings in a folder.
     pub trusts: fn(&Utf8Path) -> bool,
-    /// Whether a folder is the user's home, which contains cells and is none.
+    /// Returns whether a folder is the user's home, which contains cells but is never one.
     pub is_home: fn(&Utf8Path) -> bool,
 }
 
 static USER: OnceLock<UserTrust> = OnceLock::new();
 
 impl UserTrust {
-    /// Connects the user's statements, once for the process. Before that, nothing is trusted.
+    /// Connects the user's list, once for the process. Without a connection, no folder is trusted.
     pub fn connect(self) {
-        // The first connection stays.
+        // Only the first connection has an effect.
         let _ = USER.set(self);
     }
 }
@@ -38,24 +39,24 @@ pub fn is_home(folder: &Utf8Path) -> bool {
     USER.get().is_some_and(|user| (user.is_home)(folder))
 }
 
-/// A path that a settings file names.
+/// A path in a settings file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NamedPath<'f> {
-    /// The key of the setting: `roots.USB0`.
+    /// Key of the setting, for example `roots.USB0`.
     pub key: String,
-    /// The path, relative to the folder of the file.
+    /// Path, relative to the folder of the file.
     pub path: &'f Utf8Path,
 }
 
 impl NamedPath<'_> {
-    /// Whether the path is that of a library, whose surroundings programs reach.
+    /// Whether the path is a library's, whose surroundings programs can access.
     pub fn is_library(&self) -> bool {
         self.key.starts_with("test.replace.") || self.key.starts_with("run.add-ons.")
     }
 }
 
 impl ConfigFile {
-    /// All paths of the file that a command reads, writes or mounts.
+    /// Returns all paths in the file that a command reads, writes or mounts.
     pub fn named_paths(&self) -> Vec<NamedPath<'_>> {
         let config = &self.config;
         let arm = match config.arm.as_ref().and_then(|arm| arm.model()) {
@@ -82,7 +83,8 @@ impl ConfigFile {
         named
     }
 
-    /// The refusal of a setting that reaches outside of `cell`. `reach` states what the setting does.
+    /// Creates the error of a setting that refers to a path outside of `cell`. `reach` is the verb phrase of the
+    /// message.
     pub fn outside(&self, key: &str, reach: &str, cell: &Utf8Path) -> ConfigError {
         let help = format!(
             "files in `{cell}` count only inside it, unless you trust their author: {}",
@@ -92,7 +94,7 @@ impl ConfigFile {
     }
 }
 
-/// The command that adds a folder to the user's list.
+/// Returns the command that adds a folder to the user's list.
 pub fn trust_command(folder: &Utf8Path) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "/\\:._-+@".contains(c);
     match folder.as_str() {
@@ -130,7 +132,7 @@ replace = { part = "fake/part" }
         ConfigFile::parse(Utf8Path::new("/cell/val3.toml"), text).unwrap()
     }
 
-    /// The law: a new setting with a path is checked, too.
+    /// Every setting with a path is included, so that a new one is checked, too.
     #[test]
     fn every_setting_with_a_path_is_named() {
         let sources = [

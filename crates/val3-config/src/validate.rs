@@ -9,7 +9,7 @@ use val3_lang::suggest::{nearest, question};
 
 use crate::schema::{choices, keys, property, takes};
 
-/// A setting that is not allowed.
+/// An invalid setting.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct SettingError {
     pub(crate) range: Range<usize>,
@@ -17,7 +17,7 @@ pub(crate) struct SettingError {
     pub(crate) help: String,
 }
 
-/// The first error of `table` in the order of the text.
+/// Returns the first error of `table` in file order.
 pub(crate) fn first_error(table: &DeTable<'_>, schema: &Value) -> Option<SettingError> {
     let mut errors = Vec::new();
     validate_table(table, schema, "", &mut errors);
@@ -56,12 +56,12 @@ fn validate_value(value: &Spanned<DeValue<'_>>, schema: &Value, path: &str, erro
     }
 }
 
-/// Whether the setting is a value of programs, which has several types and can be negative.
+/// Whether the setting is a value for programs, which can have several types and be negative.
 fn is_any_value(schema: &Value) -> bool {
     schema.get("type").is_some_and(Value::is_array)
 }
 
-/// The name of a setting in a message; `exclude[]` means the entries of a list.
+/// Formats the name of a setting for a message; `exclude[]` means the entries of a list.
 fn quoted(path: &str) -> String {
     match path.strip_suffix("[]") {
         Some(list) => format!("each entry of `{list}`"),
@@ -88,7 +88,7 @@ fn unknown_word(word: &str, range: Range<usize>, schema: &Value, path: &str) -> 
     })
 }
 
-/// The part of a message that lists what a setting accepts.
+/// Formats the values that a setting accepts.
 fn expected(schema: &Value) -> String {
     let choices = choices(schema);
     if !choices.is_empty() {

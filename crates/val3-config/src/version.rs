@@ -6,7 +6,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serializer};
 use val3_lang::versions::Version;
 
-/// The versions that exist, by their first number.
+/// Existing versions, by their first number.
 const MAJOR: RangeInclusive<u8> = 5..=8;
 
 #[expect(clippy::ref_option, reason = "the shape that serde asks for")]

@@ -1,4 +1,4 @@
-//! Cobertura XML, version 04: an application or library is a package, a program a class.
+//! Cobertura XML, version 04: an application or library is a package, a program is a class.
 
 use std::io::{self, Write};
 
@@ -11,14 +11,14 @@ use crate::share::Share;
 
 type Xml<'w> = Writer<&'w mut dyn Write>;
 
-/// The document type that the element `coverage` refers to.
+/// Document type of the element `coverage`.
 const DOCTYPE: &str = "coverage SYSTEM \"http://cobertura.sourceforge.net/xml/coverage-04.dtd\"";
 
-/// Writes the document. `root` is the folder that the paths are relative to. The time stamp is 0, so that equal results are
-/// equal files.
+/// Writes the document. `root` is the folder to which paths are relative. The time stamp is 0, so that equal results
+/// yield equal files.
 ///
 /// # Errors
-/// Those of `out`.
+/// If writing to `out` fails.
 pub fn write(coverage: &Coverage, root: &str, out: &mut dyn Write) -> io::Result<()> {
     let mut xml = Writer::new_with_indent(out, b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
@@ -107,7 +107,7 @@ fn line(program: &ProgramCoverage, (number, hits): (u32, u64), xml: &mut Xml<'_>
         .map(drop)
 }
 
-/// `50% (1/2)`
+/// Formats `50% (1/2)`.
 fn condition_coverage(share: Share) -> String {
     format!("{} ({}/{})", whole_percent(share), share.hit, share.total)
 }

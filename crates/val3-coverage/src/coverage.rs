@@ -1,33 +1,33 @@
-//! The coverage of programs, added up over controllers.
+//! Coverage of programs, summed over controllers.
 
 use std::collections::BTreeMap;
 
 use crate::program::ProgramCoverage;
 use crate::share::Share;
 
-/// The coverage of programs by the paths of their files, thus independent of the order in which they were executed.
+/// Coverage by file path, independent of the order of execution.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Coverage {
     programs: BTreeMap<String, ProgramCoverage>,
 }
 
-/// The programs of an application or library.
+/// The programs in an application or library.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProjectCoverage<'c> {
-    /// The name; with the folder if several applications and libraries have it.
+    /// Name; with the folder if several applications or libraries have the same name.
     pub name: String,
-    /// The files with their programs, by path.
+    /// Files with their programs, sorted by path.
     pub programs: Vec<(&'c str, &'c ProgramCoverage)>,
 }
 
 impl ProjectCoverage<'_> {
-    /// The executed lines.
+    /// Returns the share of executed lines.
     #[must_use]
     pub fn line_share(&self) -> Share {
         self.programs.iter().map(|(_, program)| program.line_share()).sum()
     }
 
-    /// The taken sides of the branches.
+    /// Returns the share of taken branch sides.
     #[must_use]
     pub fn branch_share(&self) -> Share {
         self.programs.iter().map(|(_, program)| program.branch_share()).sum()
@@ -48,8 +48,8 @@ impl Coverage {
         other.programs.into_iter().for_each(|(file, program)| self.add(file, program));
     }
 
-    /// The same coverage with each file as readers know it: `shown` returns its path and its code, or `None` to omit it, and
-    /// `path` the path of a project file.
+    /// Returns the coverage with displayed paths and code: `shown` returns the path and code of a file, or `None` to
+    /// omit the file, and `path` returns the path of a project file.
     #[must_use]
     pub fn shown(
         self,
@@ -66,12 +66,12 @@ impl Coverage {
         coverage
     }
 
-    /// The files with their programs, by path.
+    /// Returns the files with their programs, sorted by path.
     pub fn programs(&self) -> impl Iterator<Item = (&str, &ProgramCoverage)> {
         self.programs.iter().map(|(file, program)| (file.as_str(), program))
     }
 
-    /// The programs of each application and library, by their project files.
+    /// Returns the programs by application and library, sorted by project file.
     #[must_use]
     pub fn projects(&self) -> Vec<ProjectCoverage<'_>> {
         let mut projects: BTreeMap<(&str, &str), Vec<(&str, &ProgramCoverage)>> = BTreeMap::new();
@@ -92,13 +92,13 @@ impl Coverage {
             .collect()
     }
 
-    /// The executed lines of all programs.
+    /// Returns the share of executed lines in all programs.
     #[must_use]
     pub fn line_share(&self) -> Share {
         self.programs.values().map(ProgramCoverage::line_share).sum()
     }
 
-    /// The taken sides of the branches of all programs.
+    /// Returns the share of taken branch sides in all programs.
     #[must_use]
     pub fn branch_share(&self) -> Share {
         self.programs.values().map(ProgramCoverage::branch_share).sum()

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use crate::coverage::Coverage;
 use crate::program::{Branch, ProgramCoverage, Side};
 
-/// An application with two programs, and a library of which nothing was executed.
+/// Returns an application with two programs, and a library whose code was not executed.
 pub(crate) fn example() -> Coverage {
     let mut coverage = Coverage::default();
     coverage.add("usrapp/pal/start.pgx".to_owned(), start());
@@ -45,7 +45,7 @@ fn named(project: &str, program: &str, source: &[(u32, &str)]) -> ProgramCoverag
     ProgramCoverage { project: project.to_owned(), program: program.to_owned(), source, ..ProgramCoverage::default() }
 }
 
-/// What a format writes.
+/// Returns the output of a format.
 pub(crate) fn text(write: impl Fn(&mut dyn Write) -> io::Result<()>) -> String {
     let mut out = Vec::new();
     write(&mut out).unwrap();

@@ -1,4 +1,4 @@
-//! Pages for browsers, without scripts or other files. They are light or dark as the reader's system is.
+//! HTML pages without scripts or other files. They are light or dark according to the reader's system.
 
 mod index;
 mod program;
@@ -13,13 +13,13 @@ const STYLE: &str = include_str!("html/style.css");
 /// A page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Page {
-    /// The name of its file.
+    /// File name.
     pub name: String,
-    /// Its contents.
+    /// Content of the page.
     pub text: String,
 }
 
-/// `index.html` with a table of all programs, and a page for each program with its code.
+/// Returns `index.html` with a table of all programs, and a page for each program with its code.
 #[must_use]
 pub fn pages(coverage: &Coverage) -> Vec<Page> {
     let names = names(coverage);
@@ -30,7 +30,7 @@ pub fn pages(coverage: &Coverage) -> Vec<Page> {
     std::iter::once(index).chain(programs).collect()
 }
 
-/// The file names of the programs' pages, which differ in any letter case.
+/// Returns file names for the programs' pages, which are unique in any letter case.
 fn names(coverage: &Coverage) -> Vec<String> {
     let mut taken = BTreeSet::from(["index.html".to_owned()]);
     let plain = |text: &str| text.replace(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_', "-");
@@ -52,7 +52,7 @@ fn document(title: &str, body: &str) -> String {
     )
 }
 
-/// Per cent with a bar, and the counts, as two cells of a table.
+/// Formats the percentage with a bar, and the counts, as two table cells.
 fn cells(share: Share) -> String {
     if share.total == 0 {
         return "<td class=\"number\">–</td><td></td>".to_owned();
@@ -66,7 +66,7 @@ fn cells(share: Share) -> String {
     )
 }
 
-/// A text in HTML, without characters that act on the page.
+/// Escapes text for HTML and replaces control characters.
 fn escaped(text: &str) -> String {
     let visible = text.replace(|letter: char| letter.is_control() && letter != '\t', "\u{fffd}");
     visible.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
@@ -80,7 +80,7 @@ mod tests {
     use crate::example::example;
     use crate::program::ProgramCoverage;
 
-    /// A page without its style.
+    /// Returns a page without its style.
     fn body(name: &str) -> String {
         let page = pages(&example()).into_iter().find(|page| page.name == name).unwrap();
         let (head, body) = page.text.split_once("<body>").unwrap();

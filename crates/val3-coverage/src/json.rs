@@ -1,4 +1,4 @@
-//! JSON, for editors and programs.
+//! JSON format for editors and programs.
 
 use std::io::{self, Write};
 
@@ -11,7 +11,7 @@ use crate::share::Share;
 /// Writes one object with all files.
 ///
 /// # Errors
-/// Those of `out`.
+/// If writing to `out` fails.
 pub fn write(coverage: &Coverage, out: &mut dyn Write) -> io::Result<()> {
     let object = json!({
         "version": 1,

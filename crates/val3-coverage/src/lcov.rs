@@ -1,14 +1,14 @@
-//! LCOV: the text that `genhtml` and most services read.
+//! LCOV, the text format of `genhtml` and most services.
 
 use std::io::{self, Write};
 
 use crate::coverage::Coverage;
 use crate::program::ProgramCoverage;
 
-/// Writes a record for each file. A program is its function.
+/// Writes a record for each file, with the program as its function.
 ///
 /// # Errors
-/// Those of `out`.
+/// If writing to `out` fails.
 pub fn write(coverage: &Coverage, out: &mut dyn Write) -> io::Result<()> {
     coverage.programs().try_for_each(|(file, program)| record(file, program, out))
 }

@@ -1,7 +1,7 @@
-//! The coverage of programs by tests: the number of executions of each line and of each side of a branch.
+//! Test coverage of programs: execution counts of lines and branch sides.
 //!
-//! [`Coverage`] adds up the counts of any number of controllers, in any order. The formats write it for people and services:
-//! a table, LCOV, Cobertura, JSON, and pages of HTML.
+//! [`Coverage`] sums the counts of any number of controllers, in any order. Its formats are a table, LCOV, Cobertura,
+//! JSON, and HTML pages.
 
 mod cobertura;
 mod coverage;

@@ -1,64 +1,64 @@
-//! The coverage of one program.
+//! Coverage of a program.
 
 use std::collections::BTreeMap;
 
 use crate::share::Share;
 
-/// How often the lines and branches of a program were executed.
+/// Execution counts of the lines and branches of a program.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct ProgramCoverage {
-    /// The name of its application or library.
+    /// Name of the application or library.
     pub project: String,
-    /// The path of its project file.
+    /// Path of the project file.
     pub project_file: String,
-    /// Its name.
+    /// Program name.
     pub program: String,
-    /// The lines that can be executed: line of the file, from 1, and count.
+    /// Execution counts of executable lines, by line number in the file, from 1.
     pub lines: BTreeMap<u32, u64>,
-    /// The branches in the order of the text.
+    /// Branches in source order.
     pub branches: Vec<Branch>,
-    /// Its code for people: line of the file, from 1, and text. Empty where nothing shows it.
+    /// Displayed code: line number in the file, from 1, and text. Empty if no format displays it.
     pub source: Vec<(u32, String)>,
 }
 
-/// A statement that continues in one of several ways.
+/// A statement with several possible successors.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Branch {
-    /// The line of its condition, from 1.
+    /// Line of the condition, from 1.
     pub line: u32,
-    /// The ways.
+    /// Sides of the branch.
     pub sides: Vec<Side>,
 }
 
-/// A way in which a statement can continue.
+/// A side of a branch: one of the possible successors.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Side {
-    /// `true`, `false`, `case 1, 2` and so on.
+    /// Name, for example `true`, `false` or `case 1, 2`.
     pub name: String,
-    /// How often it was taken.
+    /// Number of times the side was taken.
     pub hits: u64,
 }
 
-/// What was executed of a line.
+/// Coverage of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineState {
-    /// It cannot be executed, or it is not counted.
+    /// The line is not executable, or is not counted.
     Uncounted,
-    /// Never executed.
+    /// The line was never executed.
     Missed,
-    /// Executed, but not with all sides of its branch.
+    /// The line was executed, but a side of its branch was never taken.
     Partial,
-    /// Executed with all sides of its branch.
+    /// The line was executed, and every side of its branch was taken.
     Hit,
 }
 
 impl Branch {
-    /// The sides that were not taken.
+    /// Returns the sides that were not taken.
     pub fn missing(&self) -> impl Iterator<Item = &Side> {
         self.sides.iter().filter(|side| side.hits == 0)
     }
 
-    /// Whether it is the same branch, whatever the counts are.
+    /// Whether it is the same branch, ignoring the counts.
     fn is_same(&self, other: &Self) -> bool {
         self.line == other.line
             && self.sides.iter().map(|side| &side.name).eq(other.sides.iter().map(|side| &side.name))
@@ -82,24 +82,24 @@ impl ProgramCoverage {
         self.branches.sort_by_key(|branch| branch.line);
     }
 
-    /// The executed lines.
+    /// Returns the share of executed lines.
     #[must_use]
     pub fn line_share(&self) -> Share {
         Share::of(self.lines.values().copied())
     }
 
-    /// The taken sides of branches.
+    /// Returns the share of taken branch sides.
     #[must_use]
     pub fn branch_share(&self) -> Share {
         Share::of(self.branches.iter().flat_map(|branch| &branch.sides).map(|side| side.hits))
     }
 
-    /// The branches at a line.
+    /// Returns the branches at a line.
     pub fn branches_at(&self, line: u32) -> impl Iterator<Item = &Branch> {
         self.branches.iter().filter(move |branch| branch.line == line)
     }
 
-    /// What was executed of a line.
+    /// Returns the coverage of a line.
     #[must_use]
     pub fn state(&self, line: u32) -> LineState {
         match self.lines.get(&line) {
@@ -110,7 +110,7 @@ impl ProgramCoverage {
         }
     }
 
-    /// The lines that were not executed, as ranges. Lines without code do not divide a range.
+    /// Returns the ranges of lines that were not executed. Lines without code do not split a range.
     #[must_use]
     pub fn missing_lines(&self) -> Vec<(u32, u32)> {
         let mut ranges: Vec<(u32, u32)> = Vec::new();

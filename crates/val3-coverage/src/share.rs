@@ -1,31 +1,31 @@
-//! A part of a whole, such as the executed lines of a program.
+//! Share of executed items, such as the executed lines of a program.
 
 use std::fmt;
 use std::iter::Sum;
 use std::ops::Add;
 
-/// The number of executed items, and of all items.
+/// Number of executed items, and of all items.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Share {
-    /// Those that were executed.
+    /// Number of executed items.
     pub hit: u64,
-    /// All of them.
+    /// Number of all items.
     pub total: u64,
 }
 
 impl Share {
-    /// The share of the counts that are not 0.
+    /// Returns the share of counts greater than 0.
     pub fn of(counts: impl IntoIterator<Item = u64>) -> Self {
         counts.into_iter().map(|count| Self { hit: u64::from(count > 0), total: 1 }).sum()
     }
 
-    /// The share in per cent; 100 if there are no items.
+    /// Returns the share in per cent; 100 if there are no items.
     #[must_use]
     pub fn percent(self) -> f64 {
         100.0 * self.rate()
     }
 
-    /// From 0 to 1.
+    /// Returns the share as a number from 0 to 1; 1 if there are no items.
     #[must_use]
     #[allow(clippy::cast_precision_loss, reason = "programs have fewer lines than numbers are exact")]
     pub fn rate(self) -> f64 {
@@ -47,7 +47,7 @@ impl Sum for Share {
     }
 }
 
-/// Per cent with one decimal, rounded down: 100.0 % is complete.
+/// Formats per cent with one decimal, rounded down, so that 100.0 % means complete coverage.
 impl fmt::Display for Share {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let permille = self.hit.saturating_mul(1000).checked_div(self.total).unwrap_or(1000);

@@ -1,4 +1,4 @@
-//! The table for terminals.
+//! Table for terminals.
 
 use std::io::{self, Write};
 
@@ -6,13 +6,13 @@ use crate::coverage::Coverage;
 use crate::program::ProgramCoverage;
 use crate::share::Share;
 
-/// A row: name, lines, branches, and the lines that are missing.
+/// A row: name, lines, branches, and missing lines.
 type Row = (String, Share, Share, String);
 
-/// Writes a row for each application or library and for each of its programs, and the sum.
+/// Writes a row for each application or library and for each program, and a row with the sums.
 ///
 /// # Errors
-/// Those of `out`.
+/// If writing to `out` fails.
 pub fn write(coverage: &Coverage, out: &mut dyn Write) -> io::Result<()> {
     let rows = rows(coverage);
     let width = rows.iter().map(|(name, ..)| name.chars().count()).max().unwrap_or(0);
@@ -39,13 +39,13 @@ fn of(program: &ProgramCoverage) -> Row {
     (name, program.line_share(), program.branch_share(), ranges(program))
 }
 
-/// `3-5, 9`
+/// Formats ranges: `3-5, 9`.
 fn ranges(program: &ProgramCoverage) -> String {
     let range = |(first, last): (u32, u32)| if first == last { first.to_string() } else { format!("{first}-{last}") };
     program.missing_lines().into_iter().map(range).collect::<Vec<_>>().join(", ")
 }
 
-/// ` 66.6 %      2/3`
+/// Formats a cell: ` 66.6 %      2/3`.
 fn cell(share: Share) -> String {
     let count = format!("{}/{}", share.hit, share.total);
     let percent = if share.total == 0 { String::new() } else { share.to_string() };

@@ -1,4 +1,4 @@
-//! The applications, libraries and user types of a tree, and their counterparts in another tree.
+//! Applications, libraries and user types of a tree, and their counterparts in the other tree.
 
 mod matching;
 
@@ -16,40 +16,41 @@ pub(crate) use matching::{Matched, matched};
 /// Files of a tree by path.
 pub(crate) type Files<'t> = BTreeMap<Utf8PathBuf, &'t [u8]>;
 
-/// A file of an application.
+/// A file in an application.
 #[derive(Debug, Clone)]
 pub(crate) struct SourceFile<'t> {
-    /// Its path in the tree.
+    /// Path in the tree.
     pub(crate) path: Utf8PathBuf,
     pub(crate) bytes: &'t [u8],
-    /// The project file lists it.
+    /// Whether the project file lists the file.
     pub(crate) listed: bool,
 }
 
-/// A project with its files, or the files of a folder that belong to no project.
+/// A project with its files, or the files in a folder that belong to no project.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Application<'t> {
-    /// The path of the `.pjx`, or of the folder.
+    /// Path of the `.pjx`, or of the folder.
     pub(crate) path: Utf8PathBuf,
-    /// The name of the `.pjx` without its extension, or of the folder.
+    /// Name of the `.pjx` without its extension, or of the folder.
     pub(crate) name: String,
-    /// The project file; `None` without one and where it is broken.
+    /// Project file; `None` if it does not exist or is broken.
     pub(crate) project: Option<Project>,
-    /// The bytes of the project file.
+    /// Bytes of the project file.
     pub(crate) manifest: Option<&'t [u8]>,
-    /// Program files by their path from the folder, in lower case.
+    /// Program files by their path below the folder, in lower case.
     pub(crate) programs: BTreeMap<String, SourceFile<'t>>,
-    /// Data files in the same way.
+    /// Data files, with the same kind of key.
     pub(crate) data: BTreeMap<String, SourceFile<'t>>,
 }
 
 impl<'t> Application<'t> {
-    /// The folder of its files.
+    /// Returns the folder of the files.
     pub(crate) fn folder(&self) -> &Utf8Path {
         if self.manifest.is_some() { self.path.parent().unwrap_or(Utf8Path::new("")) } else { &self.path }
     }
 
-    /// The data files that count, with their keys: those that the project file lists, in its order, and without one all.
+    /// Returns the data files in use with their keys: the listed files in the order of the project file, or all files
+    /// without a project file.
     pub(crate) fn data_files(&self) -> Vec<(&str, &SourceFile<'t>)> {
         let all = || self.data.iter().map(|(key, file)| (key.as_str(), file));
         let Some(project) = &self.project else { return all().collect() };
@@ -60,7 +61,7 @@ impl<'t> Application<'t> {
         project.manifest.data.iter().filter_map(listed).collect()
     }
 
-    /// The program and data files that the project file lists: path in lower case, and the reference.
+    /// Returns the listed program and data files: path in lower case, and reference in the project file.
     fn listed(&self) -> BTreeMap<String, String> {
         let manifest = self.project.as_ref().map(|project| &project.manifest);
         let references = manifest.into_iter().flat_map(|manifest| manifest.programs.iter().chain(&manifest.data));
@@ -69,7 +70,7 @@ impl<'t> Application<'t> {
     }
 }
 
-/// The applications of a tree in the order of their paths.
+/// Returns the applications of a tree, sorted by path.
 pub(crate) fn applications<'t>(files: &Files<'t>) -> Vec<Application<'t>> {
     let projects = files.iter().filter(|(path, _)| has_extension(path, &["pjx"]));
     let mut found: Vec<Application<'t>> = projects.map(|(path, bytes)| application(path, bytes)).collect();
@@ -106,7 +107,7 @@ fn of_folder<'t>(folder: &Utf8Path) -> Application<'t> {
     Application { path: folder.to_owned(), name, ..Application::default() }
 }
 
-/// A single file gives its name to the folder without one.
+/// Names an application without a folder name after its only file.
 fn named_by_file(mut application: Application<'_>) -> Application<'_> {
     let mut files = application.programs.values().chain(application.data.values());
     let only = files.next().filter(|_| files.next().is_none()).and_then(|file| file.path.file_name());
@@ -128,8 +129,8 @@ fn add<'t>(application: &mut Application<'t>, file: SourceFile<'t>) {
     files.insert(key, file);
 }
 
-/// Files that project files list and the tree does not have: the path of the project file, and the reference. A project
-/// file that came alone lacks nothing.
+/// Returns files that project files list but that are not in the tree: path of the project file, and reference. A
+/// project file without any other files is ignored.
 pub(crate) fn missing(applications: &[Application<'_>], files: &Files<'_>) -> BTreeSet<(String, String)> {
     let known: BTreeSet<String> = files.keys().map(|path| path_key(path.as_str())).collect();
     let has_files = |application: &&Application<'_>| !application.programs.is_empty() || !application.data.is_empty();

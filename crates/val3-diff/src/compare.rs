@@ -1,4 +1,4 @@
-//! The comparison of two trees.
+//! Comparison of two file trees.
 
 mod alignment;
 mod application;
@@ -26,15 +26,15 @@ use crate::exclusions::Layout;
 use crate::model::{Comparison, Problem, Side};
 use crate::tree::Tree;
 
-/// Compares two trees. Differences in the form of the files (XML layout, encoding, line ends, the dialect, defaults that are
-/// written or left out) are none.
+/// Compares two trees. Differences in file format (XML layout, encoding, line ends, dialect, omitted or explicit
+/// defaults) are ignored.
 #[must_use]
 pub fn compare(old: &Tree, new: &Tree) -> Comparison {
     compare_with(old, new, Layout::Compared)
 }
 
-/// Compares two trees. If the layout of code is ignored, lines that differ only in their layout do not count as different
-/// lines of a program; [`Comparison::leave_out`] then removes the programs without other differences.
+/// Compares two trees. If code layout is ignored, lines that differ only in layout count as equal lines of a program;
+/// [`Comparison::leave_out`] then removes programs without other differences.
 #[must_use]
 pub fn compare_with(old: &Tree, new: &Tree, layout: Layout) -> Comparison {
     let is_one_cell = old.has_one_cell() && new.has_one_cell();
@@ -52,7 +52,7 @@ pub fn compare_with(old: &Tree, new: &Tree, layout: Layout) -> Comparison {
     Comparison { applications: compared, settings, others, problems, compared: pairs.len(), ..Comparison::default() }
 }
 
-/// Files that only one of the trees lacks. What was missing before is no news.
+/// Returns problems for listed files that are missing in only one tree. A file that is missing in both is not reported.
 fn missing_files(old: &BTreeSet<(String, String)>, new: &BTreeSet<(String, String)>) -> Vec<Problem> {
     let problem = |side, (path, name): &(String, String), help| Problem {
         path: path.clone(),

@@ -1,4 +1,4 @@
-//! Differences that a report leaves out on request: small movements, data with certain names, the layout of code.
+//! Differences that a report omits on request: small movements, data with certain names, the layout of code.
 
 mod names;
 mod tolerance;
@@ -8,29 +8,29 @@ pub use tolerance::Tolerance;
 
 use crate::model::{ApplicationChange, Change, CodeKind, Comparison, DataChange, Ignored, ItemKind, ValueChange};
 
-/// Whether blanks, blank lines and the letter case of keywords count as differences of code.
+/// Whether differences in blanks, blank lines and the letter case of keywords count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Layout {
     /// They count.
     #[default]
     Compared,
-    /// They do not count.
+    /// They are ignored.
     Ignored,
 }
 
-/// The differences to leave out.
+/// Differences to omit.
 #[derive(Debug, Clone, Default)]
 pub struct Exclusions {
-    /// Positions that moved by less.
+    /// Maximum movement of positions that is ignored.
     pub tolerance: Option<Tolerance>,
-    /// Data with such a name.
+    /// Patterns of data names that are ignored.
     pub names: Vec<NamePattern>,
-    /// Programs of which only the layout differs.
+    /// Whether programs that differ only in layout are ignored.
     pub layout: Layout,
 }
 
 impl Comparison {
-    /// Leaves out differences of applications that both trees have, and counts them in `ignored`.
+    /// Removes excluded differences of applications that are in both trees, and counts them in `ignored`.
     pub fn leave_out(&mut self, exclusions: &Exclusions) {
         self.ignored.tolerance = exclusions.tolerance;
         self.ignored.patterns = exclusions.names.iter().map(ToString::to_string).collect();
@@ -47,7 +47,7 @@ impl Comparison {
     }
 }
 
-/// Leaves out data with ignored names, and positions with ignored names that moved with a frame or tool.
+/// Removes data with ignored names, and dependents with ignored names.
 fn named_data(application: &mut ApplicationChange, names: &[NamePattern], ignored: &mut Ignored) {
     let is_named = |path: &str| names.iter().any(|pattern| pattern.matches(path));
     application.data.retain_mut(|data| {
@@ -64,7 +64,7 @@ fn named_data(application: &mut ApplicationChange, names: &[NamePattern], ignore
     application.interface.retain(|item| item.kind != ItemKind::Data || !is_named(&item.name));
 }
 
-/// Leaves out positions within the tolerance. Returns whether something else of the data differs.
+/// Whether the data still differ after positions within the tolerance were removed.
 fn is_beyond(data: &mut DataChange, tolerance: Tolerance, ignored: &mut Ignored) -> bool {
     if data.change != Change::Changed {
         return true;
@@ -82,7 +82,7 @@ fn is_beyond(data: &mut DataChange, tolerance: Tolerance, ignored: &mut Ignored)
     remove(&mut data.values, is_within, &mut ignored.within_tolerance) == 0 || !data.is_same()
 }
 
-/// Whether a position moved by at most the tolerance and nothing else of its value differs.
+/// Whether a position moved at most by the tolerance and the value has no other difference.
 fn is_within(value: &ValueChange, tolerance: Tolerance) -> bool {
     let moved = value.movement.map_or(value.axes, |movement| movement.in_father);
     let is_small = moved.is_some_and(|moved| tolerance.includes(moved));
@@ -99,7 +99,7 @@ fn layouts(application: &mut ApplicationChange, ignored: &mut Ignored) {
     application.programs.retain(|program| program.change != Change::Changed || !program.is_same());
 }
 
-/// Removes elements and adds their number to `count`. Returns the number.
+/// Removes ignored elements and adds their number to `count`. Returns the number.
 fn remove<T>(list: &mut Vec<T>, is_ignored: impl Fn(&T) -> bool, count: &mut usize) -> usize {
     let before = list.len();
     list.retain(|element| !is_ignored(element));

@@ -1,4 +1,4 @@
-//! The formats of a report, one a file.
+//! Report formats, one in each file.
 
 mod escape;
 pub mod html;

@@ -1,5 +1,5 @@
-//! What differs between two backups of a controller: two sets of files in, a plain list of changes out, and renderers of
-//! that list. Nothing here reads files, starts processes or knows the time.
+//! Differences between two backups of a controller: two sets of files in, a plain list of changes out, and renderers of
+//! that list. This crate reads no files, starts no processes and has no clock.
 
 mod applications;
 mod compare;

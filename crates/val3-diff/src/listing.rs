@@ -1,4 +1,4 @@
-//! One file as readable text with stable lines, for tools that compare texts.
+//! A file as readable text with stable lines, for tools that compare text.
 
 use std::fmt::Write as _;
 
@@ -11,11 +11,11 @@ use crate::read::project::Project;
 use crate::read::settings;
 use crate::tree::{has_extension, text_of};
 
-/// A file as text: the code of a program under its header, data with a line for each element, what a project file lists.
-/// Broken and other files are given back as they are.
+/// Formats a file as text: the code of a program with its header, data with one line for each element, or the entries
+/// of a project file. Broken and other files are returned unchanged.
 ///
 /// # Errors
-/// The reason why the bytes have no text.
+/// If the bytes cannot be decoded, with the reason.
 pub fn listing(path: &Utf8Path, bytes: &[u8]) -> Result<String, String> {
     let text = text_of(bytes)?;
     let read = if has_extension(path, &["pgx"]) {

@@ -1,4 +1,4 @@
-//! What differs between two trees, as plain data. Renderers and other programs read it; nothing in it refers to files.
+//! Differences between two trees, as plain data for renderers and other programs. They contain no references to files.
 
 mod application;
 mod change;
@@ -18,29 +18,29 @@ pub use ignored::Ignored;
 pub use program::{CodeChange, CodeKind, ProgramChange, VariableChange};
 pub use text::{Hunk, HunkLine, LineKind, TextChange};
 
-/// The differences between two trees.
+/// Differences between two trees.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Comparison {
-    /// What the old tree is called: a folder or a revision. The caller names it.
+    /// Name of the old tree, set by the caller: a folder or a revision.
     pub old: String,
-    /// What the new tree is called.
+    /// Name of the new tree.
     pub new: String,
-    /// Number of applications, libraries and user types that were compared.
+    /// Number of compared applications, libraries and user types.
     pub compared: usize,
-    /// Applications, libraries and user types with differences, by path.
+    /// Applications, libraries and user types with differences, sorted by path.
     pub applications: Vec<ApplicationChange>,
-    /// Files of the controller's configuration with differences.
+    /// Configuration files of the controller with differences.
     pub settings: Vec<SettingsChange>,
-    /// Files of other kinds that differ, by path: recipes, add-ons, pages, logs.
+    /// Other kinds of files that differ, sorted by path: recipes, add-ons, pages, logs.
     pub others: Vec<OtherChange>,
-    /// Differences that were left out on request.
+    /// Differences that were omitted on request.
     pub ignored: Ignored,
-    /// What could not be compared as VAL 3.
+    /// Files that could not be compared as VAL 3.
     pub problems: Vec<Problem>,
 }
 
 impl Comparison {
-    /// Nothing differs.
+    /// Whether there is no difference.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.applications.is_empty() && self.settings.is_empty() && self.others.is_empty()
@@ -50,55 +50,55 @@ impl Comparison {
 /// A file of `usr/configs` with differences.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SettingsChange {
-    /// Its path.
+    /// Path of the file.
     pub path: String,
-    /// What happened to the file.
+    /// Change of the file.
     pub change: Change,
-    /// The file describes inputs and outputs.
+    /// Whether the file describes inputs and outputs.
     pub is_io: bool,
-    /// Its entries that differ, in the order of the file. Empty if the whole file was added or removed.
+    /// Entries that differ, in file order; empty if the whole file was added or removed.
     pub entries: Vec<EntryChange>,
-    /// The difference as text, if one of the versions is no XML.
+    /// Difference as text, if a version is no XML.
     pub text: Option<TextChange>,
 }
 
-/// A file of another kind that differs. Only its bytes are compared.
+/// Another kind of file that differs. Only its bytes are compared.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct OtherChange {
-    /// Its path.
+    /// Path of the file.
     pub path: String,
-    /// What happened to the file.
+    /// Change of the file.
     pub change: Change,
 }
 
-/// An entry of a file of settings.
+/// An entry of a configuration file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct EntryChange {
-    /// The elements around it and the name of the attribute: `bioDin[3] name`.
+    /// Enclosing elements and attribute name, for example `bioDin[3] name`.
     pub entry: String,
-    /// The old value; `None` if there was no such entry.
+    /// Old value; `None` if the entry did not exist.
     pub old: Option<String>,
-    /// The new value; `None` if there is no such entry.
+    /// New value; `None` if the entry does not exist.
     pub new: Option<String>,
 }
 
-/// Which of the two trees.
+/// One of the two trees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Side {
-    /// The old one.
+    /// The old tree.
     Old,
-    /// The new one.
+    /// The new tree.
     New,
 }
 
-/// Something that could not be compared as VAL 3.
+/// A reason why something could not be compared as VAL 3.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Problem {
-    /// The path of the file or folder.
+    /// Path of the file or folder.
     pub path: String,
-    /// The tree with the problem.
+    /// Tree with the problem.
     pub side: Side,
-    /// What is wrong, what was done instead, and the remedy.
+    /// Message: the fault, the action taken instead, and the remedy.
     pub message: String,
 }

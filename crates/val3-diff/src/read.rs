@@ -1,4 +1,4 @@
-//! From the text of one file to plain declarations, in either dialect.
+//! Reading of a file, in either dialect, to plain declarations.
 
 pub(crate) mod code;
 pub(crate) mod contents;

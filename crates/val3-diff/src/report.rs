@@ -1,4 +1,4 @@
-//! The report in words: one list of blocks, which each format for people lays out in its way.
+//! The report in words: a list of blocks, which each format lays out.
 
 mod application;
 mod block;
@@ -24,17 +24,17 @@ pub use statistics::{GreatestMovement, Statistics, statistics};
 
 use block::{entry, heading};
 
-/// How much a report contains.
+/// Detail of a report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Detail {
-    /// Every difference.
+    /// All differences.
     #[default]
     Full,
     /// A table with numbers for each application.
     Statistics,
 }
 
-/// The report of a comparison.
+/// Returns the report of a comparison.
 #[must_use]
 pub fn blocks(comparison: &Comparison, detail: Detail) -> Vec<Block> {
     let mut blocks = match detail {
@@ -62,7 +62,7 @@ fn differences(comparison: &Comparison) -> Vec<Block> {
     blocks
 }
 
-/// The first line of a report: how much differs, and what was left out.
+/// Returns the first line of a report: the number of differences and of omitted differences.
 #[must_use]
 pub fn summary(comparison: &Comparison) -> String {
     let summary = match (comparison.is_empty(), comparison.compared) {

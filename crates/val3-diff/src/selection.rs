@@ -1,11 +1,11 @@
-//! Parts of a comparison alone.
+//! Selection of report parts.
 
 use camino::Utf8Path;
 
 use crate::model::{ApplicationChange, Change, Class, Comparison, DataChange};
 
 impl Comparison {
-    /// Keeps these parts. Problems stay, because they may hide differences of any part.
+    /// Keeps only these parts. Problems remain, because they may hide differences of any part.
     pub fn keep(&mut self, classes: &[Class]) {
         let has = |class| classes.contains(&class);
         self.settings.retain(|file| has(if file.is_io { Class::Io } else { Class::Configuration }));
@@ -38,7 +38,7 @@ fn keep_in(application: &mut ApplicationChange, classes: &[Class]) {
     application.data.retain_mut(|data| keep_data(data, classes));
 }
 
-/// The part of the report that the XML of a file belongs to.
+/// Returns the part of the report for the XML of a file.
 fn class_of_file(path: &str) -> Class {
     match Utf8Path::new(path).extension().map(str::to_lowercase).as_deref() {
         Some("pgx") => Class::Programs,
@@ -47,7 +47,7 @@ fn class_of_file(path: &str) -> Class {
     }
 }
 
-/// Values of a user type belong to the classes of their fields.
+/// Keeps the selected values. The values of a user type are selected by the classes of the fields.
 fn keep_data(data: &mut DataChange, classes: &[Class]) -> bool {
     if classes.contains(&data.class) {
         return true;

@@ -1,4 +1,4 @@
-//! The files of one side of a comparison.
+//! Files on one side of a comparison.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{BuildHasher as _, BuildHasherDefault, DefaultHasher};
@@ -6,26 +6,26 @@ use std::hash::{BuildHasher as _, BuildHasherDefault, DefaultHasher};
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::system::Content;
 
-/// The folder of applications on a controller.
+/// Name of the applications folder on a controller.
 const APPLICATIONS: &str = "usrapp";
-/// The folder of settings next to it.
+/// Name of the configuration folder next to it.
 const SETTINGS: &str = "configs";
-/// The folder of fieldbuses next to it.
+/// Name of the fieldbus folder next to it.
 const FIELDBUSES: &str = "applicom";
 
-/// The folder around all of them.
+/// Name of the folder that contains them.
 const CONTROLLER: &str = "usr";
 
-/// Files by their paths, relative to a common root.
+/// Files by path, relative to a common root.
 #[derive(Debug, Clone, Default)]
 pub struct Tree {
     files: BTreeMap<Utf8PathBuf, Vec<u8>>,
-    /// Files of other kinds, of which only the bytes count: their length and a hash.
+    /// Other kinds of files, which are compared by length and hash.
     others: BTreeMap<Utf8PathBuf, (usize, u64)>,
 }
 
 impl Tree {
-    /// A tree with these files. Paths are relative and use `/`.
+    /// Creates a tree with these files. Paths are relative and use `/`.
     pub fn new<P: Into<Utf8PathBuf>, B: Into<Vec<u8>>>(files: impl IntoIterator<Item = (P, B)>) -> Self {
         let mut tree = Self::default();
         for (path, bytes) in files {
@@ -40,31 +40,31 @@ impl Tree {
         tree
     }
 
-    /// Whether a comparison reads the content of a file with this path. Of others it compares the bytes.
+    /// Whether a comparison reads the content of a file with this path. Other files are compared by their bytes.
     #[must_use]
     pub fn wants(path: &Utf8Path) -> bool {
         has_extension(path, &["pjx", "dtx", "pgx"]) || is_settings(path)
     }
 
-    /// Whether a file of another kind is part of a backup: it lies below `usr`, or below one of the folders in it.
+    /// Whether another kind of file is part of a backup: it is below `usr` or one of the folders in `usr`.
     #[must_use]
     pub fn is_in_backup(path: &Utf8Path) -> bool {
         [CONTROLLER, APPLICATIONS, SETTINGS, FIELDBUSES].iter().any(|name| below(path, name).is_some())
     }
 
-    /// Number of files.
+    /// Returns the number of files.
     #[must_use]
     pub fn len(&self) -> usize {
         self.files.len() + self.others.len()
     }
 
-    /// The tree has no files.
+    /// Whether the tree has no files.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.files.is_empty() && self.others.is_empty()
     }
 
-    /// The files under their shown paths.
+    /// Returns the files by displayed path.
     pub(crate) fn files(&self, is_one_cell: bool) -> BTreeMap<Utf8PathBuf, &[u8]> {
         let mut files = BTreeMap::new();
         for (path, bytes) in &self.files {
@@ -75,20 +75,20 @@ impl Tree {
         files
     }
 
-    /// The lengths and hashes of files of other kinds, under their shown paths.
+    /// Returns the lengths and hashes of other kinds of files by displayed path.
     pub(crate) fn others(&self, is_one_cell: bool) -> BTreeMap<Utf8PathBuf, (usize, u64)> {
         let shown = |path: &Utf8Path| if is_one_cell { in_cell(path).to_owned() } else { path.to_owned() };
         self.others.iter().map(|(path, content)| (shown(path), *content)).collect()
     }
 
-    /// The tree has at most one folder of applications, so that paths in it are unique without what precedes it.
+    /// Whether the tree has at most one folder of applications, so that paths below it are unique.
     pub(crate) fn has_one_cell(&self) -> bool {
         let before = |path: &Utf8PathBuf| path.as_str().split_once("usrapp/").map(|(before, _)| before.to_owned());
         self.files.keys().filter_map(before).collect::<BTreeSet<_>>().len() <= 1
     }
 }
 
-/// The path from the folder of applications, or from the folder that holds the settings.
+/// Returns the path below the folder of applications, or from the folder that contains the configuration.
 fn in_cell(path: &Utf8Path) -> &Utf8Path {
     let mut rest = path.components();
     while let Some(part) = rest.next() {
@@ -101,7 +101,8 @@ fn in_cell(path: &Utf8Path) -> &Utf8Path {
     path.strip_prefix(above).unwrap_or(path)
 }
 
-/// A file of `usr/configs` or below, or one of `usr/applicom`, which describes fieldbuses.
+/// Whether the file is a configuration file: in `usr/configs` or below, or in `usr/applicom`, which describes
+/// fieldbuses.
 pub(crate) fn is_settings(path: &Utf8Path) -> bool {
     if below(path, FIELDBUSES).is_some() {
         return has_extension(path, &["xml"]);
@@ -109,22 +110,22 @@ pub(crate) fn is_settings(path: &Utf8Path) -> bool {
     below(path, SETTINGS).is_some() && has_extension(path, &["cfx", "cf", "xml"])
 }
 
-/// The outermost folder with this name around a file.
+/// Returns the outermost folder with this name that contains a file.
 fn below<'p>(path: &'p Utf8Path, name: &str) -> Option<&'p Utf8Path> {
     let is_named = |folder: &&Utf8Path| folder.file_name().is_some_and(|found| found.eq_ignore_ascii_case(name));
     path.ancestors().skip(1).filter(is_named).last()
 }
 
-/// The file ends in one of these extensions, in any letter case.
+/// Whether the file has one of these extensions, in any letter case.
 pub(crate) fn has_extension(path: &Utf8Path, extensions: &[&str]) -> bool {
     let extension = path.extension().unwrap_or("");
     extensions.iter().any(|wanted| extension.eq_ignore_ascii_case(wanted))
 }
 
-/// The text of a file.
+/// Decodes a file.
 ///
 /// # Errors
-/// The reason why it has none.
+/// If the bytes are no text, with the reason.
 pub(crate) fn text_of(bytes: &[u8]) -> Result<std::sync::Arc<str>, String> {
     use val3_analysis::db::FileStatus;
     let Some(content) = Content::of(Ok(bytes.to_vec())) else { return Err("it does not exist".to_owned()) };

@@ -1,4 +1,4 @@
-//! Arrays of data files: their sizes, and their elements by index.
+//! Arrays in data files: their sizes, and their elements by index.
 
 use rustc_hash::FxHashMap;
 
@@ -6,7 +6,7 @@ use crate::kind::{DECLARATION, FileKind};
 use crate::node::Node;
 use crate::same::same_value;
 
-/// The container of values in one version of a file.
+/// Container of values in one version of a file.
 pub(crate) struct Array<'n, 't> {
     /// Sizes of the dimensions; `None` for a collection.
     pub(crate) sizes: Option<Vec<usize>>,
@@ -24,23 +24,23 @@ impl<'n, 't> Array<'n, 't> {
         let sizes = match (node.value("xsi:type").as_deref(), node.value("size")) {
             (Some("collection"), _) => None,
             (_, Some(size)) => numbers(&size, ' '),
-            // A file of s5 or s6 writes all values instead of the size.
+            // A file of s5 or s6 contains all values instead of the size.
             (_, None) => Some(vec![elements.keys().filter_map(|index| index.first()).max().map_or(1, |last| last + 1)]),
         };
         Self { sizes, elements }
     }
 
-    /// Number of elements in one dimension.
+    /// Returns the number of elements in one dimension.
     pub(crate) fn size(&self, axis: usize) -> usize {
         self.sizes.as_ref().and_then(|sizes| sizes.get(axis)).copied().unwrap_or(0)
     }
 
-    /// Element of an array with one dimension.
+    /// Returns the element at `index` of a one-dimensional array.
     pub(crate) fn at(&self, index: usize) -> Option<&'n Node<'t>> {
         self.elements.get(&[index][..]).copied()
     }
 
-    /// First index below the size of both from which on the arrays differ.
+    /// Returns the first index at which the arrays differ, at most the smaller size.
     pub(crate) fn first_difference(&self, kind: FileKind, other: &Self) -> usize {
         let common = self.size(0).min(other.size(0));
         let differs = |index: &usize| !same_value(kind, self.at(*index), other.at(*index));
@@ -58,7 +58,7 @@ impl<'n, 't> Array<'n, 't> {
         self.differs_where(kind, other, |index| index.len() != 1 || index.first().is_some_and(|index| *index >= start))
     }
 
-    /// Whether the last elements of `base` follow elements that were inserted between them.
+    /// Whether elements were inserted before the last elements of `base`, which moved to higher indexes.
     pub(crate) fn is_shifted(&self, kind: FileKind, base: &Self) -> bool {
         let is_list = |array: &Self| array.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1);
         let Some(by) = self.size(0).checked_sub(base.size(0)).filter(|by| *by > 0 && is_list(self) && is_list(base))
@@ -71,12 +71,12 @@ impl<'n, 't> Array<'n, 't> {
     }
 }
 
-/// The elements of a variable or field.
+/// Returns the elements of a variable or field.
 pub(crate) fn values<'n, 't>(node: &'n Node<'t>) -> impl Iterator<Item = &'n Node<'t>> {
     node.children.iter().filter(|child| child.name().to_ascii_lowercase().starts_with("value"))
 }
 
-/// Index of an element: `7`, `2,1`.
+/// Parses an element's index: `7`, `2,1`.
 pub(crate) fn index_of(value: &Node<'_>) -> Option<Vec<usize>> {
     numbers(value.key.as_deref()?, ',')
 }
@@ -87,7 +87,7 @@ fn numbers(text: &str, separator: char) -> Option<Vec<usize>> {
     numbers.filter(|numbers| !numbers.is_empty())
 }
 
-/// Whether two elements are the same except for their indexes.
+/// Whether two elements are equal except for their indexes.
 pub(crate) fn same_element(kind: FileKind, one: Option<&Node<'_>>, other: Option<&Node<'_>>) -> bool {
     match (one, other) {
         (Some(one), Some(other)) => crate::same::same_content(kind, one, other),

@@ -7,13 +7,13 @@ use crate::merger::{Merger, Versions};
 use crate::node::Node;
 use crate::same::same_attribute;
 
-/// Attributes that are one value together: a mixture of two positions is a position that nobody has taught.
+/// Attributes that form one value: a mixture of two positions would be a position that was never taught.
 const UNITS: [&[&str]; 2] = [
     &["x", "y", "z", "rx", "ry", "rz", "shoulder", "elbow", "wrist", "fatherId"],
     &["j1", "j2", "j3", "j4", "j5", "j6"],
 ];
 
-/// Merges the attributes of an element. Those called one of `of_theirs` are taken from theirs.
+/// Merges the attributes. Attributes in `of_theirs` are copied from theirs.
 pub(crate) fn merge(merger: &mut Merger<'_>, versions: Versions<'_, '_>, path: &str, of_theirs: &[&str]) {
     let mut names: Vec<&str> = Vec::new();
     for node in [Some(versions.theirs), Some(versions.ours), versions.base].into_iter().flatten() {
@@ -45,11 +45,11 @@ pub(crate) fn merge(merger: &mut Merger<'_>, versions: Versions<'_, '_>, path: &
 }
 
 enum Changed {
-    /// Ours stays.
+    /// Keep ours.
     Ours,
-    /// Only theirs has changed.
+    /// Only theirs was changed.
     Theirs,
-    /// Both have changed in different ways.
+    /// Both were changed differently.
     Both,
 }
 
@@ -69,7 +69,7 @@ fn changed(merger: &Merger<'_>, Versions { base, ours, theirs }: Versions<'_, '_
     }
 }
 
-/// `x is 5 in ours and 7 in theirs`
+/// Formats the difference: `x is 5 in ours and 7 in theirs`.
 fn described(merger: &Merger<'_>, Versions { ours, theirs, .. }: Versions<'_, '_>, unit: &[&str]) -> Vec<String> {
     let shown =
         |value: &Option<String>| value.as_ref().map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""));
@@ -81,7 +81,7 @@ fn described(merger: &Merger<'_>, Versions { ours, theirs, .. }: Versions<'_, '_
     differing.collect()
 }
 
-/// The element, without what is inside.
+/// Returns the text of the element without its content.
 fn head<'t>(node: &Node<'t>) -> &'t str {
     match node.element {
         Some(element) if node.content.is_some() => node.slice(element.tag_range()),
@@ -89,7 +89,7 @@ fn head<'t>(node: &Node<'t>) -> &'t str {
     }
 }
 
-/// The edit that gives ours the attribute of theirs.
+/// Returns the edit that changes the attribute in ours to its value in theirs.
 fn take(ours: &Node<'_>, theirs: &Node<'_>, name: &str) -> Option<Edit> {
     let (to, from) = (ours.element?, theirs.element?);
     match (to.attribute(name), from.attribute(name)) {
@@ -109,7 +109,7 @@ fn take(ours: &Node<'_>, theirs: &Node<'_>, name: &str) -> Option<Edit> {
     }
 }
 
-/// The end of the attribute of ours that a new one follows.
+/// Returns the end of the attribute in ours after which a new attribute is inserted.
 fn place(to: Element<'_>, from: Element<'_>, name: &str) -> TextSize {
     let mut before: Vec<Attribute<'_>> = from.attributes().take_while(|attribute| attribute.name != name).collect();
     before.reverse();
@@ -121,7 +121,7 @@ fn end(attribute: Attribute<'_>) -> TextSize {
     attribute.range.end() + TextSize::of(attribute.quote)
 }
 
-/// The text of an attribute between quotes.
+/// Returns an attribute's value as written between this kind of quotes.
 fn written(attribute: Attribute<'_>, quote: char) -> String {
     if attribute.quote == quote {
         return attribute.raw.to_owned();

@@ -1,4 +1,4 @@
-//! The merge of what is in an element: by identity, in the order of ours.
+//! Merge of child elements: by identity, in the order of ours.
 
 use rustc_hash::FxHashMap;
 
@@ -8,7 +8,7 @@ use crate::node::Node;
 use crate::placement::{adapted, after, before, inside, prefix, prefix_in, removed};
 use crate::same::{is_default, same};
 
-/// The elements of one identity in three versions.
+/// Elements with one identity in three versions.
 #[derive(Default)]
 struct Group<'n, 't> {
     base: Vec<&'n Node<'t>>,
@@ -17,7 +17,7 @@ struct Group<'n, 't> {
 }
 
 impl Merger<'_> {
-    /// Merges the children of an element that ours and theirs have.
+    /// Merges the children if the element is in ours and theirs.
     pub(crate) fn children(&mut self, versions: Versions<'_, '_>, path: &str) {
         let Versions { base, ours, theirs } = versions;
         let mut groups: FxHashMap<&str, Group<'_, '_>> = FxHashMap::default();
@@ -32,7 +32,7 @@ impl Merger<'_> {
         }
         let empty = Group::default();
         let group = |child: &Node<'_>| groups.get(child.id.as_str()).unwrap_or(&empty);
-        // Elements come before comments of conflicts at the same place, which stay next to their elements.
+        // New elements are inserted before conflict comments at the same place, which stay next to their elements.
         let mut places = Places::new(ours, theirs, |child| {
             let group = group(child);
             group.base.is_empty() && group.theirs.is_empty()
@@ -52,7 +52,7 @@ impl Merger<'_> {
                     self.report(&path, reason, Ours::Elsewhere, [None, Some(child.text())])
                 }
                 ([], [], _) => adapted(child, places.ours.line_end, places.sibling_prefix()),
-                // Several of one identity, of which ours has removed all.
+                // Several elements with one identity, which ours has all removed.
                 (base, [], theirs) if theirs.first().is_some_and(|first| first.range == child.range) => {
                     if all_same(self.kind, base, theirs) {
                         continue;
@@ -82,7 +82,7 @@ impl Merger<'_> {
         }
     }
 
-    /// Whether ours has added data of this name in the section of another type.
+    /// Whether ours has added data with this name in a section for a different type.
     fn is_added_by_ours(&self, theirs: &Node<'_>) -> bool {
         let declares = theirs.name() == theirs.type_name.as_str();
         declares && theirs.key.as_ref().is_some_and(|name| self.added.contains(name))
@@ -98,7 +98,8 @@ impl Merger<'_> {
         }
     }
 
-    /// The text that comes into ours for an element that ours has removed: nothing if theirs has not changed it.
+    /// Returns the text that is inserted in ours for an element that ours has removed; `None` if theirs has not changed
+    /// the element.
     fn removed_by_ours(&mut self, base: &Node<'_>, theirs: &Node<'_>, path: &str) -> Option<String> {
         if same(self.kind, base, theirs) {
             return None;
@@ -111,7 +112,7 @@ impl Merger<'_> {
         Some(self.report(&path, reason, Ours::Removed, [Some(base.text()), Some(theirs.text())]))
     }
 
-    /// Elements that nothing distinguishes are merged as one: one side must have left them unchanged.
+    /// Merges indistinguishable elements as one: they must be unchanged on one side.
     fn repeated(&mut self, [base, ours, theirs]: [&[&Node<'_>]; 3], path: &str) {
         if all_same(self.kind, base, theirs) || all_same(self.kind, ours, theirs) {
             return;
@@ -163,15 +164,15 @@ fn joined(nodes: &[&Node<'_>]) -> String {
     nodes.iter().map(|node| node.text()).collect::<Vec<_>>().join("\n")
 }
 
-/// Places of elements of theirs among the children of ours.
+/// Insertion places for elements of theirs among the children of ours.
 struct Places<'n, 't> {
     ours: &'n Node<'t>,
     theirs: &'n Node<'t>,
-    /// Index in ours of the children of theirs that ours has.
+    /// Index in ours for each child of theirs, if ours has the child.
     known: Vec<Option<usize>>,
-    /// For each child of ours, the last one of the elements after it that only ours has.
+    /// For each child of ours, the index of the last directly following child that only ours has.
     ends: Vec<usize>,
-    /// The last child of theirs that ours has, by its index in ours.
+    /// Index in ours of the last passed child that both sides have.
     anchor: Option<usize>,
     edits: Vec<val3_syntax::Edit>,
     /// Elements for a list that is empty in ours: index in theirs, and text.
@@ -194,12 +195,12 @@ impl<'n, 't> Places<'n, 't> {
         Self { ours, theirs, known, ends, anchor: None, edits: Vec::new(), first: Vec::new() }
     }
 
-    /// Passes a child of theirs.
+    /// Advances past a child of theirs.
     fn pass(&mut self, at: usize) {
         self.anchor = self.known.get(at).copied().flatten().or(self.anchor);
     }
 
-    /// Line end and indentation of the children of ours.
+    /// Returns the line end and indentation of the children in ours.
     fn sibling_prefix(&self) -> Option<&'t str> {
         self.ours.children.first().map(prefix)
     }

@@ -1,16 +1,16 @@
-//! Conflicts: their names, and the comment that keeps the values of the base and of theirs in the file.
+//! Conflicts: their names, and the comment that preserves the values of base and theirs in the file.
 
 use std::fmt;
 
-/// The start of a comment that holds a conflict. The parser of VAL 3 files reports it.
+/// Start of a comment that contains a conflict, which the parser of VAL 3 files reports.
 pub(crate) const OPENING: &str = "<!-- <<<<<<<";
 
 /// A change that a person must merge.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Conflict {
-    /// Name of the data, element or program: `pPick[2]`, `parameter x_nSlot`.
+    /// Name of the data, element or program, for example `pPick[2]` or `parameter x_nSlot`.
     pub path: String,
-    /// Changes that contradict each other: `x is 5 in ours and 7 in theirs`.
+    /// Contradicting changes, for example `x is 5 in ours and 7 in theirs`.
     pub reason: String,
 }
 
@@ -20,19 +20,19 @@ impl fmt::Display for Conflict {
     }
 }
 
-/// The element of ours in a conflict.
+/// Place of ours in a conflict.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ours {
-    /// It follows the comment.
+    /// Ours follows the comment.
     Follows,
-    /// Ours has removed it.
+    /// Ours has removed the element.
     Removed,
-    /// It is in another list of the file.
+    /// Ours is in another list of the file.
     Elsewhere,
 }
 
-/// The comment with the text of the base and of theirs; `None` is an element that does not exist. The lines end as those
-/// of the file.
+/// Formats the comment with the text of base and theirs; `None` for an element that does not exist. `line_end` is the
+/// line end of the file.
 pub(crate) fn comment(conflict: &Conflict, ours: Ours, [base, theirs]: [Option<&str>; 2], line_end: &str) -> String {
     let quoted = |text: &str| text.replace("--", "-&#45;");
     let version = |text: Option<&str>| text.map_or_else(|| "(none)".to_owned(), |text| quoted(&unindented(text)));
@@ -52,7 +52,7 @@ pub(crate) fn comment(conflict: &Conflict, ours: Ours, [base, theirs]: [Option<&
     lines.join("\n").replace("\r\n", "\n").replace('\n', line_end)
 }
 
-/// The text without the indentation that all lines after the first have.
+/// Removes the common indentation of all lines after the first.
 fn unindented(text: &str) -> String {
     let indentation = |line: &str| line.len() - line.trim_start_matches([' ', '\t']).len();
     let common = text.lines().skip(1).filter(|line| !line.trim().is_empty()).map(indentation).min().unwrap_or(0);

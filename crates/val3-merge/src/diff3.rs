@@ -8,28 +8,28 @@ use val3_syntax::Part;
 /// A part of the merged sequence.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Chunk {
-    /// Items of ours, by their indexes: unchanged, or changed in ours only.
+    /// Range of ours: unchanged, or changed only in ours.
     Ours(Range<usize>),
-    /// Items of theirs that replace the items of ours in the second range.
+    /// Range of theirs that replaces the second range, of ours.
     Theirs(Range<usize>, Range<usize>),
-    /// Items that both have changed in different ways.
+    /// Items that both sides have changed differently.
     Conflict {
-        /// Items of the base.
+        /// Range in the base.
         base: Range<usize>,
-        /// Items of ours.
+        /// Range in ours.
         ours: Range<usize>,
-        /// Items of theirs.
+        /// Range in theirs.
         theirs: Range<usize>,
     },
 }
 
-/// Merges the changes of two sequences since `base`.
+/// Merges the changes on both sides since `base`.
 pub(crate) fn merge<T: Ord + Hash + Eq>(base: &[T], ours: &[T], theirs: &[T]) -> Vec<Chunk> {
     let [in_ours, in_theirs] = [matches(base, ours), matches(base, theirs)];
     let mut chunks = Vec::new();
     let [mut b, mut o, mut t] = [0, 0, 0];
     loop {
-        // The next item of the base that both have kept.
+        // The next item of the base that both sides have kept.
         let stable = (b..base.len()).find_map(|at| {
             let (Some(Some(ours)), Some(Some(theirs))) = (in_ours.get(at), in_theirs.get(at)) else { return None };
             Some((at, *ours, *theirs))
@@ -44,7 +44,7 @@ pub(crate) fn merge<T: Ord + Hash + Eq>(base: &[T], ours: &[T], theirs: &[T]) ->
     }
 }
 
-/// For each item of the base, the index of the same item in the other sequence.
+/// Returns for each base item the index of the same item in the other sequence.
 fn matches<T: Ord + Hash + Eq>(base: &[T], other: &[T]) -> Vec<Option<usize>> {
     let mut found = vec![None; base.len()];
     for op in capture_diff_slices(Algorithm::Patience, base, other) {
@@ -55,7 +55,7 @@ fn matches<T: Ord + Hash + Eq>(base: &[T], other: &[T]) -> Vec<Option<usize>> {
     found
 }
 
-/// A part between items that both have kept.
+/// Merges a part between items that both sides have kept.
 fn unstable<T: Ord + Hash + Eq>(
     [base, ours, theirs]: [&[T]; 3],
     [b, o, t]: [Range<usize>; 3],
@@ -74,7 +74,7 @@ fn unstable<T: Ord + Hash + Eq>(
     if is_same(ours, &o, base, &b) {
         return push(chunks, Chunk::Theirs(t, o));
     }
-    // Lines that both have written alike at the start and at the end are no conflict.
+    // Equal lines at the start and at the end of both sides are no conflict.
     let pairs = |one: Range<usize>, other: Range<usize>| {
         one.zip(other).take_while(|(first, second)| ours.get(*first) == theirs.get(*second)).count()
     };
@@ -92,7 +92,7 @@ fn unstable<T: Ord + Hash + Eq>(
     push(chunks, Chunk::Ours(o.end - end..o.end));
 }
 
-/// Items that both sides have added: those that both have alike are no conflict.
+/// Merges items that both sides have added. Equal items are no conflict.
 fn added_by_both<T: Ord + Hash + Eq>(
     [ours, theirs]: [&[T]; 2],
     [o, t]: [Range<usize>; 2],
@@ -110,7 +110,7 @@ fn added_by_both<T: Ord + Hash + Eq>(
     }
 }
 
-/// Appends a part, and joins items of ours that follow each other.
+/// Appends a chunk, and joins consecutive ranges of ours.
 fn push(chunks: &mut Vec<Chunk>, chunk: Chunk) {
     match (chunks.last_mut(), chunk) {
         (_, Chunk::Ours(range)) if range.is_empty() => {}

@@ -4,31 +4,31 @@ use std::borrow::Cow;
 
 use val3_syntax::xml::Element;
 
-/// Kind of a merged file, by its extension.
+/// Kind of a merged file, determined by its extension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileKind {
-    /// `.dtx`: global data.
+    /// Global data (`.dtx`).
     Data,
-    /// `.pjx`: lists of programs, data files, libraries and types.
+    /// Lists of programs, data files, libraries and types (`.pjx`).
     Project,
-    /// `.pgx`: one program.
+    /// A program (`.pgx`).
     Program,
-    /// `.cfx` and other XML: settings of the controller.
+    /// Controller configuration (`.cfx` and other XML).
     Settings,
 }
 
-/// Elements of lists in project files: the attribute that identifies an entry.
+/// Attributes that identify an entry of a list in a project file.
 const ENTRIES: [&str; 3] = ["file", "alias", "name"];
 
-/// Attributes that identify an element of settings among its siblings, in this order.
+/// Attributes that identify an element of the configuration among its siblings, in this order.
 const SETTINGS: [&str; 4] = ["index", "key", "id", "name"];
 
-/// Defaults of attributes of declarations, which one writer omits and another writes.
+/// Defaults of attributes in declarations, which some tools omit and other tools write.
 const DEFAULTS: [(&str, &str); 5] =
     [("access", "private"), ("use", "value"), ("dimensions", "1"), ("autoload", "true"), ("password", "")];
 
 impl FileKind {
-    /// The kind of a file with this name; `None` for files that are not merged.
+    /// Returns the kind of a file with this name; `None` for a file that is not merged.
     #[must_use]
     pub fn of_name(name: &str) -> Option<Self> {
         let (_, extension) = name.rsplit_once('.')?;
@@ -41,7 +41,7 @@ impl FileKind {
         }
     }
 
-    /// The attribute that identifies an element among its siblings. The root has depth 0.
+    /// Returns the attribute that identifies an element among its siblings, with its value. The root has depth 0.
     pub(crate) fn key<'g>(self, element: Element<'g>, depth: usize) -> Option<(&'static str, Cow<'g, str>)> {
         let first = |names: &[&'static str]| names.iter().find_map(|name| Some((*name, element.value(name)?)));
         match self {
@@ -61,7 +61,7 @@ impl FileKind {
         }
     }
 
-    /// The default of an attribute of a declaration; empty for an attribute without one.
+    /// Returns the default for an attribute in a declaration; `None` if it has no default.
     pub(crate) fn default_of(self, attribute: &str) -> Option<&'static str> {
         let is_known = self != Self::Settings;
         DEFAULTS.iter().find(|(name, _)| is_known && *name == attribute).map(|(_, default)| *default)

@@ -1,13 +1,13 @@
-//! Three-way merge of the files of a controller: data, projects, programs and settings.
+//! Three-way merge of controller files: data, projects, programs and configuration.
 //!
-//! The merge reads all three versions as trees. Data are matched by name, elements of arrays by index or key, entries of
-//! lists by their key, and code by lines. The result is the text of ours with edits, so everything that theirs has not
-//! changed stays byte for byte. If both sides have changed the same value, ours stays in place, a comment before it holds
-//! the value of the base and of theirs, and the parser of VAL 3 files reports this comment as an unresolved conflict. In
-//! code, the lines of both sides are between the marks of version control.
+//! The merge reads all three versions as trees. Data are matched by name, array elements by index or key, list entries
+//! by their key, and code by lines. The result is the text of ours with edits. Text that theirs has not changed is
+//! preserved byte for byte. If both sides have changed the same value, ours remains, a comment before it contains the
+//! values of base and theirs, and the parser of VAL 3 files reports this comment as an unresolved conflict. In code,
+//! the lines of both sides are between the marks of version control.
 //!
-//! **A clean result contains every change of both sides.** A text that cannot be read as XML is merged by lines, which is
-//! never a clean result.
+//! **A clean result contains every change of both sides.** A text that is no well-formed XML is merged by lines, which
+//! is never a clean result.
 
 mod array;
 mod attributes;
@@ -39,21 +39,21 @@ use crate::merger::{Merger, Versions};
 use crate::node::{Node, parse, read};
 use crate::plan::{Plans, plans};
 
-/// The result of a merge.
+/// Result of a merge.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Merged {
-    /// The merged text. It is well-formed XML if `by_lines` is `None`.
+    /// Merged text. It is well-formed XML if `by_lines` is `None`.
     pub text: String,
-    /// Changes of both sides that contradict each other. The text contains both versions.
+    /// Contradicting changes of both sides. The text contains both versions.
     pub conflicts: Vec<Conflict>,
-    /// Elements of arrays that theirs has appended, and that have other indexes in the merged text.
+    /// Array elements that theirs has appended and whose indexes differ in the merged text.
     pub moved: Vec<Moved>,
-    /// Why the texts were merged by lines; `None` if they were read as XML.
+    /// Reason why the texts were merged by lines; `None` if they were merged as XML.
     pub by_lines: Option<String>,
 }
 
 impl Merged {
-    /// Whether the text contains all changes, so that nobody has to look at it.
+    /// Whether the text contains all changes, so that no person has to check it.
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.conflicts.is_empty() && self.by_lines.is_none()
@@ -88,7 +88,7 @@ pub fn merge(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Merged {
 /// Merges trees.
 ///
 /// # Errors
-/// The reason why the texts cannot be merged as trees.
+/// If the texts cannot be merged as trees, with the reason.
 fn trees(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Result<Merged, String> {
     let parses = [base, ours, theirs].map(parse);
     let [base_parse, our_parse, their_parse] = &parses;
@@ -106,7 +106,7 @@ fn trees(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Result<Merged,
     let their_tree = tree(kind, &their_parse, &renumbered, "THEIRS")?;
     let merged = merged(kind, &plans, [base_tree.as_ref(), Some(&our_tree), Some(&their_tree)], ours);
     let parse = parse(&merged.text);
-    // Edits of a sound tree give a sound tree: a text that does not must not pass for one.
+    // Edits of a well-formed tree yield a well-formed tree; any other result must not be accepted.
     tree(kind, &parse, &merged.text, "the result")?;
     Ok(merged)
 }
@@ -115,7 +115,7 @@ fn tree<'t>(kind: FileKind, parse: &'t val3_syntax::Parse, text: &'t str, name: 
     read(kind, parse, text).ok_or_else(|| format!("{name} is not well-formed XML"))
 }
 
-/// Checks that the files are of one dialect.
+/// Checks that all versions have the same dialect.
 fn check_roots(files: [Option<&Node<'_>>; 3]) -> Result<(), String> {
     let root = |file: &Node<'_>| {
         file.children.iter().map(Node::name).find(|name| !name.is_empty()).unwrap_or_default().to_owned()

@@ -1,4 +1,4 @@
-//! The merge of texts by lines: code, descriptions, and files that cannot be read as XML.
+//! Merge of texts by lines: code, descriptions, and files that are no XML.
 
 use val3_syntax::Part;
 
@@ -8,7 +8,7 @@ use crate::merger::{Merger, Versions};
 use crate::node::Node;
 use crate::text::{Content, Form, Line};
 
-/// The lines around a conflict, as version control writes them.
+/// Conflict marks, as in version control.
 const MARKS: [&str; 4] = ["<<<<<<< ours", "||||||| base", "=======", ">>>>>>> theirs"];
 
 /// A merged text.
@@ -37,7 +37,7 @@ impl Merger<'_> {
         self.edit(content, format!("{}{}{}", in_ours.before, merged.text, in_ours.after));
     }
 
-    /// Merges a text that has no lines of its own: one side must have left it unchanged.
+    /// Merges a text that is not split into lines: it must be unchanged on one side.
     fn whole_text(&mut self, versions: Versions<'_, '_>, path: &str) {
         let is_unchanged = |base: &Node<'_>| crate::same::same(self.kind, base, versions.ours);
         match versions.base.is_some_and(is_unchanged) {
@@ -66,7 +66,7 @@ fn merged(base: Option<Content<'_>>, ours: Content<'_>, theirs: Content<'_>, lin
             Chunk::Conflict { base: b, ours: o, theirs: t } => {
                 let mark = |mark: &str| (ours.encoded(mark), "");
                 if out.lines.is_empty() {
-                    // The first line follows a tag, where no mark would be seen.
+                    // The first line follows a tag, where a mark would not be recognised.
                     out.lines.push((String::new(), ""));
                 }
                 out.conflicts.push(out.lines.len() + 1);
@@ -93,7 +93,7 @@ struct Output {
 }
 
 impl Output {
-    /// The text of the lines. Lines of theirs end as those of ours.
+    /// Joins the lines. Lines of theirs get the line end of ours.
     fn joined(self, line_end: &str) -> Merged {
         let last = self.lines.len().saturating_sub(1);
         let end = |at: usize, own: &'static str| match (at == last, own.is_empty()) {
@@ -107,7 +107,7 @@ impl Output {
     }
 }
 
-/// Merges files by lines, as version control does; returns the text and the lines at which conflicts start.
+/// Merges files by lines, as in version control. Returns the text and the lines at which conflicts start.
 pub(crate) fn merge_files(base: &str, ours: &str, theirs: &str, line_end: &str) -> (String, Vec<usize>) {
     let whole = |raw| Content { before: "", raw, after: "", form: Form::Plain };
     let merged = merged(Some(whole(base)), whole(ours), whole(theirs), line_end);

@@ -1,4 +1,4 @@
-//! The merge of one element: attributes, and then what is inside.
+//! Merge of an element: its attributes, then its content.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -27,7 +27,7 @@ pub(crate) struct Merger<'m> {
     pub(crate) line_end: &'static str,
 }
 
-/// The versions of one element.
+/// The base, our and their version of an element.
 #[derive(Clone, Copy)]
 pub(crate) struct Versions<'n, 't> {
     pub(crate) base: Option<&'n Node<'t>>,
@@ -36,7 +36,7 @@ pub(crate) struct Versions<'n, 't> {
 }
 
 impl Merger<'_> {
-    /// Merges an element that ours and theirs have. `around` is the path of the element around it.
+    /// Merges an element that is in ours and theirs. `around` is the path of the parent element.
     pub(crate) fn element(&mut self, versions: Versions<'_, '_>, around: &str) {
         let Versions { base, ours, theirs } = versions;
         let kind = self.kind;
@@ -64,7 +64,7 @@ impl Merger<'_> {
         }
     }
 
-    /// The path of an element in messages.
+    /// Returns the path of `node` for messages.
     pub(crate) fn path(&self, around: &str, node: &Node<'_>) -> String {
         match self.kind {
             FileKind::Data => path_of(around, node),
@@ -79,25 +79,25 @@ impl Merger<'_> {
         }
     }
 
-    /// Replaces an element of ours, which is that of the base, by that of theirs.
+    /// Replaces an element of ours, which is unchanged since the base, by the element of theirs.
     pub(crate) fn replace(&mut self, ours: &Node<'_>, theirs: &Node<'_>) {
         let insert = adapted(theirs, ours.line_end, Some(prefix(ours)));
         self.edits.push(Edit { range: ours.range, insert });
     }
 
-    /// Reports a conflict of whole elements. Ours stays, and the other versions are in a comment before it.
+    /// Reports a conflict of entire elements. Ours remains, and a comment before it contains the other versions.
     pub(crate) fn conflict(&mut self, versions: Versions<'_, '_>, path: &str, reason: String) {
         let Versions { base, ours, theirs } = versions;
         self.conflict_at(ours, path, reason, [base.map(Node::text), Some(theirs.text())]);
     }
 
-    /// Reports a conflict at an element of ours with the texts of base and theirs.
+    /// Reports a conflict at an element of ours, with the texts of base and theirs.
     pub(crate) fn conflict_at(&mut self, ours: &Node<'_>, path: &str, reason: String, others: [Option<&str>; 2]) {
         let text = self.report(path, reason, Ours::Follows, others);
         self.edits.push(before(ours, &text));
     }
 
-    /// Reports a conflict; returns the comment with the texts of base and theirs.
+    /// Reports a conflict. Returns the comment with the texts of base and theirs.
     pub(crate) fn report(&mut self, path: &str, reason: String, ours: Ours, others: [Option<&str>; 2]) -> String {
         let conflict = Conflict { path: path.to_owned(), reason };
         let text = comment(&conflict, ours, others, self.line_end);
@@ -111,7 +111,7 @@ impl Merger<'_> {
     }
 }
 
-/// Whether the parts of an element belong together, so that changes of both sides are a conflict.
+/// Whether the parts of the element form one value, so that changes on both sides are a conflict.
 fn is_unit(kind: FileKind, Versions { base, ours, theirs }: Versions<'_, '_>) -> bool {
     let nodes = || [base, Some(ours), Some(theirs)].into_iter().flatten();
     let is_place = kind == FileKind::Data && PLACES.iter().any(|place| ours.name().starts_with(place));

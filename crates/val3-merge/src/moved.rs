@@ -1,15 +1,15 @@
-//! Elements of arrays with new indexes, for the report.
+//! Array elements with new indexes, for the report.
 
 use std::fmt;
 
 use crate::plan::{Append, Plan, Plans};
 
-/// Elements that theirs has appended to an array, after which ours has appended elements too.
+/// Elements that theirs has appended to an array to which ours has appended elements, too.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Moved {
-    /// Path of the variable or field: `pPick`, `tSlot[1].pPick`.
+    /// Data path of the variable or field, for example `pPick` or `tSlot[1].pPick`.
     pub path: String,
-    /// Dimension in which the array has grown, from 0.
+    /// Dimension in which the array was extended, from 0.
     pub axis: usize,
     /// First index in theirs.
     pub from: usize,
@@ -35,7 +35,7 @@ impl fmt::Display for Moved {
     }
 }
 
-/// The elements that move, by their paths.
+/// Returns the elements that move, sorted by path.
 pub(crate) fn of(plans: &Plans) -> Vec<Moved> {
     let appends = plans.values().filter_map(Plan::append).filter(|append| append.by > 0 && append.count > 0);
     let mut moved: Vec<Moved> = appends.map(entry).collect();

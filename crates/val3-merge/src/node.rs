@@ -1,4 +1,4 @@
-//! The elements of a file with their identities.
+//! Elements of a file with their identities.
 
 use rowan::NodeOrToken;
 use smol_str::SmolStr;
@@ -8,29 +8,29 @@ use val3_syntax::{Parse, Part, SyntaxKind, TextRange};
 
 use crate::kind::{DECLARATION, FileKind};
 
-/// Levels of elements that are read, so that hostile files cannot overflow the stack.
+/// Maximum nesting of elements that are read, so that hostile files cannot overflow the stack.
 const NESTING: usize = 64;
 
-/// An element or a comment of a file. The node of the entire file has the comments around the root as children too.
+/// An element or a comment in a file. The node of the entire file also has the comments around the root as children.
 #[derive(Debug)]
 pub(crate) struct Node<'t> {
     /// The element; `None` for a comment and for the file.
     pub(crate) element: Option<Element<'t>>,
-    /// Identity among siblings: name and key of an element, text of a comment.
+    /// Identity among siblings: name and key for an element, text for a comment.
     pub(crate) id: String,
-    /// Attribute of the key.
+    /// Attribute that contains the key.
     pub(crate) key_name: Option<&'static str>,
-    /// Key of the element, for example the name of a variable or the index of a value.
+    /// Key of the element, for example a variable name or the index of a value.
     pub(crate) key: Option<SmolStr>,
     /// Range in the source.
     pub(crate) range: TextRange,
     /// Range between the tags; `None` for an empty element with one tag.
     pub(crate) content: Option<TextRange>,
-    /// Elements and comments inside.
+    /// Child elements and comments.
     pub(crate) children: Vec<Node<'t>>,
-    /// Type of the values inside, in data files.
+    /// Type of the contained values, in data files.
     pub(crate) type_name: SmolStr,
-    /// Whether text other than blanks is directly inside.
+    /// Whether the element directly contains text other than blanks.
     pub(crate) has_text: bool,
     /// Text of the file.
     pub(crate) source: &'t str,
@@ -38,14 +38,14 @@ pub(crate) struct Node<'t> {
     pub(crate) line_end: &'static str,
 }
 
-/// Parses a text for [`read`]. Comments that hold an unresolved conflict are plain comments in the tree.
+/// Parses a text for [`read`]. Comments with an unresolved conflict are plain comments in the tree.
 pub(crate) fn parse(text: &str) -> Parse {
     let marker = crate::conflict::OPENING;
     let blank = format!("<!--{}", " ".repeat(marker.len() - 4));
     val3_syntax::parse(&text.replace(marker, &blank))
 }
 
-/// Reads the tree of a text; `None` if the text is no well-formed XML with one root element. Faults of the code are
+/// Reads the tree of a text; `None` if the text is no well-formed XML with one root element. Errors in the code are
 /// allowed.
 pub(crate) fn read<'t>(kind: FileKind, parse: &'t Parse, source: &'t str) -> Option<Node<'t>> {
     let root = xml::root(parse.view())?;
@@ -57,7 +57,7 @@ pub(crate) fn read<'t>(kind: FileKind, parse: &'t Parse, source: &'t str) -> Opt
     parse.errors().iter().all(|error| is_in_code(error.range)).then_some(file)
 }
 
-/// Depth of elements, and what they inherit.
+/// Depth of elements, and inherited properties.
 #[derive(Clone, Default)]
 struct Level {
     depth: usize,
@@ -73,7 +73,7 @@ struct Reader<'t> {
 }
 
 impl<'t> Reader<'t> {
-    /// A node without an element.
+    /// Creates a node without an element.
     fn node(&self, range: TextRange) -> Node<'t> {
         Node {
             element: None,
@@ -90,7 +90,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Nodes of the elements and comments directly in `parent`.
+    /// Creates nodes for the elements and comments directly in `parent`; `None` if they are nested too deeply.
     fn children(
         &mut self,
         parent: View<'t>,
@@ -137,7 +137,7 @@ impl<'t> Reader<'t> {
         Some(node)
     }
 
-    /// Type of the values in an element of a data file.
+    /// Returns the type of the values in an element of a data file.
     fn type_of(&self, element: Element<'t>, level: &Level) -> SmolStr {
         match element.name() {
             _ if self.kind != FileKind::Data => SmolStr::default(),
@@ -148,7 +148,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// A key in the form in which equal keys have equal texts: indexes without blanks, files in lower case.
+/// Normalises a key, so that equal keys have equal texts: indexes without blanks, files in lower case.
 fn normal(key: &str) -> String {
     let is_index = key.chars().all(|character| character.is_ascii_digit() || matches!(character, ',' | ' '));
     let is_file = [".pgx", ".dtx"].iter().any(|end| key.to_ascii_lowercase().ends_with(end));
@@ -169,32 +169,32 @@ fn has_text(view: View<'_>) -> bool {
 }
 
 impl<'t> Node<'t> {
-    /// Name of the element; empty for a comment and for the file.
+    /// Returns the element name; empty for a comment and for the file.
     pub(crate) fn name(&self) -> &'t str {
         self.element.map_or("", Element::name)
     }
 
-    /// Value of an attribute.
+    /// Returns an attribute's value.
     pub(crate) fn value(&self, name: &str) -> Option<String> {
         Some(self.element?.value(name)?.into_owned())
     }
 
-    /// Attribute of the element.
+    /// Returns an attribute.
     pub(crate) fn attribute(&self, name: &str) -> Option<Attribute<'t>> {
         self.element?.attribute(name)
     }
 
-    /// Text from the start to the end of the node.
+    /// Returns the text of the node.
     pub(crate) fn text(&self) -> &'t str {
         self.slice(self.range)
     }
 
-    /// Text of the content; empty for an element with one tag.
+    /// Returns the text of the content; empty for an element with one tag.
     pub(crate) fn content_text(&self) -> &'t str {
         self.content.map_or("", |content| self.slice(content))
     }
 
-    /// Part of the file.
+    /// Returns a part of the file's text.
     pub(crate) fn slice(&self, range: TextRange) -> &'t str {
         self.source.part(usize::from(range.start())..usize::from(range.end()))
     }

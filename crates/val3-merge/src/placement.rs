@@ -1,11 +1,11 @@
-//! Places and layout of elements that come into ours.
+//! Places and layout of elements that are inserted in ours.
 
 use val3_syntax::xml::whole_line;
 use val3_syntax::{Edit, Part, TextRange, TextSize};
 
 use crate::node::Node;
 
-/// The line end and the indentation before an element; empty if another element precedes it on its line.
+/// Returns the line end and the indentation before an element; empty if another element precedes it on its line.
 pub(crate) fn prefix<'t>(node: &Node<'t>) -> &'t str {
     let before = node.source.part(..usize::from(node.range.start()));
     let blanks = before.len() - before.trim_end_matches([' ', '\t', '\r', '\n']).len();
@@ -15,23 +15,23 @@ pub(crate) fn prefix<'t>(node: &Node<'t>) -> &'t str {
     blanks.part(start..)
 }
 
-/// As [`prefix`], with the line ends of another file.
+/// Like [`prefix`], with another line end.
 pub(crate) fn prefix_in(node: &Node<'_>, line_end: &str) -> String {
     prefix(node).replace("\r\n", "\n").replace('\n', line_end)
 }
 
-/// The text of an element of theirs with the line ends of ours, and with the indentation of `place` in ours.
+/// Returns the text of an element from theirs with the line ends of ours and the indentation of `place` in ours.
 pub(crate) fn adapted(theirs: &Node<'_>, line_end: &str, place: Option<&str>) -> String {
     let text = theirs.text().replace("\r\n", "\n");
     let [from, to] =
         [prefix(theirs), place.unwrap_or_else(|| prefix(theirs))].map(|prefix| prefix.trim_start_matches(['\r', '\n']));
-    // Code is indented by the programmer.
+    // Code keeps its own indentation.
     let is_list = !text.contains("<![CDATA[") && from != to;
     let text = if is_list { text.replace(&format!("\n{from}"), &format!("\n{to}")) } else { text };
     text.replace('\n', line_end)
 }
 
-/// Inserts the text of an element after one of ours.
+/// Inserts an element's text after an element of ours.
 pub(crate) fn after(anchor: &Node<'_>, text: &str) -> Edit {
     insert(anchor.range.end(), format!("{}{text}", prefix(anchor)))
 }
@@ -44,7 +44,7 @@ pub(crate) fn before(anchor: &Node<'_>, text: &str) -> Edit {
     insert(anchor.range.start(), format!("{text}{separator}"))
 }
 
-/// Inserts the text of an element of theirs as the only one in `parent`.
+/// Inserts the text of an element from theirs as the only element in `parent`.
 pub(crate) fn inside(parent: &Node<'_>, theirs_parent: &Node<'_>, first: &Node<'_>, text: &str) -> Vec<Edit> {
     let text = prefix_in(first, parent.line_end) + text;
     let is_on_own_line = prefix(first).contains('\n');
@@ -54,7 +54,7 @@ pub(crate) fn inside(parent: &Node<'_>, theirs_parent: &Node<'_>, first: &Node<'
         own => own.to_owned(),
     };
     match parent.content {
-        // Blanks between the tags keep the end tag on its line.
+        // The blanks between the tags keep the end tag on a separate line.
         Some(content) if parent.slice(content).contains('\n') => vec![insert(content.start(), text)],
         Some(content) => vec![Edit { range: content, insert: text + &closing }],
         None => {

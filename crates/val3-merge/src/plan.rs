@@ -1,4 +1,4 @@
-//! How the values of variables that both sides have changed are merged.
+//! Plans for merging variables that both sides have changed.
 
 use rustc_hash::FxHashMap;
 
@@ -7,42 +7,42 @@ use crate::kind::FileKind;
 use crate::node::Node;
 use crate::same::{has_defaults, same};
 
-/// The merge of one variable or field.
+/// Plan for merging one variable or field.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Plan {
-    /// Both sides have appended elements: those of theirs follow those of ours.
+    /// Both sides have appended elements: the elements of theirs follow the elements of ours.
     Append(Append),
-    /// Theirs replaces ours, which has the values of the base.
+    /// Theirs replaces ours, whose values are unchanged since the base.
     Replace,
-    /// The variable cannot be merged by index; the reason.
+    /// The variable cannot be merged by index, for this reason.
     Conflict(&'static str),
 }
 
 impl Plan {
-    /// The appended elements.
+    /// Returns the appended elements.
     pub(crate) fn append(&self) -> Option<&Append> {
         if let Self::Append(append) = self { Some(append) } else { None }
     }
 }
 
-/// Elements of theirs that get other indexes.
+/// Elements of theirs that move to other indexes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Append {
-    /// Path of the variable or field, with the indexes of theirs: `tSlot[1].pPick`.
+    /// Data path of the variable or field, with the indexes of theirs, for example `tSlot[1].pPick`.
     pub(crate) path: String,
-    /// Dimension that has grown, from 0.
+    /// Extended dimension, from 0.
     pub(crate) axis: usize,
     /// First index of theirs that changes.
     pub(crate) from: usize,
     /// Number that is added to the index.
     pub(crate) by: usize,
-    /// Number of elements of theirs that move.
+    /// Number of moved elements.
     pub(crate) count: usize,
     /// Size in the merged file.
     pub(crate) size: usize,
 }
 
-/// Plans of variables and fields, by their paths. Variables without a plan are merged by index or key.
+/// Plans of variables and fields, by data path. Variables without a plan are merged by index or key.
 pub(crate) type Plans = FxHashMap<String, Plan>;
 
 /// Plans the merge of a data file.
@@ -52,7 +52,7 @@ pub(crate) fn plans(base: &Node<'_>, ours: &Node<'_>, theirs: &Node<'_>) -> Plan
     planner.0
 }
 
-/// Path of a variable, value or field in an element with the path `around`.
+/// Returns the data path of a variable, value or field in an element with the path `around`.
 pub(crate) fn path_of(around: &str, node: &Node<'_>) -> String {
     match (node.name(), node.key.as_deref()) {
         (_, None) => around.to_owned(),
@@ -65,7 +65,7 @@ pub(crate) fn path_of(around: &str, node: &Node<'_>) -> String {
 struct Planner(Plans);
 
 impl Planner {
-    /// Plans what is in elements that all three versions have.
+    /// Plans the content of elements that are in all three versions.
     fn nodes(&mut self, [base, ours, theirs]: [&Node<'_>; 3], depth: usize, around: &str) {
         let [in_base, in_theirs] = [base, theirs].map(by_id);
         for ours in ours.children.iter().filter(|child| child.element.is_some()) {
@@ -86,7 +86,7 @@ impl Planner {
         let [base, ours, theirs] = nodes;
         let kind = FileKind::Data;
         if same(kind, base, theirs) || same(kind, base, ours) || same(kind, ours, theirs) {
-            // A change of one side needs no plan, except for another type, where nothing else is the same.
+            // A change on one side needs no plan, except a change of the type, because the old values are invalid then.
             if same(kind, base, ours) && shape(base) != shape(theirs) {
                 self.0.insert(path.to_owned(), Plan::Replace);
             }
@@ -109,7 +109,7 @@ fn by_id<'n, 't>(node: &'n Node<'t>) -> FxHashMap<&'n str, &'n Node<'t>> {
     node.children.iter().map(|child| (child.id.as_str(), child)).collect()
 }
 
-/// Type, container and number of dimensions.
+/// Returns the type, the container and the number of dimensions.
 fn shape(node: &Node<'_>) -> (String, Option<String>, Option<usize>) {
     (node.type_name.to_string(), node.value("xsi:type"), Array::of(node).sizes.map(|sizes| sizes.len()))
 }
@@ -137,7 +137,7 @@ fn plan([base, ours, theirs]: [&Node<'_>; 3], path: &str) -> Option<Plan> {
     }
 }
 
-/// `changed` has another size, `other` the one of the base.
+/// Plans a variable whose size only `changed` has changed; `other` has the size of the base.
 fn one_sided(base: &Array<'_, '_>, changed: &Array<'_, '_>, other: &Array<'_, '_>) -> Option<Plan> {
     let kind = FileKind::Data;
     let sizes = |array: &Array<'_, '_>| array.sizes.clone().unwrap_or_default();
@@ -151,7 +151,7 @@ fn one_sided(base: &Array<'_, '_>, changed: &Array<'_, '_>, other: &Array<'_, '_
     other.differs_from(kind, base, start).then_some(Plan::Conflict(reason))
 }
 
-/// Both sides have the same new size; the elements keep their indexes if no side has moved any.
+/// Plans a variable with the same new size on both sides: elements keep their indexes if no side has moved any.
 fn by_index(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>) -> Option<Plan> {
     let is_list = base.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1);
     let start = if is_list {
@@ -164,7 +164,7 @@ fn by_index(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>) 
     ours.differs_from(FileKind::Data, theirs, start).then_some(Plan::Conflict(reason))
 }
 
-/// The dimension in which both sides have grown, if the others are unchanged.
+/// Returns the dimension that both sides have extended, if all other dimensions are unchanged.
 fn common_axis(base: &[usize], ours: &[usize], theirs: &[usize]) -> Option<usize> {
     let mut changed = (0..base.len()).filter(|axis| {
         let size = base.get(*axis);
@@ -180,9 +180,9 @@ fn append(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>, ax
         return None;
     }
     let is_list = base.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1);
-    // Elements that both have written alike are one change that came to both sides.
+    // Equal elements on both sides are one change that was made on both sides.
     let is_shared = |index: &usize| {
-        // Two elements with default values may be two elements.
+        // Two elements with default values may be different elements.
         let is_written = ours.at(*index).is_some_and(|element| !has_defaults(element, &["fatherId"]));
         is_written && same_element(FileKind::Data, ours.at(*index), theirs.at(*index))
     };
@@ -194,13 +194,13 @@ fn append(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>, ax
 }
 
 impl Array<'_, '_> {
-    /// Whether an element with an index from `start` on in a dimension differs.
+    /// Whether an element with an index from `start` on in the dimension `axis` differs.
     fn differs_after(&self, other: &Self, axis: usize, start: usize) -> bool {
         self.differs_where(FileKind::Data, other, |index| index.get(axis).is_some_and(|index| *index >= start))
     }
 }
 
-/// The elements of theirs that move.
+/// Returns the elements of theirs that move, with their new indexes.
 pub(crate) fn moved<'n, 't>(theirs: &'n Node<'t>, append: &Append) -> Vec<(&'n Node<'t>, Vec<usize>)> {
     let found = values(theirs).filter_map(|value| {
         let mut index = crate::array::index_of(value)?;

@@ -1,4 +1,4 @@
-//! New indexes for appended elements of theirs, and for references to them.
+//! Renumbering of appended elements of theirs, and of references to them.
 
 use val3_syntax::Edit;
 use val3_syntax::xml::{Attribute, escaped};
@@ -6,14 +6,14 @@ use val3_syntax::xml::{Attribute, escaped};
 use crate::node::Node;
 use crate::plan::{Append, Plan, Plans, moved, path_of};
 
-/// The edits that give elements of theirs the indexes of the merged file. References of theirs to these elements change
-/// with them: the frame of a point stays the same frame.
+/// Returns edits of theirs that set the indexes of the merged file. References in theirs to renumbered elements are
+/// changed as well, so that the frame of a point is still the same frame.
 pub(crate) fn edits(theirs: &Node<'_>, plans: &Plans) -> Vec<Edit> {
     let mut appends: Vec<&Append> = plans.values().filter_map(Plan::append).collect();
     if appends.is_empty() {
         return Vec::new();
     }
-    // The longest path first, because its indexes are those of theirs.
+    // Longest path first, because its indexes are the indexes of theirs.
     appends.sort_by(|one, other| (other.path.len(), &other.path).cmp(&(one.path.len(), &one.path)));
     let mut edits = Vec::new();
     node(theirs, "", &appends, &mut edits);
@@ -54,7 +54,7 @@ fn container(child: &Node<'_>, append: &Append, edits: &mut Vec<Edit>) {
     }
 }
 
-/// `fTray[3]`, `tSlot["a"].fPlace[3]`
+/// Renumbers a reference: `fTray[3]`, `tSlot["a"].fPlace[3]`.
 fn reference(attribute: Attribute<'_>, appends: &[&Append]) -> Option<Edit> {
     let old = attribute.text().into_owned();
     let mut text = old.clone();
@@ -64,7 +64,7 @@ fn reference(attribute: Attribute<'_>, appends: &[&Append]) -> Option<Edit> {
     (text != old).then(|| Edit { range: attribute.range, insert: escaped(&text) })
 }
 
-/// The reference with its new index; `None` if it does not refer to an element that moves.
+/// Returns the reference with its new index; `None` if it does not refer to a moved element.
 fn renumbered(text: &str, append: &Append) -> Option<String> {
     let number = append.path.matches('[').count();
     let (open, _) = text.match_indices('[').nth(number)?;
@@ -76,7 +76,7 @@ fn renumbered(text: &str, append: &Append) -> Option<String> {
     (path.replace('"', "") == append.path).then(|| format!("{path}[{}]{after}", joined(&index, ",")))
 }
 
-/// `name="fTray" fatherIndex="3"`
+/// Renumbers a reference of the old dialect: `name="fTray" fatherIndex="3"`.
 fn old_reference(name: &str, index: Attribute<'_>, appends: &[&Append]) -> Option<Edit> {
     let append = appends.iter().find(|append| append.path == name)?;
     let at = index.text().trim().parse::<usize>().ok().filter(|at| *at >= append.from)?;

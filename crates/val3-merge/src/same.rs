@@ -1,4 +1,4 @@
-//! Equality of elements: attributes and content, without layout and without the order of lists.
+//! Equality of elements: attributes and content, ignoring layout and the order of unordered lists.
 
 use val3_data::same_text;
 use val3_lang::types::BaseType;
@@ -8,12 +8,12 @@ use crate::kind::FileKind;
 use crate::node::Node;
 use crate::text::lines_of;
 
-/// Whether both elements have the same meaning, comments included.
+/// Whether both elements have the same meaning, including comments.
 pub(crate) fn same(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
     one.id == other.id && same_content(kind, one, other)
 }
 
-/// As [`same`], for elements of different keys.
+/// Like [`same`], ignoring the keys of the elements.
 pub(crate) fn same_content(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
     one.name() == other.name()
         && same_attributes(kind, one, other)
@@ -22,7 +22,7 @@ pub(crate) fn same_content(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> 
         && same_children(kind, one, other)
 }
 
-/// As [`same`]; an element that is missing has the default of its type.
+/// Like [`same`]; a missing element has the type's default.
 pub(crate) fn same_value(kind: FileKind, one: Option<&Node<'_>>, other: Option<&Node<'_>>) -> bool {
     match (one, other) {
         (Some(one), Some(other)) => same(kind, one, other),
@@ -31,12 +31,12 @@ pub(crate) fn same_value(kind: FileKind, one: Option<&Node<'_>>, other: Option<&
     }
 }
 
-/// Whether the element of an array has the default of its built-in type, which files may omit.
+/// Whether an array element has the default of a built-in type, which files may omit.
 pub(crate) fn is_default(kind: FileKind, node: &Node<'_>) -> bool {
     kind == FileKind::Data && node.name() == "Value" && has_defaults(node, &[])
 }
 
-/// Whether a value of a built-in type is the default, written or not, except for some attributes.
+/// Whether a value of a built-in type equals the default, ignoring some attributes.
 pub(crate) fn has_defaults(node: &Node<'_>, except: &[&str]) -> bool {
     let attributes = node.element.into_iter().flat_map(Element::attributes);
     let mut content =
@@ -53,7 +53,7 @@ fn same_attributes(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
     names.all(|name| same_attribute(kind, one, name, first.value(name).as_deref(), second.value(name).as_deref()))
 }
 
-/// Whether two texts of an attribute have the same meaning; `None` is an attribute that is omitted.
+/// Whether two attribute values have the same meaning; `None` for an omitted attribute.
 pub(crate) fn same_attribute(
     kind: FileKind,
     node: &Node<'_>,
@@ -70,7 +70,7 @@ pub(crate) fn same_attribute(
     kind.default_of(name).is_some_and(|default| one.unwrap_or(default) == other.unwrap_or(default))
 }
 
-/// Whether the element is a value of a variable or a part of one.
+/// Whether the element is a value of a variable or a part of a value.
 fn is_in_value(kind: FileKind, node: &Node<'_>) -> bool {
     let declares =
         |element: Element<'_>| matches!(element.name(), "Data" | "Field") || node.type_name.as_str() == element.name();
@@ -82,7 +82,7 @@ fn same_children(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
     first.len() == second.len() && first.iter().zip(&second).all(|(one, other)| same(kind, one, other))
 }
 
-/// The children that count, in an order that does not depend on the file where the order has no meaning.
+/// Returns the children without omissible default values, sorted by identity if their order has no meaning.
 fn written<'n, 't>(kind: FileKind, node: &'n Node<'t>) -> Vec<&'n Node<'t>> {
     let is_collection = node.value("xsi:type").is_some_and(|shape| shape == "collection");
     let counts = |child: &&Node<'_>| is_collection || !is_default(kind, child);

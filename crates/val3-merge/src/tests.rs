@@ -1,4 +1,4 @@
-//! Merges as people see them.
+//! Results of merges as displayed.
 
 mod code;
 mod data;
@@ -10,7 +10,7 @@ use val3_syntax::error::SyntaxErrorKind;
 
 use crate::{FileKind, merge};
 
-/// The result of a merge: the text, and the report.
+/// Shows the result of a merge: the text, and the report.
 fn merged(kind: FileKind, base: &str, ours: &str, theirs: &str) -> String {
     let merged = merge(kind, base, ours, theirs);
     let mut out = merged.text.trim_start_matches('\u{feff}').replace("\r\n", "\n");

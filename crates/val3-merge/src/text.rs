@@ -1,37 +1,37 @@
-//! The text of an element: code, a description, a setting.
+//! Text in an element: code, a description, a configuration value.
 
 use val3_syntax::{Part, decode_entities};
 
 use crate::node::Node;
 
-/// The opening and the end of a CDATA section.
+/// Start and end mark of a CDATA section.
 const CDATA: [&str; 2] = ["<![CDATA[", "]]>"];
 
-/// The text of an element in the form of the file.
+/// Element text as written in the file.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Content<'t> {
-    /// Blanks and the opening of a CDATA section before the text.
+    /// Blanks and the start mark of a CDATA section before the text.
     pub(crate) before: &'t str,
-    /// The text.
+    /// Text as written.
     pub(crate) raw: &'t str,
-    /// The end of the CDATA section and blanks after the text.
+    /// End mark of the CDATA section and blanks after the text.
     pub(crate) after: &'t str,
-    /// How `<` and `&` are written.
+    /// Spelling of `<` and `&`.
     pub(crate) form: Form,
 }
 
-/// How a text writes `<` and `&`.
+/// Spelling of `<` and `&` in a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// As entity references.
+    /// Entity references.
     Escaped,
-    /// In a CDATA section, where only its end cannot be written.
+    /// Unchanged in a CDATA section, where only the end mark must be split.
     Section,
     /// Unchanged, in a text that is no XML.
     Plain,
 }
 
-/// A line with its end, which is empty for the last one.
+/// A line with its line end, which is empty for the last line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Line<'t> {
     pub(crate) raw: &'t str,
@@ -39,7 +39,7 @@ pub(crate) struct Line<'t> {
 }
 
 impl<'t> Content<'t> {
-    /// The text in an element; `None` for several sections, and for text with elements or comments in between.
+    /// Returns the text in an element; `None` for several sections, and for text between elements or comments.
     pub(crate) fn of(node: &Node<'t>) -> Option<Self> {
         let all = node.content_text();
         let [open, close] = CDATA;
@@ -57,7 +57,7 @@ impl<'t> Content<'t> {
         is_single.then_some(Self { before, raw, after, form: Form::Section })
     }
 
-    /// The lines of the text.
+    /// Returns the lines of the text.
     pub(crate) fn lines(self) -> Vec<Line<'t>> {
         let mut lines: Vec<Line<'_>> = self.raw.split('\n').map(line).collect();
         if let Some(last) = lines.last_mut() {
@@ -66,7 +66,7 @@ impl<'t> Content<'t> {
         lines
     }
 
-    /// A line as the program reads it.
+    /// Decodes a line.
     pub(crate) fn decoded(self, line: &Line<'_>) -> String {
         match self.form {
             Form::Escaped => decode_entities(line.raw).into_owned(),
@@ -74,7 +74,7 @@ impl<'t> Content<'t> {
         }
     }
 
-    /// A decoded line as this text writes it.
+    /// Encodes a line for this text.
     pub(crate) fn encoded(self, line: &str) -> String {
         match self.form {
             Form::Escaped => line.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;"),
@@ -91,7 +91,7 @@ fn line(text: &str) -> Line<'_> {
     }
 }
 
-/// The lines of the text in an element, as programs read them, without blanks around the whole.
+/// Returns the decoded lines of the text in an element, without leading and trailing blanks.
 pub(crate) fn lines_of(node: &Node<'_>) -> Vec<String> {
     let Some(content) = Content::of(node) else {
         return node.content_text().lines().map(str::to_owned).collect();

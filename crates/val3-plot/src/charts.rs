@@ -1,4 +1,4 @@
-//! Joints and speeds over time.
+//! Charts of joints and speeds over time.
 
 mod chart;
 mod layout;
@@ -13,19 +13,19 @@ use limited_by::LimitedBy;
 use rates::Rate;
 use time::Time;
 
-/// Room for the labels of moves with the program, and without it.
+/// Height of the move labels with and without the program name, in pixels.
 const LABELS: f64 = 78.0;
 const LINES: f64 = 30.0;
 
-/// Space above a strip of one axis, and above a chart of rates for its name.
+/// Space above an axis strip, and above a rate chart for its name, in pixels.
 const GAP: f64 = 8.0;
 const NAME: f64 = 30.0;
 
-/// Height of a line of text below the charts, and the base line of the legend below the strip of limits.
+/// Height of a text line below the charts, and base line of the legend below the strip of limits, in pixels.
 const LINE: f64 = 24.0;
 const LEGEND: f64 = 38.0;
 
-/// Draws the charts from `top` on, and returns where they end.
+/// Draws the charts from `top` on. Returns their lower end.
 pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
     let time = Time::of(picture);
     let top = top + if picture.only_program().is_some() { LINES } else { LABELS };

@@ -2,7 +2,8 @@
 
 use val3_motion::{Phase, SpeedLimit};
 
-/// The phases with their colours, which people with any kind of colour vision tell apart (Okabe and Ito), and their names.
+/// Phases with their colours, which are distinguishable with any kind of colour vision (Okabe and Ito), and their
+/// names.
 pub(crate) const PHASES: [(Phase, &str, &str); 7] = [
     (Phase::Nominal, "#0072b2", "path of a move"),
     (Phase::Blend, "#e69f00", "blend"),
@@ -13,15 +14,15 @@ pub(crate) const PHASES: [(Phase, &str, &str); 7] = [
     (Phase::Waiting, "#999999", "waiting"),
 ];
 
-/// A recorded motion is a wide band below the present one, so that both can be seen where they are the same.
+/// Style of a recorded motion: a wide band below the present motion, so that both are visible where they are equal.
 pub(crate) const REFERENCE: &str = "stroke:#c9c9c9;stroke-width:7;stroke-linejoin:round;stroke-linecap:round";
 
-/// The colour of a phase.
+/// Returns the colour of a phase.
 pub(crate) fn colour(phase: Phase) -> &'static str {
     PHASES.iter().find(|(known, ..)| *known == phase).map_or("#000000", |(_, colour, _)| colour)
 }
 
-/// Name and colour of a limit of the speed. The axis is a number in the picture.
+/// Returns the name and the colour of a speed limit. Its axis is shown as a number in the picture.
 pub(crate) const fn limit_colour(limit: SpeedLimit) -> (&'static str, &'static str) {
     match limit {
         SpeedLimit::Acceleration(_) => ("acceleration of the axis", "#56b4e9"),

@@ -4,13 +4,13 @@ use crate::canvas::Canvas;
 use crate::colours::{PHASES, REFERENCE};
 use crate::{Phase, Picture, Sample, marks};
 
-/// Draws a mark at a point.
+/// Function that draws a mark at the coordinates.
 type DrawMark = fn(&mut Canvas, [f64; 2]);
 
 /// Left end of the legend.
 const LEGEND: f64 = 420.0;
 
-/// Draws title and legend at the top of the picture.
+/// Draws the title and the legend at the top of the picture.
 pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas) {
     canvas.text([40.0, 34.0], "title", &picture.title);
     canvas.text([40.0, 56.0], "small", &summary(picture));
@@ -22,7 +22,7 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas) {
     }
 }
 
-/// Arm, number of moves, duration.
+/// Formats the arm, the number of moves, and the duration.
 fn summary(picture: &Picture) -> String {
     let moves = match (picture.moves.len(), picture.only_program()) {
         (1, Some(program)) => format!("1 move (line of {program})"),
@@ -37,7 +37,7 @@ fn summary(picture: &Picture) -> String {
     format!("{}, {moves}, {times}", picture.arm)
 }
 
-/// The colours of the paths that occur.
+/// Draws the colours of the paths that occur.
 fn paths(picture: &Picture, canvas: &mut Canvas) {
     let used = |phase: &Phase| *phase != Phase::Waiting && picture.samples.iter().any(|sample| sample.phase == *phase);
     let mut x = LEGEND;
@@ -51,7 +51,7 @@ fn paths(picture: &Picture, canvas: &mut Canvas) {
     }
 }
 
-/// The marks of points, and the end of their row.
+/// Draws the marks of points. Returns the x coordinate after the last entry.
 fn points(picture: &Picture, canvas: &mut Canvas) -> f64 {
     let mut points: Vec<(&str, DrawMark)> = vec![("start", marks::start), ("target", marks::target)];
     if picture.moves.iter().any(|mark| mark.intermediate.is_some()) {
@@ -66,13 +66,13 @@ fn points(picture: &Picture, canvas: &mut Canvas) -> f64 {
     x
 }
 
-/// The name of an entry that begins at a point, and the beginning of the next entry.
+/// Draws an entry's name at the coordinates. Returns the x coordinate for the next entry.
 fn named(canvas: &mut Canvas, [x, y]: [f64; 2], name: &str) -> f64 {
     canvas.text([x + 32.0, y], "small", name);
     x + 50.0 + 7.5 * name.len() as f64
 }
 
-/// Seconds from the first sample to the last one.
+/// Returns the seconds from the first sample to the last sample.
 fn length(samples: &[Sample]) -> f64 {
     samples.first().zip(samples.last()).map_or(0.0, |(first, last)| last.t - first.t)
 }

@@ -1,32 +1,32 @@
-//! The limits of motion descriptors over time.
+//! Active limits of motion descriptors over time.
 
 use crate::{MoveLimits, Picture};
 
-/// A limit during a part of the motion.
+/// A constant limit during a part of the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Step {
-    /// Beginning, in seconds.
+    /// Beginning in seconds.
     pub(crate) from: f64,
-    /// End, in seconds.
+    /// End in seconds.
     pub(crate) to: f64,
-    /// The limit.
+    /// Value of the limit.
     pub(crate) value: f64,
 }
 
-/// A limit over time. Nothing is in force while no move is executed.
+/// A limit over time. There is no limit while no move is executed.
 pub(crate) struct InForce(Vec<Step>);
 
-/// How the limits of two moves are joined on the blend between them.
+/// Rule for the limit on the blend between two moves.
 #[derive(Clone, Copy)]
 pub(crate) enum OnBlend {
-    /// The smaller one counts, as for speeds.
+    /// The smaller limit is used, as for speeds.
     Smaller,
-    /// The one of the nearer move counts, as for accelerations.
+    /// The limit of the nearer move is used, as for accelerations.
     Nearer,
 }
 
 impl InForce {
-    /// A limit of the moves.
+    /// Returns a limit of the moves over time.
     pub(crate) fn of(picture: &Picture, on_blend: OnBlend, limit: impl Fn(&MoveLimits) -> f64) -> Self {
         let mut limits = Self(Vec::new());
         let end = picture.samples.last().map_or(0.0, |last| last.t);
@@ -48,7 +48,7 @@ impl InForce {
         limits
     }
 
-    /// Adds a step. It continues the last one if the limit is the same.
+    /// Adds a step. If its limit equals the last limit, the last step is extended.
     fn push(&mut self, step: Step) {
         if step.to <= step.from || !step.value.is_finite() {
             return;
@@ -59,12 +59,12 @@ impl InForce {
         }
     }
 
-    /// The steps in the order of time.
+    /// Returns the steps sorted by time.
     pub(crate) fn steps(&self) -> &[Step] {
         &self.0
     }
 
-    /// The limit at a time in seconds.
+    /// Returns the limit at a time in seconds.
     pub(crate) fn at(&self, t: f64) -> Option<f64> {
         let begun = self.0.partition_point(|step| step.from <= t);
         self.0.get(begun.checked_sub(1)?).filter(|step| t <= step.to).map(|step| step.value)

@@ -1,26 +1,27 @@
-//! Places for labels, so that no two lie on each other, and none on the path where there is room beside it.
+//! Placement of labels: labels never overlap, and they avoid the path if there is space next to it.
 
 use std::collections::BTreeSet;
 
-/// The height of a label, and the width of a letter, in pixels.
+/// Height of a label, and width of a letter, in pixels.
 const HEIGHT: f64 = 13.0;
 const LETTER: f64 = 6.6;
 
-/// Directions and distances from the point that are tried one after the other.
+/// Directions and distances from the point, in the order in which they are tried.
 const DIRECTIONS: [[f64; 2]; 8] =
     [[1.0, -0.6], [1.0, 0.9], [-1.0, -0.6], [-1.0, 0.9], [0.2, -1.3], [0.2, 1.6], [1.0, 0.1], [-1.0, 0.1]];
 const DISTANCES: [f64; 7] = [9.0, 18.0, 30.0, 45.0, 65.0, 90.0, 120.0];
 
-/// A place beside the path may be at the first of these distances; further away a place on the path is better.
+/// Number of distances at which a place off the path is preferred. At larger distances, a near place on the path is
+/// better.
 const NEAR: usize = 4;
 
 /// A rectangle: left, top, right, bottom.
 type Area = [f64; 4];
 
-/// How far from its point a label may be.
+/// Maximum distance of a label from its point.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reach {
-    /// Beside the point.
+    /// Next to the point.
     Near,
     /// Anywhere around the point, with a line to it.
     Far,
@@ -30,14 +31,14 @@ pub(crate) enum Reach {
 pub(crate) struct Labels {
     panel: Area,
     taken: Vec<Area>,
-    /// The cells of [`CELL`] pixels that the path crosses.
+    /// Cells of [`CELL`] pixels that the path crosses.
     path: BTreeSet<[i64; 2]>,
 }
 
-/// The size of a cell, in pixels.
+/// Size of a cell in pixels.
 const CELL: f64 = 4.0;
 
-/// The place of a label: the beginning of its base line, and the point at which a line to its point begins.
+/// Place of a label: the beginning of the base line, and the start of the leader line to the point.
 pub(crate) struct Place {
     pub(crate) at: [f64; 2],
     pub(crate) anchor: Option<[f64; 2]>,
@@ -48,19 +49,19 @@ impl Labels {
         Self { panel, taken: Vec::new(), path: BTreeSet::new() }
     }
 
-    /// Keeps labels away from a point.
+    /// Reserves the area around a point.
     pub(crate) fn avoid(&mut self, [x, y]: [f64; 2]) {
         self.taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
     }
 
-    /// Keeps labels away from a line of the path, where there is room beside it.
+    /// Marks a line of the path, which labels avoid if there is space next to it.
     pub(crate) fn avoid_line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) {
         let steps = (libm::hypot(x2 - x1, y2 - y1) / CELL).ceil().max(1.0) as usize;
         let at = |step: usize| step as f64 / steps as f64;
         self.path.extend((0..=steps).map(|step| cell([x1 + (x2 - x1) * at(step), y1 + (y2 - y1) * at(step)])));
     }
 
-    /// A free place near a point for a text; none where there is none.
+    /// Returns a free place near a point for a text; `None` if no place is free.
     pub(crate) fn place(&mut self, point: [f64; 2], text: &str, reach: Reach) -> Option<Place> {
         let width = LETTER * text.chars().count() as f64;
         let near = |count: usize| {
@@ -92,7 +93,7 @@ fn cell(point: [f64; 2]) -> [i64; 2] {
     point.map(|coordinate| (coordinate / CELL).floor() as i64)
 }
 
-/// The area and the place of a text in a direction from a point.
+/// Returns the area and the place of a text in a direction from a point.
 fn candidate([x, y]: [f64; 2], [right, down]: [f64; 2], distance: f64, width: f64) -> (Area, Place) {
     let (near_x, near_y) = (x + right * distance, y + down * distance);
     let left = if right < 0.0 { near_x - width } else { near_x };

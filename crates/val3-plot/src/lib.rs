@@ -1,6 +1,6 @@
-//! A picture of motion: the path of the tool centre point from three sides, joints and speeds over time.
+//! Pictures of motion: the path of the tool centre point in three views, and joints and speeds over time.
 //!
-//! The picture is one SVG without scripts or outside references. Long recordings are thinned to what can be seen.
+//! A picture is one SVG file without scripts or external references. Long recordings are thinned to visible details.
 
 mod canvas;
 mod charts;
@@ -22,7 +22,7 @@ pub use thinning::significant;
 use canvas::Canvas;
 
 impl Picture {
-    /// The picture as the text of an SVG file.
+    /// Returns the picture as an SVG file.
     #[must_use]
     pub fn to_svg(&self) -> String {
         let mut canvas = Canvas::default();

@@ -1,47 +1,47 @@
-//! The data of a picture.
+//! Data of a picture.
 
 use val3_motion::{Phase, SpeedLimit};
 
-/// The data of a picture of a run.
+/// Data of a run's picture.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Picture {
-    /// Its title, such as the name of the application.
+    /// Title, such as the name of the application.
     pub title: String,
-    /// The model of the arm.
+    /// Model of the arm.
     pub arm: String,
-    /// The axes of the arm.
+    /// Axes of the arm.
     pub axes: Vec<Axis>,
-    /// The motion, in the order of time.
+    /// Samples of the motion, sorted by time.
     pub samples: Vec<Sample>,
-    /// The moves, in the order in which they were recorded.
+    /// Moves, in the order in which they were recorded.
     pub moves: Vec<Mark>,
-    /// A recorded motion with which this one is compared; empty without one.
+    /// Recorded motion for comparison; empty without a comparison.
     pub reference: Vec<Sample>,
-    /// The place at which the motion is the furthest away from the recorded one.
+    /// Largest deviation from the recorded motion.
     pub deviation: Option<Deviation>,
     /// Whether accelerations are drawn.
     pub has_accelerations: bool,
-    /// Note on the times, drawn below the charts; `None` if they are those of a measured arm.
+    /// Note on the times, drawn below the charts; `None` if the times come from a measured arm.
     pub times_note: Option<String>,
 }
 
-/// A place of one motion and the nearest place of another.
+/// A point on a motion's path and the nearest point on the other path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
-    /// The distance: `12.3 mm`.
+    /// Distance as text, for example `12.3 mm`.
     pub label: String,
-    /// The place in world, in mm.
+    /// Point in world, in mm.
     pub at: [f64; 3],
-    /// The nearest place in world, in mm.
+    /// Nearest point in world, in mm.
     pub nearest: [f64; 3],
-    /// When the arm was at the place, in seconds.
+    /// Time at the point, in seconds.
     pub t: f64,
 }
 
-/// An axis of the arm: degrees, or millimetres for a stroke.
+/// An axis of the arm, in degrees, or in mm for a linear axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// Whether it is a linear axis.
+    /// Whether the axis is linear.
     pub is_stroke: bool,
     /// Lower software limit.
     pub min: f64,
@@ -55,56 +55,56 @@ pub struct Axis {
     pub nominal_deceleration: f64,
 }
 
-/// The arm at one time.
+/// State of the arm at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Seconds.
+    /// Time in seconds.
     pub t: f64,
-    /// Position of each axis.
+    /// Positions of the axes.
     pub joints: [f64; 6],
-    /// The tool centre point in world, in mm.
+    /// Position of the tool centre point in world, in mm.
     pub position: [f64; 3],
     /// Speed of the tool centre point, in mm/s.
     pub speed: f64,
-    /// Speed of rotation of the tool, in degrees per second.
+    /// Rotation speed of the tool, in degrees per second.
     pub rotation: f64,
-    /// The kind of motion.
+    /// Kind of motion.
     pub phase: Phase,
-    /// The limit that determines the speed from here to the next sample; `None` if it is unknown.
+    /// Limit that determines the speed from this sample to the next; `None` if unknown.
     pub limit: Option<SpeedLimit>,
 }
 
 /// A move.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mark {
-    /// Name of the program.
+    /// Program name.
     pub program: String,
     /// Line in the program's file, from 1.
     pub line: u32,
-    /// The tool centre point at the destination, in world, in mm.
+    /// Tool centre point at the destination, in world, in mm.
     pub target: [f64; 3],
     /// Intermediate point of a circle, in world, in mm.
     pub intermediate: Option<[f64; 3]>,
-    /// Where the blend around the destination begins.
+    /// Beginning of the blend around the destination, in world, in mm.
     pub leave: Option<[f64; 3]>,
-    /// Where it ends.
+    /// End of the blend, in world, in mm.
     pub reach: Option<[f64; 3]>,
-    /// Note on the blend, drawn at its beginning: `leave 50 → 30 mm`.
+    /// Note on the blend, drawn at its beginning, for example `leave 50 → 30 mm`.
     pub note: Option<String>,
-    /// Explanation of the note, which viewers show at it.
+    /// Explanation of the note, which viewers show as a tooltip.
     pub explanation: Option<String>,
-    /// Limits of the motion descriptor; `None` if they are unknown.
+    /// Limits of the motion descriptor; `None` if unknown.
     pub limits: Option<MoveLimits>,
-    /// When the arm began with the move, in seconds.
+    /// Start time of the move in seconds.
     pub started: Option<f64>,
-    /// When the arm began with the blend around the destination, in seconds.
+    /// Start time of the blend around the destination, in seconds.
     pub blended: Option<f64>,
-    /// When the move was done, in seconds.
+    /// End time of the move in seconds.
     pub ended: Option<f64>,
 }
 
 impl Mark {
-    /// Program and line: `start:12`.
+    /// Formats the program and the line: `start:12`.
     pub(crate) fn label(&self) -> String {
         format!("{}:{}", self.program, self.line)
     }
@@ -113,20 +113,20 @@ impl Mark {
 /// Limits of a motion descriptor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveLimits {
-    /// `vel`: speed of each axis, in % of the nominal one.
+    /// `vel`: axis speeds in % of the nominal speeds.
     pub joint_speed: f64,
-    /// `accel`: acceleration of each axis, in % of the nominal one.
+    /// `accel`: axis accelerations in % of the nominal accelerations.
     pub acceleration: f64,
-    /// `decel`: deceleration of each axis, in % of the nominal one.
+    /// `decel`: axis decelerations in % of the nominal decelerations.
     pub deceleration: f64,
     /// `tvel`: speed of the tool centre point, in mm/s.
     pub tool_speed: f64,
-    /// `rvel`: speed of rotation of the tool, in degrees per second.
+    /// `rvel`: rotation speed of the tool, in degrees per second.
     pub tool_rotation: f64,
 }
 
 impl Picture {
-    /// Name of the program that requested all moves; `None` if there are several programs or no moves.
+    /// Returns the name of the program that requested all moves; `None` if there are several programs or no moves.
     pub(crate) fn only_program(&self) -> Option<&str> {
         let first = self.moves.first()?;
         self.moves.iter().all(|mark| mark.program == first.program).then_some(&first.program)

@@ -55,7 +55,7 @@ fn line() -> Picture {
     }
 }
 
-/// Fails unless the text is well-formed XML without numbers that are none.
+/// Fails unless the text is well-formed XML without invalid numbers.
 #[track_caller]
 fn assert_sound(svg: &str) {
     let mut reader = quick_xml::Reader::from_str(svg);
@@ -175,7 +175,7 @@ fn of_class<'a>(svg: &'a str, class: &str) -> Vec<&'a str> {
     svg.lines().filter(|line| line.contains(&format!("class=\"{class}"))).collect()
 }
 
-/// A motion of axis 1 from one position to another at constant speed, with the limits of a move.
+/// Returns a motion of axis 1 between two positions at constant speed, with the limits of a move.
 fn sweep([from, to]: [f64; 2], joint_speed: f64, tool_speed: f64) -> Picture {
     let samples = line()
         .samples
@@ -202,7 +202,7 @@ fn limits_are_drawn_where_they_come_into_view() {
         <text x="123.0" y="707.9" class="limit-label">vel 40</text>
         <text x="123.0" y="867.9" class="limit-label">tvel 300</text>"#]]
     .assert_eq(&of_class(&svg, "limit-label").join("\n"));
-    // Far above what is used.
+    // Far above the used values.
     let svg = sweep([0.0, 2.0], 100.0, 9999.0).to_svg();
     assert_eq!(of_class(&svg, "limit-label"), [""; 0]);
     let svg = sweep([100.0, 178.0], 1e6, 9999.0).to_svg();
@@ -210,7 +210,7 @@ fn limits_are_drawn_where_they_come_into_view() {
     assert!(matches!(labels[..], [label] if label.contains(">limit 180<")), "{labels:?}");
 }
 
-/// The bands along curves at a limit, without the one of the legend.
+/// Counts the bands along curves at a limit, without the band in the legend.
 fn bands(svg: &str) -> usize {
     svg.lines().filter(|line| line.starts_with("<path") && line.contains("#d00000")).count()
 }
@@ -258,7 +258,7 @@ fn equal_notes_on_blends_are_in_one_view_once() {
     assert_eq!(of_class(&svg, "note").len(), 1, "{svg}");
 }
 
-/// Each limit has its colour over its time; equal neighbours are one piece, and all reasons to rest are one.
+/// Each limit has its colour over its time. Equal neighbours are one piece, and all reasons for rest are one limit.
 #[test]
 fn the_limits_of_the_speed_are_a_strip_with_a_legend() {
     assert!(!line().to_svg().contains("limited by"));

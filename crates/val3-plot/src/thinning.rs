@@ -1,9 +1,9 @@
-//! Fewer points for lines that look the same (Ramer, Douglas and Peucker).
+//! Thinning: fewer points for lines that look the same (Ramer, Douglas and Peucker).
 
-/// Points nearer than this to the line do not count, in pixels.
+/// Distance in pixels below which a point's deviation is invisible.
 const UNSEEN: f64 = 0.2;
 
-/// The points that can be seen.
+/// Returns the points that have a visible effect.
 pub(crate) fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let excess = |place: usize, from: usize, to: usize| {
         let found = points.get(place).zip(points.get(from)).zip(points.get(to));
@@ -13,8 +13,8 @@ pub(crate) fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
-/// Which of the places of a line have to stay. `excess` is the distance of a place to the line between two others, divided
-/// by the largest distance at which it may be left out. The first and the last place stay.
+/// Returns for each point of a line whether it must be kept. `excess` is the distance of a point to the line between
+/// two other points, divided by the maximum distance. The first and the last point are always kept.
 #[must_use]
 pub fn significant(count: usize, excess: impl Fn(usize, usize, usize) -> f64) -> Vec<bool> {
     let mut kept = vec![false; count];
@@ -39,7 +39,7 @@ fn keep(kept: &mut [bool], place: usize) {
     }
 }
 
-/// The distance of a point to the piece of line between two others.
+/// Returns the distance of a point to the line segment between two other points.
 fn distance([x, y]: &[f64; 2], [x1, y1]: &[f64; 2], [x2, y2]: &[f64; 2]) -> f64 {
     let (along_x, along_y) = (x2 - x1, y2 - y1);
     let square = along_x * along_x + along_y * along_y;

@@ -1,23 +1,23 @@
 //! Round numbers for grids.
 
-/// Most numbers on an axis.
+/// Maximum number of values on an axis.
 const MOST: f64 = 500.0;
 
-/// The round step (1, 2, 5, 10 …) whose picture is at least `least` pixels wide at `scale` pixels a unit.
+/// Returns the round step (1, 2, 5, 10 …) that is at least `least` pixels wide at `scale` pixels for each unit.
 pub(crate) fn step(scale: f64, least: f64) -> f64 {
     let wanted = (least / scale).max(f64::MIN_POSITIVE);
     let power = 10_f64.powi(libm::log10(wanted).floor() as i32);
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|step| *step >= wanted).unwrap_or(10.0 * power)
 }
 
-/// The multiples of a step within a range.
+/// Returns the multiples of a step within a range.
 pub(crate) fn multiples(step: f64, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     let first = (from / step).ceil();
     let count = ((to / step).floor() - first).clamp(-1.0, MOST) as i64;
     (0..=count).map(move |index| (first + index as f64) * step)
 }
 
-/// A multiple of a step as text.
+/// Formats a multiple of a step.
 pub(crate) fn shown(value: f64, step: f64) -> String {
     let decimals = (-libm::log10(step).floor()).clamp(0.0, 6.0) as usize;
     let text = format!("{value:.decimals$}");

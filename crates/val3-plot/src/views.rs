@@ -1,4 +1,4 @@
-//! The path of the tool centre point from three sides, at one scale.
+//! Three views of the tool path, with the same scale.
 
 mod names;
 
@@ -12,17 +12,17 @@ use crate::ticks;
 use crate::{Picture, marks};
 use names::{Named, Origin, SAME};
 
-/// Size of a panel in pixels, and the space around its drawing.
+/// Size of a panel, and space around its drawing, in pixels.
 const SIZE: [f64; 2] = [490.0, 470.0];
 const MARGIN: f64 = 36.0;
 
-/// Distance of arrows along the path, in pixels.
+/// Distance of arrows along the path in pixels.
 const ARROWS: f64 = 110.0;
 
-/// The smallest width that a panel shows, in mm.
+/// Minimum width of a panel's content in mm.
 const SMALLEST: f64 = 20.0;
 
-/// A view: its name, and which coordinates go to the right and upwards.
+/// A view: its name, and the coordinates that point to the right and upwards.
 struct View {
     name: &'static str,
     right: usize,
@@ -37,7 +37,7 @@ const VIEWS: [View; 3] = [
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
-/// Draws the views from `top` on, and returns where they end.
+/// Draws the views from `top` on. Returns their lower end.
 pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
     let extents = extents(picture);
     let widest = extents.iter().map(|[low, high]| high - low).fold(SMALLEST, f64::max);
@@ -52,7 +52,7 @@ pub(crate) fn draw(picture: &Picture, canvas: &mut Canvas, top: f64) -> f64 {
     top + height
 }
 
-/// Lowest and highest coordinates of everything that is drawn.
+/// Returns the lowest and the highest coordinates of all content.
 fn extents(picture: &Picture) -> [[f64; 2]; 3] {
     let marks = picture.moves.iter();
     let marks = marks.flat_map(|mark| [Some(mark.target), mark.intermediate, mark.leave, mark.reach]).flatten();
@@ -67,21 +67,21 @@ fn extents(picture: &Picture) -> [[f64; 2]; 3] {
     extents.map(|[low, high]| if low <= high { [low, high] } else { [0.0, 0.0] })
 }
 
-/// The labels that views have.
+/// Labels that were drawn in previous views.
 #[derive(Default)]
 struct Written<'a> {
-    /// Lines of targets.
+    /// Program lines of targets.
     targets: BTreeSet<Origin<'a>>,
-    /// Notes on blends, with their places in world.
+    /// Notes on blends with their positions in world.
     notes: Vec<([f64; 3], &'a str)>,
 }
 
-/// A view in its place.
+/// A view at its place in the picture.
 struct Panel<'a> {
     view: &'a View,
     corner: [f64; 2],
     extents: &'a [[f64; 2]; 3],
-    /// Pixels a millimetre.
+    /// Pixels for each millimetre.
     scale: f64,
 }
 
@@ -93,7 +93,7 @@ impl Panel<'_> {
         self.marks(picture, canvas, written);
     }
 
-    /// The pixels of a point.
+    /// Returns the pixel coordinates of a point.
     fn at(&self, point: &[f64; 3]) -> [f64; 2] {
         let [left, top] = self.corner;
         let [width, height] = SIZE;
@@ -141,7 +141,7 @@ impl Panel<'_> {
         canvas.path(&thinned(&points), REFERENCE);
     }
 
-    /// The path, in pieces of one phase each.
+    /// Draws the path in pieces, one for each phase.
     fn path(&self, picture: &Picture, canvas: &mut Canvas) {
         let samples = &picture.samples;
         let mut first = 0;
@@ -177,7 +177,7 @@ impl Panel<'_> {
         }
     }
 
-    /// The marks with their labels. A label far from its target is only drawn if no view before has it.
+    /// Draws the marks with their labels. A label far from its target is drawn only if no previous view contains it.
     fn marks<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, written: &mut Written<'p>) {
         let mut labels = self.points(picture, canvas);
         if let Some(gap) = &picture.deviation {
@@ -200,7 +200,7 @@ impl Panel<'_> {
         self.notes(picture, canvas, &mut labels, written);
     }
 
-    /// Draws each note on a blend in the first view that has room for it. Equal notes at one place share one.
+    /// Draws each note on a blend in the first view that has space for it. Equal notes at the same place share a label.
     fn notes<'p>(&self, picture: &'p Picture, canvas: &mut Canvas, labels: &mut Labels, written: &mut Written<'p>) {
         for mark in &picture.moves {
             let (Some(leave), Some(note)) = (mark.leave, &mark.note) else { continue };
@@ -219,12 +219,12 @@ impl Panel<'_> {
         }
     }
 
-    /// Whether two points are one in the picture.
+    /// Whether two points coincide in the picture.
     fn is_same(&self, one: &[f64; 3], other: &[f64; 3]) -> bool {
         one.iter().zip(other).all(|(one, other)| (one - other).abs() * self.scale < SAME)
     }
 
-    /// Draws the marks of points, and returns the room for labels beside them and the path.
+    /// Draws the marks of points. Returns the free space for labels next to the marks and the path.
     fn points(&self, picture: &Picture, canvas: &mut Canvas) -> Labels {
         let ([left, top], [width, height]) = (self.corner, SIZE);
         let mut labels = Labels::within([left + 2.0, top + 24.0, left + width - 2.0, top + height - 16.0]);
@@ -251,7 +251,7 @@ impl Panel<'_> {
     }
 }
 
-/// Draws a label in its place near a point, and returns whether there is one.
+/// Draws a label at its place near a point. Returns whether there is a place.
 fn label(canvas: &mut Canvas, place: Option<Place>, (point, class): ([f64; 2], &str), text: &str) -> bool {
     let Some(place) = place else { return false };
     leader(canvas, &place, point);
@@ -259,7 +259,7 @@ fn label(canvas: &mut Canvas, place: Option<Place>, (point, class): ([f64; 2], &
     true
 }
 
-/// Draws the line from a point to a label that is not beside it.
+/// Draws the leader line from a point to a label that is not next to it.
 fn leader(canvas: &mut Canvas, place: &Place, point: [f64; 2]) {
     if let Some(anchor) = place.anchor {
         canvas.rule(point, anchor, "leader");

@@ -1,20 +1,20 @@
-//! The arm in the configuration files of a cell (`arm.cfx`, `cell.cfx`).
+//! Arm entries in the configuration files of a cell (`arm.cfx`, `cell.cfx`).
 
 use crate::xml::{self, Element};
 
 /// The entries of a file that describe the arm.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ArmFile {
-    /// The model (`tx90l-S1`); `None` if the file names none.
+    /// Model name, for example `tx90l-S1`; `None` if the file contains none.
     pub model: Option<String>,
-    /// The length of axis 3 of a SCARA arm (`L400`).
+    /// Length of axis 3 of a SCARA arm, for example `L400`.
     pub length_axis3: Option<String>,
-    /// The lowest and highest positions of axes, in the order of the file. Positions that it leaves out are infinite.
+    /// Minimum and maximum positions of the axes, in file order. Missing positions are infinite.
     pub ranges: Vec<[Vec<f64>; 2]>,
 }
 
 impl ArmFile {
-    /// Reads the text of a file. Other entries are ignored.
+    /// Reads the arm entries in a file. Other entries are ignored.
     pub fn read(text: &str) -> Self {
         let parse = crate::parse(text);
         let entries = || xml::root(parse.view()).into_iter().flat_map(Element::elements);
@@ -38,7 +38,7 @@ fn range(list: Element<'_>) -> Option<[Vec<f64>; 2]> {
     }
 }
 
-/// The numbers of a list, one an axis.
+/// Returns the numbers in a list, one for each axis.
 fn axes(list: Element<'_>) -> [f64; 6] {
     let mut axes = [f64::INFINITY; 6];
     for entry in list.elements() {

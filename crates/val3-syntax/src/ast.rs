@@ -1,4 +1,4 @@
-//! Typed views of the nodes whose parts are needed outside the analysis. `kind.rs` lists all nodes with their grammar.
+//! Typed views of nodes whose parts are needed outside of the analysis. `kind.rs` lists all nodes with their grammar.
 
 use rowan::NodeOrToken;
 
@@ -6,9 +6,9 @@ use crate::kind::{SyntaxKind, SyntaxNode, SyntaxToken};
 
 /// A typed view of a node.
 pub trait AstNode: Sized {
-    /// The typed view of `syntax`, if its kind fits.
+    /// Returns the typed view of `syntax`, if its kind matches.
     fn cast(syntax: SyntaxNode) -> Option<Self>;
-    /// The node itself.
+    /// Returns the untyped node.
     fn syntax(&self) -> &SyntaxNode;
 }
 
@@ -65,147 +65,147 @@ nodes! {
 }
 
 impl Element {
-    /// Its start tag.
+    /// Returns the start tag.
     pub fn start_tag(&self) -> Option<StartTag> {
         child(&self.0)
     }
-    /// Its end tag; absent for `<name />`.
+    /// Returns the end tag; `None` for `<name />`.
     pub fn end_tag(&self) -> Option<EndTag> {
         child(&self.0)
     }
 }
 
 impl StartTag {
-    /// The name of the element.
+    /// Returns the element name.
     pub fn name(&self) -> Option<SyntaxToken> {
         token(&self.0, SyntaxKind::XML_NAME)
     }
 }
 
 impl EndTag {
-    /// The name of the element.
+    /// Returns the element name.
     pub fn name(&self) -> Option<SyntaxToken> {
         token(&self.0, SyntaxKind::XML_NAME)
     }
 }
 
 impl Code {
-    /// The statements between `begin` and `end`.
+    /// Returns the statements between `begin` and `end`.
     pub fn block(&self) -> Option<Block> {
         child(&self.0)
     }
 }
 
 impl Block {
-    /// Its statements, without those nested in them.
+    /// Returns the statements, without nested ones.
     pub fn stmts(&self) -> impl Iterator<Item = Stmt> + use<> {
         children(&self.0)
     }
 }
 
 impl IfStmt {
-    /// The condition of `if`.
+    /// Returns the condition after `if`.
     pub fn condition(&self) -> Option<Expr> {
         child(&self.0)
     }
-    /// The statements after `if`.
+    /// Returns the statements after `if`.
     pub fn block(&self) -> Option<Block> {
         child(&self.0)
     }
-    /// The `elseIf` branches.
+    /// Returns the `elseIf` branches.
     pub fn else_if_clauses(&self) -> impl Iterator<Item = ElseIfClause> + use<> {
         children(&self.0)
     }
-    /// The `else` branch.
+    /// Returns the `else` branch.
     pub fn else_clause(&self) -> Option<ElseClause> {
         child(&self.0)
     }
-    /// The keyword `endIf`.
+    /// Returns the keyword `endIf`.
     pub fn end_if(&self) -> Option<SyntaxToken> {
         token(&self.0, SyntaxKind::END_IF_KW)
     }
 }
 
 impl ElseIfClause {
-    /// The condition of `elseIf`.
+    /// Returns the condition after `elseIf`.
     pub fn condition(&self) -> Option<Expr> {
         child(&self.0)
     }
-    /// Its statements.
+    /// Returns the statements of the branch.
     pub fn block(&self) -> Option<Block> {
         child(&self.0)
     }
 }
 
 impl ElseClause {
-    /// Its statements.
+    /// Returns the statements of the branch.
     pub fn block(&self) -> Option<Block> {
         child(&self.0)
     }
 }
 
 impl SwitchStmt {
-    /// The value that the cases are compared with.
+    /// Returns the value that is compared with the cases.
     pub fn selector(&self) -> Option<Expr> {
         child(&self.0)
     }
-    /// The cases.
+    /// Returns the cases.
     pub fn case_clauses(&self) -> impl Iterator<Item = CaseClause> + use<> {
         children(&self.0)
     }
-    /// The `default` clauses; a correct `switch` has at most one.
+    /// Returns the `default` clauses; a correct `switch` has at most one.
     pub fn default_clauses(&self) -> impl Iterator<Item = DefaultClause> + use<> {
         children(&self.0)
     }
-    /// The statements after a `break`. They are accepted, but never executed.
+    /// Returns the statements after a `break`, which are accepted but never executed.
     pub fn stmts(&self) -> impl Iterator<Item = Stmt> + use<> {
         children(&self.0)
     }
-    /// The keyword `endSwitch`.
+    /// Returns the keyword `endSwitch`.
     pub fn end_switch(&self) -> Option<SyntaxToken> {
         token(&self.0, SyntaxKind::END_SWITCH_KW)
     }
 }
 
 impl CaseClause {
-    /// The values after `case`.
+    /// Returns the values after `case`.
     pub fn values(&self) -> impl Iterator<Item = Expr> + use<> {
         children(&self.0)
     }
-    /// Its statements.
+    /// Returns the statements of the clause.
     pub fn block(&self) -> Option<Block> {
         child(&self.0)
     }
-    /// The keyword `break`.
+    /// Returns the keyword `break`.
     pub fn break_keyword(&self) -> Option<SyntaxToken> {
         token(&self.0, SyntaxKind::BREAK_KW)
     }
 }
 
 impl DefaultClause {
-    /// Its statements.
+    /// Returns the statements of the clause.
     pub fn block(&self) -> Option<Block> {
         child(&self.0)
     }
-    /// The keyword `break`.
+    /// Returns the keyword `break`.
     pub fn break_keyword(&self) -> Option<SyntaxToken> {
         token(&self.0, SyntaxKind::BREAK_KW)
     }
 }
 
 impl CallStmt {
-    /// The program with its arguments.
+    /// Returns the program with its arguments.
     pub fn call_expr(&self) -> Option<Expr> {
         child(&self.0)
     }
 }
 
 impl Expr {
-    /// The expression inside parentheses or after a prefix operator.
+    /// Returns the expression inside parentheses or after a prefix operator.
     pub fn inner(&self) -> Option<Expr> {
         child(&self.0)
     }
-    /// Left side, operator and right side of a complete binary expression.
+    /// Returns the left side, operator and right side of a complete binary expression.
     pub fn binary(&self) -> Option<(Expr, SyntaxKind, Expr)> {
         if self.0.kind() != SyntaxKind::BIN_EXPR {
             return None;
@@ -217,17 +217,17 @@ impl Expr {
     }
 }
 
-/// The first child that is an `N`.
+/// Returns the first child of type `N`.
 fn child<N: AstNode>(parent: &SyntaxNode) -> Option<N> {
     children(parent).next()
 }
 
-/// The children that are an `N`.
+/// Returns the children of type `N`.
 fn children<N: AstNode>(parent: &SyntaxNode) -> impl Iterator<Item = N> + use<N> {
     parent.children().filter_map(N::cast)
 }
 
-/// The first token of `kind` directly below `parent`.
+/// Returns the first token of `kind` directly below `parent`.
 fn token(parent: &SyntaxNode, kind: SyntaxKind) -> Option<SyntaxToken> {
     tokens(parent).find(|token| token.kind() == kind)
 }

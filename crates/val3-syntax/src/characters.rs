@@ -1,17 +1,17 @@
-//! Characters that no XML file may contain, whatever its encoding.
+//! Characters that are invalid in XML files of any encoding.
 
 use rowan::TextRange;
 
 use crate::error::{SyntaxError, SyntaxErrorKind};
 
-/// Whether XML 1.0 allows the character: no control character but tab, line feed and carriage return.
+/// Whether XML 1.0 allows the character: all control characters except tab, line feed and carriage return are invalid.
 #[must_use]
 pub fn is_allowed(character: char) -> bool {
     !matches!(character, '\0'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}')
 }
 
-/// Adds an error for each line with such a character to the errors that the parser found. Errors that the character
-/// causes in the code of its line are left out.
+/// Adds an error for each line with such characters to the parser's errors. Parser errors that the characters cause in
+/// the code of the same line are removed.
 pub fn add_control_characters(text: &str, errors: &mut Vec<SyntaxError>) {
     let found: Vec<(TextRange, SyntaxError)> = lines(text).filter_map(|(start, line)| first_in(start, line)).collect();
     if found.is_empty() {
@@ -26,7 +26,7 @@ pub fn add_control_characters(text: &str, errors: &mut Vec<SyntaxError>) {
     errors.sort_by_key(|error| error.range.start());
 }
 
-/// The lines of a text with their line ends, and where they start.
+/// Returns the lines that may contain such characters, with their offsets and line ends.
 fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let starts = text.split_inclusive('\n').scan(0, |start, line| {
         let at = *start;
@@ -38,7 +38,7 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
-/// The first run of such characters in a line, with the range of the line.
+/// Returns an error for the first sequence of such characters in a line, with the range of the line.
 fn first_in(start: usize, line: &str) -> Option<(TextRange, SyntaxError)> {
     let (at, character) = line.char_indices().find(|(_, character)| !is_allowed(*character))?;
     let run = line.get(at..)?;

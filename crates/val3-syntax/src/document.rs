@@ -1,4 +1,4 @@
-//! XML files whose elements can be told apart: configuration files of a cell (`arm.cfx`, `sio.cfx`) and programs.
+//! XML files whose structure must be intact: configuration files of a cell (`arm.cfx`, `sio.cfx`) and programs.
 
 use std::fmt;
 
@@ -6,24 +6,24 @@ use crate::encoding::decode;
 use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::foreign::ForeignContent;
 
-/// The reason why the content of a file is unknown.
+/// Reason why the content of a file is unknown.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum DocumentFault {
-    /// The bytes are no text.
+    /// The bytes are no controller text.
     Foreign(ForeignContent),
-    /// The XML ends before its elements do, or its tags do not match.
+    /// The file ends inside an element, or its tags do not match.
     Broken {
         /// Line number, from 1.
         line: usize,
-        /// The fault of the structure.
+        /// Kind of the fault.
         kind: BrokenStructure,
     },
 }
 
-/// A fault by which the elements of a file are unknown.
+/// A fault that hides the structure of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum BrokenStructure {
-    /// The element has no end tag, or a tag or comment runs to the end of the file.
+    /// The element has no end tag, or a tag or comment continues to the end of the file.
     Unclosed,
     /// The end tag closes no element.
     EndTag {
@@ -32,16 +32,16 @@ pub enum BrokenStructure {
     },
     /// A line of a merge conflict.
     ConflictMarker,
-    /// No element at all, or several at the top.
+    /// No root element, or several.
     RootElement,
-    /// A `<` that begins no tag, or a tag that is no XML.
+    /// A `<` that begins no tag, or a malformed tag.
     Tag,
 }
 
-/// The text of a configuration file.
+/// Decodes a configuration file.
 ///
 /// # Errors
-/// The bytes are no text, or its elements cannot be told apart.
+/// If the bytes are no text, or the structure is broken.
 pub fn text(bytes: Vec<u8>) -> Result<String, DocumentFault> {
     if let Some(foreign) = ForeignContent::of(&bytes) {
         return Err(DocumentFault::Foreign(foreign));
@@ -53,8 +53,8 @@ pub fn text(bytes: Vec<u8>) -> Result<String, DocumentFault> {
     }
 }
 
-/// The first of a text's syntax errors by which its elements are unknown. The marks of a conflict explain all
-/// others, and so does text without an element.
+/// Returns the first syntax error that breaks the structure. A merge conflict takes precedence, because it causes the
+/// other errors; so does a text without an element.
 pub fn fault(text: &str, errors: &[SyntaxError]) -> Option<DocumentFault> {
     let faults = || errors.iter().filter_map(|error| Some((structure_fault(text, error)?, error.range.start())));
     let cause = |kind: &BrokenStructure| faults().find(|(found, _)| found == kind);
@@ -64,7 +64,7 @@ pub fn fault(text: &str, errors: &[SyntaxError]) -> Option<DocumentFault> {
     Some(DocumentFault::Broken { line: 1 + memchr::memchr_iter(b'\n', before.as_bytes()).count(), kind })
 }
 
-/// Whether no tag ends after an error.
+/// Whether no tag ends after the error.
 fn is_in_last_tag(text: &str, error: &SyntaxError) -> bool {
     text.get(usize::from(error.range.start())..).is_some_and(|rest| !rest.contains('>'))
 }
@@ -73,7 +73,7 @@ fn structure_fault(text: &str, error: &SyntaxError) -> Option<BrokenStructure> {
     Some(match &error.kind {
         SyntaxErrorKind::UnclosedElement { .. } | SyntaxErrorKind::Unterminated(_) => BrokenStructure::Unclosed,
         SyntaxErrorKind::UnexpectedText if !text.contains('<') => BrokenStructure::RootElement,
-        // A text that ends within `<!--` or `/>`.
+        // The text ends within `<!--` or `/>`.
         SyntaxErrorKind::UnexpectedText | SyntaxErrorKind::Doctype if is_in_last_tag(text, error) => {
             BrokenStructure::Unclosed
         }

@@ -1,4 +1,4 @@
-//! Edits of texts, and what two texts have in common.
+//! Edits and differences of texts.
 
 use std::ops::Range;
 
@@ -7,31 +7,31 @@ use rowan::{TextRange, TextSize};
 use crate::lexer::range;
 use crate::never::Part;
 
-/// A replacement of a range of a text.
+/// A replacement of a range in a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
-    /// The range of the old text.
+    /// Range in the old text.
     pub range: TextRange,
-    /// The replacement.
+    /// New text.
     pub insert: String,
 }
 
 impl Edit {
-    /// The text after the edit. A range outside the text is cut to it, one inside of a character starts before it.
+    /// Returns the text after the edit. A range is clipped to the text and extended to start at a character boundary.
     pub fn apply(&self, text: &str) -> String {
         let Range { start, end } = self.range_in(text).into();
         let (before, after) = (text.part(..start), text.part(end..));
         [before, &self.insert, after].concat()
     }
 
-    /// The range that is replaced in `text`.
+    /// Returns the clipped range in `text`.
     fn range_in(&self, text: &str) -> TextRange {
         let floor = |at: TextSize| text.floor_char_boundary(usize::from(at).min(text.len()));
         range(floor(self.range.start()), floor(self.range.end()))
     }
 }
 
-/// Where an edit that fits its text took place, and how many bytes came there.
+/// Changed range in the old text, and the number of inserted bytes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Change {
     pub(crate) range: TextRange,
@@ -39,34 +39,34 @@ pub(crate) struct Change {
 }
 
 impl Change {
-    /// The edit from `text` to the result of `edit`.
+    /// Returns the change of `text` by `edit`.
     pub(crate) fn of(edit: &Edit, text: &str) -> Self {
         Self { range: edit.range_in(text), inserted: TextSize::of(&edit.insert) }
     }
 
-    /// The difference of two texts between their common beginning and their common end.
+    /// Returns the difference of the texts: the part between their common prefix and common suffix.
     pub(crate) fn between(text: &str, new_text: &str) -> Self {
         let start = text.floor_char_boundary(common_start(text.as_bytes(), new_text.as_bytes()));
         let (rest, new_rest) = (text.part(start..), new_text.part(start..));
         let end = common_end(rest.as_bytes(), new_rest.as_bytes());
-        // The equal ends begin with a whole character, which is then one of both texts.
+        // The common suffix begins with a whole character, which is then a character of both texts.
         let end = text.len() - text.ceil_char_boundary(text.len() - end);
         let inserted = range(start, new_text.len() - end).len();
         Self { range: range(start, text.len() - end), inserted }
     }
 
-    /// Nothing changes.
+    /// Whether nothing changes.
     pub(crate) fn is_none(self) -> bool {
         self.range.is_empty() && self.inserted == TextSize::new(0)
     }
 
-    /// The new position of an offset after the edit.
+    /// Returns the new offset of a position after the change.
     pub(crate) fn moved(self, at: TextSize) -> TextSize {
         at - self.range.len() + self.inserted
     }
 }
 
-/// Bytes that are compared at once.
+/// Number of bytes that are compared in one step.
 const STEP: usize = 64;
 
 fn common_start(a: &[u8], b: &[u8]) -> usize {

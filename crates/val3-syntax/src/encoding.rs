@@ -1,42 +1,42 @@
-//! Bytes to text and back.
+//! Decoding and encoding of files.
 //!
-//! s6 to s8 write UTF-8, nearly always with a byte order mark; s5 writes ISO-8859-1 and declares it.
+//! Files of s6 to s8 are UTF-8, usually with a byte order mark. Files of s5 are ISO-8859-1 and declare it.
 
 use crate::never::Part;
 
-/// The encoding of a file: the relation of its bytes to its text.
+/// Encoding of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Encoding {
-    /// UTF-8; a byte order mark is the first character of the text.
+    /// UTF-8. A byte order mark is the first character of the text.
     Utf8,
-    /// ISO-8859-1: one byte a character.
+    /// ISO-8859-1: one byte for each character.
     Latin1,
 }
 
-/// The text of a file and how it was stored.
+/// Decoded text of a file, with its encoding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Decoded {
-    /// The text.
+    /// Decoded text.
     pub text: String,
-    /// The encoding; [`Encoding::encode`] returns the same bytes.
+    /// Encoding; [`Encoding::encode`] restores the same bytes.
     pub encoding: Encoding,
-    /// How the bytes contradict the encoding that the file declares.
+    /// Contradiction between the bytes and the declared encoding.
     pub mismatch: Option<Mismatch>,
 }
 
-/// How the bytes of a file contradict the encoding that it declares.
+/// Contradiction between the bytes and the declared encoding of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Mismatch {
-    /// They are neither UTF-8 nor declared as ISO-8859-1: they were read as ISO-8859-1, which takes all bytes.
+    /// Neither valid UTF-8 nor declared as ISO-8859-1. The bytes were decoded as ISO-8859-1, where all bytes are valid.
     NotUtf8,
-    /// They are declared as ISO-8859-1, and characters beyond ASCII are stored as UTF-8. They were read as declared.
+    /// Declared as ISO-8859-1, but non-ASCII characters are stored as UTF-8. The bytes were decoded as declared.
     NotLatin1,
 }
 
-/// The character that decoders insert for bytes that they cannot read.
+/// Character that decoders insert for invalid bytes.
 pub const REPLACEMENT: char = '\u{fffd}';
 
-/// Reads the bytes of a file. Every sequence of bytes gives a text.
+/// Decodes the bytes of a file. Every byte sequence can be decoded.
 pub fn decode(bytes: Vec<u8>) -> Decoded {
     if declares_latin1(&bytes) {
         let is_utf8 = !bytes.is_ascii() && std::str::from_utf8(&bytes).is_ok();
@@ -52,17 +52,17 @@ pub fn decode(bytes: Vec<u8>) -> Decoded {
     }
 }
 
-/// The bytes start with a byte order mark of UTF-16, which no controller reads.
+/// Whether the bytes start with a UTF-16 byte order mark, which no controller supports.
 pub fn is_utf16(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff")
 }
 
 impl Encoding {
-    /// The bytes to store for `text`. A character that ISO-8859-1 does not have becomes a numeric reference.
+    /// Encodes `text`. A character that does not exist in ISO-8859-1 becomes a numeric reference.
     pub fn encode(self, text: &str) -> Vec<u8> {
         match self {
             Self::Utf8 => text.as_bytes().to_vec(),
-            // Only a text whose bytes are not as their mark says starts with one.
+            // Only a text with a UTF-8 mark and invalid UTF-8 bytes starts with a mark here.
             Self::Latin1 if let Some(text) = text.strip_prefix(MARK) => {
                 [MARK.to_string().into_bytes(), self.encode(text)].concat()
             }
@@ -77,10 +77,10 @@ impl Encoding {
     }
 }
 
-/// The byte order mark.
+/// Byte order mark.
 const MARK: char = '\u{feff}';
 
-/// As [`latin1`], but a byte order mark of UTF-8 is kept: it shows the encoding of the bytes before one was damaged.
+/// Like [`latin1`], but keeps a UTF-8 byte order mark, which shows the encoding before a byte was damaged.
 fn latin1_after_mark(bytes: &[u8]) -> String {
     match bytes.strip_prefix(b"\xef\xbb\xbf") {
         Some(bytes) => MARK.to_string() + &latin1(bytes),
@@ -92,7 +92,7 @@ fn latin1(bytes: &[u8]) -> String {
     bytes.iter().copied().map(char::from).collect()
 }
 
-/// The XML declaration names ISO-8859-1 or its superset for Windows.
+/// Whether the XML declaration names ISO-8859-1 or its Windows superset.
 fn declares_latin1(bytes: &[u8]) -> bool {
     let head = bytes.part(..bytes.len().min(200));
     if !head.starts_with(b"<?xml") {

@@ -1,81 +1,80 @@
-//! The faults that the parser reports. Their wording is part of the rules of `val3-check`.
+//! Syntax errors. The rules of `val3-check` create their messages.
 
 use rowan::TextRange;
 
-/// One fault of the text. The tree is complete nevertheless.
+/// A syntax error. The tree is complete nevertheless.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SyntaxError {
-    /// The kind of the fault.
+    /// Kind of the error.
     pub kind: SyntaxErrorKind,
-    /// Where a person would correct it.
+    /// Range where a person would correct the text.
     pub range: TextRange,
-    /// The other side of the fault: the opening keyword, bracket or tag.
+    /// Related range: the opening keyword, bracket or tag.
     pub related: Option<TextRange>,
 }
 
-/// The kinds of faults.
+/// Kind of syntax error.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SyntaxErrorKind {
     // ---- XML ----
-    /// The element `name`, whose start tag this is, has no end tag (related: where it belongs).
+    /// The element `name`, whose start tag this is, has no end tag (related: the place for the end tag).
     UnclosedElement {
         /// Name of the element.
         name: String,
     },
-    /// An end tag that closes nothing, or has another name than its start tag (related).
+    /// An end tag that closes no element, or whose name differs from its start tag (related).
     UnmatchedEndTag {
         /// Name in the end tag.
         name: String,
     },
-    /// A comment, CDATA section, processing instruction, tag or attribute value runs to the end of the file or tag
-    /// (related: where it starts).
+    /// A comment, CDATA section, processing instruction, tag or attribute value without an end (related: its start).
     Unterminated(XmlPart),
     /// An attribute without `=` or without a quoted value.
     MalformedAttribute {
         /// Name of the attribute.
         name: String,
     },
-    /// The same attribute twice in one tag.
+    /// A repeated attribute in a tag.
     DuplicateAttribute {
         /// Name of the attribute.
         name: String,
     },
-    /// `&name;` that XML does not define, or a bare `&`.
+    /// An undefined entity reference `&name;`, or a bare `&`.
     UnknownEntity {
-        /// The text from `&` on.
+        /// Text from `&` on.
         text: String,
     },
-    /// A `<` that starts no tag, or text where only elements are allowed.
+    /// A `<` that begins no tag, or text where only elements are allowed.
     UnexpectedText,
-    /// `]]>` inside a line of code: it ends the section, and what follows is read as XML.
+    /// `]]>` inside a line of code, which ends the section, so that the following code is parsed as XML.
     EarlySectionEnd,
-    /// No element at all, or more than one at the top.
+    /// No root element, or several.
     RootElement,
     /// A document type declaration; its entities are never expanded.
     Doctype,
     /// A line of a merge conflict (`<<<<<<<`, `=======`, `>>>>>>>`).
     ConflictMarker,
-    /// Characters that no XML file may contain, from this one on.
+    /// Characters that are invalid in XML files, from this one on.
     ControlCharacter {
         /// The first character.
         character: char,
     },
     // ---- code ----
-    /// Something else was expected here.
+    /// Another token was expected here.
     Expected {
-        /// The expected part.
+        /// Expected part.
         expected: Expected,
-        /// The text found; empty at the end of a line.
+        /// Actual text; empty at the end of a line.
         found: String,
     },
-    /// A character that no VAL 3 line contains.
+    /// A character that is invalid in VAL 3 code.
     InvalidCharacter {
         /// The character.
         character: char,
     },
-    /// `(`, `[` or `{` is not closed on its line (related: the bracket).
+    /// A `(`, `[` or `{` that is not closed on its line (related: the bracket).
     UnclosedBracket {
-        /// The closing bracket that is missing.
+        /// Missing closing bracket.
         missing: char,
     },
     /// `)`, `]` or `}` without its opening bracket.
@@ -85,30 +84,30 @@ pub enum SyntaxErrorKind {
     },
     /// A string without its closing quote.
     UnterminatedString,
-    /// A block whose end is missing (related: the keyword that opens it). The range is where the end belongs.
+    /// A block without its end (related: the opening keyword). The range is the place for the end.
     UnclosedBlock {
         /// `if`, `while`, `for`, `do`, `switch`.
         block: &'static str,
         /// `endIf`, `endWhile`, `endFor`, `until`, `endSwitch`.
         missing: &'static str,
     },
-    /// A block ends before another one inside it does, as in `while`, `if`, `endWhile`, `endIf` (related: the end that
-    /// comes too late).
+    /// An outer block that ends before an inner block, as in `while`, `if`, `endWhile`, `endIf` (related: the late
+    /// end).
     CrossedBlocks {
-        /// The inner block: `if`.
+        /// Inner block, for example `if`.
         inner: &'static str,
-        /// The end that comes too early: `endWhile`.
+        /// End of the outer block, which is too early, for example `endWhile`.
         early: &'static str,
-        /// The end of the inner block: `endIf`.
+        /// End of the inner block, for example `endIf`.
         late: &'static str,
     },
-    /// `while` where the `until` of a `do` block belongs (related: the `do`).
+    /// `while` instead of `until` at the end of a `do` block (related: the `do`).
     DoWhile,
-    /// The end of a block that was never opened (`endIf`, `else`, `elseIf`, `until` …).
+    /// The end of a block without a beginning (`endIf`, `else`, `elseIf`, `until` …).
     UnmatchedBlockEnd {
-        /// The keyword found, canonical spelling.
+        /// Keyword in its canonical spelling.
         found: &'static str,
-        /// The keyword that would open the block.
+        /// Keyword that would open the block.
         opener: &'static str,
     },
     /// A `case` or `default` without its closing `break` (related: the `case`).
@@ -127,44 +126,44 @@ pub enum SyntaxErrorKind {
     ElseAfterElse,
     /// Two unary operators in a row.
     DoubleUnary,
-    /// `=` inside an expression, where `==` is meant.
+    /// `=` inside an expression, instead of `==`.
     AssignmentInExpression,
     /// `//` after code on the same line.
     CommentAfterCode,
-    /// A keyword where a name belongs.
+    /// A keyword instead of a name.
     ReservedWord {
         /// The keyword.
         word: String,
     },
-    /// An operator or keyword of another language.
+    /// A foreign operator or keyword.
     ForeignSpelling {
-        /// The word that was written (`&&`, `<>`, `then`, `not`).
+        /// Foreign spelling, for example `&&`, `<>`, `then` or `not`.
         found: String,
-        /// The VAL 3 spelling; empty if the word is to be removed.
+        /// VAL 3 spelling; empty if the word must be removed.
         instead: &'static str,
     },
     /// Text after a complete instruction.
     TrailingText {
-        /// The text found.
+        /// Text.
         found: String,
     },
-    /// `return` with a value: programs yield none.
+    /// `return` with a value, which programs do not have.
     ReturnValue,
     /// The code has no `begin`.
     MissingBegin,
     /// The code has no `end`.
     MissingEnd,
-    /// The code has neither `begin` nor `end` (related: where `end` belongs).
+    /// The code has neither `begin` nor `end` (related: the place for `end`).
     MissingBeginAndEnd,
     /// Code before `begin` or after `end`.
     CodeOutsideBody,
-    /// No code at all.
+    /// The code is empty.
     NoCode,
-    /// Expressions, blocks or elements nest deeper than the limit, or an expression has too many operators in sequence.
+    /// Expressions, blocks or elements exceed the nesting limit, or an expression has too many operators in sequence.
     NestingTooDeep,
 }
 
-/// Parts of XML that have an end mark.
+/// Parts of XML with an end mark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum XmlPart {
     /// `<!-- … -->`
@@ -179,16 +178,16 @@ pub enum XmlPart {
     AttributeValue,
 }
 
-/// The parts that the parser can expect.
+/// Parts that the parser may expect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Expected {
     /// An expression.
     Expression,
     /// A name.
     Name,
-    /// The name of a field after `.`.
+    /// A field name after `.`.
     Field,
-    /// The name of a program after `call`, or a library's item after `:`.
+    /// A program name after `call`, or a library item after `:`.
     Program,
     /// An instruction, assignment or control structure.
     Statement,
@@ -198,18 +197,18 @@ pub enum Expected {
     ForTo,
     /// A value after `step`.
     ForStep,
-    /// `(` of an argument list.
+    /// `(` before arguments.
     OpenParen,
     /// `,` between parts.
     Comma,
-    /// `=` of an assignment or `(` of a call after a name.
+    /// `=` or `(` after a name, for an assignment or a call.
     AssignmentOrCall,
     /// A value after `case`.
     CaseValue,
 }
 
 impl SyntaxErrorKind {
-    /// A block that is not closed or not opened. The indentation may show which.
+    /// Whether the error is a block without beginning or end, which the indentation may help to locate.
     pub fn is_about_blocks(&self) -> bool {
         matches!(
             self,
@@ -225,7 +224,7 @@ impl SyntaxErrorKind {
         )
     }
 
-    /// A fault of the code that does not affect the XML around it.
+    /// Whether the error is in code and does not affect the surrounding XML.
     pub(crate) fn is_local_to_code(&self) -> bool {
         !matches!(
             self,
@@ -245,12 +244,12 @@ impl SyntaxErrorKind {
         )
     }
 
-    /// A fault of a line that means nothing to other lines.
+    /// Whether the error is in a line of code and does not affect other lines.
     pub(crate) fn is_local_to_line(&self) -> bool {
         self.is_local_to_code() && !self.is_about_blocks() && !matches!(self, Self::MissingBegin | Self::NoCode)
     }
 
-    /// Which element holds which is not certain.
+    /// Whether the nesting of elements is uncertain because of the error.
     pub fn breaks_structure(&self) -> bool {
         matches!(
             self,
@@ -258,7 +257,7 @@ impl SyntaxErrorKind {
         )
     }
 
-    /// Whether the fault makes its line unreadable. A block without its end does not affect the lines in it.
+    /// Whether the line is unreadable because of the error. A block without an end does not affect the lines in it.
     pub fn breaks_line(&self) -> bool {
         !matches!(
             self,

@@ -1,35 +1,35 @@
-//! Contents that are no text of a controller: damaged files, and files of other programs under the name of a text.
+//! Contents that are no controller text: damaged files, and other kinds of files under the name of a text file.
 
 use std::fmt;
 
 use crate::encoding::is_utf16;
 
-/// Number of NUL bytes in sequence that no encoding of a text has.
+/// Number of consecutive NUL bytes that occur in no text encoding.
 const NUL_RUN: usize = 4;
 
 /// The first line of a Git LFS pointer.
 const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 
-/// The content of a file that is no text.
+/// Kind of content that is no controller text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ForeignContent {
-    /// No byte, or only blanks.
+    /// No bytes, or only blanks.
     Empty,
     /// UTF-16, with or without a byte order mark.
     Utf16,
-    /// NUL bytes in sequence, from this byte on. Media that lost their power have such files.
+    /// Consecutive NUL bytes, as in files on media that have lost power.
     NulBytes {
         /// Offset of the first NUL byte.
         start: usize,
     },
-    /// A Git LFS pointer, which names the content of the file.
+    /// A Git LFS pointer instead of the file's content.
     LfsPointer,
     /// A ZIP archive.
     Archive,
 }
 
 impl ForeignContent {
-    /// The foreign content of these bytes; `None` if they can be a text.
+    /// Returns the foreign content in these bytes; `None` if they may be a text.
     pub fn of(bytes: &[u8]) -> Option<Self> {
         let content = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         if content.trim_ascii().is_empty() {

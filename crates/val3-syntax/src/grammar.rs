@@ -1,4 +1,4 @@
-//! The grammar: XML around, code inside.
+//! Grammar of files: XML outside, code inside.
 
 mod blocks;
 mod control;

@@ -1,7 +1,7 @@
-//! Faults with one cause, joined into one.
+//! Joins errors with a common cause.
 //!
-//! The parser reports each fault where it meets it. Some mistakes make two of them or more: these are found here, from
-//! the list of all faults, so that a part of a file can be parsed again without the rest.
+//! The parser reports each error at its position. Some mistakes cause two or more errors. They are joined in the
+//! complete list of errors, so that a part of a file can be parsed separately.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use rowan::{TextRange, TextSize};
 use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind::{self, *};
 
-/// The faults of a text, each cause once. `errors` are those that the parser found.
+/// Joins the parser's `errors`, so that each cause is reported once.
 pub fn joined(text: &str, errors: &[SyntaxError]) -> Vec<SyntaxError> {
     let errors = without_rest_of_section(text, errors);
     let errors = join_neighbours(errors, is_about_body, begin_and_end);
@@ -18,7 +18,7 @@ pub fn joined(text: &str, errors: &[SyntaxError]) -> Vec<SyntaxError> {
     join_neighbours(errors, is_about_ends, |first, second| crossed_blocks(text, first, second))
 }
 
-/// Joins faults that follow each other among those that are `relevant`.
+/// Joins pairs of consecutive errors among the `relevant` ones.
 fn join_neighbours(
     errors: Vec<SyntaxError>,
     relevant: fn(&SyntaxErrorKind) -> bool,
@@ -55,7 +55,7 @@ fn is_about_ends(kind: &SyntaxErrorKind) -> bool {
     matches!(kind, SyntaxErrorKind::UnclosedBlock { .. } | SyntaxErrorKind::UnmatchedBlockEnd { .. })
 }
 
-/// A `do` without `until`, and a `while` after it without `endWhile`.
+/// Joins a `do` without `until` and a later `while` without `endWhile`.
 fn do_while(first: &SyntaxError, second: &SyntaxError) -> Option<SyntaxError> {
     let opener = |name: &str| {
         let is_it =
@@ -67,7 +67,7 @@ fn do_while(first: &SyntaxError, second: &SyntaxError) -> Option<SyntaxError> {
     is_end.then_some(SyntaxError { kind: SyntaxErrorKind::DoWhile, range: ended, related: Some(opened) })
 }
 
-/// The first fault is an inner block that ends at the end of an outer one, the second is the end of the inner block.
+/// Joins an inner block that ends at the end of an outer block, and the end of the inner block.
 fn crossed_blocks(text: &str, first: &SyntaxError, second: &SyntaxError) -> Option<SyntaxError> {
     let SyntaxErrorKind::UnclosedBlock { block: inner, missing: late } = first.kind else { return None };
     let early = block_end(text, first.range)?;
@@ -81,14 +81,14 @@ fn crossed_blocks(text: &str, first: &SyntaxError, second: &SyntaxError) -> Opti
     (is_crossed && is_other).then_some(SyntaxError { kind, range: first.range, related: Some(second.range) })
 }
 
-/// The keyword at `range`, if it ends a block.
+/// Returns the keyword at `range`, if it ends a block.
 fn block_end(text: &str, range: TextRange) -> Option<&'static str> {
     let keyword = SyntaxKind::from_keyword(text.get(Range::<usize>::from(range))?)?;
     let ends = matches!(keyword, END_IF_KW | END_WHILE_KW | END_FOR_KW | END_SWITCH_KW | UNTIL_KW);
     keyword.keyword_text().filter(|_| ends)
 }
 
-/// Everything from the line on that has a `]]>` in its code is one fault.
+/// Replaces all errors from the line with a `]]>` in its code on by one error.
 fn without_rest_of_section(text: &str, errors: &[SyntaxError]) -> Vec<SyntaxError> {
     let end = if errors.is_empty() { None } else { early_section_end(text) };
     let Some(end) = end else { return errors.to_vec() };
@@ -107,8 +107,8 @@ fn without_rest_of_section(text: &str, errors: &[SyntaxError]) -> Vec<SyntaxErro
 const SECTION_START: &str = "<![CDATA[";
 const SECTION_END: &str = "]]>";
 
-/// The position of a `]]>` that ends its section too early: after it follows another `]]>`, but no end tag and no other
-/// section before that.
+/// Returns the offset of a `]]>` that ends its section too early: another `]]>` follows, but neither an end tag
+/// directly after it nor another section in between.
 fn early_section_end(text: &str) -> Option<usize> {
     let mut from = 0;
     loop {
@@ -129,7 +129,7 @@ mod tests {
     use super::*;
     use crate::parse;
 
-    /// Each fault with its line, the text it marks, and the related text.
+    /// Shows each error with its line, its text and the related text.
     fn shown(code: &str) -> Vec<String> {
         let text = format!("<Programs><Program name=\"p\"><Code><![CDATA[{code}]]></Code></Program></Programs>");
         let show = |error: SyntaxError| {

@@ -1,4 +1,4 @@
-//! Every kind of token and node of the tree.
+//! Kinds of tokens and nodes in the tree.
 
 mod keyword;
 mod language;
@@ -8,7 +8,7 @@ pub use language::{SyntaxElement, SyntaxNode, SyntaxToken, Val3};
 
 macro_rules! syntax_kinds {
     ($($(#[doc = $doc:literal])* $kind:ident,)*) => {
-        /// The kind of a token or a node.
+        /// Kind of a token or node.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[repr(u16)]
         #[allow(non_camel_case_types, reason = "the spelling of rowan trees everywhere")]
@@ -21,7 +21,7 @@ macro_rules! syntax_kinds {
 }
 
 syntax_kinds! {
-    // ---- trivia: what the grammar does not ask for ----
+    // ---- trivia: tokens that the grammar ignores ----
     /// Blanks and tabs; in XML also line ends.
     WHITESPACE,
     /// A line end in code, with the blank lines and the indentation that follow.
@@ -44,7 +44,7 @@ syntax_kinds! {
     CDATA_CLOSE,
 
     // ---- XML tokens ----
-    /// Text that belongs to none of the other tokens, of XML or code.
+    /// A token that is neither valid XML nor valid code.
     ERROR_TOKEN,
     /// `<` of a tag.
     L_ANGLE,
@@ -180,7 +180,7 @@ syntax_kinds! {
     /// End of the token list; never in a tree.
     EOF,
 
-    // ---- nodes: `?` marks an optional part, `*` a repeated one ----
+    // ---- nodes: `?` marks an optional part, `*` a repeated part ----
     // ---- XML nodes ----
     /// The root: a whole file. `Element*`
     XML_FILE,
@@ -226,7 +226,7 @@ syntax_kinds! {
     PRINT_STMT,
     /// `Expr = Expr`; the right side may be an `AssignExpr`: `a = b = c`.
     ASSIGN_STMT,
-    /// An expression alone on its line.
+    /// An expression as a statement.
     EXPR_STMT,
     /// A number, string, `true` or `false`.
     LITERAL,
@@ -252,22 +252,22 @@ syntax_kinds! {
     ARG_LIST,
     /// `{a, b, , c}`
     STRUCT_LITERAL,
-    /// Text that no rule of the grammar takes.
+    /// Tokens that match no rule of the grammar.
     ERROR,
 }
 
 impl SyntaxKind {
-    /// The kind with this raw number in the green tree.
+    /// Returns the kind with this raw number in the green tree.
     pub fn from_raw(raw: rowan::SyntaxKind) -> Self {
         ALL.get(usize::from(raw.0)).copied().unwrap_or(Self::ERROR_TOKEN)
     }
 
-    /// A node, which holds others; all other kinds are tokens.
+    /// Whether it is the kind of a node; all other kinds are tokens.
     pub fn is_node(self) -> bool {
         self > Self::EOF
     }
 
-    /// Blanks, line ends, comments and the marks around code: nothing the grammar asks for.
+    /// Whether it is a kind of trivia: blanks, line ends, comments and marks around code, which the grammar ignores.
     pub fn is_trivia(self) -> bool {
         self <= Self::CDATA_CLOSE
     }

@@ -1,7 +1,7 @@
-//! Text to tokens. XML and code have lexers of their own; this module knows which of them reads what.
+//! Lexer: splits text into tokens. XML and code have separate lexers; this module chooses between them.
 //!
-//! The code of a program is the content of the element `<Code>` (`<code>` in the old dialect), as a CDATA section
-//! or as escaped text. The lexers take every text and lose no byte of it.
+//! The code of a program is the content of `<Code>` (`<code>` in the old dialect), as a CDATA section or as escaped
+//! text. The lexers accept every text and omit no byte.
 
 mod code;
 mod entity;
@@ -16,7 +16,7 @@ use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
 use crate::never::Part;
 
-/// A token: its kind, where it ends in the text, and the indentation if it is the first of its line.
+/// A token: its kind, its end, and its indentation if it starts a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Token {
     /// Byte offset after the token.
@@ -25,12 +25,12 @@ pub(crate) struct Token {
     pub(crate) indent: Indent,
 }
 
-/// Blanks before a token in its line of code, or the mark of a token that has others before it.
+/// Number of blanks before a token that starts a line of code; a special value for other tokens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Indent(u16);
 
 impl Indent {
-    /// The token is not the first of its line.
+    /// A token that does not start a line.
     pub(crate) const NONE: Self = Self(u16::MAX);
     pub(crate) const ZERO: Self = Self(0);
 
@@ -38,21 +38,21 @@ impl Indent {
         self != Self::NONE
     }
 
-    /// `blanks` more. Beyond 65,534 all are the same.
+    /// Adds `blanks`, up to 65,534.
     fn deeper(self, blanks: usize) -> Self {
         let sum = usize::from(self.0).saturating_add(blanks);
         if self.starts_line() { Self(u16::try_from(sum).unwrap_or(u16::MAX).min(u16::MAX - 1)) } else { self }
     }
 }
 
-/// The tokens of a whole text and the faults that only the lexer sees.
+/// Tokens of a text, and the errors of the lexer.
 #[derive(Debug, Default)]
 pub(crate) struct Lexed {
     pub(crate) tokens: Vec<Token>,
     pub(crate) errors: Vec<SyntaxError>,
-    /// Keywords in another letter case than usual.
+    /// Keywords in unusual letter case.
     pub(crate) odd_keywords: Vec<TextRange>,
-    /// A comment, CDATA section or the like runs to the end of the text, which has been said.
+    /// Whether a comment, CDATA section or similar part continues to the end of the text, which was already reported.
     pub(crate) cut_off: bool,
 }
 
@@ -63,14 +63,14 @@ pub(crate) fn lex(text: &str) -> Lexed {
     lexer.out
 }
 
-/// The state both lexers share: where we are, and what has come out.
+/// State that both lexers share: position and output.
 struct Lexer<'t> {
     text: &'t str,
     pos: usize,
     out: Lexed,
-    /// Indentation of the next token that is no trivia.
+    /// Indentation of the next non-trivia token.
     indent: Indent,
-    /// No `]]>` follows the current position. Determined once, so that no text is searched repeatedly.
+    /// Whether no `]]>` follows the current position. Computed once, so that no text is searched repeatedly.
     no_cdata_end: bool,
 }
 
@@ -103,7 +103,7 @@ impl<'t> Lexer<'t> {
         self.out.errors.push(SyntaxError { kind, range: range(start, end), related: None });
     }
 
-    /// The line of a merge conflict at the current position, which is the start of a line: where it ends.
+    /// Returns the end of the merge conflict marker at the current position, if there is one at the start of a line.
     fn conflict_marker(&self) -> Option<usize> {
         let rest = self.rest().as_bytes();
         let at_line_start = self.pos == 0 || self.text.as_bytes().get(self.pos - 1) == Some(&b'\n');
@@ -113,13 +113,13 @@ impl<'t> Lexer<'t> {
         (at_line_start && marked).then(|| self.line_end(self.pos))
     }
 
-    /// Where the line that contains `from` ends, without its line end.
+    /// Returns the end of the line that contains `from`, without its line end.
     fn line_end(&self, from: usize) -> usize {
         let bytes = self.text.as_bytes().part(from..);
         from + memchr::memchr2(b'\n', b'\r', bytes).unwrap_or(bytes.len())
     }
 
-    /// Emits a conflict marker if one starts here.
+    /// Emits a conflict marker if one starts here. Returns whether it does.
     fn take_conflict_marker(&mut self) -> bool {
         let Some(end) = self.conflict_marker() else { return false };
         self.error(SyntaxErrorKind::ConflictMarker, self.pos, end);
@@ -132,10 +132,10 @@ impl<'t> Lexer<'t> {
 const ESCAPED_OPENING: &[u8] = b"&lt;&lt;&lt;&lt;&lt;&lt;&lt; ";
 const ESCAPED_END: &[u8] = b"&gt;&gt;&gt;&gt;&gt;&gt;&gt; ";
 
-/// The start of a comment that holds the other versions of an element with a merge conflict.
+/// Prefix of a comment in which a merge conflict stores the other versions of an element.
 const CONFLICT_COMMENT: &str = "<!-- <<<<<<<";
 
-/// An offset of the text; texts are shorter than 4 GiB.
+/// Converts an offset; texts are shorter than 4 GiB.
 fn offset(at: usize) -> u32 {
     u32::try_from(at).unwrap_or(u32::MAX)
 }

@@ -1,7 +1,7 @@
 //! Lossless syntax trees of VAL 3 files.
 //!
-//! One tree holds a whole `.pjx`, `.dtx` or `.pgx` file, XML and code together, so that a range of the tree is a
-//! range of the file. Parsing never fails and never loses a byte: the text of the tree is the text that went in.
+//! One tree contains an entire `.pjx`, `.dtx` or `.pgx` file, XML and code together, so that a range in the tree is a
+//! range in the file. Parsing never fails and omits no byte: the text of the tree equals the input.
 
 pub mod arm_file;
 pub mod ast;

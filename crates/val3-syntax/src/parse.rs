@@ -1,4 +1,4 @@
-//! From text to tree, whole or in part.
+//! Parsing of entire texts, and results of parsing.
 
 #[cfg(test)]
 mod linear;
@@ -20,10 +20,10 @@ use crate::parser::{Input, Parser, build_tree};
 use crate::tree::Tree;
 use crate::view::View;
 
-/// Bytes of a text each phase of whose parsing takes a while.
+/// Length in bytes from which every phase of parsing needs noticeable time.
 const LONG: usize = 8 << 10;
 
-/// The text of a file, its tree, and what is wrong with it. Cheap to clone.
+/// Text of a file with its tree and errors. Cheap to clone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Parse {
     tree: Arc<Tree>,
@@ -31,18 +31,17 @@ pub struct Parse {
     odd_keywords: Arc<[TextRange]>,
 }
 
-/// Parses a `.pjx`, `.dtx` or `.pgx` file of either dialect. Takes time in proportion to the text, which must be
-/// shorter than 4 GiB.
+/// Parses a `.pjx`, `.dtx` or `.pgx` file of either dialect. Takes linear time. The text must be shorter than 4 GiB.
 pub fn parse(text: &str) -> Parse {
     parse_shared(text.into())
 }
 
-/// As [`parse`], for a text that the tree may share.
+/// Like [`parse`], for a text that the tree may share.
 pub fn parse_shared(text: Arc<str>) -> Parse {
     parse_within(text, 0)
 }
 
-/// Parses a text inside of `depth` elements.
+/// Parses a text inside `depth` elements.
 fn parse_within(text: Arc<str>, depth: u32) -> Parse {
     let lexed = lex(&text);
     let_others_go_first(&text);
@@ -57,8 +56,8 @@ fn parse_within(text: Arc<str>, depth: u32) -> Parse {
     Parse { tree, errors, odd_keywords: lexed.odd_keywords.into() }
 }
 
-/// Gives the core to a thread that waits for one. A server has threads that only pass on messages, and they would wait
-/// until the scheduler interrupts the one that parses, which is a matter of milliseconds.
+/// Yields the core to a waiting thread. Server threads that only forward messages would otherwise wait several
+/// milliseconds until the scheduler interrupts the parser.
 fn let_others_go_first(text: &str) {
     if text.len() >= LONG {
         thread::yield_now();
@@ -66,27 +65,27 @@ fn let_others_go_first(text: &str) {
 }
 
 impl Parse {
-    /// The root of the tree, to walk down from.
+    /// Returns the root of the tree as a view, which can be walked downwards.
     pub fn view(&self) -> View<'_> {
         View::new(self.tree.root())
     }
 
-    /// The root of the tree, to walk from in every direction.
+    /// Returns the root of the tree as a node, which can be walked in every direction.
     pub fn root(&self) -> SyntaxNode {
         SyntaxNode::new_root(self.green().clone())
     }
 
-    /// The tree without positions; cheap to clone, may be shared between threads.
+    /// Returns the tree without positions, which is cheap to clone and can be shared between threads.
     pub fn green(&self) -> &GreenNode {
         self.tree.green()
     }
 
-    /// The faults of the text, by position.
+    /// Returns the syntax errors, sorted by position.
     pub fn errors(&self) -> &[SyntaxError] {
         &self.errors
     }
 
-    /// Keywords that are not written in their usual letter case, by position.
+    /// Returns keywords in unusual letter case, sorted by position.
     pub fn odd_keywords(&self) -> &[TextRange] {
         &self.odd_keywords
     }

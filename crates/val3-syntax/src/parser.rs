@@ -1,4 +1,4 @@
-//! The machinery of the parser: tokens in, events out, errors collected. The grammar uses it.
+//! Parser state that the grammar uses: reads tokens, emits events, collects errors.
 
 mod input;
 mod marker;
@@ -16,49 +16,50 @@ use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind::{self, *};
 use crate::lexer::Indent;
 
-/// Operands, blocks and elements together nest at most this deep, and operators in a row make the tree at most this
-/// high: far more than the controller takes, and little enough for every recursive walk over the tree.
+/// Maximum nesting of operands, blocks and elements, and maximum tree height for consecutive operators. The controller
+/// accepts much less, and recursive walks over such a tree fit on the stack.
 pub(crate) const NESTING_LIMIT: u32 = 200;
-/// Blocks and elements leave at least this much of it to the expressions inside of them.
+/// Part of the nesting limit that blocks and elements leave to the expressions inside them.
 const LEFT_TO_EXPRESSIONS: u32 = 100;
 
-/// The events of the grammar, in order; the tree is built from them.
+/// An event of the grammar, from which the tree is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Event {
-    /// A node starts. `parent` is the distance to a later `Start` of a node that encloses this one, 0 for none.
+    /// A node starts. `parent` is the distance to a later `Start` event of a node that encloses this node; 0 if there
+    /// is none.
     Start { kind: SyntaxKind, parent: u32 },
     /// The innermost node ends.
     Finish,
     /// The next token belongs to the innermost node.
     Token,
-    /// A node that was given up.
+    /// A node that was abandoned.
     Abandoned,
 }
 
-/// How a keyword finds the block that it ends.
+/// Mode in which a keyword selects the block that it ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Matching {
-    /// The nearest open block of its kind.
+    /// The nearest open block of the keyword's kind.
     Plain,
-    /// Of those, the one that it lines up with.
+    /// The nearest open block of the keyword's kind that is aligned with the keyword.
     Guided,
-    /// The innermost block or none.
+    /// Only the innermost block.
     Strict,
 }
 
-/// The parser: a cursor over the tokens that are no trivia.
+/// The parser: a cursor over the non-trivia tokens.
 pub(crate) struct Parser<'i> {
     input: &'i Input<'i>,
     pos: usize,
-    /// The first token of the statement being read, which may be the first of its line.
+    /// Position of the current statement's first token, which may start a line.
     statement: usize,
-    /// An error was reported for this statement; the rest of its line is skipped in silence.
+    /// Whether an error was reported for this statement, so that the rest of the line is skipped silently.
     failed: bool,
-    /// A fault already reports that the text ends too early, so the open elements report nothing.
+    /// Whether a truncated text was already reported, so that open elements report nothing.
     is_end_reported: bool,
-    /// Levels of nesting around the current token.
+    /// Nesting depth of the current token.
     depth: u32,
-    /// Height of the tallest node completed so far in the innermost node.
+    /// Maximum height of the completed nodes in the innermost node.
     height: u32,
     pub(crate) matching: Matching,
     events: Vec<Event>,
@@ -66,7 +67,7 @@ pub(crate) struct Parser<'i> {
 }
 
 impl<'i> Parser<'i> {
-    /// A parser for a text inside of `depth` elements.
+    /// Creates a parser for a text inside `depth` elements.
     pub(crate) fn new(input: &'i Input<'i>, depth: u32) -> Self {
         Self {
             input,
@@ -86,14 +87,14 @@ impl<'i> Parser<'i> {
         (self.events, self.errors)
     }
 
-    // ---- looking ----
+    // ---- lookahead ----
 
-    /// The current token.
+    /// Returns the kind of the current token.
     pub(crate) fn current(&self) -> SyntaxKind {
         self.input.kind(self.pos)
     }
 
-    /// The token `n` places ahead.
+    /// Returns the kind of the token `n` positions ahead.
     pub(crate) fn nth(&self, n: usize) -> SyntaxKind {
         self.input.kind(self.pos + n)
     }
@@ -102,23 +103,23 @@ impl<'i> Parser<'i> {
         self.current() == kind
     }
 
-    /// The current token if it is on the line of the statement; `EOF` if the line has ended.
+    /// Returns the current token if it is on the statement's line; `EOF` if the line has ended.
     pub(crate) fn here(&self) -> SyntaxKind {
         if self.at_line_end() { EOF } else { self.current() }
     }
 
-    /// As [`Parser::here`], for the next token.
+    /// Like [`Parser::here`], for the next token.
     pub(crate) fn next_here(&self) -> SyntaxKind {
         let next = self.pos + 1;
         if self.at_line_end() || self.starts_line(next) { EOF } else { self.input.kind(next) }
     }
 
-    /// The line of the statement ends before the current token.
+    /// Whether the statement's line ends before the current token.
     pub(crate) fn at_line_end(&self) -> bool {
         self.pos != self.statement && self.starts_line(self.pos) || self.at_code_end()
     }
 
-    /// The content of `<Code>` ends here.
+    /// Whether the content of `<Code>` ends here.
     pub(crate) fn at_code_end(&self) -> bool {
         matches!(self.current(), L_ANGLE_SLASH | L_ANGLE | EOF)
     }
@@ -127,7 +128,7 @@ impl<'i> Parser<'i> {
         self.pos
     }
 
-    /// Indentation of the line that the token at `pos` starts; 0 within a line.
+    /// Returns the indentation of the line that the token at `pos` starts; 0 within a line.
     pub(crate) fn indent(&self, pos: usize) -> Indent {
         if self.starts_line(pos) { self.input.indent(pos) } else { Indent::ZERO }
     }
@@ -136,7 +137,7 @@ impl<'i> Parser<'i> {
         self.input.indent(pos).starts_line()
     }
 
-    /// The positions of the tokens on the line of the statement.
+    /// Returns the positions of the tokens on the statement's line.
     pub(crate) fn line(&self) -> impl Iterator<Item = usize> {
         let is_first = |at: usize| at == self.statement;
         let on_line = move |&at: &usize| (is_first(at) || !self.starts_line(at)) && self.kind_at(at) != EOF;
@@ -155,29 +156,29 @@ impl<'i> Parser<'i> {
         self.input.kind(pos)
     }
 
-    /// Range of the token at `pos`; at the end of the text an empty range.
+    /// Returns the range of the token at `pos`; an empty range at the end of the text.
     pub(crate) fn range(&self, pos: usize) -> TextRange {
         self.input.range(pos)
     }
 
-    /// The range of the current token and the following one.
+    /// Returns the range of the current and the next token.
     pub(crate) fn range_of_two(&self) -> TextRange {
         self.range(self.pos).cover(self.range(self.pos + 1))
     }
 
-    /// The empty range after the last token.
+    /// Returns the empty range after the last consumed token.
     pub(crate) fn range_after(&self) -> TextRange {
         TextRange::empty(self.input.range(self.pos.saturating_sub(1)).end())
     }
 
-    /// The two tokens from `pos` on touch each other.
+    /// Whether no text is between the token at `pos` and the next token.
     pub(crate) fn touches_next(&self, pos: usize) -> bool {
         self.input.range(pos).end() == self.input.range(pos + 1).start()
     }
 
-    // ---- moving ----
+    // ---- consumption ----
 
-    /// Takes the current token into the tree.
+    /// Adds the current token to the tree and advances.
     pub(crate) fn bump(&mut self) {
         if self.current() != EOF {
             self.events.push(Event::Token);
@@ -193,18 +194,18 @@ impl<'i> Parser<'i> {
         found
     }
 
-    /// A new statement starts at the current token.
+    /// Starts a statement at the current token.
     pub(crate) fn start_statement(&mut self) {
         self.statement = self.pos;
         self.failed = false;
     }
 
-    /// Runs `inner` for an operand, one level deeper; `None` and a message where the limit is reached.
+    /// Runs `inner` for an operand, one level deeper; reports an error and returns `None` at the nesting limit.
     pub(crate) fn nested<T>(&mut self, inner: impl FnOnce(&mut Self) -> T) -> Option<T> {
         self.nested_up_to(NESTING_LIMIT, inner)
     }
 
-    /// As [`Parser::nested`], for a block or an element.
+    /// Like [`Parser::nested`], for a block or an element.
     pub(crate) fn nested_block<T>(&mut self, inner: impl FnOnce(&mut Self) -> T) -> Option<T> {
         self.nested_up_to(NESTING_LIMIT - LEFT_TO_EXPRESSIONS, inner)
     }

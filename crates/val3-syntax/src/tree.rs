@@ -1,8 +1,8 @@
-//! The tree of a text as one list: a node precedes its children.
+//! Tree of a text as one list, in which a node precedes its children.
 //!
-//! Such a list is made and given back in one piece. An entry has a length but no position, so a range of entries has
-//! the same meaning in every tree. [`View`](crate::view::View)s walk down the list; rowan's tree, which can also be
-//! walked upwards and sideways, is built from it on demand ([`green`]).
+//! The list is allocated and freed as one block. An entry has a length but no position, so a range of entries is valid
+//! in every tree. [`View`](crate::view::View)s walk down the list. The rowan tree, which can also be walked upwards and
+//! sideways, is built from it on demand ([`green`]).
 
 mod green;
 mod sharing;
@@ -25,27 +25,27 @@ pub(crate) struct Tree {
     text: Arc<str>,
     entries: Box<[Entry]>,
     green: OnceLock<GreenNode>,
-    /// A tree much like this one that has its rowan tree, until this one has.
+    /// A similar tree that has its rowan tree, until this tree has its own.
     before: Mutex<Option<Arc<Self>>>,
 }
 
-/// A node or token.
+/// Entry of a node or token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Entry {
     pub(crate) kind: SyntaxKind,
-    /// Length of its text in bytes.
+    /// Length of the text in bytes.
     pub(crate) len: u32,
-    /// How many entries it holds, at any depth: those that follow it.
+    /// Number of entries below it at any depth, which follow it in the list.
     pub(crate) size: u32,
 }
 
-/// Stretches of entries in the place of others.
+/// Replacement of a range of entries by slices from another tree.
 pub(crate) struct Splice<'n> {
     pub(crate) range: Range<usize>,
     pub(crate) new: &'n [&'n [Entry]],
 }
 
-/// A node or token with its place.
+/// A node or token with its position.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Piece<'t> {
     tree: &'t Tree,
@@ -54,13 +54,13 @@ pub(crate) struct Piece<'t> {
 }
 
 impl Tree {
-    /// A tree of entries of which the first holds all others.
+    /// Creates a tree from entries; the first entry contains all others.
     pub(crate) fn new(text: Arc<str>, entries: Vec<Entry>) -> Self {
         Self { text, entries: entries.into_boxed_slice(), green: OnceLock::new(), before: Mutex::default() }
     }
 
-    /// The tree of `text`, which is that of this tree after `change`: the entries of `range` gave way to `new`. All of
-    /// `around`, innermost last, hold that place.
+    /// Returns the tree of `text`, which is this tree's text after `change`: the entries in `range` are replaced by
+    /// `new`. All nodes in `around`, innermost last, contain this range.
     pub(crate) fn spliced(&self, text: Arc<str>, change: Change, around: &[Piece<'_>], splice: &Splice<'_>) -> Self {
         let Splice { range, new } = splice;
         let (before, rest) = self.entries.split_at(range.start.min(self.entries.len()));
@@ -79,7 +79,7 @@ impl Tree {
         Self::new(text, entries)
     }
 
-    /// This tree is much like `other`: its rowan tree may share nodes with the one that was made last.
+    /// Records that this tree is similar to `other`, so that its rowan tree may share nodes with the latest rowan tree.
     pub(crate) fn follow(&self, other: &Arc<Self>) {
         let before = if other.green.get().is_some() { Some(Arc::clone(other)) } else { other.before().clone() };
         *self.before() = before;
@@ -97,10 +97,10 @@ impl Tree {
         Piece { tree: self, index: 0, start: TextSize::new(0) }
     }
 
-    /// The rowan tree, created on demand.
+    /// Returns the rowan tree, which is created on demand.
     pub(crate) fn green(&self) -> &GreenNode {
         self.green.get_or_init(|| {
-            // Out of its lock: an edit on the way does not wait until the tree is made.
+            // Released before building, so that a concurrent edit does not wait for it.
             let before = self.before().take();
             before
                 .map_or_else(|| green::build_green(self.root()), |before| green::renewed(self, &before, before.green()))
@@ -108,7 +108,7 @@ impl Tree {
     }
 }
 
-/// The rowan tree follows from the rest.
+/// Compares text and entries, which determine the rowan tree.
 impl PartialEq for Tree {
     fn eq(&self, other: &Self) -> bool {
         self.text == other.text && self.entries == other.entries
@@ -117,12 +117,13 @@ impl PartialEq for Tree {
 
 impl Eq for Tree {}
 
-/// A number of entries. A byte of text has few of them, so memory is full before there are too many.
+/// Converts a number of entries. A byte of text has only a few entries, so the memory limit is reached before an
+/// overflow.
 pub(crate) fn count(entries: usize) -> u32 {
     u32::try_from(entries).unwrap_or(u32::MAX)
 }
 
-/// The index after the last entry.
+/// Entry for an index after the last entry.
 const NOTHING: Entry = Entry { kind: SyntaxKind::EOF, len: 0, size: 0 };
 
 impl<'t> Piece<'t> {
@@ -130,22 +131,22 @@ impl<'t> Piece<'t> {
         self.tree.entries.get(self.index()).copied().unwrap_or(NOTHING)
     }
 
-    /// The index of its entry in the list.
+    /// Returns the index of the piece's entry.
     pub(crate) fn index(self) -> usize {
         self.index as usize
     }
 
-    /// Its entry with those below.
+    /// Returns the entries of the piece and everything below it.
     pub(crate) fn entries(self) -> &'t [Entry] {
         self.tree.entries.get(self.indexes()).unwrap_or(&[])
     }
 
-    /// Entries of its tree.
+    /// Returns entries of the piece's tree.
     pub(crate) fn entries_of_tree(self, range: Range<usize>) -> &'t [Entry] {
         self.tree.entries.part(range)
     }
 
-    /// Their range in the list.
+    /// Returns the index range of the piece's entries.
     pub(crate) fn indexes(self) -> Range<usize> {
         self.index()..self.index() + 1 + self.entry().size as usize
     }
@@ -162,24 +163,25 @@ impl<'t> Piece<'t> {
         text_at(&self.tree.text, self.range())
     }
 
-    /// The nodes that hold `range`, from this one to the innermost. An empty range between two nodes is in the first.
+    /// Returns the nodes that contain `range`, from this one to the innermost. An empty range between two nodes is in
+    /// the first.
     pub(crate) fn path_to(self, range: TextRange) -> impl Iterator<Item = Piece<'t>> {
         let holds = move |piece: &Piece<'_>| piece.kind().is_node() && piece.range().contains_range(range);
         std::iter::successors(Some(self), move |piece| piece.children().find(holds))
     }
 
-    /// Its children, in order.
+    /// Returns the children in order.
     pub(crate) fn children(self) -> Children<'t> {
         let first = Piece { index: self.index + 1, ..self };
         Children { next: first, end: first.index + self.entry().size }
     }
 }
 
-/// The pieces that another one holds directly.
+/// Direct children of a piece.
 #[derive(Debug, Clone)]
 pub(crate) struct Children<'t> {
     next: Piece<'t>,
-    /// The index after the last of them.
+    /// Index after the last child.
     end: u32,
 }
 

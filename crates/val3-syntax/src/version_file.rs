@@ -1,8 +1,8 @@
-//! The versions of a controller's software (`val3version.xml`).
+//! Software versions of a controller (`val3version.xml`).
 
 use crate::xml;
 
-/// The version of VAL 3 that the file states, for example `s8.10.2Cs9_BS1991`.
+/// Returns the VAL 3 version in the file, for example `s8.10.2Cs9_BS1991`.
 ///
 /// ```
 /// let text = r#"<Versions><Version name="val3" compatibility="7">s7.8.3</Version></Versions>"#;

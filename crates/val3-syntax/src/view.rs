@@ -1,7 +1,7 @@
-//! Walking down a tree without allocating.
+//! Views, which walk down a tree without allocations.
 //!
-//! The typed AST is the comfortable way to read a tree. The queries that read every program of a workspace use
-//! these views instead, which are plain copies of a reference and a place.
+//! Typed AST nodes are more convenient. Views are plain copies of a reference and an index, for queries that read every
+//! program of a workspace.
 
 use rowan::{NodeOrToken, TextRange, TextSize};
 
@@ -10,11 +10,11 @@ use crate::tree::Piece;
 
 pub use crate::tree::visits;
 
-/// A node and its position.
+/// A node with its position.
 #[derive(Debug, Clone, Copy)]
 pub struct View<'t>(Piece<'t>);
 
-/// A token and its position.
+/// A token with its position.
 #[derive(Debug, Clone, Copy)]
 pub struct TokenView<'t>(Piece<'t>);
 
@@ -23,17 +23,17 @@ impl<'t> View<'t> {
         Self(node)
     }
 
-    /// The kind of the node.
+    /// Returns the kind of the node.
     pub fn kind(self) -> SyntaxKind {
         self.0.kind()
     }
 
-    /// The range of the node.
+    /// Returns the range of the node.
     pub fn range(self) -> TextRange {
         self.0.range()
     }
 
-    /// Nodes and tokens below, in order.
+    /// Returns the child nodes and tokens in order.
     pub fn children_with_tokens(self) -> impl Iterator<Item = NodeOrToken<View<'t>, TokenView<'t>>> {
         self.0.children().map(|piece| match piece.kind().is_node() {
             true => NodeOrToken::Node(View(piece)),
@@ -41,55 +41,56 @@ impl<'t> View<'t> {
         })
     }
 
-    /// Nodes below, in order.
+    /// Returns the child nodes in order.
     pub fn children(self) -> impl Iterator<Item = View<'t>> {
         self.0.children().filter(|piece| piece.kind().is_node()).map(View)
     }
 
-    /// Tokens directly below, without trivia.
+    /// Returns the child tokens without trivia.
     pub fn tokens(self) -> impl Iterator<Item = TokenView<'t>> {
         let is_solid = |kind: SyntaxKind| !kind.is_node() && !kind.is_trivia();
         self.0.children().filter(move |piece| is_solid(piece.kind())).map(TokenView)
     }
 
-    /// How many nodes and tokens are of a wanted kind, this one and all below.
+    /// Returns the number of nodes and tokens for which `is_wanted` is true, including this node and all below it.
     pub fn count(self, is_wanted: impl Fn(SyntaxKind) -> bool) -> usize {
         self.0.entries().iter().filter(|entry| is_wanted(entry.kind)).count()
     }
 
-    /// The first node of `kind` below.
+    /// Returns the first child node of `kind`.
     pub fn child(self, kind: SyntaxKind) -> Option<View<'t>> {
         self.children().find(|child| child.kind() == kind)
     }
 
-    /// The first token of `kind` directly below.
+    /// Returns the first child token of `kind`.
     pub fn token(self, kind: SyntaxKind) -> Option<TokenView<'t>> {
         self.0.children().find(|piece| piece.kind() == kind && !kind.is_node()).map(TokenView)
     }
 
-    /// The nodes that hold `range`, from this one to the innermost. An empty range between two nodes is in the first.
+    /// Returns the nodes that contain `range`, from this one to the innermost. An empty range between two nodes is in
+    /// the first.
     pub fn path_to(self, range: TextRange) -> impl Iterator<Item = View<'t>> {
         self.0.path_to(range).map(View)
     }
 }
 
 impl<'t> TokenView<'t> {
-    /// The kind of the token.
+    /// Returns the kind of the token.
     pub fn kind(self) -> SyntaxKind {
         self.0.kind()
     }
 
-    /// The text, in the form of the file.
+    /// Returns the text as written in the file.
     pub fn text(self) -> &'t str {
         self.0.text()
     }
 
-    /// The text of the token is `text`.
+    /// Whether the token has the text `text`.
     pub fn is(self, text: &str) -> bool {
         self.0.range().len() == TextSize::of(text) && self.text() == text
     }
 
-    /// The range of the token.
+    /// Returns the range of the token.
     pub fn range(self) -> TextRange {
         self.0.range()
     }

@@ -1,4 +1,4 @@
-//! Elements and attributes, read from views of the tree.
+//! Elements and attributes, as views of the tree.
 
 use std::borrow::Cow;
 
@@ -6,7 +6,7 @@ use crate::never::Part;
 use crate::view::{TokenView, View};
 use crate::{SyntaxKind, TextRange, TextSize, decode_entities};
 
-/// An element of a file.
+/// An element in a file.
 #[derive(Debug, Clone, Copy)]
 pub struct Element<'g> {
     view: View<'g>,
@@ -16,19 +16,19 @@ pub struct Element<'g> {
 /// An attribute with a value.
 #[derive(Debug, Clone, Copy)]
 pub struct Attribute<'g> {
-    /// The name with its prefix.
+    /// Name with its prefix.
     pub name: &'g str,
-    /// The range of the name.
+    /// Range of the name.
     pub name_range: TextRange,
-    /// The value in the form of the file, without quotes.
+    /// Value as written in the file, without quotes.
     pub raw: &'g str,
-    /// The range of the value, without quotes.
+    /// Range of the value, without quotes.
     pub range: TextRange,
-    /// The quote before the value.
+    /// Quote character of the value.
     pub quote: char,
 }
 
-/// The root element of a file.
+/// Returns the root element of a file.
 pub fn root<'g>(file: View<'g>) -> Option<Element<'g>> {
     file.children().find_map(Element::new)
 }
@@ -39,53 +39,53 @@ impl<'g> Element<'g> {
         is_element.then(|| view.child(SyntaxKind::START_TAG)).flatten().map(|tag| Self { view, tag })
     }
 
-    /// The name in the start tag; empty where it is missing.
+    /// Returns the name in the start tag; empty if it is missing.
     pub fn name(self) -> &'g str {
         self.tag.token(SyntaxKind::XML_NAME).map_or("", TokenView::text)
     }
 
-    /// The range of the start tag.
+    /// Returns the range of the start tag.
     pub fn tag_range(self) -> TextRange {
         self.tag.range()
     }
 
-    /// The range of the name in the start tag.
+    /// Returns the range of the name in the start tag.
     pub fn name_range(self) -> TextRange {
         self.tag.token(SyntaxKind::XML_NAME).map_or(self.tag.range(), TokenView::range)
     }
 
-    /// The node itself.
+    /// Returns the node of the element.
     pub fn view(self) -> View<'g> {
         self.view
     }
 
-    /// The attributes that have a value.
+    /// Returns the attributes with values.
     pub fn attributes(self) -> impl Iterator<Item = Attribute<'g>> {
         self.tag.children().filter_map(Attribute::new)
     }
 
-    /// The attribute called `name`.
+    /// Returns the attribute called `name`.
     pub fn attribute(self, name: &str) -> Option<Attribute<'g>> {
         let is_named = |view: &View<'_>| view.token(SyntaxKind::XML_NAME).is_some_and(|token| token.is(name));
         self.tag.children().filter(is_named).find_map(Attribute::new)
     }
 
-    /// The text of the attribute called `name`.
+    /// Returns the decoded value of the attribute called `name`.
     pub fn value(self, name: &str) -> Option<Cow<'g, str>> {
         self.attribute(name).map(Attribute::text)
     }
 
-    /// The elements inside.
+    /// Returns the child elements.
     pub fn elements(self) -> impl Iterator<Item = Element<'g>> {
         self.view.children().filter_map(Element::new)
     }
 
-    /// The first element inside that is called one of `names`.
+    /// Returns the first child element with one of these `names`.
     pub fn child(self, names: &[&str]) -> Option<Element<'g>> {
         self.elements().find(|element| names.contains(&element.name()))
     }
 
-    /// The elements inside those called `list`, that are called `item`: `<Programs><Program/></Programs>`.
+    /// Returns the `item` elements in all `list` elements below this one: `<Programs><Program/></Programs>`.
     pub fn list(self, list: &'static str, item: &'static str) -> impl Iterator<Item = Element<'g>> {
         self.elements()
             .filter(move |element| element.name() == list)
@@ -108,25 +108,25 @@ impl<'g> Attribute<'g> {
         Some(Self { name: name.text(), name_range: name.range(), raw, range, quote })
     }
 
-    /// The value, with entity references replaced.
+    /// Returns the value with entity references replaced.
     pub fn text(self) -> Cow<'g, str> {
         decode_entities(self.raw)
     }
 }
 
-/// The blanks before `at`, if nothing else precedes it on its line.
+/// Returns the blanks before `at`, if nothing else precedes it on its line.
 pub fn indentation(text: &str, at: TextSize) -> Option<&str> {
     let before = text.get(..usize::from(at))?;
     let line = before.rsplit(['\r', '\n']).next()?;
     (line.len() < before.len() && line.trim().is_empty()).then_some(line)
 }
 
-/// How the lines of a file end.
+/// Returns the line end of a file.
 pub fn line_end(text: &str) -> &'static str {
     if text.contains("\r\n") { "\r\n" } else { "\n" }
 }
 
-/// The range of an entry, with its line if it has one of its own.
+/// Extends an element's range to its line, if nothing else is on the line.
 pub fn whole_line(text: &str, range: TextRange) -> TextRange {
     let (start, end) = (usize::from(range.start()), usize::from(range.end()));
     let before = text.part(..start);
@@ -143,7 +143,7 @@ pub fn whole_line(text: &str, range: TextRange) -> TextRange {
     TextSize::try_from(from).map_or(range, |from| TextRange::new(from, range.end()))
 }
 
-/// A text as an attribute in double quotes holds it, or as code outside of a CDATA section.
+/// Escapes a text for an attribute in double quotes or for code outside of a CDATA section.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,4 +1,4 @@
-//! Which moves of two traces are the same: in order, by their numbers.
+//! Alignment of traces: moves correspond in order, by number.
 
 use std::ops::Range;
 
@@ -6,16 +6,16 @@ use similar::{Algorithm, DiffTag, capture_diff_slices};
 
 use crate::stretch::Stretch;
 
-/// A move of the recorded trace, of the present one, or of both.
+/// A move in the recorded trace, in the present trace, or in both.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Pair {
     pub(crate) number: i64,
-    /// Its rows; an empty range at their place if this trace does not have the move.
+    /// Row range; an empty range at the move's place if the recorded trace does not contain it.
     pub(crate) recorded: Range<usize>,
     pub(crate) present: Range<usize>,
 }
 
-/// The moves of two traces.
+/// Aligns the moves in both traces.
 pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<Pair> {
     let [old, new] = [recorded, present].map(|stretches| stretches.iter().map(|one| one.number).collect::<Vec<_>>());
     let mut pairs = Vec::new();
@@ -46,7 +46,7 @@ pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<Pair> {
     pairs
 }
 
-/// The place before a stretch, or after the last one.
+/// Returns the empty range before a stretch, or after the last one.
 fn gap(stretches: &[Stretch], before: usize) -> Range<usize> {
     let last = before.checked_sub(1).and_then(|last| stretches.get(last));
     let place = last.map_or(0, |last| last.rows.end);
@@ -57,7 +57,7 @@ fn gap(stretches: &[Stretch], before: usize) -> Range<usize> {
 mod tests {
     use super::*;
 
-    /// Stretches of two rows each.
+    /// Returns stretches with two rows each.
     fn moves(numbers: &[i64]) -> Vec<Stretch> {
         let rows = |index: usize| 2 * index..2 * index + 2;
         numbers.iter().enumerate().map(|(index, number)| Stretch { number: *number, rows: rows(index) }).collect()
@@ -81,7 +81,7 @@ mod tests {
         check(&[1, 2], &[], &[(1, 0..2, 0..0), (2, 2..4, 0..0)]);
     }
 
-    /// `resetMotion` counts from 0 again.
+    /// `resetMotion` restarts the numbers at 0.
     #[test]
     fn numbers_that_begin_again_are_other_moves() {
         check(

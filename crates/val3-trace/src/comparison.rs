@@ -1,4 +1,4 @@
-//! The comparison of a recorded trace with the present one, move by move.
+//! Comparison of a recorded trace with the present trace, move by move.
 
 use std::ops::Range;
 
@@ -11,55 +11,55 @@ use crate::row::Row;
 use crate::stretch::stretches;
 use crate::times::{Times, UNCERTAINTY, differs};
 
-/// The differences of two traces.
+/// Differences between two traces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
-    /// The moves of both traces, in order.
+    /// Moves of both traces, in order.
     pub moves: Vec<MoveComparison>,
-    /// The times of the whole recorded trace and the present one.
+    /// Total times of the recorded trace and the present trace.
     pub times: [Times; 2],
-    /// The tolerances that apply.
+    /// Tolerances of the comparison.
     pub tolerances: Tolerances,
 }
 
-/// The differences of a move.
+/// Differences of a move.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MoveComparison {
-    /// The whole part of its id.
+    /// Integer part of the move's id.
     pub number: i64,
-    /// The places of its rows in the present trace; an empty range at their place if this trace does not have it.
+    /// Row range in the present trace; an empty range at the move's place if the present trace does not contain it.
     pub rows: Range<usize>,
-    /// Its times in the recorded trace and the present one; none in a trace that does not have it.
+    /// Times in the recorded trace and the present trace; `None` in a trace without the move.
     pub times: [Option<Times>; 2],
-    /// The place where the traces are the furthest apart.
+    /// Largest deviation between the traces.
     pub deviation: Option<Deviation>,
 }
 
-/// A place of one trace that is away from the path of the other.
+/// A point in one trace that deviates from the path of the other trace.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
-    /// The trace that has the place.
+    /// Trace that contains the point.
     pub side: Side,
-    /// When the arm was there, in nanoseconds of the clock of that trace.
+    /// Time at the point, in nanoseconds of the trace's clock.
     pub time: Time,
-    /// The place in world, in mm.
+    /// Point in world, in mm.
     pub at: Vector3<f64>,
-    /// Its distance to the path of the other trace.
+    /// Distance to the path of the other trace.
     pub distance: Distance,
-    /// The distance as a multiple of the tolerances.
+    /// Distance as a multiple of the tolerances.
     pub excess: f64,
 }
 
 /// One of the two traces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// The recorded one.
+    /// The recorded trace.
     Recorded,
-    /// The present one.
+    /// The present trace.
     Present,
 }
 
-/// Compares the rows of a recorded trace with the present ones.
+/// Compares the rows of a recorded trace with the rows of the present trace.
 #[must_use]
 pub fn compare(recorded: &[Row], present: &[Row], tolerances: Tolerances) -> Comparison {
     let pairs = aligned(&stretches(recorded), &stretches(present));
@@ -90,13 +90,13 @@ fn rows<'r>(rows: &'r [Row], part: &Range<usize>) -> &'r [Row] {
     rows.get(part.clone()).unwrap_or_default()
 }
 
-/// The part with the rows before and after it, which are on the way to it and from it. The same path has its rows
-/// elsewhere at another speed. A move that is missing is compared with the way past it.
+/// Extends a range by one row on both sides, because rows on the same path are at other points at another speed. A
+/// missing move is compared with the path past it.
 fn widened<'r>(all: &'r [Row], part: &Range<usize>) -> &'r [Row] {
     rows(all, &(part.start.saturating_sub(1)..all.len().min(part.end + 1)))
 }
 
-/// The place that is the furthest away from a path.
+/// Returns the point with the largest distance to a path.
 fn largest(side: Side, places: &[Row], path: &[Row], tolerances: &Tolerances) -> Option<Deviation> {
     let deviation = |place: &Row| {
         let distance = distance(place, path, tolerances)?;
@@ -107,12 +107,12 @@ fn largest(side: Side, places: &[Row], path: &[Row], tolerances: &Tolerances) ->
 }
 
 impl Deviation {
-    /// The larger of two; the first one if they are equal.
+    /// Returns the larger deviation; the first if they are equal.
     fn larger(self, other: Self) -> Self {
         if other.excess > self.excess { other } else { self }
     }
 
-    /// Whether it is more than the tolerances allow.
+    /// Whether the deviation exceeds the tolerances.
     #[must_use]
     pub fn is_beyond(&self) -> bool {
         self.excess > 1.0
@@ -120,26 +120,26 @@ impl Deviation {
 }
 
 impl MoveComparison {
-    /// Whether the arm takes another path in this move.
+    /// Whether the path of the arm differs in this move.
     #[must_use]
     pub fn diverges(&self) -> bool {
         let is_elsewhere = self.deviation.is_some_and(|deviation| deviation.is_beyond());
         is_elsewhere || self.is_missing() || self.is_additional()
     }
 
-    /// Whether the recorded trace alone has it.
+    /// Whether only the recorded trace contains the move.
     #[must_use]
     pub fn is_missing(&self) -> bool {
         matches!(self.times, [Some(times), None] if times.moving > UNCERTAINTY)
     }
 
-    /// Whether the present trace alone has it.
+    /// Whether only the present trace contains the move.
     #[must_use]
     pub fn is_additional(&self) -> bool {
         matches!(self.times, [None, Some(times)] if times.moving > UNCERTAINTY)
     }
 
-    /// The times while the arm moves, in the recorded trace and the present one, if both have the move.
+    /// Returns the times of motion in the recorded trace and the present trace, if both contain the move.
     #[must_use]
     pub fn moving(&self) -> Option<[Time; 2]> {
         let [recorded, present] = self.times;
@@ -148,39 +148,39 @@ impl MoveComparison {
 }
 
 impl Comparison {
-    /// The first move whose path is another one.
+    /// Returns the first move whose path differs.
     #[must_use]
     pub fn first(&self) -> Option<&MoveComparison> {
         self.moves.iter().find(|one| one.diverges())
     }
 
-    /// The move with the largest deviation of the run.
+    /// Returns the move with the largest deviation.
     #[must_use]
     pub fn largest(&self) -> Option<(&MoveComparison, Deviation)> {
         let deviations = self.moves.iter().filter_map(|one| Some((one, one.deviation?)));
         deviations.reduce(|best, next| if next.1.excess > best.1.excess { next } else { best })
     }
 
-    /// The moves that take another time than the recorded ones, with both times.
+    /// Returns the moves whose time differs, with the recorded and the present time.
     pub fn slower_or_faster(&self) -> impl Iterator<Item = (&MoveComparison, [Time; 2])> {
         let times = self.moves.iter().filter_map(|one| Some((one, one.moving()?)));
         times.filter(|(_, [recorded, present])| differs(*recorded, *present, self.tolerances.time))
     }
 
-    /// Whether the whole motion takes another time.
+    /// Whether the total time differs.
     #[must_use]
     pub fn takes_other_time(&self) -> bool {
         let [recorded, present] = self.times;
         differs(recorded.whole(), present.whole(), self.tolerances.time)
     }
 
-    /// The numbers of moves in the recorded trace and the present one.
+    /// Returns the number of moves in the recorded trace and the present trace.
     #[must_use]
     pub fn counts(&self) -> [usize; 2] {
         [0, 1].map(|side| self.moves.iter().filter(|one| one.times.get(side).is_some_and(Option::is_some)).count())
     }
 
-    /// Whether the traces are the same within the tolerances.
+    /// Whether the traces are equal within the tolerances.
     #[must_use]
     pub fn is_same(&self) -> bool {
         self.first().is_none() && !self.takes_other_time() && self.slower_or_faster().next().is_none()

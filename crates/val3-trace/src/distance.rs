@@ -1,63 +1,63 @@
-//! The distance of a place to a path, which does not depend on time.
+//! Distance between a point and a path, independent of time.
 
 use val3_geometry::{Rotation3, Vector3, rotation};
 use val3_kinematics::Joints;
 
 use crate::row::Row;
 
-/// The difference of an axis, in degrees, from which on two joint positions with the same pose are different configurations.
+/// Axis difference in degrees from which two joint positions with the same pose have different configurations.
 pub(crate) const CONFIGURATION: f64 = 10.0;
 
-/// The difference of an axis, in degrees, that weighs as much as a tolerance. It is large, so that joints say where on a path
-/// a place is only if its pose does not.
+/// Axis difference in degrees that has the weight of a tolerance. It is large, so that joints select the point on a
+/// path only if the pose is ambiguous.
 const FAINT: f64 = 300.0;
 
-/// The largest differences at which two motions are the same.
+/// Maximum differences at which two motions are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerances {
-    /// Distance of the tool centre point, in mm.
+    /// Distance of the tool centre points in mm.
     pub mm: f64,
-    /// Rotation of the tool, in degrees.
+    /// Rotation of the tool in degrees.
     pub degrees: f64,
-    /// Time of a move, in per cent of the recorded one.
+    /// Difference of a move's time in per cent of the recorded time.
     pub time: f64,
 }
 
-/// The distance of a place to the nearest place of a path.
+/// Distance between a point and the nearest point of a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Distance {
-    /// Of the tool centre point, in mm.
+    /// Distance of the tool centre points in mm.
     pub mm: f64,
-    /// Rotation of the tool, in degrees.
+    /// Rotation of the tool in degrees.
     pub degrees: f64,
-    /// Largest difference of an axis, in degrees.
+    /// Maximum difference of the axes in degrees.
     pub joints: f64,
-    /// The nearest place of the path in world, in mm.
+    /// Nearest point of the path in world, in mm.
     pub nearest: Vector3<f64>,
 }
 
 impl Distance {
-    /// The distance of the pose as a multiple of the tolerances.
+    /// Returns the distance of the pose as a multiple of the tolerances.
     pub(crate) fn pose_excess(&self, tolerances: &Tolerances) -> f64 {
         (self.mm / tolerances.mm).max(self.degrees / tolerances.degrees)
     }
 
-    /// The distance of the place as a multiple of the tolerances. Above 1 it is another place. Joints count only if the pose is
-    /// the same, because those of another pose always differ.
+    /// Returns the distance as a multiple of the tolerances; above 1, the point differs. Joints are compared only if
+    /// the pose is equal, because the joints for different poses always differ.
     pub(crate) fn excess(&self, tolerances: &Tolerances) -> f64 {
         let pose = self.pose_excess(tolerances);
         if pose > 1.0 { pose } else { pose.max(self.joints / CONFIGURATION) }
     }
 
-    /// Whether this place of the path counts rather than another one. Of those with the same pose within the tolerances, the
-    /// one with the nearest joints counts, because a path may come to a pose more than once.
+    /// Whether this point of the path is nearer than `other`. Of points with equal poses within the tolerances, the
+    /// point with the nearest joints is nearer, because a path may reach a pose several times.
     fn is_nearer(&self, other: &Self, tolerances: &Tolerances) -> bool {
         let [own, others] = [self, other].map(|one| (one.pose_excess(tolerances).max(1.0), one.joints));
         own < others
     }
 }
 
-/// The distance of a place to the path through rows; none without rows.
+/// Returns the distance between a point and the path through rows; `None` without rows.
 pub(crate) fn distance(place: &Row, path: &[Row], tolerances: &Tolerances) -> Option<Distance> {
     let only = path.first().filter(|_| path.len() == 1).map(|row| Piece::between(row, row));
     let pieces = path.windows(2).filter_map(|pair| match pair {
@@ -68,18 +68,18 @@ pub(crate) fn distance(place: &Row, path: &[Row], tolerances: &Tolerances) -> Op
     distances.reduce(|best, next| if next.is_nearer(&best, tolerances) { next } else { best })
 }
 
-/// The distance of a place to the straight way between two rows.
+/// Returns the distance between a point and the straight line between two rows.
 pub(crate) fn distance_to_piece(place: &Row, from: &Row, to: &Row, tolerances: &Tolerances) -> Distance {
     Piece::between(from, to).distance(place, tolerances)
 }
 
-/// The straight way between two rows.
+/// The straight line between two rows.
 struct Piece<'a> {
     from: &'a Row,
     way: Way,
 }
 
-/// The way from a row: translation in mm, rotation as a vector in degrees in the axes of the row, joints.
+/// Displacement from a row: translation in mm, rotation vector in degrees in the axes of the row, and joints.
 struct Way {
     translation: Vector3<f64>,
     turn: Vector3<f64>,
@@ -98,7 +98,7 @@ impl Way {
         }
     }
 
-    /// The scalar product in the space in which the tolerances are one long.
+    /// Returns the scalar product in the space in which the tolerances have length 1.
     fn dot(&self, other: &Self, tolerances: &Tolerances) -> f64 {
         let joints: f64 = self.joints.iter().zip(other.joints).map(|(own, others)| own * others).sum();
         self.translation.dot(&other.translation) / (tolerances.mm * tolerances.mm)
@@ -112,7 +112,8 @@ impl<'a> Piece<'a> {
         Self { from, way: Way::between(from, to) }
     }
 
-    /// The distance of a place to the nearest place of the piece: tolerances of mm and degrees weigh the same.
+    /// Returns the distance between a point and the nearest point of the line. Tolerances in mm and in degrees have
+    /// equal weights.
     fn distance(&self, place: &Row, tolerances: &Tolerances) -> Distance {
         let offset = Way::between(self.from, place);
         let square = self.way.dot(&self.way, tolerances);

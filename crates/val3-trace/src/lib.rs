@@ -1,8 +1,8 @@
 //! Recorded motion: traces of runs, their comparison, and limits of the tool centre point.
 //!
-//! A [`Trace`] is a table of the arm every 4 ms while it moves. [`compare`] answers two questions about a recorded trace and
-//! the present one: how far their paths are apart at any speeds, and how the times differ. Limits are conditions of
-//! the present trace alone. Distances are those of the tool centre point; links and bodies of tools are not considered.
+//! A [`Trace`] is a table of the arm every 4 ms while it moves. [`compare`] compares a recorded trace with the present
+//! trace: the distance between the paths, independent of speed, and the times. Limits are conditions of only the
+//! present trace. Distances refer to the tool centre point; the links and the body of the tool are ignored.
 
 mod align;
 mod comparison;

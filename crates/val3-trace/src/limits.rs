@@ -1,4 +1,4 @@
-//! Limits of the tool centre point: a speed, a box that it must not leave, a box that it must not come near.
+//! Limits of the tool centre point: maximum speed, a box that it must not leave, and a box that it must avoid.
 
 use std::ops::Range;
 
@@ -10,45 +10,45 @@ use val3_vm::CYCLE;
 use crate::row::Row;
 use crate::zone::Zone;
 
-/// A value beyond its limit by less than this, in mm or mm/s, is rounded.
+/// Excess in mm or mm/s below which a limit is kept, because of rounding.
 const ROUNDING: f64 = 0.001;
 
 /// A limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Limit {
-    /// The highest speed in mm/s, within a box or everywhere.
+    /// Maximum speed within a box or everywhere.
     Speed {
-        /// In mm/s.
+        /// Maximum speed in mm/s.
         most: f64,
-        /// Where it applies.
+        /// Box in which the limit applies; `None` for everywhere.
         zone: Option<Zone>,
     },
-    /// The tool centre point stays in a box.
+    /// Box that the tool centre point must not leave.
     Inside(Zone),
-    /// The tool centre point keeps a distance to a box.
+    /// Box that the tool centre point must avoid.
     Clear {
-        /// The box.
+        /// Box.
         zone: Zone,
-        /// The distance in mm.
+        /// Minimum distance in mm.
         least: f64,
     },
 }
 
-/// The place at which a limit is exceeded the most.
+/// The point at which a limit is exceeded the most.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Violation {
-    /// The speed in mm/s, the distance to the box that it must not leave, or that to the box to keep away from, in mm.
+    /// Speed in mm/s, distance outside of the box in mm, or distance to the avoided box in mm.
     pub value: f64,
-    /// The place in world, in mm.
+    /// Point in world, in mm.
     pub at: Vector3<f64>,
-    /// When the cycle with the place began.
+    /// Start time of the cycle with the point.
     pub time: Time,
-    /// The place of its row in the trace.
+    /// Row index in the trace.
     pub row: usize,
 }
 
 impl Limit {
-    /// The worst place of a part of a trace; none if the limit is kept.
+    /// Returns the worst point in a part of a trace; `None` if the limit is kept.
     #[must_use]
     pub fn violation(&self, rows: &[Row], part: Range<usize>) -> Option<Violation> {
         let ways = part.filter_map(|row| Way::to(row, rows));
@@ -57,7 +57,7 @@ impl Limit {
         Some(worst)
     }
 
-    /// The excess of a way over the limit, and its place.
+    /// Returns the excess and its point on the path of a cycle.
     fn exceeded_by(&self, way: &Way<'_>) -> Option<(f64, Violation)> {
         let (excess, value, share) = match self {
             Self::Speed { most, zone } => {
@@ -78,8 +78,8 @@ impl Limit {
     }
 }
 
-/// The way of the tool centre point in a cycle: a straight line, from which the path differs by less than a tenth of a
-/// millimetre.
+/// Path of the tool centre point in a cycle: a straight line, which deviates from the real path by less than a tenth of
+/// a millimetre.
 struct Way<'r> {
     from: Vector3<f64>,
     row: &'r Row,
@@ -94,7 +94,7 @@ impl<'r> Way<'r> {
         Some(Self { from: from.position(), row, place })
     }
 
-    /// The place at which the way is in a box.
+    /// Returns the share of the path at which it enters the box; `None` if the path is outside.
     fn share_in(&self, zone: &Zone) -> Option<f64> {
         let nearest = zone.nearest(&self.from, &self.row.position());
         (nearest.distance < ROUNDING).then_some(nearest.share)
@@ -102,8 +102,8 @@ impl<'r> Way<'r> {
 }
 
 impl Row {
-    /// Whether the tool centre point has come from here in one cycle. It has not if the tool was exchanged, or the arm put
-    /// elsewhere.
+    /// Whether the tool centre point can have moved to the next row within one cycle. It cannot if the tool was exchanged
+    /// or the arm was placed elsewhere.
     fn leads_to(&self, next: &Self) -> bool {
         (next.position() - self.position()).norm() <= next.speed * seconds(CYCLE) + ROUNDING
     }

@@ -13,20 +13,20 @@ use val3_plot::{Axis, Mark, MoveLimits, Picture, Sample};
 
 use crate::row::Row;
 
-/// Collects what the picture of a run shows.
+/// Collects the data of a run's picture.
 #[derive(Debug)]
 pub struct PictureObserver {
     picture: Picture,
-    /// The places of the recorded moves in the picture, by their numbers.
+    /// Indexes of the recorded moves in the picture, by move number.
     marks: BTreeMap<u64, usize>,
-    /// The last sample at rest, which belongs to the picture if the arm moves again.
+    /// Latest sample at rest, which is added to the picture if the arm moves again.
     resting: Option<Sample>,
-    /// Time in seconds and joints of the cycle before.
+    /// Time in seconds and joints in the previous cycle.
     last: Option<(f64, Joints)>,
 }
 
 impl PictureObserver {
-    /// Begins with a controller whose arm has not moved yet.
+    /// Creates an observer for a controller whose arm has not moved yet.
     #[must_use]
     pub fn new(controller: &Controller) -> Self {
         let arm = controller.devices.state.arm.model();
@@ -48,7 +48,7 @@ impl PictureObserver {
         Self { picture, marks: BTreeMap::new(), resting: None, last: None }
     }
 
-    /// Adds the cycle that began at a time, in seconds.
+    /// Adds the cycle that began at `t`, in seconds.
     pub fn see(&mut self, t: f64, controller: &Controller) {
         let arm = &controller.devices.state.arm;
         let seen = arm.sample();
@@ -58,7 +58,7 @@ impl PictureObserver {
         self.last = Some((t, joints));
         let sample = Sample { t, joints, position, speed, rotation, phase, limit: Some(arm.speed_limit()) };
         if phase != Phase::Waiting {
-            // The pose at rest is that of the tool before.
+            // The pose at rest belongs to the previous tool.
             self.picture
                 .samples
                 .extend(self.resting.take().map(|resting| Sample { position: sample.position, ..resting }));
@@ -71,8 +71,8 @@ impl PictureObserver {
         self.mark(t, controller);
     }
 
-    /// Speed of rotation of the tool since the cycle before, in degrees per second: that of the flange, because a program
-    /// may choose another tool.
+    /// Returns the rotation speed of the tool since the previous cycle, in degrees per second. It is computed for the
+    /// flange, because a program may select another tool.
     fn rotation(&self, arm: &Arm, t: f64, joints: &Joints) -> f64 {
         let Some((before, joints_before)) = &self.last else { return 0.0 };
         let [from, to] = [joints_before, joints].map(|joints| arm.flange(joints).rotation);
@@ -91,7 +91,7 @@ impl PictureObserver {
             let Some(mark) = moves.get_mut(place) else { continue };
             mark.leave = queued.leave.map(|corner| corner.position.into());
             mark.reach = queued.leave.and(queued.reach).map(|corner| corner.position.into());
-            // A cancelled blend has no place in the picture.
+            // A cancelled blend is not drawn.
             let blend = queued.leave.map(|_| controller.devices.blend_of(queued, origin)).unwrap_or_default();
             (mark.note, mark.explanation) = (blend.short_note(), blend.note());
             if queued.progress >= Progress::Started {
@@ -108,14 +108,14 @@ impl PictureObserver {
         }
     }
 
-    /// The picture up to now.
+    /// Returns the picture.
     #[must_use]
     pub fn finish(self) -> Picture {
         self.picture
     }
 }
 
-/// The mark of a move that was recorded.
+/// Creates the mark of a recorded move.
 fn new_mark(controller: &Controller, queued: &QueuedMove, origin: Option<&MoveOrigin>) -> Mark {
     let (program, line, _) = origin.map(|origin| controller.devices.place(origin.at)).unwrap_or_default();
     Mark {

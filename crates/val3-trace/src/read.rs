@@ -1,4 +1,4 @@
-//! Reading traces, with errors that say where a file is wrong.
+//! Parsing of traces, with the location of errors.
 
 use std::error::Error;
 use std::fmt;
@@ -11,15 +11,15 @@ use val3_motion::{Phase, SpeedLimit};
 use crate::row::{Row, Trace};
 use crate::write::{ARM, head, head_with_limit};
 
-/// The largest number of axes of an arm.
+/// Maximum number of axes.
 const MOST_AXES: usize = 6;
 
-/// The reason why a file is no trace.
+/// Reason why a file is no trace.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TraceError {
-    /// The line, from 1.
+    /// Line number, from 1.
     pub line: usize,
-    /// A sentence that says what is wrong there.
+    /// A sentence that describes the fault.
     pub message: String,
 }
 
@@ -32,10 +32,10 @@ impl fmt::Display for TraceError {
 impl Error for TraceError {}
 
 impl Trace {
-    /// Reads the text of a file: lines of comments, the names of the columns, rows in the order of time.
+    /// Parses a file: comment lines, the column names, and rows sorted by time.
     ///
     /// # Errors
-    /// The columns are not those of a trace, a row has a value that its column cannot have, or the time goes back.
+    /// If the columns are no trace's, a row has an invalid value for its column, or the time decreases.
     pub fn parse(text: &str) -> Result<Self, TraceError> {
         let mut trace = Self::default();
         let mut columns: Option<String> = None;
@@ -59,7 +59,7 @@ impl Trace {
     }
 }
 
-/// The number of axes whose columns a table has.
+/// Returns the number of axes for the columns of a table.
 fn axes(line: &str) -> Result<usize, String> {
     let columns = line.trim_end();
     let known = (1..=MOST_AXES).find(|axes| columns == head(*axes) || columns == head_with_limit(*axes));
@@ -93,7 +93,7 @@ fn row(line: &str, columns: &str, axes: usize, before: Option<Time>) -> Result<R
     Ok(Row { time, id, phase, joints, pose, speed })
 }
 
-/// The columns of a row that are not read yet.
+/// Columns of a row that are not parsed yet.
 struct Columns<I> {
     cells: I,
 }
@@ -113,7 +113,7 @@ impl<'a, I: Iterator<Item = (&'a str, &'a str)>> Columns<I> {
         Ok([self.number()?, self.number()?, self.number()?])
     }
 
-    /// Checks the limit of the speed, which is no part of a row. A trace may have no column for it.
+    /// Checks the speed limit, which is no part of a row. The column is optional.
     fn limit(&mut self) -> Result<(), String> {
         let Some((name, text)) = self.cells.next() else { return Ok(()) };
         SpeedLimit::named(text).map(drop).ok_or_else(|| format!("column {name}: `{text}` is no limit of the speed"))

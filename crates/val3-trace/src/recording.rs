@@ -1,4 +1,4 @@
-//! Recording the motion of a run, with the instructions that have requested it.
+//! Recording of a run's motion, with the instructions that requested it.
 
 use std::collections::BTreeMap;
 
@@ -9,12 +9,12 @@ use val3_vm::CYCLE;
 use crate::row::{Row, Trace};
 use crate::selection::Selection;
 
-/// The motion of a run.
+/// Recorded motion of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Recording {
-    /// Its trace, with a row for each cycle.
+    /// Trace with a row for each cycle.
     pub trace: Trace,
-    /// The moves, each from its first row on.
+    /// Moves, with their first rows.
     moves: Vec<MoveStart>,
 }
 
@@ -29,16 +29,16 @@ struct MoveStart {
 pub struct Recorder {
     recording: Recording,
     selection: Selection,
-    /// The instructions of moves by the whole parts of their ids.
+    /// Instructions of moves, by the integer part of the id.
     sources: BTreeMap<i64, CodeSource>,
-    /// The revision of the motion of which the instructions are known.
+    /// Motion revision for which the instructions are known.
     revision: Option<u64>,
-    /// When the last cycle began.
+    /// Start time of the last cycle.
     last: Option<Time>,
 }
 
 impl Recorder {
-    /// Begins with a controller whose arm has not moved yet.
+    /// Creates a recorder for a controller whose arm has not moved yet.
     #[must_use]
     pub fn new(controller: &Controller) -> Self {
         let arm = controller.devices.state.arm.model();
@@ -47,7 +47,7 @@ impl Recorder {
         Self { recording, selection: Selection::default(), sources: BTreeMap::new(), revision: None, last: None }
     }
 
-    /// A cycle that began at `start` is over.
+    /// Adds the cycle that began at `start`.
     pub fn see(&mut self, start: Time, controller: &Controller) {
         if self.last.is_some_and(|last| start < last + CYCLE) {
             return;
@@ -72,13 +72,13 @@ impl Recorder {
         trace.rows.push(row);
     }
 
-    /// The motion up to now.
+    /// Returns the motion recorded so far.
     #[must_use]
     pub fn recording(&self) -> &Recording {
         &self.recording
     }
 
-    /// The motion.
+    /// Returns the recorded motion.
     #[must_use]
     pub fn finish(self) -> Recording {
         self.recording
@@ -86,7 +86,7 @@ impl Recorder {
 }
 
 impl Recording {
-    /// A trace whose moves have instructions by their numbers.
+    /// Creates a recording whose moves have instructions by move number.
     #[cfg(test)]
     pub(crate) fn with_sources(trace: Trace, source: impl Fn(i64) -> CodeSource) -> Self {
         let starts = crate::stretch::stretches(&trace.rows).into_iter();
@@ -97,7 +97,7 @@ impl Recording {
         Self { moves: starts.map(start).collect(), trace }
     }
 
-    /// The place at which the arm is, for a run in which it has not moved.
+    /// Returns the present position of the arm, for a run in which it has not moved.
     #[must_use]
     pub fn at_rest(controller: &Controller) -> Self {
         let mut recorder = Recorder::new(controller);
@@ -111,7 +111,7 @@ impl Recording {
         self.trace.rows.is_empty()
     }
 
-    /// The instruction of the move that has a row.
+    /// Returns the instruction of the move that contains a row.
     #[must_use]
     pub fn source(&self, row: usize) -> Option<&CodeSource> {
         let after = self.moves.partition_point(|start| start.row <= row);

@@ -1,4 +1,4 @@
-//! Differences and violations as sentences.
+//! Descriptions of differences and violations.
 
 use val3_geometry::Vector3;
 use val3_lang::ports::Time;
@@ -11,19 +11,20 @@ use crate::limits::{Limit, Violation};
 use crate::recording::Recording;
 use crate::times::change;
 
-/// The moves with another time that a report names.
+/// Maximum number of moves with another time that a report names.
 const NAMED: usize = 5;
 
-/// A difference or a violation, and where it is.
+/// A difference or violation with its source.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
-    /// A sentence that says what is wrong.
+    /// A sentence that describes the fault.
     pub message: String,
-    /// The instruction of the move.
+    /// Instruction of the move.
     pub source: Option<CodeSource>,
 }
 
-/// The differences of the present motion from a recorded one: path, moves, times. None if it is the same.
+/// Describes differences of the present motion from a recorded motion: path, moves, times. Empty if the motions are
+/// equal.
 #[must_use]
 pub fn describe(comparison: &Comparison, recording: &Recording) -> Vec<Finding> {
     let report = Report { comparison, recording };
@@ -31,7 +32,7 @@ pub fn describe(comparison: &Comparison, recording: &Recording) -> Vec<Finding> 
     report.path().into_iter().chain(report.count()).chain(times).collect()
 }
 
-/// The sentence about an exceeded limit.
+/// Describes an exceeded limit.
 #[must_use]
 pub fn describe_violation(limit: &Limit, violation: &Violation, recording: &Recording) -> Finding {
     let Violation { value, at, time, row } = *violation;
@@ -55,7 +56,7 @@ struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// The first move that takes another path, and the largest deviation.
+    /// Describes the first move whose path differs, and the largest deviation.
     fn path(&self) -> Option<Finding> {
         let first = self.comparison.first()?;
         let source = self.source(first);
@@ -70,7 +71,7 @@ impl Report<'_> {
         Some(Finding { message: format!("{what}{}{}", details.unwrap_or_default(), self.largest(first)), source })
     }
 
-    /// The largest deviation of the run, as the end of a sentence about the first one.
+    /// Describes the largest deviation as the end of a sentence about the first one.
     fn largest(&self, first: &MoveComparison) -> String {
         match self.comparison.largest().filter(|(_, deviation)| deviation.is_beyond()) {
             None => String::new(),
@@ -126,7 +127,7 @@ impl Report<'_> {
     }
 }
 
-/// A move as texts name it.
+/// Formats the name of a move.
 fn name(number: i64, source: Option<&CodeSource>) -> String {
     let source =
         source.map(|CodeSource { instruction, program, line, .. }| format!(" ({instruction}, {program}:{line})"));
@@ -137,7 +138,7 @@ fn moves(count: usize) -> String {
     if count == 1 { "1 move".to_owned() } else { format!("{count} moves") }
 }
 
-/// How far a place is away, in the units that are beyond their tolerances.
+/// Formats a distance in the units that exceed their tolerances.
 #[must_use]
 pub fn amount(distance: &Distance, tolerances: &Tolerances) -> String {
     let Distance { mm, degrees, joints, .. } = distance;

@@ -1,8 +1,8 @@
-//! Which cycles have a row.
+//! Selection of the cycles that have a row in a trace.
 
 use val3_motion::Phase;
 
-/// Selects the rows of a trace: the arm while it moves, and the first row at rest after each motion.
+/// Selects the rows of a trace: cycles in which the arm moves, and the first cycle at rest after each motion.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Selection {
     was_moving: bool,

@@ -1,4 +1,4 @@
-//! Expectations about motion as files have them.
+//! Expectations about motion, as written in files.
 
 use std::fmt;
 
@@ -7,15 +7,15 @@ use serde::{Deserialize, Deserializer, de};
 
 use crate::distance::Tolerances;
 
-/// The tolerances where a file has none.
+/// Default tolerances.
 const TOLERANCES: Tolerances = Tolerances { mm: 0.5, degrees: 0.5, time: 5.0 };
 
-/// The recorded trace to compare with: `trace = "golden/cycle.csv"`, or a table with tolerances.
+/// Recorded trace for a comparison: `trace = "golden/cycle.csv"`, or a table with tolerances.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TraceFile {
-    /// The path of the file.
+    /// Path of the file.
     pub file: String,
-    /// The largest differences.
+    /// Maximum differences.
     pub tolerances: Tolerances,
 }
 
@@ -64,34 +64,34 @@ impl<'de> Visitor<'de> for FileOrTable {
     }
 }
 
-/// A limit of the speed, as `[[expect.speed]]`.
+/// Speed limit, in a table `[[expect.speed]]`.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Speed {
-    /// The highest speed in mm/s.
+    /// Maximum speed in mm/s.
     pub below: Positive,
-    /// Where it applies; everywhere without one.
+    /// Box in which the limit applies; `None` for everywhere.
     #[serde(rename = "box")]
     pub zone: Option<ZoneSetting>,
 }
 
-/// A box that the tool centre point must not leave, as `[[expect.inside]]`.
+/// Box that the tool centre point must not leave, in a table `[[expect.inside]]`.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Inside {
-    /// The box.
+    /// Box.
     #[serde(rename = "box")]
     pub zone: ZoneSetting,
 }
 
-/// A box that the tool centre point must keep away from, as `[[expect.clear]]`.
+/// Box that the tool centre point must avoid, in a table `[[expect.clear]]`.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Clear {
-    /// The box.
+    /// Box.
     #[serde(rename = "box")]
     pub zone: ZoneSetting,
-    /// The least distance in mm.
+    /// Minimum distance in mm.
     pub distance: Positive,
 }
 
@@ -99,11 +99,11 @@ pub struct Clear {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(try_from = "Corners")]
 pub struct ZoneSetting {
-    /// The corner with the smallest coordinates.
+    /// Corner with the smallest coordinates.
     pub min: [f64; 3],
-    /// The corner with the largest ones.
+    /// Corner with the largest coordinates.
     pub max: [f64; 3],
-    /// The frame in whose axes it is, a variable of the application; `world` without one.
+    /// Frame of the coordinates, a variable of the application; `None` for `world`.
     pub frame: Option<String>,
 }
 

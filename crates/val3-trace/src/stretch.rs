@@ -1,4 +1,4 @@
-//! The stretches of a trace: the rows of one move after the other.
+//! Stretches of a trace: consecutive rows of the same move.
 
 use std::ops::Range;
 
@@ -7,13 +7,13 @@ use crate::row::Row;
 /// The rows of a move.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Stretch {
-    /// The number of the move.
+    /// Move number.
     pub(crate) number: i64,
-    /// The places of its rows in the trace.
+    /// Row range in the trace.
     pub(crate) rows: Range<usize>,
 }
 
-/// The stretches in the order of time.
+/// Returns the stretches sorted by time.
 pub(crate) fn stretches(rows: &[Row]) -> Vec<Stretch> {
     let mut end = 0;
     let of_chunk = |chunk: &[Row]| {

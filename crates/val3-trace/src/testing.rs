@@ -5,7 +5,8 @@ use val3_motion::Phase;
 
 use crate::row::{Row, Trace};
 
-/// Rows along x, a millimetre and a degree of axis 1 a cycle, ten a move from 1 on.
+/// Returns rows along x. Between rows, x increases by 1 mm and axis 1 by 1 degree. Every move has ten rows, the first
+/// move has number 1.
 pub(crate) fn line(count: usize) -> Vec<Row> {
     let row = |index: usize| {
         let x = index as f64;
@@ -21,13 +22,13 @@ pub(crate) fn line(count: usize) -> Vec<Row> {
     (0..count).map(row).collect()
 }
 
-/// A row moved in world and turned about itself.
+/// Moves a row in world and turns it about its own axes.
 pub(crate) fn at(row: &Row, way: [f64; 3], turn: [f64; 3]) -> Row {
     let moved = Trsf::new(way, [0.0; 3]).isometry() * row.pose * Trsf::new([0.0; 3], turn).isometry();
     Row { pose: IsometryMatrix3::from_parts(moved.translation, moved.rotation), ..*row }
 }
 
-/// A trace of a six-axis arm.
+/// Returns a trace of a six-axis arm.
 pub(crate) fn trace(rows: &[Row]) -> Trace {
     Trace { arm: Some("TX2-90".to_owned()), axes: 6, rows: rows.to_vec() }
 }

@@ -1,19 +1,19 @@
-//! Fewer rows for the same motion, so that a recorded trace stays small and its changes can be read.
+//! Thinning: fewer rows for the same motion, so that a recorded trace is small and its changes are readable.
 
 use val3_plot::significant;
 
 use crate::distance::{Tolerances, distance_to_piece};
 use crate::row::{Row, Trace};
 
-/// The path between the rows that stay deviates by less than this.
+/// Maximum deviation of the path between the kept rows.
 const PATH: Tolerances = Tolerances { mm: 0.05, degrees: 0.05, time: 0.0 };
 
-/// The arm is nearer than this, in mm or degrees, to where it would be at that time with an even speed between those rows.
+/// Maximum deviation, in mm or degrees, from the position at the same time with constant speed between the kept rows.
 const MOMENT: f64 = 2.0;
 
 impl Trace {
-    /// The same motion with fewer rows: the path deviates by less than 0.05 mm and 0.05 degrees, and the times of moves
-    /// and rests are unchanged.
+    /// Returns the same motion with fewer rows: the path deviates by less than 0.05 mm and 0.05 degrees, and the times
+    /// of moves and rests are unchanged.
     #[must_use]
     pub fn thinned(&self) -> Self {
         let parts = self.rows.chunk_by(|row, next| row.number() == next.number() && row.phase == next.phase);
@@ -25,7 +25,7 @@ impl Trace {
     }
 }
 
-/// The distance of a row to the way between two others, as a multiple of the largest one that is allowed.
+/// Returns the distance of a row to the line between two other rows, as a multiple of the maximum.
 fn excess(rows: &[Row], place: usize, from: usize, to: usize) -> f64 {
     let [Some(row), Some(from), Some(to)] = [place, from, to].map(|place| rows.get(place)) else { return 0.0 };
     let distance = distance_to_piece(row, from, to, &PATH);
@@ -33,7 +33,7 @@ fn excess(rows: &[Row], place: usize, from: usize, to: usize) -> f64 {
     of_path.max(from_moment(row, from, to) / MOMENT)
 }
 
-/// The largest difference of a position or joint to where it would be at this time with an even speed.
+/// Returns the maximum difference of the position and the joints from constant speed.
 fn from_moment(row: &Row, from: &Row, to: &Row) -> f64 {
     let share = (row.time - from.time) as f64 / (to.time - from.time) as f64;
     let even = |from: f64, to: f64| from + (to - from) * share;
@@ -56,7 +56,7 @@ mod tests {
         let rows = line(19).into_iter().zip(phases);
         let rows: Vec<Row> = rows.map(|(row, phase)| Row { phase, ..row }).collect();
         let kept: Vec<usize> = trace(&rows).thinned().rows.iter().map(|row| row.time as usize / 4_000_000).collect();
-        // The number of the move changes with the row 10.
+        // The move number changes with row 10.
         assert_eq!(kept, [0, 10, 11, 12, 16, 17, 18]);
     }
 

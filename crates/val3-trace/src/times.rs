@@ -1,4 +1,4 @@
-//! How long moves take.
+//! Times of moves.
 
 use std::ops::Range;
 
@@ -7,20 +7,20 @@ use val3_vm::CYCLE;
 
 use crate::row::Row;
 
-/// Times that differ by less than this are the same in per cent too: a move begins and ends within a cycle.
+/// Time difference below which times are equal, even in per cent, because a move begins and ends within a cycle.
 pub(crate) const UNCERTAINTY: Time = 2 * CYCLE;
 
-/// The times of a part of a trace, in nanoseconds.
+/// Times for a part of a trace, in nanoseconds.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Times {
-    /// The arm moves.
+    /// Time in motion.
     pub moving: Time,
-    /// It rests before it moves again.
+    /// Time at rest before the arm moves again.
     pub resting: Time,
 }
 
 impl Times {
-    /// The times of some rows. A row ends the time since the row before, at rest or moving.
+    /// Computes the times of some rows. A row ends the time since the previous row, at rest or in motion.
     pub(crate) fn of(rows: &[Row], part: Range<usize>) -> Self {
         let mut times = Self::default();
         for place in part {
@@ -40,21 +40,21 @@ impl Times {
         times
     }
 
-    /// The sum of both times.
+    /// Returns the sum of both times.
     #[must_use]
     pub fn whole(&self) -> Time {
         self.moving + self.resting
     }
 }
 
-/// The change of a time in per cent; infinite if there was none before.
+/// Returns the change of a time in per cent; infinite if the recorded time is 0.
 #[must_use]
 pub fn change(recorded: Time, present: Time) -> f64 {
     let [recorded, present] = [recorded, present].map(|time| time as f64);
     if recorded == present { 0.0 } else { (present - recorded) * 100.0 / recorded }
 }
 
-/// Whether a time differs by more than a tolerance in per cent of the recorded one.
+/// Whether the difference of times exceeds a tolerance in per cent of the recorded time.
 pub(crate) fn differs(recorded: Time, present: Time, tolerance: f64) -> bool {
     recorded.abs_diff(present) > UNCERTAINTY && change(recorded, present).abs() > tolerance
 }

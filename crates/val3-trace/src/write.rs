@@ -1,47 +1,47 @@
-//! Traces as tables with commas between their columns.
+//! Formatting of traces as comma-separated tables.
 
 use val3_geometry::Trsf;
 use val3_machine::event::seconds;
 
 use crate::row::{Row, Trace};
 
-/// The first line of a file that `--update` has written.
+/// First line of a file that `--update` has written.
 const NOTE: &str = "# Motion of a test, recorded by `val3 test --update`: s, mm, degrees, mm/s";
 
-/// Whether the text of a file is a motion that `--update` has recorded, in this or an earlier version.
+/// Whether a file is a motion that `--update` has recorded, in this or an earlier version.
 #[must_use]
 pub fn is_recording(text: &str) -> bool {
     text.starts_with("# Motion of a test")
 }
 
-/// The beginning of the line that names the arm.
+/// Prefix of the line with the arm's name.
 pub(crate) const ARM: &str = "# arm: ";
 
-/// The precision of the numbers of a table.
+/// Precision of the numbers in a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precision {
-    /// For programs that compute with them.
+    /// For computations in other programs.
     Exact,
-    /// For files under version control: to a thousandth.
+    /// Three decimals, for files under version control.
     Compact,
 }
 
-/// The line of a table that names its columns.
+/// Returns the line with the column names.
 #[must_use]
 pub fn head(axes: usize) -> String {
     let joints: Vec<String> = (1..=axes).map(|axis| format!("j{axis}")).collect();
     format!("t,id,phase,{},x,y,z,rx,ry,rz,v", joints.join(","))
 }
 
-/// [`head`] with a column at the end for the limit of the speed. The limit is no part of a [`Row`], so that comparisons of
-/// motion ignore it.
+/// Returns [`head`] with an additional column for the speed limit. The limit is no part of a [`Row`], so comparisons
+/// ignore it.
 #[must_use]
 pub fn head_with_limit(axes: usize) -> String {
     head(axes) + ",limit"
 }
 
 impl Row {
-    /// The line of a table.
+    /// Formats a line of the table.
     #[must_use]
     pub fn line(&self, axes: usize, precision: Precision) -> String {
         let (decimals, of_speed) = match precision {
@@ -57,7 +57,7 @@ impl Row {
 }
 
 impl Trace {
-    /// The text of the file, with the name of the arm in its heading.
+    /// Formats the file, with the name of the arm in its heading.
     #[must_use]
     pub fn to_text(&self) -> String {
         let arm = self.arm.iter().map(|arm| format!("{ARM}{arm}"));
@@ -67,7 +67,7 @@ impl Trace {
     }
 }
 
-/// A number without the sign of a zero, which would change without a change of the motion.
+/// Formats a number. Zero has no sign, because a sign could change without a change of the motion.
 fn text(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$}");
     match text.strip_prefix('-') {

@@ -5,31 +5,31 @@ use val3_geometry::{IsometryMatrix3, Vector3};
 /// A box whose faces are parallel to the axes of a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Zone {
-    /// The corner with the smallest coordinates, in mm.
+    /// Corner with the smallest coordinates, in mm.
     min: Vector3<f64>,
-    /// The corner with the largest ones.
+    /// Corner with the largest coordinates, in mm.
     max: Vector3<f64>,
-    /// From world to the frame.
+    /// Transformation from world to the frame.
     to_frame: IsometryMatrix3<f64>,
 }
 
-/// The place of a way that is the nearest to a box.
+/// Point of a path that is nearest to a box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Nearest {
-    /// Its distance in mm; 0 inside of the box.
+    /// Distance in mm; 0 inside the box.
     pub(crate) distance: f64,
-    /// The place, as a share of the way.
+    /// Point, as a share of the path.
     pub(crate) share: f64,
 }
 
 impl Zone {
-    /// A box between two corners in a frame, whose place in world is given; lengths in mm.
+    /// Creates a box between two corners in a frame, whose pose in world is given; lengths in mm.
     #[must_use]
     pub fn new(min: [f64; 3], max: [f64; 3], frame: &IsometryMatrix3<f64>) -> Self {
         Self { min: min.into(), max: max.into(), to_frame: frame.inverse() }
     }
 
-    /// The distance of a place in world to the box, in mm; 0 inside.
+    /// Returns the distance between a point in world and the box, in mm; 0 inside.
     pub(crate) fn distance(&self, place: &Vector3<f64>) -> f64 {
         self.outside(&self.in_frame(place)).norm()
     }
@@ -38,12 +38,12 @@ impl Zone {
         self.to_frame.rotation * place + self.to_frame.translation.vector
     }
 
-    /// The way from the nearest place of the box to a place in its frame.
+    /// Returns the vector from the nearest point of the box to a point in its frame.
     fn outside(&self, place: &Vector3<f64>) -> Vector3<f64> {
         place - place.sup(&self.min).inf(&self.max)
     }
 
-    /// The nearest place of the straight way between two places in world.
+    /// Returns the nearest point on the straight line between two points in world.
     pub(crate) fn nearest(&self, from: &Vector3<f64>, to: &Vector3<f64>) -> Nearest {
         let (from, way) = (self.in_frame(from), self.in_frame(to) - self.in_frame(from));
         let shares = self.crossings(&from, &way);
@@ -52,7 +52,7 @@ impl Zone {
             _ => None,
         });
         let nearest = pieces.map(|[start, end]| {
-            // Between two crossings of planes the way from the box changes evenly.
+            // Between two plane crossings, the vector from the box changes linearly.
             let [first, last] = [start, end].map(|share| self.outside(&(from + way * share)));
             let on_piece = share_nearest_to_origin(&first, &(last - first));
             let distance = (first + (last - first) * on_piece).norm();
@@ -62,7 +62,7 @@ impl Zone {
         nearest.fold(first, |best, next| if next.distance < best.distance { next } else { best })
     }
 
-    /// The shares at which a way begins, ends, or crosses the plane of a face, in order.
+    /// Returns the shares at which a path begins, ends, or crosses the plane of a face, in order.
     fn crossings(&self, from: &Vector3<f64>, way: &Vector3<f64>) -> Vec<f64> {
         let planes = [self.min, self.max];
         let crossings = planes.iter().flat_map(|plane| <[f64; 3]>::from((plane - from).component_div(way)));
@@ -73,7 +73,7 @@ impl Zone {
     }
 }
 
-/// The share of a way at which it is the nearest to the origin; 0 without a way.
+/// Returns the share of a path at which it is nearest to the origin; 0 for a path of length 0.
 fn share_nearest_to_origin(from: &Vector3<f64>, way: &Vector3<f64>) -> f64 {
     (-from.dot(way) / way.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0)
 }
@@ -116,7 +116,7 @@ mod tests {
     fn a_box_in_a_frame() {
         let frame = Trsf::new([100.0, 0.0, 0.0], [0.0, 0.0, 90.0]).isometry();
         let zone = Zone::new([0.0; 3], [10.0, 20.0, 30.0], &frame);
-        // The y axis of the frame is the opposite of the x axis of world.
+        // The y axis of the frame is opposite to the x axis of world.
         assert!((zone.distance(&Vector3::new(77.0, 5.0, 5.0)) - 3.0).abs() < 1e-12);
         assert_eq!(zone.distance(&Vector3::new(90.0, 5.0, 5.0)), 0.0);
     }

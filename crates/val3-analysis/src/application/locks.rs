@@ -1,7 +1,7 @@
-//! Flags that a program tests on one line and sets on the next, as if that were a lock.
+//! Flags that a program tests on one line and sets on the next, as an unsafe lock.
 //!
-//! Tasks take turns between lines (5.4), so two of them may both find the flag free. `setMutex` tests and sets within
-//! one line (5.9).
+//! Tasks switch between lines (5.4), so two tasks may both find the flag free. `setMutex` tests and sets within one
+//! line (5.9).
 
 use smol_str::SmolStr;
 use val3_lang::instructions::WAIT;
@@ -10,18 +10,18 @@ use val3_syntax::TextRange;
 
 use crate::body::{Body, Constant, Expr, ExprId, Stmt, StmtKind};
 
-/// One such flag.
+/// A flag that is used as a lock.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Lock {
-    /// The variable.
+    /// Variable name.
     pub flag: SmolStr,
-    /// Where it is tested.
+    /// Range of the condition that tests the flag.
     pub test: TextRange,
-    /// The line that sets it.
+    /// Range of the line that sets the flag.
     pub set: TextRange,
 }
 
-/// Every such flag of a program, by the position of the test.
+/// Returns the locks of a program in source order.
 pub fn locks(body: &Body) -> Vec<Lock> {
     let mut found = Vec::new();
     in_block(body, &body.block, &mut found);
@@ -41,8 +41,8 @@ fn in_block(body: &Body, block: &[Stmt], found: &mut Vec<Lock>) {
     }
 }
 
-/// The condition of a statement that waits, and the value of that condition for which it keeps waiting:
-/// `wait(bBusy==false)` waits while it is false, `while bBusy==true` while it is true.
+/// Returns the condition of a waiting statement, and the condition's value for which the statement continues to wait:
+/// `false` for `wait(bBusy==false)`, `true` for `while bBusy==true`.
 fn tested(body: &Body, stmt: &Stmt) -> Option<(ExprId, bool)> {
     match &stmt.kind {
         StmtKind::While { condition, .. } => Some(((*condition)?, true)),
@@ -55,7 +55,8 @@ fn tested(body: &Body, stmt: &Stmt) -> Option<(ExprId, bool)> {
     }
 }
 
-/// `next` sets the flag for which `condition` asks whether it is `held`.
+/// Returns the lock if `next` sets the flag whose state `condition` tests: `held` is the value of the condition while
+/// the flag is set.
 fn lock(body: &Body, condition: ExprId, held: bool, next: &Stmt) -> Option<Lock> {
     let StmtKind::Assign { target, value } = &next.kind else { return None };
     let Expr::Name(flag) = body.expr(*target) else { return None };
@@ -64,7 +65,7 @@ fn lock(body: &Body, condition: ExprId, held: bool, next: &Stmt) -> Option<Lock>
     found.then(|| Lock { flag: flag.clone(), test: body.range(condition), set: next.range })
 }
 
-/// `condition` holds only if the flag is `value`.
+/// Whether the flag is certainly clear once `condition` no longer has the value `value`.
 fn holds_only_if(body: &Body, condition: ExprId, flag: &str, value: bool) -> bool {
     let is_flag = |id: ExprId| matches!(body.expr(body.without_parentheses(id)), Expr::Name(name) if name == flag);
     match body.expr(body.without_parentheses(condition)) {

@@ -1,4 +1,4 @@
-//! The effects of one program, without ranges.
+//! Summary of a program's effects, without ranges.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -16,57 +16,57 @@ use crate::items::faults::text_faults;
 use crate::items::program::header;
 use crate::problem::ProblemKind;
 
-/// The effects of a program.
+/// Effects of a program.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Summary {
-    /// The text could be read, and the analysis found no fault in its code.
+    /// Whether the file is readable and the analysis found no fault in the code.
     pub sound: bool,
-    /// Programs that it calls.
+    /// Called programs.
     pub calls: FxHashSet<Callee>,
-    /// Programs of the own project that it calls each time it runs, unless it returns before.
+    /// Called programs of the same project that every execution calls, unless it returns early.
     pub certain_calls: FxHashSet<SmolStr>,
-    /// Tasks that it creates, in the order of the text.
+    /// Created tasks in source order.
     pub tasks: Vec<TaskStart>,
-    /// How the names begin of tasks that it ends, or whose state it asks for.
+    /// Name prefixes of tasks that the program kills or whose status it reads.
     pub managed_tasks: FxHashSet<SmolStr>,
-    /// Once called it runs for good.
+    /// Whether the program never returns.
     pub never_ends: bool,
-    /// Global data that it uses.
+    /// Used global data.
     pub data: FxHashMap<SmolStr, Use>,
-    /// How the names begin of data that it reads by name, as a text.
+    /// Name prefixes of data that the program accesses by a name in a string.
     pub named_in_texts: FxHashSet<SmolStr>,
-    /// Library identifiers that occur in its code.
+    /// Library identifiers that occur in the code.
     pub libraries: FxHashSet<SmolStr>,
-    /// Flags that it tests on one line and sets on the next.
+    /// Flags that the program tests on one line and sets on the next.
     pub locks: FxHashSet<SmolStr>,
-    /// It takes a flag with `setMutex`.
+    /// Whether the program locks a flag with `setMutex`.
     pub takes_mutex: bool,
-    /// It calls `restartMove`: a stopped arm continues.
+    /// Whether the program calls `restartMove`, so that a stopped arm continues.
     pub restarts_arm: bool,
-    /// It shows a user page (s8) by its name.
+    /// Whether the program shows a user page (s8) by name.
     pub shows_page: bool,
-    /// One of its own lines may let the other tasks run: it waits, or reads or writes a serial line (5.4), or calls
-    /// a program of a library, of which nothing is known.
+    /// Whether the program's own lines may let other tasks run: a line waits, accesses a serial line (5.4), or calls a
+    /// library program, whose code is unknown.
     pub waits: bool,
 }
 
-/// How a program uses a variable.
+/// Uses of a variable by a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Use {
-    /// It reads the value.
+    /// Whether the value is read.
     pub read: bool,
-    /// It writes the value or a part of it.
+    /// Whether the value or a part of it is written.
     pub written: bool,
-    /// It hands the variable over by reference.
+    /// Whether the variable is passed by reference.
     pub referenced: bool,
-    /// It reads the value as a whole: all fields on one line.
+    /// Whether all fields of the value are read on one line.
     pub read_whole: bool,
-    /// It writes fields of the value on several lines.
+    /// Whether fields of the value are written on several lines.
     pub written_in_parts: bool,
 }
 
 impl Use {
-    /// Takes in one more use.
+    /// Adds one use.
     pub fn add(&mut self, kind: AccessKind) {
         match kind {
             AccessKind::Read => self.read = true,
@@ -75,18 +75,18 @@ impl Use {
         }
     }
 
-    /// It may change the value.
+    /// Whether the use may change the value.
     pub fn may_write(self) -> bool {
         self.written || self.referenced
     }
 
-    /// It may use the value.
+    /// Whether the use may read the value.
     pub fn may_read(self) -> bool {
         self.read || self.referenced
     }
 }
 
-/// The effects of the program in `file` as a part of `project`.
+/// Returns the effects of the program in `file` as a part of `project`.
 #[salsa::tracked]
 pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     let body = body(db, file);
@@ -117,7 +117,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     summary.add_tasks(body);
     summary.never_ends = never_ends(body, flow(db, file));
     let effects = Effects::new(db, project, file);
-    // The effect of an instruction of an add-on is unknown.
+    // The effects of add-on instructions are unknown.
     summary.waits = effects.may_wait() || !infer::problems(db, project, file).is_empty();
     for access in effects.all() {
         if let Root::Data(name) = &access.root {
@@ -132,7 +132,8 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     summary
 }
 
-/// The fault leaves no name in doubt: what an instruction of an add-on does to variables is taken to be anything.
+/// Whether the names of a program are certain in spite of the fault: an add-on instruction is assumed to have any
+/// effect on its variables.
 fn hides_nothing(problem: &ProblemKind) -> bool {
     matches!(problem, ProblemKind::MissingAddOn { .. })
 }
@@ -145,16 +146,16 @@ fn libraries(body: &Body) -> FxHashSet<SmolStr> {
     named.collect()
 }
 
-/// How the text begins that is the first argument.
+/// Returns the constant prefix of a call's first argument.
 fn first_argument_text(body: &Body, call: &InstructionCall) -> Option<SmolStr> {
     let Expr::Call(_, arguments) = body.expr(call.id) else { return None };
     arguments.first().map(|text| body.beginning(*text))
 }
 
-/// Instructions that end a task, or that look whether it has ended.
+/// Instructions that kill a task or read its status.
 const TENDING: [&str; 2] = [TASK_KILL, TASK_STATUS];
 
-/// The program that a call names.
+/// Returns the program that a call names.
 pub(super) fn callee(body: &Body, call: ExprId) -> Option<Callee> {
     let Expr::Call(callee, _) = body.expr(call) else { return None };
     match body.expr(*callee) {

@@ -1,4 +1,4 @@
-//! Tasks of one name that cannot run one after the other.
+//! Tasks with the same name that cannot run one after another.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -6,7 +6,7 @@ use smol_str::SmolStr;
 use super::{Application, START, STOP, Summary, Task, TaskStart};
 
 impl Application {
-    /// Follows the calls and tasks of `start` that no condition decides about.
+    /// Fills `certain`: follows the unconditional calls and tasks of `start`.
     pub(super) fn find_certain(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
         let mut open = vec![SmolStr::new_static(START)];
         while let Some(program) = open.pop() {
@@ -18,7 +18,8 @@ impl Application {
         }
     }
 
-    /// Programs that run only at the end of the application end its tasks too late to matter here.
+    /// Fills `managed_tasks`. Programs that run only at the end of the application are ignored, because they kill its
+    /// tasks too late.
     pub(super) fn find_managed_tasks(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
         let managing = summaries.iter().filter(|(name, _)| !self.runs_at_end_alone(name));
         let names: FxHashSet<SmolStr> =
@@ -31,8 +32,8 @@ impl Application {
         tasks.peek().is_some() && tasks.all(|task| task.created_by.is_none() && task.start.program.program == STOP)
     }
 
-    /// Another program that surely creates a task of the same name as `program` does with `start`, where both tasks
-    /// run forever and no program ends them or asks for their status. Only one of two such programs finds the other.
+    /// Returns another program that always creates a task with the name that `start` has in `program`, if both tasks
+    /// run forever and no program kills them or reads their status. Only one of two such programs finds the other.
     pub fn creator_of_same(&self, program: &str, start: &TaskStart) -> Option<&SmolStr> {
         let name = start.name.as_ref().filter(|name| self.sound && !self.is_managed(name) && self.is_endless(start))?;
         let order = |program: &str| (program != START, SmolStr::from(program));

@@ -1,4 +1,4 @@
-//! The tasks that a program creates, and what it does each time it runs.
+//! Tasks that a program creates, and its unconditional calls.
 
 use smol_str::SmolStr;
 use val3_lang::tasks::period_steps;
@@ -11,23 +11,23 @@ use crate::flow::{Flow, Point, PointKind};
 /// A `taskCreate` or `taskCreateSync`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TaskStart {
-    /// The name, where the code gives it.
+    /// Task name, if it is constant.
     pub name: Option<SmolStr>,
-    /// The known start of the name: all of it where `name` is known.
+    /// Constant prefix of the name: the entire name if `name` is known.
     pub beginning: SmolStr,
-    /// The program.
+    /// Program of the task.
     pub program: Callee,
-    /// It is `taskCreateSync`.
+    /// Whether the instruction is `taskCreateSync`.
     pub synchronous: bool,
-    /// The period of a synchronous task in steps of [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP), if it is constant.
+    /// Period of a synchronous task in steps of [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP), if it is constant.
     pub period: Option<u32>,
-    /// The statement lies in a loop, so that it may create several tasks.
+    /// Whether the statement is in a loop, so that it may create several tasks.
     pub repeated: bool,
-    /// The program creates it each time it runs, unless it returns before.
+    /// Whether every execution of the program creates the task, unless it returns early.
     pub certain: bool,
 }
 
-/// The position of a statement among those around it.
+/// The loops and conditions around a statement.
 #[derive(Clone, Copy)]
 struct Nesting {
     repeated: bool,
@@ -35,7 +35,7 @@ struct Nesting {
 }
 
 impl TaskStart {
-    /// The task in which the controller runs `program`.
+    /// Returns the task in which the controller runs `program`.
     pub(super) fn of_controller(program: &'static str) -> Self {
         let program = Callee { library: None, program: SmolStr::new_static(program) };
         Self {
@@ -65,7 +65,7 @@ impl Nesting {
 }
 
 impl Summary {
-    /// Adds the tasks that the program creates, and the calls it makes each time it runs.
+    /// Adds the created tasks and the unconditional calls.
     pub(super) fn add_tasks(&mut self, body: &Body) {
         self.add_block(body, &body.block, Nesting::OUTSIDE);
     }
@@ -98,7 +98,7 @@ fn task_start(body: &Body, synchronous: bool, arguments: &[ExprId], nesting: Nes
     Some(TaskStart { name, beginning, program, synchronous, period, repeated, certain })
 }
 
-/// No path reaches the end, judged by constant conditions alone.
+/// Whether no path reaches the end; only constant conditions are evaluated.
 pub(super) fn never_ends(body: &Body, flow: &Flow) -> bool {
     let is_taken = |point: &Point, branch: usize| match point.kind {
         PointKind::Test { condition: Some(condition), .. } => match body.constant(condition) {

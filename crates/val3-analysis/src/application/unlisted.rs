@@ -1,4 +1,4 @@
-//! Names used by files in the folder of a project that the project does not list.
+//! Names used by unlisted files: files in a project's folder that the project file does not list.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -11,19 +11,19 @@ use crate::items::project::folder;
 use crate::items::unlisted::{is_program, unlisted_names};
 use crate::paths::path_key;
 
-/// An unlisted program what is called `name`: it holds the word, or reads data by
-/// a name that may be this one.
+/// Whether an unlisted program may use the item `name`: it contains the word, or accesses data by a string that may be
+/// this name.
 pub fn unlisted_may_use(db: &dyn Db, project: Project, name: &str) -> bool {
     let uses = unlisted_uses(db, project);
     uses.words.contains(name) || uses.beginnings.iter().any(|beginning| name.starts_with(beginning.as_str()))
 }
 
-/// The names that the unlisted files of a project use.
+/// Names that the unlisted files of a project use.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct Uses {
-    /// Every word of the programs; fathers and user types of the data.
+    /// All words of the programs; fathers and user types of the data.
     words: FxHashSet<SmolStr>,
-    /// How the names begin of data that the programs read by name, as a text.
+    /// Name prefixes of data that the programs access by a name in a string.
     beginnings: FxHashSet<SmolStr>,
 }
 
@@ -45,7 +45,7 @@ fn unlisted_uses(db: &dyn Db, project: Project) -> Uses {
     uses
 }
 
-/// Every word in the text of a file. Words are enough: a file that belongs to no project may not parse.
+/// Returns every word of a file. The file is not parsed, because a file that belongs to no project may be malformed.
 #[salsa::tracked]
 fn words(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';

@@ -1,11 +1,11 @@
-//! Constants: the value of an expression, computed from its text alone.
+//! Constant expressions: their values are computed from literals.
 
 use smol_str::SmolStr;
 use val3_lang::operators::{BinaryOp, UnaryOp};
 
 use super::{Body, Expr, ExprId};
 
-/// A value known before the program runs.
+/// A value that is known before the program runs.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Constant {
     /// A number.
@@ -17,7 +17,7 @@ pub enum Constant {
 }
 
 impl Body {
-    /// The value of `id` if it is made of literals alone.
+    /// Returns the value of `id` if the expression consists only of literals.
     pub fn constant(&self, id: ExprId) -> Option<Constant> {
         match self.expr(id) {
             Expr::Number(value) => Some(Constant::Number(*value)),
@@ -30,7 +30,7 @@ impl Body {
         }
     }
 
-    /// The number that `id` evaluates to, if it is constant.
+    /// Returns the number value of `id` if the expression is constant.
     pub fn number(&self, id: ExprId) -> Option<f64> {
         match self.constant(id)? {
             Constant::Number(value) => Some(value),
@@ -38,7 +38,7 @@ impl Body {
         }
     }
 
-    /// The string that `id` evaluates to, if it is constant.
+    /// Returns the string value of `id` if the expression is constant.
     pub fn string(&self, id: ExprId) -> Option<SmolStr> {
         match self.constant(id)? {
             Constant::String(text) => Some(text),
@@ -46,7 +46,7 @@ impl Body {
         }
     }
 
-    /// The constant start of the string `id`: `"part"` of `"part"+sName`.
+    /// Returns the constant prefix of the string `id`, for example `part` for `"part"+sName`.
     pub fn beginning(&self, id: ExprId) -> SmolStr {
         if let Some(whole) = self.string(id) {
             return whole;

@@ -1,4 +1,4 @@
-//! From the tree to the body: statements here, expressions below.
+//! Lowering from the tree to the body: statements here, expressions in a submodule.
 
 mod expressions;
 
@@ -11,11 +11,11 @@ use self::expressions::is_expr;
 use super::{Body, Expr, ExprId, Stmt, StmtKind};
 use crate::items::program;
 
-/// Reads the code of the first program of a `.pgx`.
+/// Lowers the code of the first program in a `.pgx`.
 pub(super) fn lower(file: View<'_>) -> Body {
     let Some(code) = program::code(file) else { return Body::default() };
     let escaped = !code.children_with_tokens().any(|child| kind_of(&child) == CDATA_OPEN);
-    // A list that grew would be copied again and again.
+    // Exact capacity, because a growing list would be copied repeatedly.
     let exprs = Vec::with_capacity(code.count(is_expr));
     let mut lowering = Lowering { exprs, escaped };
     let block = lowering.block(code);
@@ -29,17 +29,17 @@ fn kind_of(child: &NodeOrToken<View<'_>, TokenView<'_>>) -> SyntaxKind {
     }
 }
 
-/// A list that is kept in just its length: collected here first, it is allocated once.
+/// Collects a list of unknown length, so that the final list is allocated once with its exact length.
 type ShortList<T> = SmallVec<[T; 8]>;
 
 struct Lowering {
     exprs: Vec<(Expr, TextRange)>,
-    /// The code is escaped text: strings hold entity references.
+    /// Whether the code is escaped text, so that strings contain entity references.
     escaped: bool,
 }
 
 impl Lowering {
-    /// The statements of the `BLOCK` below `parent`.
+    /// Lowers the statements of the `BLOCK` below `parent`.
     fn block(&mut self, parent: View<'_>) -> Vec<Stmt> {
         let Some(block) = parent.child(BLOCK) else { return Vec::new() };
         let mut stmts = Vec::with_capacity(block.children().count());
@@ -79,7 +79,7 @@ impl Lowering {
         StmtKind::If { arms, otherwise }
     }
 
-    /// The parts of `for` are distinguished by the tokens before them: any of them may be missing.
+    /// Lowers `for`. Its parts are distinguished by the preceding tokens, because any part may be missing.
     fn for_stmt(&mut self, view: View<'_>) -> StmtKind {
         let [mut counter, mut start, mut stop, mut step] = [None; 4];
         let mut after = FOR_KW;
@@ -111,7 +111,7 @@ impl Lowering {
                     cases.push((values, self.block(clause)));
                 }
                 _ => {
-                    // A line after a `break` belongs to no case.
+                    // A line after `break` belongs to no case.
                     let stray = self.stmt(clause);
                     cases.extend(stray.map(|stmt| (Vec::new(), vec![stmt])));
                 }

@@ -1,24 +1,24 @@
-//! Whether two expressions of a body say the same.
+//! Comparison of expressions by their normal forms.
 
 use std::fmt::{Arguments, Write};
 
 use super::{Body, Constant, Expr, ExprId};
 
 impl Body {
-    /// Both expressions are written alike, parentheses and ways to write a constant aside. Whether they yield the
-    /// same value depends on what happens between them.
+    /// Whether both expressions have the same form, except for parentheses and the spelling of constants. Whether they
+    /// yield the same value depends on the code between them.
     pub fn is_same(&self, left: ExprId, right: ExprId) -> bool {
         self.normal_form(left) == self.normal_form(right)
     }
 
-    /// The expression as text: two expressions have equal texts if and only if they are the same.
+    /// Returns the expression as a string: two expressions have equal strings if and only if they are the same.
     pub fn normal_form(&self, id: ExprId) -> String {
         let mut form = Form { body: self, folds_constants: true, text: String::new() };
         form.expr(id);
         form.text
     }
 
-    /// As [`normal_form`](Self::normal_form), with constants as they are written: `2*3` differs from `6`.
+    /// Returns the [`normal_form`](Self::normal_form) with constants as written: `2*3` differs from `6`.
     pub fn written_form(&self, id: ExprId) -> String {
         let mut form = Form { body: self, folds_constants: false, text: String::new() };
         form.expr(id);
@@ -28,7 +28,7 @@ impl Body {
 
 struct Form<'b> {
     body: &'b Body,
-    /// Constant expressions are their values.
+    /// Whether constant expressions are replaced by their values.
     folds_constants: bool,
     text: String,
 }

@@ -1,16 +1,16 @@
-//! Ways through a body: its blocks, and the expressions of its statements.
+//! Iteration over the blocks of a body and over the expressions of a statement.
 
 use super::{Body, ExprId, Stmt, StmtKind};
 
 impl Body {
-    /// Every list of statements: the program's own and those of inner blocks.
+    /// Returns every list of statements: the outermost block and all inner blocks.
     pub fn blocks(&self) -> impl Iterator<Item = &[Stmt]> {
         std::iter::once(self.block.as_slice()).chain(self.stmts().into_iter().flat_map(Stmt::blocks))
     }
 }
 
 impl StmtKind {
-    /// The expressions of the statement itself, without those of its blocks.
+    /// Returns the expressions of the statement, without the expressions in its blocks.
     pub fn exprs(&self) -> Vec<ExprId> {
         match self {
             Self::If { arms, .. } => arms.iter().filter_map(|(condition, _)| *condition).collect(),

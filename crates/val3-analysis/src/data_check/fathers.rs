@@ -1,4 +1,4 @@
-//! Fathers: the reference frame of a point or frame, the base tool of a tool (9.4 to 9.6).
+//! Fathers: the reference frame of a point or frame, and the base tool of a tool (9.4 to 9.6).
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -17,17 +17,17 @@ use crate::problem::{Problem, ProblemKind, Related, Role};
 use crate::ty::Base;
 use crate::xml::{Attribute, Element};
 
-/// One step of a reference: a name and the indexes in brackets after it.
+/// One step of a father reference: a name, and an optional index in brackets.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReferencePart {
-    /// The name of data, or of a field.
+    /// Name of data or of a field.
     pub name: String,
-    /// The index, or the key with its quotes.
+    /// Index, or key with its quotes.
     pub index: Option<String>,
 }
 
 impl DataCheck<'_> {
-    /// `fatherId="fTray[0]"`, `fatherId="tSlot["a"].fFrame[0]"`.
+    /// Checks a father reference: `fatherId="fTray[0]"`, `fatherId="tSlot["a"].fFrame[0]"`.
     pub(super) fn father(&mut self, found: Attribute<'_>, expected: BaseType) {
         let text = found.text().into_owned();
         let shown = SmolStr::from(text.as_str());
@@ -45,7 +45,7 @@ impl DataCheck<'_> {
         }
     }
 
-    /// Data called `world` or `flange` that is no frame or tool has the message for everything that hangs on it.
+    /// Reports data called `world` or `flange` with another type: one problem for all values with this father.
     pub(super) fn hidden_father(&mut self, declared: Attribute<'_>) {
         let (db, name) = (self.db, SmolStr::from(declared.text()));
         let Some(builtin) = hidden_father(db, self.project, &name) else { return };
@@ -110,7 +110,7 @@ impl DataCheck<'_> {
         Resolved::Missing(nearest(name, names).map(SmolStr::from))
     }
 
-    /// `<fFather alias name fatherIndex>` of the old dialect; a father may live in a library there.
+    /// Checks `<fFather alias name fatherIndex>` of the old dialect, where a father may be in a library.
     pub(super) fn old_fathers(&mut self, element: Element<'_>) {
         let Some((base, _)) = BaseType::from_file_name(element.name()) else { return };
         let Some(expected) = base.father() else { return };
@@ -128,7 +128,7 @@ impl DataCheck<'_> {
         }
     }
 
-    /// Frames and tools that are each other's fathers. Each circle is reported once, at its first value in the file.
+    /// Reports circular fathers of frames and tools. Each cycle is reported once, at its first value in the file.
     pub(super) fn father_circles(&mut self, view: View<'_>) {
         let links = links(view);
         let mut state: FxHashMap<&str, bool> = FxHashMap::default();
@@ -156,7 +156,7 @@ impl DataCheck<'_> {
     }
 }
 
-/// `fTray[0]` of a single value reads better as `fTray`.
+/// Omits the index of a single value for readability: `fTray` for `fTray[0]`.
 fn bare(node: &str) -> SmolStr {
     node.strip_suffix("[0]").unwrap_or(node).into()
 }
@@ -165,7 +165,7 @@ enum Resolved {
     Base(Base),
     Missing(Option<SmolStr>),
     OutOfRange(SmolStr),
-    /// Something else is wrong, or missing.
+    /// Not reported here: another problem exists, or information is missing.
     Silent,
 }
 
@@ -178,7 +178,7 @@ fn out_of_range(item: &DataItem, step: &ReferencePart) -> Option<SmolStr> {
     (!inside).then(|| show_size_of(&item.decl))
 }
 
-/// Splits `tSlot["a"].fFrame[0]` into its steps; `None` where it is no reference.
+/// Splits `tSlot["a"].fFrame[0]` into its steps; `None` if it is no father reference.
 pub fn steps(reference: &str) -> Option<Vec<ReferencePart>> {
     let mut steps = Vec::new();
     let mut rest = reference.trim();
@@ -204,7 +204,7 @@ pub fn steps(reference: &str) -> Option<Vec<ReferencePart>> {
     }
 }
 
-/// Which value hangs on which: `name[key]` to `name[key]`, with the place of the reference.
+/// Father of each value: `name[key]` to `name[key]`, with the range of the reference.
 struct Links {
     father: FxHashMap<String, (String, TextRange)>,
     order: Vec<(String, TextRange)>,

@@ -1,4 +1,4 @@
-//! Links of inputs and outputs, against what the cell's configuration declares.
+//! Checks of input and output links against the cell's configuration.
 
 use smol_str::SmolStr;
 use val3_lang::suggest::nearest;
@@ -10,7 +10,8 @@ use crate::problem::ProblemKind;
 use crate::xml::Attribute;
 
 impl DataCheck<'_> {
-    /// `link="Socket\host"`, `link="BasicIO-1\%I3"`, where the cell's configuration names what the device has.
+    /// Checks `link="Socket\host"` or `link="BasicIO-1\%I3"` if the cell's configuration lists the signals of the
+    /// device.
     pub(super) fn link(&mut self, found: Attribute<'_>, ty: BaseType) {
         let text = found.text();
         let Some(cell) = self.project.cell(self.db) else { return };
@@ -28,7 +29,7 @@ impl DataCheck<'_> {
         }
     }
 
-    /// `link="CE061C2D-63EF-…"`: a signal of a field bus.
+    /// Checks the link of a field bus signal, for example `link="CE061C2D-63EF-…"`.
     fn tag(&mut self, found: Attribute<'_>, wanted: BaseType, io: &Io) {
         let text = found.text();
         let (Some(tag), Some(known)) = (guid(&text), &io.tags) else { return };

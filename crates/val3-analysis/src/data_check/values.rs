@@ -1,4 +1,4 @@
-//! `<Value>` and `<Field>`: keys, attributes and nested values.
+//! Checks of `<Value>` and `<Field>`: keys, attributes and nested values.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::{SmolStr, format_smolstr};
@@ -17,7 +17,7 @@ use crate::ty::{Base, STRING_LIMIT, brackets};
 use crate::xml::{Attribute, Element};
 
 impl DataCheck<'_> {
-    /// The values of a variable or field. No `sizes`: the size is not known.
+    /// Checks the values of a variable or field. `sizes` is empty if the size is unknown.
     pub(super) fn values(&mut self, element: Element<'_>, base: Base, container: Container, sizes: &[u32]) {
         let mut seen = FxHashSet::default();
         for value in element.elements() {
@@ -66,7 +66,7 @@ impl DataCheck<'_> {
         }
     }
 
-    /// The attributes of a value of a built-in type.
+    /// Checks the attributes of a built-in type's value.
     fn attributes(&mut self, value: Element<'_>, ty: BaseType, arm: Option<types::Arm>) {
         let arm = arm.or(self.items.arm);
         let names: Vec<&str> = types::attributes(ty, arm).iter().map(|attribute| attribute.name).collect();
@@ -101,7 +101,7 @@ impl DataCheck<'_> {
         self.report(found.range, kind);
     }
 
-    /// The `<Field>`s of a value of a user type.
+    /// Checks the `<Field>` elements of a user type's value.
     fn fields(&mut self, value: Element<'_>, base: Base) {
         let Base::User(project) = base else { return };
         let known = fields(self.db, project);
@@ -153,7 +153,7 @@ impl DataCheck<'_> {
     }
 }
 
-/// The attributes that a value of any type has.
+/// Returns the attributes that values of every type have.
 fn value_attributes() -> &'static [files::Attribute] {
     files::find(FileKind::Data, VALUE).map_or(&[], |value| value.attributes)
 }
@@ -169,7 +169,7 @@ fn is_number(text: &str) -> bool {
     text.trim().parse::<f64>().is_ok_and(f64::is_finite)
 }
 
-/// The values of an enumeration, as files spell them.
+/// Lists the enumeration's values as spelt in files.
 fn choices(ty: BaseType) -> SmolStr {
     let names: Vec<SmolStr> = enumerations::values(ty).map(|value| format_smolstr!("`{}`", value.file_name)).collect();
     alternatives(&names)

@@ -1,4 +1,4 @@
-//! The inputs: everything that is read from the disk.
+//! Salsa inputs: all data that the loader reads from the disk.
 
 #![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
 
@@ -13,59 +13,59 @@ use val3_syntax::encoding::{Encoding, Mismatch};
 use crate::cell::CellConfig;
 use crate::paths::Roots;
 
-/// One file of the workspace.
+/// A file of the workspace.
 #[salsa::input(debug)]
 pub struct File {
-    /// Where it lies, as spelt on the disk.
+    /// Path as spelt on the disk.
     #[returns(ref)]
     pub path: Utf8PathBuf,
-    /// The text, decoded; empty where the file cannot be read.
+    /// Decoded text; empty if the file cannot be read.
     #[returns(ref)]
     pub text: Arc<str>,
-    /// How it was read.
+    /// Result of reading the file.
     #[returns(ref)]
     pub status: FileStatus,
 }
 
-/// How a file was read.
+/// Result of reading a file.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum FileStatus {
-    /// It was read.
+    /// The file was read.
     Read {
-        /// The encoding of its text.
+        /// Encoding of the text.
         encoding: Encoding,
-        /// How its bytes contradict the encoding that it declares.
+        /// Contradiction between the bytes and the declared encoding.
         mismatch: Option<Mismatch>,
     },
-    /// It is there and cannot be read, for this reason.
+    /// The file exists but cannot be read, for this reason.
     Unreadable(String),
 }
 
-/// One application, library or user type: a `.pjx` with the place it is read from.
+/// One application, library or user type: a `.pjx` and its surroundings.
 #[salsa::input(debug)]
 pub struct Project {
-    /// The `.pjx`.
+    /// Project file (`.pjx`).
     #[returns(copy)]
     pub manifest: File,
-    /// The folders of `Disk://` and other roots of paths.
+    /// Folders of `Disk://` and other path roots.
     #[returns(ref)]
     pub roots: Roots,
-    /// The cell around it.
+    /// Enclosing cell.
     #[returns(copy)]
     pub cell: Option<Cell>,
-    /// Names of what lies in its folder, sorted.
+    /// Sorted names of the entries in the project's folder.
     #[returns(ref)]
     pub beside: Vec<SmolStr>,
-    /// The HTML files and the files of bindings of its user pages, sorted.
+    /// HTML files and binding files of the user pages, sorted.
     #[returns(ref)]
     pub pages: Vec<File>,
-    /// References of the project file that lead outside, as written. Their files are not read.
+    /// References in the project file to paths outside of the cell, as written. Their files are not read.
     #[returns(ref)]
     pub outside: Vec<SmolStr>,
-    /// The nearest `val3.toml` above it.
+    /// Nearest `val3.toml` in the project's folder or above.
     #[returns(copy)]
     pub configuration: Option<Configuration>,
-    /// A folder `tests` of its cell leads to it.
+    /// Whether a folder `tests` of the cell contains the project.
     #[returns(copy)]
     pub is_below_tests: bool,
 }
@@ -73,7 +73,7 @@ pub struct Project {
 /// A `val3.toml`.
 #[salsa::input(debug)]
 pub struct Configuration {
-    /// Its content.
+    /// Content of the file.
     #[returns(ref)]
     pub file: ConfigFile,
 }
@@ -81,21 +81,21 @@ pub struct Configuration {
 /// A controller folder: `usr` with its `configs` and `app`.
 #[salsa::input(debug)]
 pub struct Cell {
-    /// The content of its configuration files.
+    /// Content of the configuration files.
     #[returns(ref)]
     pub config: CellConfig,
 }
 
-/// Every file and project that was found.
+/// All files and projects that the loader has found.
 #[salsa::input(singleton, debug)]
 pub struct Sources {
-    /// Files by their path key.
+    /// Files by path key.
     #[returns(ref)]
     pub files: FxHashMap<String, File>,
-    /// Programs and data in the folder of a project that no project lists, by their path key.
+    /// Unlisted programs and data in project folders, by path key.
     #[returns(ref)]
     pub unlisted: FxHashMap<String, File>,
-    /// Projects by the path key of their `.pjx`.
+    /// Projects by the path key of the `.pjx`.
     #[returns(ref)]
     pub projects: FxHashMap<String, Project>,
 }

@@ -1,5 +1,5 @@
-//! The cache of syntax trees. A tree depends on its text alone: an incremental or repeated parse gives an equal tree. So
-//! trees are no part of a query's dependencies, and can be dropped at any time.
+//! Cache of syntax trees. A tree depends only on its text, because an incremental or repeated parse yields an equal
+//! tree. Trees are therefore no dependencies of queries, and can be dropped at any time.
 
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -8,28 +8,28 @@ use val3_syntax::{Parse, parse_shared};
 
 use super::inputs::File;
 
-/// The trees that are kept.
+/// Cached trees by file.
 #[derive(Debug, Default)]
 pub struct Trees(Mutex<TreeCache>);
 
 #[derive(Debug, Default)]
 struct TreeCache {
     trees: FxHashMap<File, Tree>,
-    /// Counts the uses.
+    /// Number of uses so far.
     clock: u64,
 }
 
 #[derive(Debug)]
 struct Tree {
     text: Arc<str>,
-    /// Parsed by the first caller; concurrent callers wait for it.
+    /// Tree, parsed by the first caller. Concurrent callers wait for it.
     parse: Arc<OnceLock<Parse>>,
-    /// When it was used last.
+    /// Value of `clock` at the last use.
     used: u64,
 }
 
 impl Trees {
-    /// The tree of `text`, which is what `file` holds now.
+    /// Returns the tree of `text`, the present content of `file`.
     pub(crate) fn parse(&self, file: File, text: &Arc<str>) -> Parse {
         let (parse, before) = self.tree(file, text);
         let make = || {
@@ -39,7 +39,7 @@ impl Trees {
         parse.get_or_init(make).clone()
     }
 
-    /// The cache entry for the tree of `text`, and the previous entry if it was the tree of another text.
+    /// Returns the cache entry for the tree of `text`, and the previous entry if its text was different.
     fn tree(&self, file: File, text: &Arc<str>) -> (Arc<OnceLock<Parse>>, Option<Tree>) {
         let mut kept = self.kept();
         kept.clock += 1;
@@ -53,21 +53,21 @@ impl Trees {
         (parse, before)
     }
 
-    /// Forgets the trees of `files`.
+    /// Removes the trees of `files` from the cache.
     pub fn forget(&self, files: impl IntoIterator<Item = File>) {
         let mut kept = self.kept();
         let forgotten: Vec<Tree> = files.into_iter().filter_map(|file| kept.trees.remove(&file)).collect();
-        // A large tree takes a while to be taken apart.
+        // Dropped after the lock, because dropping a large tree takes time.
         drop(kept);
         drop(forgotten);
     }
 
-    /// The number of trees that are kept.
+    /// Returns the number of cached trees.
     pub fn count(&self) -> usize {
         self.kept().trees.len()
     }
 
-    /// Forgets all trees but the `count` that were used last.
+    /// Removes all trees except the `count` most recently used ones.
     pub fn keep_latest(&self, count: usize) {
         let kept = self.kept();
         let Some(surplus) = kept.trees.len().checked_sub(count).filter(|surplus| *surplus > 0) else { return };
@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn the_last_used_trees_are_kept() {
-        // Small nodes are shared; this one is too long for that.
+        // Small nodes are shared; this node is too long to be shared.
         let text = format!("<Project>{}</Project>", " ".repeat(80));
         let files = ["a", "b", "c"].map(|name| (format!("/d/{name}/{name}.pjx"), text.clone()));
         let workspace = load_into(Database::default(), &Memory::new(files), &["/d".into()]).unwrap();

@@ -1,4 +1,4 @@
-//! From a point to the variables it touches.
+//! Collection of variable accesses from the expressions at a flow node.
 
 use val3_lang::types::BaseType;
 
@@ -60,7 +60,7 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// An expression whose value is used.
+    /// Adds an expression whose value is read.
     fn value(&mut self, id: ExprId) {
         match self.effects.body.expr(id) {
             Expr::Name(_) | Expr::Path { .. } | Expr::Index(..) | Expr::Field { .. } => {
@@ -79,14 +79,14 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// An expression that gets a value.
+    /// Adds an expression to which a value is assigned.
     fn target(&mut self, id: ExprId) {
         self.indexes(id);
         let whole = matches!(self.effects.body.expr(id), Expr::Name(_) | Expr::Path { .. });
         self.add(id, if whole { AccessKind::Write } else { AccessKind::WritePart });
     }
 
-    /// The indexes within a variable, and whatever it is a part of that is no variable.
+    /// Adds the indexes within a variable, and a base expression that is no variable.
     fn indexes(&mut self, id: ExprId) {
         match self.effects.body.expr(id) {
             Expr::Index(base, keys) => {
@@ -101,7 +101,7 @@ impl Walk<'_, '_> {
 
     fn instruction(&mut self, id: ExprId, args: &[ExprId]) {
         let Some((instruction, form)) = self.effects.instruction(id) else {
-            // The effect of an unknown instruction on its arguments is unknown.
+            // An unknown instruction may have any effect on its arguments.
             return args.iter().for_each(|arg| self.argument(*arg, Some(AccessKind::Reference)));
         };
         for (position, arg) in args.iter().enumerate() {
@@ -109,7 +109,7 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// An argument; `kind` says what becomes of a variable that is handed over.
+    /// Adds an argument; `kind` is the use of a variable that is passed by reference.
     fn argument(&mut self, arg: ExprId, kind: Option<AccessKind>) {
         match kind.and_then(|kind| Some((kind, self.effects.root(arg)?))) {
             Some((kind, root)) => {
@@ -128,11 +128,11 @@ impl Walk<'_, '_> {
         }
     }
 
-    /// Name, priority or period with overrun flag, and the call.
+    /// Adds the arguments of a task creation: name, priority or period with overrun flag, and the call.
     fn task_create(&mut self, arguments: &[ExprId]) {
         let Some((call, before)) = arguments.split_last() else { return };
         for argument in before {
-            // The overrun flag is written by the system.
+            // The system writes the overrun flag.
             let is_flag = matches!(self.effects.inference.ty(*argument).base.builtin(), Some(BaseType::Bool));
             self.argument(*argument, is_flag.then_some(AccessKind::Reference));
         }
@@ -140,7 +140,7 @@ impl Walk<'_, '_> {
     }
 }
 
-/// The possible effects of a program on the argument at `position`; any effect where the program is unknown.
+/// Returns the possible use of the argument at `position` by a called program; by reference if the program is unknown.
 fn passing(signature: Option<&Signature>, position: usize) -> Option<AccessKind> {
     let by_reference = match signature {
         Some(signature) => signature.params.get(position).is_some_and(|param| param.by_reference),

@@ -1,4 +1,4 @@
-//! The memory that declared variables need.
+//! Memory limit of declared variables.
 
 use val3_lang::memory::{Kind, Lanes, MEMORY};
 use val3_lang::types::Container;
@@ -11,8 +11,8 @@ use crate::ty::Base;
 use crate::xml::Element;
 
 impl FileCheck<'_> {
-    /// The values of an array, alone and together with those of the variables before it in the file. A variable that is
-    /// too large does not count for the following ones.
+    /// Checks the memory of a variable, and its sum with all preceding variables of the file. A variable that exceeds
+    /// the limit does not count for the following variables.
     pub(crate) fn memory(&mut self, element: Element<'_>) {
         let Some(name) = element.attribute("name") else { return };
         let bytes = bytes(self.items, element);
@@ -26,7 +26,8 @@ impl FileCheck<'_> {
     }
 }
 
-/// The bytes of the values of an array; of a user type those of the references to its fields, which is the least.
+/// Returns the size of an array's values in bytes. For user types, only the references to the fields are counted, as a
+/// lower bound.
 fn bytes(items: &Items, element: Element<'_>) -> u64 {
     let Some(declared) = data::declaration(element) else { return 0 };
     if declared.container == Container::Collection {

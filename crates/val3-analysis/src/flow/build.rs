@@ -1,4 +1,4 @@
-//! Statements to points.
+//! Construction of the control-flow graph from statements.
 
 use rowan::TextRange;
 use smallvec::{SmallVec, smallvec};
@@ -6,18 +6,18 @@ use smallvec::{SmallVec, smallvec};
 use super::{Flow, Point, PointId, PointKind};
 use crate::body::{Body, ExprId, Stmt, StmtKind};
 
-/// An edge to a point that does not exist yet: the branch of a point.
+/// A node with an edge whose end does not exist yet.
 type OpenEdge = PointId;
-/// Several of them.
+/// Several open edges.
 type OpenEdges = SmallVec<[OpenEdge; 4]>;
 
-/// Expressions for each point, in programs of short lines.
+/// Typical number of expressions for each flow node, in programs with short lines.
 const EXPRESSIONS_A_POINT: usize = 4;
 
 struct Builder<'b> {
     body: &'b Body,
     flow: Flow,
-    /// Points whose open branch continues at the next point.
+    /// Nodes whose open edge will lead to the next node.
     loose: OpenEdges,
 }
 
@@ -41,7 +41,7 @@ impl Builder<'_> {
         id
     }
 
-    /// Leads every loose way to `target`.
+    /// Connects all open edges to `target`.
     fn join(&mut self, target: PointId) {
         for from in std::mem::take(&mut self.loose) {
             if let Some(point) = self.flow.points.get_mut(from.index()) {
@@ -50,7 +50,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A point that comes next; afterwards it is the loose one.
+    /// Adds the next node and connects all open edges to it. The edge from the new node becomes the open edge.
     fn then(&mut self, kind: PointKind, range: TextRange) -> PointId {
         let id = self.add(kind, range);
         self.join(id);
@@ -120,7 +120,8 @@ impl Builder<'_> {
             let test = self.test(*condition, false, range);
             self.block(block);
             ends.append(&mut self.loose);
-            // An empty block leaves the test loose in its first branch: the second must come second.
+            // After an empty block, the test itself is the open end of its first branch; the first edge must be added
+            // before the second.
             self.resolve_empty_block(&mut ends, test, range);
             self.loose = smallvec![test];
         }
@@ -128,8 +129,7 @@ impl Builder<'_> {
         self.loose.append(&mut ends);
     }
 
-    /// Where a block is empty, the way through it gets a point of its own, so that a test has its two branches in
-    /// order.
+    /// Adds a separate node for an empty block, so that the two edges of a test are in order.
     fn resolve_empty_block(&mut self, ends: &mut [OpenEdge], test: PointId, range: TextRange) {
         for end in ends.iter_mut().filter(|end| **end == test) {
             let empty = self.add(PointKind::Empty, TextRange::empty(range.end()));
@@ -144,7 +144,7 @@ impl Builder<'_> {
         let first = PointId(u32::try_from(self.flow.points.len()).unwrap_or(u32::MAX));
         self.block(block);
         let test = self.test(condition, true, range);
-        // `until` ends the loop where it is true. With an empty block the test itself is the first point.
+        // `until` ends the loop if the condition is true. With an empty block, the test itself is the first node.
         let after = self.add(PointKind::Empty, TextRange::empty(range.end()));
         if let Some(point) = self.flow.points.get_mut(test.index()) {
             point.next.extend([after, first]);

@@ -1,32 +1,32 @@
-//! Solves data-flow problems by iteration to a fixed point.
+//! Data-flow analysis by iteration to a fixed point.
 //!
-//! Points are numbered in the order of the text, so that a round in this order carries everything from the start to
-//! the end; only what a loop brings back needs another round.
+//! Nodes are numbered in source order, so one pass in this order propagates facts from the start to the end. Only the
+//! back edges of loops require further passes.
 
 use smallvec::SmallVec;
 
 use super::{Flow, Point, PointId};
 
-/// The facts at each point: before it, or after it where the problem was solved backward.
+/// Facts before each flow node; after each node for a backward problem.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Facts<S>(Vec<Option<S>>);
 
 impl<S> Facts<S> {
-    /// The facts before the point; `None` if it is unreachable.
+    /// Returns the facts before the node; `None` if it is unreachable.
     pub fn before(&self, point: PointId) -> Option<&S> {
         self.0.get(point.index())?.as_ref()
     }
 
-    /// The facts after the point, of a problem that was solved backward; `None` if no path reaches the end.
+    /// Returns the facts after the node, for a backward problem; `None` if no path from the node reaches the end.
     pub fn after(&self, point: PointId) -> Option<&S> {
         self.before(point)
     }
 }
 
-/// Solves a forward problem. `start` are the facts at the beginning, `step` computes the facts after a point from those
-/// before it, and `join` merges the facts of another path and returns whether they changed.
+/// Solves a forward problem. `start` is the facts at the beginning, `step` computes the facts after a node from the
+/// facts before it, and `join` merges the facts of another path and returns whether this changed the facts.
 ///
-/// It terminates if `join` is monotone over a lattice of finite height.
+/// The iteration terminates if `join` is monotone over a lattice of finite height.
 pub fn forward<S: Clone>(
     flow: &Flow,
     start: S,
@@ -38,8 +38,8 @@ pub fn forward<S: Clone>(
     solve(flow, &order, next, (Flow::START, start), step, join)
 }
 
-/// Solves a backward problem. `end` are the facts at the end of the program, and `step` computes the facts before a point
-/// from those after it. `join` is that of [`forward`].
+/// Solves a backward problem. `end` is the facts at the end of the program, and `step` computes the facts before a node
+/// from the facts after it. `join` is as in [`forward`].
 pub fn backward<S: Clone>(
     flow: &Flow,
     end: S,
@@ -47,7 +47,7 @@ pub fn backward<S: Clone>(
     join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {
     let mut order: Vec<PointId> = flow.points().map(|(id, _)| id).collect();
-    // The end is the second point: it comes first, then the text from its last line.
+    // The end node is the second node: it is moved to the front, followed by the nodes from the last line upwards.
     order.reverse();
     order.sort_by_key(|id| *id != Flow::END);
     let mut previous: Vec<SmallVec<[PointId; 2]>> = vec![SmallVec::new(); flow.len()];

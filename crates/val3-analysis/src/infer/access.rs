@@ -1,4 +1,4 @@
-//! Indexes and fields.
+//! Inference of indexes and fields.
 
 use rowan::TextRange;
 use smol_str::SmolStr;
@@ -58,8 +58,8 @@ impl Infer<'_> {
         }
     }
 
-    /// A constant index: below zero is wrong, above the size only where the size cannot change; neither is where the
-    /// value need not be there, as for `isDefined`.
+    /// Checks a constant index. A negative index is always wrong, an index above the size only if the size cannot
+    /// change. Neither is wrong if the value may be absent, as for `isDefined`.
     fn bounds(&mut self, id: ExprId, name: &SmolStr, (variable, position): (&Variable, usize), number: f64) {
         // Indexes are rounded to the nearest whole number (2.5.3).
         let index = (number + 0.5).floor() as i64;
@@ -117,7 +117,7 @@ impl Infer<'_> {
     }
 }
 
-/// A field of a built-in type: a part of a variable, or of a computed value.
+/// Returns a field of a built-in type: a part of a variable or of a computed value.
 fn part(whole: &Value, base: Base) -> Value {
     match whole.form {
         Form::Computed => Value::computed(base),

@@ -1,4 +1,4 @@
-//! Choosing the form of a callee that the arguments suit, or saying which argument suits none.
+//! Selection of the form that matches the arguments of a call, or report of the argument that matches no form.
 
 use crate::db::FileRange;
 use smallvec::SmallVec;
@@ -15,34 +15,34 @@ use crate::ty::Base;
 
 /// A callee with all its forms.
 pub(super) struct Callee<'a> {
-    /// As the code writes it.
+    /// Name as written in the code.
     pub(super) name: SmolStr,
     pub(super) forms: SmallVec<[Formals<'a>; 4]>,
-    /// Its syntax lines; asked for only where a message shows them.
+    /// Returns the syntax lines; called only for a message that contains them.
     pub(super) lines: &'a dyn Fn() -> Vec<SmolStr>,
-    /// Where it is declared; asked for only where a message points there, because that reads another file.
+    /// Returns the location of the declaration; called only for a message, because it reads another file.
     pub(super) declared: &'a dyn Fn() -> Option<FileRange>,
 }
 
 impl Callee<'_> {
-    /// Some form takes an index or key that need not be there, as `insert` and `isDefined` do.
+    /// Whether some form accepts an absent index or key at `position`, as `insert` and `isDefined` do.
     fn takes_slot(&self, position: usize) -> bool {
         let mut formals = self.forms.iter().filter_map(|form| form.get(position));
         formals.any(|formal| matches!(formal.shape, Shape::Slot | Shape::Item))
     }
 }
 
-/// The forms of a callee that its arguments suit.
+/// Forms of a callee that match the arguments.
 pub(super) enum MatchingForms {
-    /// This one, or the one that was most likely meant.
+    /// The matching form, or else the most likely one.
     Form(usize),
-    /// Several: the type of an argument is not known.
+    /// Several forms, because an argument type is unknown.
     Several(Vec<usize>),
-    /// None, which was reported.
+    /// No form matches; the mismatch was reported.
     None,
 }
 
-/// The argument that keeps a form from suiting.
+/// First argument that does not match a form.
 #[derive(Clone, Copy)]
 struct MismatchedArgument<'a> {
     position: usize,
@@ -73,7 +73,8 @@ impl Infer<'_> {
         MatchingForms::Several(misses.iter().map(|(index, _)| *index).collect())
     }
 
-    /// Looks at an argument, a `slot` if it may name what is absent. `{…}` waits for the parameter it is for.
+    /// Infers an argument; `slot` means that it may name an absent value. `{…}` is inferred later, with the parameter's
+    /// type.
     fn argument(&mut self, id: ExprId, slot: bool) -> Argument {
         if let Expr::Struct(values) = self.body.expr(self.body.without_parentheses(id)) {
             return Argument { id, literal: Some(values.len()), value: Value::UNKNOWN };
@@ -84,7 +85,7 @@ impl Infer<'_> {
         Argument { id, literal: None, value }
     }
 
-    /// Types the `{…}` among the arguments by the parameters they are for.
+    /// Infers the `{…}` arguments with the types of the parameters.
     fn literals(&mut self, arguments: &[Argument], form: Option<Formals<'_>>) {
         for (position, argument) in arguments.iter().enumerate() {
             if argument.literal.is_some() {
@@ -94,7 +95,7 @@ impl Infer<'_> {
         }
     }
 
-    /// Types what is between braces without knowing what the braces are for.
+    /// Infers the values inside `{…}` without an expected type.
     fn literals_alone(&mut self, arguments: &[Argument]) {
         for argument in arguments.iter().filter(|argument| argument.literal.is_some()) {
             self.expr_as(argument.id, Some(Base::Unknown));
@@ -109,7 +110,7 @@ impl Infer<'_> {
         self.sink.report_with(call, kind, Role::Declared, (callee.declared)());
     }
 
-    /// Reports the argument that stops the forms which suit furthest.
+    /// Reports the first mismatch of the form that matches the most leading arguments.
     fn report_miss(
         &mut self,
         arguments: &[Argument],
@@ -122,7 +123,7 @@ impl Infer<'_> {
             .filter_map(|(_, miss)| miss.as_ref())
             .filter(|miss| Some(miss.position) == furthest)
             .collect();
-        // A wrong container or a constant says more than a wrong type of another form.
+        // A container or constant mismatch is more helpful than another form's type mismatch.
         let chosen = best.iter().find(|miss| miss.misfit != Misfit::Type).or(best.first());
         let Some(&&miss) = chosen else { return };
         let others: Vec<Argument> = arguments
@@ -144,7 +145,8 @@ impl Infer<'_> {
         self.sink.report_with(argument.id, kind, Role::Declared, (callee.declared)());
     }
 
-    /// The types of a parameter and of its argument, with their files, if they are user types of one name.
+    /// Returns the types of a parameter and its argument with their files, if they are different user types with the
+    /// same name.
     fn homonyms(&self, miss: MismatchedArgument<'_>, argument: &Argument) -> Option<[SmolStr; 2]> {
         let (expected, found) = (miss.formal.base?, argument.value.base);
         let is_homonym = self.scope.show(expected) == self.scope.show(found);
@@ -188,7 +190,7 @@ impl Infer<'_> {
     }
 }
 
-/// The first argument that keeps `form` from suiting.
+/// Returns the first argument that does not match `form`.
 fn first_miss<'a>(arm: Option<Arm>, arguments: &[Argument], form: Formals<'a>) -> Option<MismatchedArgument<'a>> {
     arguments.iter().enumerate().find_map(|(position, argument)| {
         let formal = form.get(position)?;

@@ -1,4 +1,4 @@
-//! Calls of instructions, those of add-ons among them.
+//! Inference of instruction calls, including add-on instructions.
 
 use smallvec::SmallVec;
 use smol_str::{SmolStr, format_smolstr};
@@ -15,18 +15,18 @@ use crate::body::{Expr, ExprId};
 use crate::problem::ProblemKind;
 use crate::ty::{Base, Ty};
 
-/// Result and class of a form.
+/// Result type and class of a form.
 type Outcome = (Option<BaseType>, Class);
 
-/// The result of the resolution of a call.
+/// Result of resolving a call.
 struct ResolvedCall {
-    /// `None` for no value.
+    /// Result type; `None` if the call returns no value.
     result: Option<Base>,
     class: Class,
 }
 
 impl Infer<'_> {
-    /// A call where its value is needed.
+    /// Infers a call whose value is used.
     pub(super) fn call_value(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) -> Value {
         match self.call(id, callee, args) {
             Some(ResolvedCall { result: Some(base), .. }) => Value::computed(base),
@@ -39,7 +39,7 @@ impl Infer<'_> {
         }
     }
 
-    /// A call alone on its line: it must act.
+    /// Infers a call as a statement: it must have an effect.
     pub(super) fn instruction_stmt(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) {
         if let Some(called) = self.call(id, callee, args) {
             self.table.set_type(id, called.result.map_or(Ty::UNKNOWN, Ty::element));
@@ -49,7 +49,7 @@ impl Infer<'_> {
         }
     }
 
-    /// Any call of an instruction; `None` where something is wrong with it.
+    /// Infers any instruction call; `None` if it has a fault.
     fn call(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) -> Option<ResolvedCall> {
         match self.body.expr(callee) {
             Expr::Name(name) => {
@@ -123,7 +123,7 @@ impl Infer<'_> {
         self.outcome(&chosen, &outcomes)
     }
 
-    /// The result of a call. If several forms suit, or none, the result that they all share.
+    /// Returns the result of a call. If several forms or no form match, returns the result if all of them agree.
     fn outcome(&self, chosen: &MatchingForms, outcomes: &[Outcome]) -> Option<ResolvedCall> {
         let mut possible: SmallVec<[Outcome; 4]> = match chosen {
             MatchingForms::Form(index) => outcomes.get(*index).copied().into_iter().collect(),
@@ -137,7 +137,7 @@ impl Infer<'_> {
         Some(ResolvedCall { result: result.map(|ty| Base::of(ty).on_arm(self.scope.arm())), class: *class })
     }
 
-    /// An instruction that only an add-on has: its table in the cell decides.
+    /// Resolves an instruction that only an add-on provides, by the add-on's table in the cell.
     fn add_on_instruction(
         &mut self,
         id: ExprId,
@@ -171,8 +171,8 @@ impl Infer<'_> {
         self.outcome(&chosen, &outcomes)
     }
 
-    /// An instruction of an add-on without a table, resolved by the forms of the catalogue, which the virtual controller
-    /// executes. The installed add-on may have other forms, so a mismatch is not reported.
+    /// Resolves an add-on instruction without a table by the forms of the catalogue, which the virtual controller
+    /// executes. A mismatch is not reported, because the installed add-on may have other forms.
     fn resolve_by_catalogue(
         &mut self,
         id: ExprId,
@@ -195,7 +195,7 @@ impl Infer<'_> {
     }
 }
 
-/// `num $fileOpen(string s1, num& n2[])`
+/// Formats a syntax line, for example `num $fileOpen(string s1, num& n2[])`.
 fn add_on_line(name: &str, form: &AddOnOverload) -> SmolStr {
     let params: Vec<String> = form
         .params

@@ -1,4 +1,4 @@
-//! Expressions: each has one function, which yields its value and reports what does not fit.
+//! Inference of expressions: one function for each kind returns the value and reports mismatches.
 
 use smol_str::SmolStr;
 use val3_lang::operators::{self, BinaryOp, UnaryOp};
@@ -12,12 +12,12 @@ use crate::problem::{ProblemKind, Role};
 use crate::ty::{Base, STRING_LIMIT};
 
 impl Infer<'_> {
-    /// The value of an expression without an expected type.
+    /// Infers an expression without an expected type.
     pub(super) fn expr(&mut self, id: ExprId) -> Value {
         self.expr_as(id, None)
     }
 
-    /// The value of an expression where `expected` is needed: `{…}` takes its type from there.
+    /// Infers an expression where a value of type `expected` is needed, which becomes the type of `{…}`.
     pub(super) fn expr_as(&mut self, id: ExprId, expected: Option<Base>) -> Value {
         let body = self.body;
         let value = match body.expr(id) {
@@ -44,12 +44,12 @@ impl Infer<'_> {
         self.resolved(id, found).unwrap_or(Value::UNKNOWN)
     }
 
-    /// The type of an expression that is read as one value.
+    /// Infers an expression that is read as a single value. Returns its type.
     pub(super) fn element(&mut self, id: ExprId) -> Base {
         self.element_as(id, None)
     }
 
-    /// As [`Infer::element`], with the type that is needed.
+    /// Like [`Infer::element`], with the expected type.
     pub(super) fn element_as(&mut self, id: ExprId, expected: Option<Base>) -> Base {
         let value = self.expr_as(id, expected);
         if value.lacks_index() {
@@ -98,7 +98,7 @@ impl Infer<'_> {
             (Base::Builtin(a, arm), Base::Builtin(b, _)) if a != b || left_base.same_as(right_base) => {
                 operators::binary(op, a, b).map(|ty| Base::Builtin(ty, arm.filter(|_| ty.depends_on_arm())))
             }
-            // No source documents whether user types can be compared, so it is allowed.
+            // Whether user types can be compared is not documented, so the comparison is accepted.
             (Base::User(a), Base::User(b)) if a == b && is_equality(op) => Some(Base::of(BaseType::Bool)),
             _ => None,
         };
@@ -118,7 +118,8 @@ impl Infer<'_> {
         unknown_result(op)
     }
 
-    /// The types of two operands; `{…}` on one side takes the type of the other, and on both sides the `expected` one.
+    /// Returns the operand types. A `{…}` on one side has the type of the other side; on both sides, the `expected`
+    /// type.
     fn operands(&mut self, left: ExprId, right: ExprId, expected: Option<Base>) -> (Base, Base) {
         if self.is_literal(left) {
             let right = self.element_as(right, expected);
@@ -129,12 +130,12 @@ impl Infer<'_> {
         (left, self.element_as(right, expected))
     }
 
-    /// The expression is `{…}`.
+    /// Whether the expression is a `{…}`.
     pub(super) fn is_literal(&self, id: ExprId) -> bool {
         matches!(self.body.expr(self.body.without_parentheses(id)), Expr::Struct(_))
     }
 
-    /// `target = value`; the type of the value.
+    /// Checks `target = value` and returns the type of the value.
     pub(super) fn assign(&mut self, target: ExprId, value: ExprId) -> Base {
         let place = self.expr(target);
         if !place.is_variable() || place.lacks_index() {
@@ -165,7 +166,7 @@ impl Infer<'_> {
         }
     }
 
-    /// A value of type `value` may be assigned to a variable of type `target`.
+    /// Whether a value of type `value` may be assigned to a variable of type `target`.
     pub(super) fn assignable(&self, target: Base, value: Base) -> bool {
         match (target, value) {
             (Base::Unknown, _) | (_, Base::Unknown) => true,
@@ -176,7 +177,7 @@ impl Infer<'_> {
         }
     }
 
-    /// A variable as the code writes it, without indexes.
+    /// Returns a variable as written in the code, without indexes.
     pub(super) fn text(&self, id: ExprId) -> SmolStr {
         match self.body.expr(id) {
             Expr::Name(name) => name.clone(),
@@ -192,13 +193,13 @@ fn is_equality(op: BinaryOp) -> bool {
     matches!(op, BinaryOp::Equal | BinaryOp::NotEqual)
 }
 
-/// The operator yields a value of the type of its operands.
+/// Whether the result has the type of the operands.
 fn is_arithmetic(op: BinaryOp) -> bool {
     use BinaryOp::{Add, Divide, Multiply, Remainder, Subtract};
     matches!(op, Add | Subtract | Multiply | Divide | Remainder)
 }
 
-/// The result of an operator with an unknown operand: comparisons and logic always yield `bool`.
+/// Returns the result if an operand is unknown: comparisons and logic always return `bool`.
 fn unknown_result(op: BinaryOp) -> Value {
     if is_arithmetic(op) { Value::UNKNOWN } else { Value::of(BaseType::Bool) }
 }

@@ -1,4 +1,4 @@
-//! Whether an argument suits a parameter (2.6).
+//! Matching of arguments against parameters (2.6).
 
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnParam;
@@ -12,18 +12,19 @@ use crate::db::Db;
 use crate::items::project::Param;
 use crate::ty::{Base, brackets};
 
-/// A parameter of an instruction, an add-on instruction or a program.
+/// A parameter: of a program, an instruction or an add-on instruction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Formal<'a> {
     pub(super) name: &'a str,
-    /// `None` takes any type.
+    /// Type; `None` accepts any type.
     pub(super) base: Option<Base>,
     pub(super) shape: Shape,
-    /// A parameter of the old dialect: it takes constants, and does not distinguish an element by reference from an array.
+    /// Whether it is a parameter of the old dialect, which accepts constants and does not distinguish an element by
+    /// reference from an array.
     pub(super) loose: bool,
 }
 
-/// The parameters of one form of a callee.
+/// Parameters of a form.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Formals<'a> {
     Instruction(&'a [val3_lang::instruction::Param]),
@@ -63,32 +64,32 @@ fn of_program(param: &Param) -> Formal<'_> {
     Formal { name: &param.name, base: Some(param.base), shape: param.shape(), loose: param.loose }
 }
 
-/// An argument, looked at once and matched against every form.
+/// An inferred argument, to be matched against every form.
 #[derive(Debug, Clone)]
 pub(super) struct Argument {
     pub(super) id: ExprId,
-    /// The number of values of a `{…}`, whose type depends on the parameter.
+    /// Number of values in a `{…}`, whose type depends on the parameter.
     pub(super) literal: Option<usize>,
     pub(super) value: Value,
 }
 
-/// Why an argument does not suit a parameter.
+/// Mismatch between an argument and a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Misfit {
     Type,
-    /// A position of another arm.
+    /// The type belongs to another kind of arm.
     Arm,
-    /// A variable is needed.
+    /// A variable is required.
     Constant,
-    /// Another container is needed.
+    /// Another container is required.
     Container,
     /// The index or key is missing.
     IndexMissing,
-    /// The whole container is needed.
+    /// A whole container is required.
     IndexNotAllowed,
 }
 
-/// The reason why `argument` does not suit `formal`; `None` if it does.
+/// Returns the mismatch between `argument` and `formal`; `None` if they match.
 pub(super) fn misfit(arm: Option<Arm>, argument: &Argument, formal: Formal<'_>) -> Option<Misfit> {
     if formal.base == Some(Base::Unknown) {
         return None;
@@ -122,7 +123,7 @@ fn type_misfit(arm: Option<Arm>, value: &Value, formal: Formal<'_>) -> Option<Mi
     }
     match (base, value.base) {
         (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b => Some(Misfit::Arm),
-        // The state of an input is read where a truth value is needed.
+        // An input or output is read where a boolean is expected.
         (Base::Builtin(a, _), Base::Builtin(b, _))
             if formal.shape == Shape::Value && operators::reads_as_bool(a) && operators::reads_as_bool(b) =>
         {
@@ -155,7 +156,7 @@ fn container_misfit(value: &Value, formal: Formal<'_>) -> Option<Misfit> {
     }
 }
 
-/// `{values}` could be a value of `base`, as far as the number of its values shows.
+/// Whether `{…}` with this number of values may be a value of `base`.
 fn literal_suits(arm: Option<Arm>, values: usize, base: Base) -> bool {
     match base {
         Base::Unknown | Base::User(_) => true,
@@ -167,7 +168,7 @@ fn literal_suits(arm: Option<Arm>, values: usize, base: Base) -> bool {
 }
 
 impl Formal<'_> {
-    /// The parameter's type as a programmer writes it.
+    /// Formats the parameter's type as in a program.
     pub(super) fn display(self, db: &dyn Db) -> SmolStr {
         let base = self.base.map_or(SmolStr::new_static("any type"), |base| base.display(db));
         let container = match self.shape {
@@ -186,12 +187,12 @@ fn dims(container: Container) -> u8 {
     }
 }
 
-/// A container passed as a whole: named without an index (2.6.3).
+/// Matches an argument for a whole container, which must have no index (2.6.3).
 fn whole(value: &Value, shape: Shape, suits: impl Fn(Container) -> bool) -> Option<Misfit> {
     match &value.form {
         Form::Indexed { of } if suits(*of) => Some(Misfit::IndexNotAllowed),
         Form::Whole(variable) if suits(variable.container) => None,
-        // In the old dialect an array of several dimensions looks like any other.
+        // In the old dialect, the number of dimensions is unknown for an array parameter.
         Form::Whole(variable) if variable.loose && shape != Shape::Collection => None,
         _ => Some(Misfit::Container),
     }

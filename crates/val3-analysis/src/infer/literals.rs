@@ -1,4 +1,4 @@
-//! `{…}`: the values of a structure, which takes its type from its context (2.4.2).
+//! Inference of `{…}`: the values of a structure, whose type is given by the context (2.4.2).
 
 use val3_lang::types::{self, BaseType};
 
@@ -9,7 +9,7 @@ use crate::problem::ProblemKind;
 use crate::ty::Base;
 
 impl Infer<'_> {
-    /// `{values}` where `expected` is needed.
+    /// Infers `{values}` where a value of type `expected` is needed.
     pub(super) fn literal(&mut self, id: ExprId, values: &[Option<ExprId>], expected: Option<Base>) -> Value {
         let expected = expected.map(|base| base.on_arm(self.scope.arm()));
         let fields = match expected {
@@ -34,7 +34,7 @@ impl Infer<'_> {
         }
     }
 
-    /// The values are looked at for their own faults only.
+    /// Infers the values without an expected type.
     fn inner_values(&mut self, values: &[Option<ExprId>]) {
         for value in values.iter().flatten() {
             self.element_as(*value, Some(Base::Unknown));
@@ -51,7 +51,7 @@ impl Infer<'_> {
             let Some(value) = *value else { continue };
             let wanted = Base::of(field.ty);
             let found = self.element_as(value, Some(wanted));
-            // A tool takes its valve so, though no input or output can be assigned to another.
+            // A tool accepts its valve in this way, although inputs and outputs cannot be assigned to each other.
             if !self.assignable(wanted, found) && !found.same_as(wanted) {
                 let [expected, found] = self.scope.show_both([wanted, found]);
                 let ty = ty.name().into();

@@ -1,4 +1,4 @@
-//! Calls of programs, and the creation of tasks.
+//! Inference of program calls and task creation.
 
 use rowan::TextRange;
 use smallvec::smallvec;
@@ -35,7 +35,7 @@ impl Infer<'_> {
         }
     }
 
-    /// The program that is called; `None` where it is not known, which is reported.
+    /// Returns the called program; reports an unresolved name and returns `None`.
     fn program(&mut self, callee: ExprId) -> Option<(Project, File)> {
         let found = match self.body.expr(callee) {
             Expr::Name(name) => self.scope.program(name),

@@ -1,4 +1,4 @@
-//! The scope of a program: locals and parameters hide data, data hides built-in names (2.5.2).
+//! Scope of a program: locals and parameters hide data, and data hides built-in names (2.5.2).
 
 mod instructions;
 mod libraries;
@@ -19,18 +19,18 @@ use crate::paths::distinct_ends;
 use crate::problem::{NameKind, ProblemKind, Related, Role};
 use crate::ty::Base;
 
-/// Resolves the names of one program. It reports nothing: an unresolved name comes with its fault.
+/// Resolves the names in a program. It reports nothing: a failed lookup returns its fault.
 pub(super) struct Scope<'db> {
     db: &'db dyn Db,
     project: Project,
     file: File,
     items: &'db Items,
     header: &'db Header,
-    /// Parameters and locals.
+    /// Parameters and locals by name.
     variables: FxHashMap<&'db str, Value>,
 }
 
-/// Why a name has no meaning.
+/// Reason of a failed lookup.
 pub(super) enum Unresolved {
     /// Declarations are missing or wrong, which is reported elsewhere.
     Incomplete,
@@ -38,7 +38,7 @@ pub(super) enum Unresolved {
     Fault(Box<NameFault>),
 }
 
-/// A fault of a name, without its place in the code.
+/// Fault of a name, without its location.
 pub(super) struct NameFault {
     pub(super) kind: ProblemKind,
     pub(super) related: Option<Related>,
@@ -64,22 +64,22 @@ impl<'db> Scope<'db> {
         self.db
     }
 
-    /// The arm of the project, where it is known.
+    /// Returns the project's kind of arm, if known.
     pub(super) fn arm(&self) -> Option<Arm> {
         self.items.arm
     }
 
-    /// The version of the project has an assignment between inputs and outputs.
+    /// Whether the project's VAL 3 version supports assignments between inputs and outputs.
     pub(super) fn assigns_dio_to_dio(&self) -> bool {
         self.items.version.assigns_dio_to_dio()
     }
 
-    /// A type as a programmer writes it.
+    /// Formats a type as in a program.
     pub(super) fn show(&self, base: Base) -> SmolStr {
         base.display(self.db)
     }
 
-    /// As [`show`](Self::show), for two different types. User types of one name are shown with the files that differ.
+    /// Formats two different types. User types with the same name are followed by their files.
     pub(super) fn show_both(&self, [one, other]: [Base; 2]) -> [SmolStr; 2] {
         match (one, other) {
             (Base::User(a), Base::User(b)) if a != b && self.show(one) == self.show(other) => {
@@ -91,7 +91,7 @@ impl<'db> Scope<'db> {
         }
     }
 
-    /// The value of a name without a library.
+    /// Resolves a name without a library as a value.
     pub(super) fn value(&self, name: &str) -> Result<Value, Unresolved> {
         if let Some(value) = self.declared_value(name) {
             return Ok(value);
@@ -120,7 +120,7 @@ impl<'db> Scope<'db> {
         enumerations::find(name).map(|enumerator| Value::of(enumerator.ty))
     }
 
-    /// The kind of a name that is no value.
+    /// Returns the kind of a name that is no value.
     fn other_use(&self, name: &str) -> Option<NameKind> {
         if self.items.programs.contains_key(name) {
             Some(NameKind::Program)
@@ -133,7 +133,7 @@ impl<'db> Scope<'db> {
         }
     }
 
-    /// The kind of the variable called `name`.
+    /// Returns the kind of the variable called `name`.
     fn variable_kind(&self, name: &str) -> Option<NameKind> {
         match self.variables.get(name).map(|value| &value.form) {
             Some(Form::Whole(Variable { origin: Origin::Parameter, .. })) => Some(NameKind::Parameter),
@@ -149,7 +149,7 @@ impl<'db> Scope<'db> {
         nearest(name, variables.chain(data).chain(builtins)).map(SmolStr::from)
     }
 
-    /// The program that `call name(…)` starts.
+    /// Resolves the program of `call name(…)`.
     pub(super) fn program(&self, name: &SmolStr) -> Result<(Project, File), Unresolved> {
         if let Some(file) = self.items.programs.get(name) {
             return Ok((self.project, *file));
@@ -163,7 +163,7 @@ impl<'db> Scope<'db> {
         Err(Unresolved::fault(ProblemKind::UnknownProgram { name: name.clone(), near, is }))
     }
 
-    /// The declaration of the variable at the root of an expression.
+    /// Returns the declaration of the root variable.
     pub(super) fn declaration(&self, value: &Value, name: &str) -> Option<FileRange> {
         let Form::Whole(Variable { origin, .. }) = &value.form else { return None };
         match origin {
@@ -174,7 +174,7 @@ impl<'db> Scope<'db> {
         }
     }
 
-    /// Sizes that only this project can change: those of locals and of its private data.
+    /// Returns the sizes of a variable if only this project can change them: sizes of locals and private data.
     pub(super) fn sizes(&self, variable: &Variable, name: &str) -> Option<&[u32]> {
         match &variable.origin {
             Origin::Data(file, name) => {
@@ -190,7 +190,7 @@ impl<'db> Scope<'db> {
     }
 }
 
-/// Parameters and locals of a program.
+/// Returns the parameters and locals of a program.
 fn variables<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'db str, Value> {
     let base = |name: &str| resolve_type(&items.types, name).unwrap_or(Base::Unknown).on_arm(items.arm);
     let mut variables = FxHashMap::default();
@@ -207,7 +207,7 @@ fn variables<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'db str,
     variables
 }
 
-/// A global variable, or a field of a user type.
+/// Returns the value for a global variable or a user type's field.
 fn data_value(item: &DataItem) -> Value {
     if !item.decl.plain {
         return Value::UNKNOWN;

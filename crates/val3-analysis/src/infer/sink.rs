@@ -1,4 +1,4 @@
-//! The sink for problems found in one body.
+//! Collection of the problems in one body.
 
 use rowan::TextRange;
 use smol_str::SmolStr;
@@ -8,22 +8,22 @@ use crate::db::{Db, File, FileRange, Project};
 use crate::problem::{Problem, ProblemKind, Related, Role};
 use crate::resizing::is_resized;
 
-/// Collects the problems of one body while it is walked.
+/// Collects the problems in a body during inference.
 pub(super) struct Sink<'db> {
     file: File,
     body: &'db Body,
     faults: Faults,
 }
 
-/// The problems of one body.
+/// Problems in a body.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Faults {
     problems: Vec<Problem>,
     overflows: Vec<Overflow>,
 }
 
-/// A constant index beyond the initial size of an array. It is wrong only if no program of the project changes that size.
-/// Reading the other programs here would make every body depend on all of them.
+/// A constant index above an array's initial size. It is a fault only if no program of the project changes that size,
+/// which is checked later: reading the other programs during inference would make every body depend on all programs.
 #[derive(Debug, Clone, PartialEq)]
 struct Overflow {
     data: SmolStr,
@@ -35,13 +35,13 @@ impl<'db> Sink<'db> {
         Self { file, body, faults: Faults::default() }
     }
 
-    /// Reports a fault at an expression, with the declaration that it is about.
+    /// Reports a fault at an expression, with a related declaration.
     pub(super) fn report_with(&mut self, id: ExprId, kind: ProblemKind, role: Role, declared: Option<FileRange>) {
         self.report(self.body.range(id), kind, declared.map(|place| Related { place, role }));
     }
 
     pub(super) fn report(&mut self, range: TextRange, kind: ProblemKind, related: Option<Related>) {
-        // A missing name is one mistake, however often the program uses it.
+        // A missing name is reported once for a program, at its first use.
         if kind.is_about_missing_name() && self.faults.problems.iter().any(|problem| problem.kind == kind) {
             return;
         }
@@ -49,7 +49,7 @@ impl<'db> Sink<'db> {
         self.faults.problems.push(problem);
     }
 
-    /// Reports an index beyond the initial size of `data`, unless the project resizes it.
+    /// Reports an index above the initial size of `data`, unless the project resizes the array.
     pub(super) fn report_unless_resized(&mut self, id: ExprId, data: SmolStr, kind: ProblemKind) {
         let problem = self.problem(self.body.range(id), kind, None);
         self.faults.overflows.push(Overflow { data, problem });
@@ -59,17 +59,17 @@ impl<'db> Sink<'db> {
         Problem { kind, place: FileRange { file: self.file, range }, related: related.into_iter().collect() }
     }
 
-    /// The number of problems so far, for [`Sink::retract_to`].
+    /// Returns the number of problems so far, for [`Sink::retract_to`].
     pub(super) fn len(&self) -> usize {
         self.faults.problems.len()
     }
 
-    /// Forgets all but the first `len` problems.
+    /// Removes all problems after the first `len`.
     pub(super) fn retract_to(&mut self, len: usize) {
         self.faults.problems.truncate(len);
     }
 
-    /// A problem within `range` was reported.
+    /// Whether a problem within `range` was reported.
     pub(super) fn has_any_in(&self, range: TextRange) -> bool {
         self.faults.problems.iter().any(|problem| range.contains_range(problem.place.range))
     }
@@ -80,7 +80,7 @@ impl<'db> Sink<'db> {
 }
 
 impl Faults {
-    /// The problems by position, without the indexes that a change of size makes valid.
+    /// Returns the problems sorted by position, without index problems of arrays that the project resizes.
     pub(super) fn lasting(&self, db: &dyn Db, project: Project) -> Vec<Problem> {
         let overflows = self.overflows.iter().filter(|overflow| !is_resized(db, project, &overflow.data));
         let overflows = overflows.map(|overflow| &overflow.problem);

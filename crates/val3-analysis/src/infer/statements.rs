@@ -1,4 +1,4 @@
-//! Statements: which types their parts need.
+//! Inference of statements: expected types of the parts.
 
 use smol_str::SmolStr;
 use val3_lang::operators;
@@ -115,7 +115,7 @@ fn case_value(infer: &mut Infer<'_>, expected: Base, id: ExprId) {
     }
 }
 
-/// An expression alone on its line must act.
+/// Checks that an expression statement has an effect.
 fn expr_stmt(infer: &mut Infer<'_>, id: ExprId) {
     if let Expr::Call(callee, args) = infer.body.expr(id) {
         return infer.instruction_stmt(id, *callee, args);

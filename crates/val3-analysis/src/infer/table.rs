@@ -1,4 +1,4 @@
-//! The table of results: the type of each expression and the form of each call of an instruction.
+//! Inference results: expression types and forms of instruction calls.
 
 use smol_str::SmolStr;
 use val3_lang::add_on::AddOnOverload;
@@ -7,29 +7,29 @@ use val3_lang::instruction::{Instruction, Overload};
 use crate::body::ExprId;
 use crate::ty::Ty;
 
-/// A call of an instruction of the catalogue.
+/// A call to an instruction in the catalogue.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InstructionCall {
-    /// The whole call, an [`Expr::Call`](crate::body::Expr::Call).
+    /// Call expression, an [`Expr::Call`](crate::body::Expr::Call).
     pub id: ExprId,
-    /// The instruction.
+    /// Called instruction.
     pub instruction: &'static Instruction,
-    /// The form that suits the arguments; `None` where none does, or where several might.
+    /// Form that matches the arguments; `None` if no form or several forms may match.
     pub form: Option<&'static Overload>,
 }
 
-/// A call of an instruction that the table of an add-on declares.
+/// A call to an instruction that an add-on's table declares.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AddOnCall {
-    /// The whole call, an [`Expr::Call`](crate::body::Expr::Call).
+    /// Call expression, an [`Expr::Call`](crate::body::Expr::Call).
     pub id: ExprId,
-    /// The name with its `$`.
+    /// Name with its `$`.
     pub name: SmolStr,
-    /// The form that suits the arguments.
+    /// Form that matches the arguments.
     pub form: AddOnOverload,
 }
 
-/// Types by the number of the expression; calls in order of their numbers once the table is finished.
+/// Types by expression number; calls sorted by expression number after [`Table::finish`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Table {
     types: Vec<Ty>,
@@ -38,7 +38,7 @@ pub(super) struct Table {
 }
 
 impl Table {
-    /// A table for a body of `len` expressions, whose types are all unknown.
+    /// Creates a table for a body of `len` expressions with unknown types.
     pub(super) fn new(len: usize) -> Self {
         Self { types: vec![Ty::UNKNOWN; len], ..Self::default() }
     }
@@ -57,12 +57,12 @@ impl Table {
         self.add_on_calls.push(call);
     }
 
-    /// Removes the call `id` if it was added last and no form suits it. Returns whether it was removed.
+    /// Removes the call `id` if it was added last and no form matched. Returns whether it was removed.
     pub(super) fn retract_without_form(&mut self, id: ExprId) -> bool {
         self.calls.pop_if(|call| call.id == id && call.form.is_none()).is_some()
     }
 
-    /// Sorts the calls for the lookups below: inner ones come before outer ones.
+    /// Sorts the calls by number for binary search; inner calls come before outer ones.
     pub(super) fn finish(mut self) -> Self {
         self.calls.sort_unstable_by_key(|call| call.id);
         self.add_on_calls.sort_unstable_by_key(|call| call.id);

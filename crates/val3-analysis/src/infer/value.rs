@@ -1,4 +1,4 @@
-//! The value of an expression: a type, and whether it is a variable.
+//! Values of expressions: the type, and whether it is a variable.
 
 use smol_str::SmolStr;
 use val3_lang::types::{BaseType, Container};
@@ -6,44 +6,44 @@ use val3_lang::types::{BaseType, Container};
 use crate::db::File;
 use crate::ty::{Base, Ty};
 
-/// The result of an expression.
+/// Result of inferring an expression.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Value {
     pub(super) base: Base,
     pub(super) form: Form,
 }
 
-/// Constant, variable or part of a variable.
+/// A constant, a variable or a part of a variable.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Form {
-    /// A constant or the result of a computation.
+    /// A constant or computed value.
     Computed,
-    /// A variable or field named without an index.
+    /// A variable or field without an index.
     Whole(Variable),
-    /// A value in a container.
+    /// An element of a container.
     Indexed {
-        /// The container it lies in.
+        /// Container of the element.
         of: Container,
     },
 }
 
-/// A variable or field as it was declared.
+/// A variable or field as declared.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Variable {
     pub(super) container: Container,
-    /// An array declared with one value, which is written and shown as an element (2.3.4).
+    /// Whether it is an array with one element, which is written and shown as an element (2.3.4).
     pub(super) single: bool,
-    /// A parameter of the old dialect: an element or an array.
+    /// Whether it is a parameter of the old dialect, which may be an element or an array.
     pub(super) loose: bool,
     pub(super) origin: Origin,
 }
 
-/// Where a variable is declared.
+/// Origin of a variable's declaration.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Origin {
     Local,
     Parameter,
-    /// A `.dtx`.
+    /// A data file, with the name of the data.
     Data(File, SmolStr),
     Builtin,
 }
@@ -63,12 +63,12 @@ impl Value {
         self.base == Base::Unknown
     }
 
-    /// A variable, or a part of one: it may be assigned and passed by reference.
+    /// Whether it is a variable or a part of a variable, which may be assigned and passed by reference.
     pub(super) fn is_variable(&self) -> bool {
         !matches!(self.form, Form::Computed) || self.is_unknown()
     }
 
-    /// The declared container; an element after an index.
+    /// Returns the declared container; `Element` after an index.
     pub(super) fn container(&self) -> Container {
         match &self.form {
             Form::Whole(variable) => variable.container,
@@ -84,7 +84,7 @@ impl Value {
         Ty { base: self.base, container }
     }
 
-    /// The container cannot be read as one of its values: its index or key is missing.
+    /// Whether the container cannot be read as one value, so that an index or key is missing.
     pub(super) fn lacks_index(&self) -> bool {
         matches!(self.container(), Container::Collection | Container::Array { dims: 2.. }) && !self.is_unknown()
     }

@@ -1,4 +1,4 @@
-//! One library against one interface.
+//! Comparison of a library with an interface.
 
 use smol_str::{SmolStr, format_smolstr};
 
@@ -9,20 +9,21 @@ use crate::items::project::{DataItem, Signature, items, signature};
 use crate::problem::{NameKind, Problem, ProblemKind, Related, Role};
 use crate::ty::brackets;
 
-/// An item of an interface, and where its counterpart is looked for.
+/// An interface item, and the library that is searched for its counterpart.
 struct Pair<'a> {
     alias: &'a SmolStr,
     library: &'a SmolStr,
     item: &'a SmolStr,
     what: NameKind,
-    /// Where the library is loaded.
+    /// Location where the library is loaded.
     load: FileRange,
-    /// Where the interface declares the item.
+    /// Location of the item's declaration in the interface.
     interface: Option<FileRange>,
 }
 
 impl Interfaces<'_> {
-    /// Reports what `library` lacks of the interface of `alias`; `load` is where it is loaded.
+    /// Reports differences of `library` from the interface of `alias`; `load` is the location where the library is
+    /// loaded.
     pub(super) fn compare(&mut self, alias: &SmolStr, library: Project, load: FileRange) {
         let db = self.db;
         let interface = items(db, self.project).libraries.get(alias).and_then(|item| item.interface);
@@ -56,8 +57,8 @@ impl Interfaces<'_> {
         self.missing(alias, library_name, missing, load);
     }
 
-    /// The items that programs use without testing beforehand whether they are there. A library that lacks others
-    /// is loaded; the controller only says so with code 11.
+    /// Returns the items that programs use without first checking that they exist. A library without the other items is
+    /// loaded; the controller only reports code 11.
     pub(super) fn needed(&self, alias: &SmolStr) -> Vec<SmolStr> {
         let guarded = |item: &SmolStr| {
             self.programs.iter().any(|(_, uses)| uses.guarded.contains(&(alias.clone(), item.clone())))
@@ -90,7 +91,7 @@ impl Interfaces<'_> {
         }
     }
 
-    /// One finding for all that a library lacks: most often it is the wrong library.
+    /// Reports all missing items of a library as one problem, because usually the entire library is wrong.
     fn missing(
         &mut self,
         alias: &SmolStr,
@@ -138,13 +139,13 @@ impl Interfaces<'_> {
     }
 }
 
-/// `library` has the item of `interface`: public, and of the same kind.
+/// Whether `library` has the item of `interface`, public and of the same kind.
 pub fn implements(db: &dyn Db, interface: Project, library: Project, item: &str) -> bool {
     is_public(db, library, item) && is_same_item(db, interface, library, item).unwrap_or(false)
 }
 
-/// Two projects have data or programs of one name: whether their types or parameters agree, so that a library with one
-/// can be loaded for an interface with the other. `None` where one of them has no such item.
+/// Returns whether two projects' items with this name agree in type or parameters, so that a library with one item can
+/// be loaded for an interface with the other; `None` if one of the projects has no such item.
 pub fn is_same_item(db: &dyn Db, interface: Project, library: Project, item: &str) -> Option<bool> {
     let (wanted, found) = (items(db, interface), items(db, library));
     if let Some(data) = wanted.data.get(item) {
@@ -154,12 +155,12 @@ pub fn is_same_item(db: &dyn Db, interface: Project, library: Project, item: &st
     found.programs.get(item).map(|file| same_parameters(wanted, signature(db, library, *file)))
 }
 
-/// Sizes may differ: instructions change them.
+/// Whether type and container agree. Sizes may differ, because instructions change them.
 fn same_data(wanted: &DataItem, found: &DataItem) -> bool {
     wanted.base.same_as(found.base) && wanted.decl.container == found.decl.container
 }
 
-/// Names may differ; types, containers and passing may not. Parameters that cannot be read are taken to agree.
+/// Whether types, containers and passing modes agree. Names may differ, and unreadable parameters are assumed to agree.
 fn same_parameters(wanted: &Signature, found: &Signature) -> bool {
     if !wanted.complete || !found.complete {
         return true;
@@ -171,7 +172,7 @@ fn same_parameters(wanted: &Signature, found: &Signature) -> bool {
         })
 }
 
-/// `num nSize[3]`
+/// Formats a declaration, for example `num nSize[3]`.
 fn data_line(item: &DataItem, name: &str) -> SmolStr {
     let ty = &item.decl.type_name;
     match item.decl.sizes.as_slice() {

@@ -1,5 +1,5 @@
-//! Libraries whose project lists nothing of what is used of them, most often because a fresh `.pjx` took the place of
-//! the true one. Every use has the same cause, so the entry of the library has the one message.
+//! Libraries whose project file does not list the used items, usually because a newly created `.pjx` replaced the
+//! original one. All uses have this one cause, so one problem is reported at the library's entry.
 
 use std::collections::BTreeMap;
 
@@ -27,8 +27,8 @@ fn is_empty(db: &dyn Db, library: Project) -> bool {
     items.programs.is_empty() && items.data.is_empty()
 }
 
-/// More programs lie unlisted than are listed: the `.pjx` is not the one that belongs to the files. A fresh one lists
-/// `start` and `stop`, and data of its own.
+/// Whether the folder contains more unlisted programs than the project lists, so that the `.pjx` does not belong to the
+/// files. A newly created `.pjx` lists `start`, `stop` and data of its own.
 fn lists_few(db: &dyn Db, library: Project) -> bool {
     let stem = |file: &str| Utf8Path::new(file).file_stem().unwrap_or("").to_ascii_lowercase();
     let listed = manifest(db, library.manifest(db)).programs.iter();
@@ -36,8 +36,8 @@ fn lists_few(db: &dyn Db, library: Project) -> bool {
     unlisted(db, library).programs.len() > listed
 }
 
-/// The item is missing because the project of the library lists nothing or little of what lies in its folder, or not
-/// the file that may hold it.
+/// Whether the item may be missing because the library's project does not list the file that contains it, or lists few
+/// files or no file in its folder.
 pub(crate) fn is_left_out(db: &dyn Db, library: Project, item: &str, what: NameKind) -> bool {
     let unlisted = unlisted(db, library);
     let may_hold_it = match what {
@@ -47,11 +47,11 @@ pub(crate) fn is_left_out(db: &dyn Db, library: Project, item: &str, what: NameK
     may_hold_it || is_empty(db, library) || lists_few(db, library)
 }
 
-/// An item that is used, and where.
+/// A used item and the location of the use.
 type ItemUse = (SmolStr, FileRange);
 
 impl Interfaces<'_> {
-    /// Uses of items that the projects of libraries leave out: one problem for each library.
+    /// Reports uses of items that library projects omit: one problem for each library.
     pub(super) fn left_out(&mut self) {
         let db = self.db;
         let libraries = items(db, self.project).libraries.iter();
@@ -86,7 +86,7 @@ fn problem(db: &dyn Db, alias: SmolStr, library: Project, place: FileRange, uses
     Problem { kind: ProblemKind::LibraryLeftOut { alias, missing, unlisted, uses: uses.len() }, place, related }
 }
 
-/// The items of `libraries` that the program in `file` uses and that are left out.
+/// Collects the items of `libraries` that the program in `file` uses and that are missing because they are not listed.
 fn collect_uses(
     db: &dyn Db,
     file: File,

@@ -1,4 +1,4 @@
-//! The uses of library identifiers in a program.
+//! Uses of library identifiers in a program.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -9,45 +9,45 @@ use val3_syntax::TextRange;
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File};
 
-/// The items of libraries that a program uses, and the libraries it loads.
+/// Library items that a program uses, and libraries that it loads.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Uses {
-    /// Identifier and item of every `library:item`, instructions on the identifier left out.
+    /// Identifier and item of every `library:item`, without instructions on the identifier.
     pub items: FxHashSet<(SmolStr, SmolStr)>,
-    /// Items that a test guards: `isDefined(library:item)`, `library:libExist("item")`.
+    /// Items whose existence is tested: `isDefined(library:item)`, `library:libExist("item")`.
     pub guarded: FxHashSet<(SmolStr, SmolStr)>,
-    /// Every `library:libLoad(…)`.
+    /// All `library:libLoad(…)` calls.
     pub loads: Vec<Load>,
 }
 
 /// A `library:libLoad(…)`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Load {
-    /// The identifier.
+    /// Library identifier.
     pub alias: SmolStr,
-    /// The known part of the path.
+    /// Constant part of the path.
     pub path: LoadedPath,
-    /// The range of the path.
+    /// Range of the path argument.
     pub range: TextRange,
 }
 
-/// The part of a library's path that the code gives.
+/// Constant part of a library's path.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LoadedPath {
-    /// All of it.
+    /// The entire path.
     Whole(SmolStr),
-    /// How it begins.
+    /// A prefix of the path.
     Prefix {
-        /// The beginning.
+        /// Prefix.
         text: SmolStr,
-        /// Its range.
+        /// Range of the prefix.
         range: TextRange,
     },
-    /// Nothing.
+    /// No constant part.
     Unknown,
 }
 
-/// The uses of library identifiers in the program in `file`.
+/// Returns the uses of library identifiers in the program in `file`.
 #[salsa::tracked]
 pub fn uses(db: &dyn Db, file: File) -> Uses {
     let body = body(db, file);
@@ -64,7 +64,8 @@ pub fn uses(db: &dyn Db, file: File) -> Uses {
     uses
 }
 
-/// The item is no item of a library but an instruction that acts on it: `library:libLoad`.
+/// Whether the item is an instruction on the library identifier, for example `library:libLoad`, instead of a library
+/// item.
 pub(super) fn is_instruction(item: &str) -> bool {
     item.starts_with('$')
         || instructions::find(item).is_some_and(|found| found.overloads.iter().any(|form| form.on_library))
@@ -91,7 +92,7 @@ fn call(body: &Body, callee: ExprId, args: &[ExprId], uses: &mut Uses) {
     }
 }
 
-/// The variable that an element or field is a part of.
+/// Returns the root variable of an element or field.
 fn root(body: &Body, mut id: ExprId) -> ExprId {
     while let Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) = body.expr(id) {
         id = *base;

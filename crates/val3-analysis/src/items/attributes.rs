@@ -1,18 +1,18 @@
-//! The attributes of an element against those that the file format knows.
+//! Comparison of attributes with the file format.
 
 use val3_lang::files::{self, FileKind, Presence};
 
 use crate::xml::{Attribute, Element};
 
-/// The attribute with the access to a variable, which says nothing about its type.
+/// Attribute for the access to a variable, which does not affect its type.
 const ACCESS: &str = "access";
 
-/// The attributes of `element` that are neither among `known` nor a matter of XML itself.
+/// Returns the attributes of `element` that are neither `known` nor part of XML itself.
 pub fn unknown<'g>(element: Element<'g>, known: impl Fn(&str) -> bool) -> impl Iterator<Item = Attribute<'g>> {
     element.attributes().filter(move |attribute| !known(attribute.name) && !is_of_xml(attribute.name))
 }
 
-/// A namespace, or an attribute with the prefix of another one than the format's `xsi`.
+/// Whether the attribute is a namespace declaration, a general `xsi` attribute, or has another prefix.
 fn is_of_xml(name: &str) -> bool {
     match name.split_once(':') {
         Some(("xsi", local)) => matches!(local, "schemaLocation" | "noNamespaceSchemaLocation" | "nil"),
@@ -21,21 +21,21 @@ fn is_of_xml(name: &str) -> bool {
     }
 }
 
-/// The element has an attribute that the format does not know.
+/// Whether the element has an attribute that the file format does not define.
 pub fn has_unknown(file: FileKind, element: Element<'_>) -> bool {
     let known = files::find(file, element.name());
     known.is_some_and(|known| unknown(element, |name| known.attribute(name).is_some()).next().is_some())
 }
 
-/// Every attribute that says what a variable is can be read, and none that every writer gives is missing: nothing is a
-/// default that may not be meant.
+/// Whether all attributes that define a variable are known, and no required or expected one is missing, so that no
+/// default replaces a misspelt value.
 pub fn is_plain(element: Element<'_>) -> bool {
     let Some((file, known)) = files::variable(element.name()) else { return true };
     !has_unknown(file, element) && left_out(element, known.attributes).iter().all(|missing| missing.name == ACCESS)
 }
 
-/// The attributes that are missing although every writer gives them. Where required ones are missing, the others are no
-/// news.
+/// Returns the missing required attributes. If no required one is missing, returns the missing attributes that every
+/// tool writes.
 pub fn left_out<'k>(element: Element<'_>, known: &'k [files::Attribute]) -> Vec<&'k files::Attribute> {
     let missing = known.iter().filter(|attribute| is_left_out(element, attribute));
     let (required, expected): (Vec<_>, Vec<_>) =
@@ -43,7 +43,7 @@ pub fn left_out<'k>(element: Element<'_>, known: &'k [files::Attribute]) -> Vec<
     if required.is_empty() { expected } else { required }
 }
 
-/// The attribute is missing although every writer gives it.
+/// Whether the attribute is missing although every tool writes it.
 fn is_left_out(element: Element<'_>, attribute: &files::Attribute) -> bool {
     let is_optional = matches!(attribute.presence, Presence::Optional(_));
     // A collection has no size.

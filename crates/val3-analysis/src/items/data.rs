@@ -1,4 +1,4 @@
-//! The declarations of a `.dtx`: global data, or the fields of a user type.
+//! Declarations in a `.dtx`: global data, or the fields of a user type.
 
 use smol_str::SmolStr;
 use val3_lang::files::FileKind;
@@ -10,40 +10,41 @@ use super::{attributes, flag, is_sound, parse, sizes};
 use crate::db::{Db, File};
 use crate::xml::{self, Element};
 
-/// One global variable.
+/// A global variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataDecl {
-    /// The name.
+    /// Variable name.
     pub name: SmolStr,
-    /// The type as written in the file (`jointRx`, `Slot`); empty where it or the size cannot be read.
+    /// Type as written in the file (`jointRx`, `Slot`); empty if the type or size is unreadable.
     pub type_name: SmolStr,
-    /// How its values are stored. A single value is an array of size 1.
+    /// Container of the values. A single value is an array of size 1.
     pub container: Container,
-    /// Sizes of the dimensions at the start; empty for a collection.
+    /// Initial sizes of the dimensions; empty for a collection.
     pub sizes: Vec<u32>,
-    /// Other projects may use it.
+    /// Whether other projects may use the variable.
     pub public: bool,
-    /// The file says whether other projects may use it.
+    /// Whether the file declares the access.
     pub has_access: bool,
-    /// Every attribute that says what it is can be read. Otherwise code may take it for something else.
+    /// Whether all defining attributes are known. If not, the variable is usable in code as any type.
     pub plain: bool,
 }
 
 impl DataDecl {
-    /// Other projects may use it, or the file lacks its access: then the fault is reported there alone.
+    /// Whether other projects may use the variable, or its access is missing, which is reported only in the file
+    /// itself.
     pub fn may_be_public(&self) -> bool {
         self.public || !self.has_access
     }
 }
 
-/// Reads a `.dtx` of either dialect. Elements without a name are left out.
+/// Reads a `.dtx` of either dialect. Elements without a name are omitted.
 #[salsa::tracked]
 pub fn data(db: &dyn Db, file: File) -> Vec<DataDecl> {
     let parse = parse(db, file);
     elements(parse.view()).filter_map(declaration).collect()
 }
 
-/// Every declaration of the file can be read: a name that it does not declare is declared nowhere in it.
+/// Whether every declaration of the file is readable, so that a missing name is certainly not declared in the file.
 #[salsa::tracked(returns(copy))]
 pub fn is_complete(db: &dyn Db, file: File) -> bool {
     let parse = parse(db, file);
@@ -51,7 +52,8 @@ pub fn is_complete(db: &dyn Db, file: File) -> bool {
     is_sound(db, file) && root.is_some_and(|root| sections(root).all(|(section, item)| declares(section, item)))
 }
 
-/// The elements of the root, and how their items are called; an item of the old dialect is called as its type.
+/// Returns the sections of the root element with the tag of the items; `None` for the old dialect, where the type name
+/// is the tag.
 fn sections<'g>(root: Element<'g>) -> impl Iterator<Item = (Element<'g>, Option<&'static str>)> {
     let item = (root.name() == "Database").then_some("Data");
     root.elements().map(move |section| (section, item))
@@ -63,7 +65,7 @@ fn declares(section: Element<'_>, item: Option<&str>) -> bool {
     known && items.all(|element| item.is_none_or(|item| element.name() == item) && element.value("name").is_some())
 }
 
-/// The elements that declare data, in order, those without a name included.
+/// Returns the elements that declare data in order, including elements without a name.
 pub fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
     let root = xml::root(file);
     let new = root.into_iter().flat_map(|root| root.list("Datas", "Data"));
@@ -73,7 +75,7 @@ pub fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
     new.chain(old)
 }
 
-/// The declaration in an element.
+/// Reads the declaration in an element.
 pub fn declaration(element: Element<'_>) -> Option<DataDecl> {
     let name = SmolStr::from(element.value("name")?);
     Some(if element.name() == "Data" { new_declaration(element, name) } else { old_declaration(element, name) })
@@ -97,15 +99,15 @@ fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
 /// Type, container and sizes of a `<Data>`, `<Field>`, `<Local>` or `<Parameter>`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Shape {
-    /// The type as written; empty for a declaration without a readable type or container, whose values are unknown.
+    /// Type as written; empty if the type or container is unreadable, so that the values are unknown.
     pub type_name: SmolStr,
-    /// How its values are stored.
+    /// Container of the values.
     pub container: Container,
-    /// An unreadable size counts as one value.
+    /// Sizes; an unreadable size counts as one value.
     pub sizes: Vec<u32>,
 }
 
-/// Reads the attributes that say what a variable is.
+/// Reads the attributes that define a variable.
 pub fn shape(element: Element<'_>) -> Shape {
     let (mut type_name, mut collection, mut size, mut readable) = (SmolStr::default(), false, Some(vec![1]), true);
     for attribute in element.attributes() {
@@ -130,7 +132,7 @@ pub fn shape(element: Element<'_>) -> Shape {
     }
 }
 
-/// The `num` variables of a `.dtx` that hold one value, with that value and the place of the name.
+/// Returns the `num` variables of a `.dtx` with a single value: name, value and range of the name.
 pub fn single_numbers(db: &dyn Db, file: File) -> Vec<(SmolStr, f64, TextRange)> {
     let parse = parse(db, file);
     elements(parse.view()).filter_map(single_number).collect()
@@ -144,7 +146,7 @@ fn single_number(element: Element<'_>) -> Option<(SmolStr, f64, TextRange)> {
     Some((declared.name, value.map_or(Some(0.0), |value| value.trim().parse().ok())?, name.range))
 }
 
-/// `<num name public size>` in `<numSection>`: the type is the element's name, the size often the number of values.
+/// Reads `<num name public size>` in `<numSection>`: the type is the tag, and a missing size is the number of values.
 fn old_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
     let values = element.elements().filter(|value| value.name().starts_with("value")).count();
     let size = element.value("size").and_then(|text| text.trim().parse().ok());

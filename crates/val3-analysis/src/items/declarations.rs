@@ -1,7 +1,7 @@
-//! Where things are declared: looked up only when a message points there.
+//! Locations of declarations, looked up only for messages.
 //!
-//! Each is a query of its own, so that a message about a declaration depends on its place alone, not on the rest of
-//! its file.
+//! Each function is a separate query, so that a message depends only on the declaration's range, not on the rest of the
+//! file.
 
 use smol_str::SmolStr;
 use val3_syntax::TextRange;
@@ -11,7 +11,7 @@ use super::{data as data_items, parse, program as program_items};
 use crate::db::{Db, File, FileRange, Project};
 use crate::xml::{self, Element};
 
-/// The name of a global variable in a `.dtx`.
+/// Returns the location of a global variable's name in a `.dtx`.
 #[salsa::tracked(returns(copy))]
 pub fn data(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
     let parse = parse(db, file);
@@ -19,38 +19,38 @@ pub fn data(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
     Some(FileRange { file, range })
 }
 
-/// Something that a file declares.
+/// A declaration in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Declared {
-    /// Its name.
+    /// Declared name.
     pub name: SmolStr,
-    /// The range of the name.
+    /// Range of the name.
     pub range: TextRange,
-    /// The whole element.
+    /// Range of the element.
     pub element: TextRange,
 }
 
-/// All global variables in a `.dtx`, in order.
+/// Returns all global variables in a `.dtx`, in order.
 pub fn all_data(db: &dyn Db, file: File) -> Vec<Declared> {
     let parse = parse(db, file);
     names(data_items::elements(parse.view()))
 }
 
-/// All parameters of a `.pgx`, in order.
+/// Returns all parameters of a `.pgx`, in order.
 pub fn all_params(db: &dyn Db, file: File) -> Vec<Declared> {
     let parse = parse(db, file);
     let program = program_items::element(parse.view());
     program.map(|program| names(program_items::params(program))).unwrap_or_default()
 }
 
-/// All locals of a `.pgx`, in order.
+/// Returns all locals of a `.pgx`, in order.
 pub fn all_locals(db: &dyn Db, file: File) -> Vec<Declared> {
     let parse = parse(db, file);
     let program = program_items::element(parse.view());
     program.map(|program| names(program_items::locals(program))).unwrap_or_default()
 }
 
-/// The name of a parameter in a `.pgx`.
+/// Returns the location of a parameter's name in a `.pgx`.
 #[salsa::tracked(returns(copy))]
 pub fn param(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
     let parse = parse(db, file);
@@ -58,7 +58,7 @@ pub fn param(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
     Some(FileRange { file, range: named(program_items::params(program), "name", &name)? })
 }
 
-/// The name of a local in a `.pgx`.
+/// Returns the location of a local's name in a `.pgx`.
 #[salsa::tracked(returns(copy))]
 pub fn local(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
     let parse = parse(db, file);
@@ -66,7 +66,7 @@ pub fn local(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
     Some(FileRange { file, range: named(program_items::locals(program), "name", &name)? })
 }
 
-/// The name of the program in a `.pgx`.
+/// Returns the location of the program's name in a `.pgx`.
 #[salsa::tracked(returns(copy))]
 pub fn program(db: &dyn Db, file: File) -> Option<FileRange> {
     let parse = parse(db, file);
@@ -74,7 +74,7 @@ pub fn program(db: &dyn Db, file: File) -> Option<FileRange> {
     Some(FileRange { file, range: program.attribute("name")?.range })
 }
 
-/// The entry of a library identifier in a `.pjx`.
+/// Returns the location of a library identifier in a `.pjx`.
 #[salsa::tracked(returns(copy))]
 pub fn library(db: &dyn Db, project: Project, alias: SmolStr) -> Option<FileRange> {
     let file = project.manifest(db);
@@ -85,7 +85,7 @@ pub fn library(db: &dyn Db, project: Project, alias: SmolStr) -> Option<FileRang
     Some(FileRange { file, range })
 }
 
-/// The entry of a user type in a `.pjx`.
+/// Returns the location of a user type's name in a `.pjx`.
 #[salsa::tracked(returns(copy))]
 pub fn user_type(db: &dyn Db, project: Project, name: SmolStr) -> Option<FileRange> {
     let file = project.manifest(db);
@@ -95,21 +95,21 @@ pub fn user_type(db: &dyn Db, project: Project, name: SmolStr) -> Option<FileRan
     Some(FileRange { file, range })
 }
 
-/// The version in a `.pjx`.
+/// Returns the range of the version in a `.pjx`.
 pub fn version(db: &dyn Db, project: Project) -> Option<TextRange> {
     let parse = parse(db, project.manifest(db));
     let root = xml::root(parse.view())?;
     Some(root.child(&[spelling(root).parameters])?.attribute("version")?.range)
 }
 
-/// The entry of a program file in a `.pjx`.
+/// Returns the range of a program file's entry in a `.pjx`.
 pub fn program_file(db: &dyn Db, project: Project, reference: &str) -> Option<TextRange> {
     let parse = parse(db, project.manifest(db));
     let root = xml::root(parse.view())?;
     named(entries(root, spelling(root).programs), "file", reference)
 }
 
-/// The innermost element around `place`.
+/// Returns the range of the innermost element that contains `place`.
 pub fn element_around(db: &dyn Db, file: File, place: TextRange) -> Option<TextRange> {
     let parse = parse(db, file);
     let mut found = xml::root(parse.view())?;
@@ -122,15 +122,15 @@ pub fn element_around(db: &dyn Db, file: File, place: TextRange) -> Option<TextR
 /// A list of files in a `.pjx`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FileList {
-    /// The name of the list; that of the root where there is no such list.
+    /// Range of the list's tag, or of the root's tag if the list is missing.
     pub place: TextRange,
-    /// How an entry is called.
+    /// Tag of the entries.
     pub item: &'static str,
-    /// The last entry.
+    /// Range of the last entry.
     pub last: Option<TextRange>,
 }
 
-/// The list of the program files of a project, or of its data files.
+/// Returns the list of program files or data files of a project.
 pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<FileList> {
     let parse = parse(db, project.manifest(db));
     let root = xml::root(parse.view())?;
@@ -140,7 +140,7 @@ pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<Fil
     Some(FileList { place: root.child(&[list]).unwrap_or(root).name_range(), item, last })
 }
 
-/// The change to a project file that lists one more file: what is replaced, and by what.
+/// Returns the edit that adds a file to the list in the project file: replaced range and new text.
 pub fn listing(db: &dyn Db, project: Project, of_programs: bool, name: &str) -> Option<(TextRange, String)> {
     let parse = parse(db, project.manifest(db));
     let root = xml::root(parse.view())?;
@@ -156,7 +156,7 @@ pub fn listing(db: &dyn Db, project: Project, of_programs: bool, name: &str) -> 
     Some((place.or_else(|| root.elements().last().map(behind))?, whole))
 }
 
-/// The project file has the form of s5 and s6.
+/// Whether the project file has the format of s5 and s6.
 pub fn is_old(db: &dyn Db, project: Project) -> bool {
     let parse = parse(db, project.manifest(db));
     xml::root(parse.view()).is_some_and(|root| root.name() == OLD.root)

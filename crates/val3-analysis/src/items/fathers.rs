@@ -1,4 +1,4 @@
-//! Which data hang on which frames and tools, as the values at the start say (9.4 to 9.6).
+//! Father references in data files: the frame or tool to which each initial value is relative (9.4 to 9.6).
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -13,13 +13,13 @@ use crate::db::{Db, File, FileRange, Project};
 use crate::ty::Base;
 use crate::xml::Element;
 
-/// The names of the data and of the library identifiers that some data of the project hang on.
+/// Returns the names of all fathers in a project's data, and of the library identifiers before them.
 #[salsa::tracked]
 pub fn fathers(db: &dyn Db, project: Project) -> FxHashSet<SmolStr> {
     data_files(db, project).iter().flat_map(|file| fathers_in(db, *file)).cloned().collect()
 }
 
-/// Those that data in a `.dtx` hang on.
+/// Returns the names of all fathers in a `.dtx`.
 #[salsa::tracked]
 pub(crate) fn fathers_in(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let parse = parse(db, file);
@@ -30,7 +30,7 @@ pub(crate) fn fathers_in(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     names
 }
 
-/// The built-in frame or tool whose name data of another type has taken, while other data hang on it.
+/// Returns the built-in frame or tool that is hidden by data with another type, if other data name it as a father.
 pub fn hidden_father(db: &dyn Db, project: Project, name: &str) -> Option<&'static Builtin> {
     let builtin = builtins::find(name).filter(|builtin| builtin.is_variable)?;
     let item = items(db, project).data.get(name)?;
@@ -38,7 +38,7 @@ pub fn hidden_father(db: &dyn Db, project: Project, name: &str) -> Option<&'stat
     is_hidden.then_some(builtin)
 }
 
-/// Where the data of a project name `name` as a father.
+/// Returns the locations of all references to the father `name` in a project's data.
 pub fn references(db: &dyn Db, project: Project, name: &str) -> Vec<FileRange> {
     let mut places = Vec::new();
     for &file in data_files(db, project) {
@@ -57,7 +57,7 @@ fn collect_references(element: Element<'_>, name: &str, ranges: &mut Vec<TextRan
     element.elements().for_each(|inner| collect_references(inner, name, ranges));
 }
 
-/// Looks at the values, and at those of the fields of user types.
+/// Collects fathers from the values, and from the values of user type fields.
 fn collect(element: Element<'_>, names: &mut FxHashSet<SmolStr>) {
     if element.name().ends_with("Father") {
         names.extend(["alias", "name"].iter().filter_map(|name| element.value(name)).map(SmolStr::from));
@@ -66,15 +66,15 @@ fn collect(element: Element<'_>, names: &mut FxHashSet<SmolStr>) {
     element.elements().for_each(|inner| collect(inner, names));
 }
 
-/// The name before the first index, field or colon.
+/// Returns the name before the first index, field or colon.
 pub(crate) fn root(reference: &str) -> &str {
     reference.split(['[', '.', ':']).next().unwrap_or(reference).trim()
 }
 
 const FATHER: &str = "fatherId";
 
-/// Points, frames and tools of a `.dtx` whose first value that hangs on nothing has this key: name, key and place of
-/// the name. The old dialect names one father for all values.
+/// Returns the points, frames and tools of a `.dtx` with a value without a father: name, key of the first such value,
+/// and range of the name. In the old dialect one father applies to all values.
 pub fn without_father(db: &dyn Db, file: File) -> Vec<(SmolStr, String, TextRange)> {
     let parse = parse(db, file);
     elements(parse.view()).filter_map(unlinked).collect()

@@ -1,4 +1,4 @@
-//! The faults of a text and the ranges of its code: facts that outlive the tree.
+//! Syntax faults and code ranges in a file, memoised so that the tree can be dropped.
 
 use std::ops::Range;
 
@@ -10,36 +10,36 @@ use val3_syntax::{Parse, SyntaxKind, TextRange, TextSize, joined};
 use super::parse;
 use crate::db::{Db, File};
 
-/// The faults of a text.
+/// Syntax faults and code ranges of a file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct TextFaults {
-    /// The errors of the parser, by position, each cause once.
+    /// Parser errors sorted by position, one for each cause.
     pub errors: Vec<SyntaxError>,
-    /// Keywords that are not written in their usual letter case.
+    /// Keywords in unusual letter case.
     pub odd_keywords: Vec<OddKeyword>,
-    /// The ranges of code.
+    /// Ranges of code.
     pub codes: Vec<CodeRange>,
 }
 
-/// The code of a program: the content of its `<Code>`.
+/// Code of a program: the content of `<Code>`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CodeRange {
-    /// All of it.
+    /// Entire content.
     pub range: TextRange,
-    /// The offset of `begin`, or the start of the code if there is none.
+    /// Offset of `begin`, or the start of the code if `begin` is missing.
     pub begin: TextSize,
 }
 
-/// A keyword in another letter case than usual.
+/// A keyword in unusual letter case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OddKeyword {
-    /// Its range.
+    /// Range of the keyword.
     pub range: TextRange,
-    /// How it is usually written.
+    /// Usual spelling.
     pub canonical: &'static str,
 }
 
-/// The faults of the text of `file`.
+/// Returns the syntax faults of `file`.
 #[salsa::tracked]
 pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
     let parse = parse(db, file);
@@ -51,7 +51,7 @@ pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
     faults
 }
 
-/// Looks for code below `node`, which is a file or an element.
+/// Collects the code below `node`, which is a file or an element.
 fn codes(node: View<'_>, found: &mut Vec<CodeRange>) {
     for child in node.children() {
         match child.kind() {
@@ -70,7 +70,7 @@ fn odd_keywords(parse: &Parse, text: &str) -> Vec<OddKeyword> {
     if odd.is_empty() {
         return Vec::new();
     }
-    // Code that could not be read has a message already.
+    // Unparsed code has already been reported.
     let mut unread = Vec::new();
     unread_code(parse.view(), &mut unread);
     let is_read = |range: &TextRange| {
@@ -84,7 +84,7 @@ fn odd_keywords(parse: &Parse, text: &str) -> Vec<OddKeyword> {
         .collect()
 }
 
-/// The outermost nodes of code that could not be read, in the order of the text.
+/// Collects the outermost error nodes in source order.
 fn unread_code(node: View<'_>, found: &mut Vec<TextRange>) {
     match node.kind() {
         SyntaxKind::ERROR => found.push(node.range()),

@@ -1,4 +1,4 @@
-//! The entry by which a project lists a file.
+//! The entry of a file in a project file.
 
 use smol_str::SmolStr;
 use val3_syntax::TextRange;
@@ -9,15 +9,15 @@ use super::project::find_file;
 use crate::db::{Db, File, Project};
 use crate::xml;
 
-/// The attribute `file` of an entry.
+/// The attribute `file` in an entry.
 pub(crate) struct FileEntry {
-    /// The path as the project writes it.
+    /// Path as written in the project file.
     pub(crate) path: SmolStr,
-    /// Its place in the project file.
+    /// Range of the path in the project file.
     pub(crate) range: TextRange,
 }
 
-/// The first entry of `project` that lists a program or data file; `None` if there is none.
+/// Returns the first entry of `project` for a program or data file; `None` if the project does not list the file.
 pub(crate) fn file_entry(db: &dyn Db, project: Project, file: File) -> Option<FileEntry> {
     let parse = parse(db, project.manifest(db));
     let root = xml::root(parse.view())?;

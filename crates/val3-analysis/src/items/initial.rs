@@ -1,4 +1,4 @@
-//! The positions and motion descriptors of a `.dtx`: references and choices, without numbers.
+//! Initial positions and motion descriptors in a `.dtx`: fathers and enumerated fields, without coordinates.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -10,23 +10,23 @@ use super::{data, parse};
 use crate::db::{Db, File};
 use crate::xml::Element;
 
-/// Values of global data before the application runs, by name and key (`0`, `1,2`, `home`).
+/// Initial values of global data, by name and key (`0`, `1,2`, `home`).
 pub type InitialValues = FxHashMap<SmolStr, FxHashMap<SmolStr, Initial>>;
 
-/// One value of a frame, tool, point, configuration or motion descriptor.
+/// Initial value of a frame, tool, point, configuration or motion descriptor.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Initial {
-    /// It is relative to a frame or tool.
+    /// Whether the value is relative to a frame or tool.
     pub has_father: bool,
-    /// Its enumerated fields, as code writes them after the variable (`config.shoulder`, `blend`).
+    /// Enumerated fields by their path after the variable (`config.shoulder`, `blend`).
     pub choices: Vec<(&'static str, &'static Enumerator)>,
-    /// The blend, or a distance of it, is another than the default (10.5.1).
+    /// Whether the blend or a blend distance differs from the default (10.5.1).
     pub needs_corner: bool,
-    /// `leave` and `reach` in the length unit of the application; `None` for other types, and if they are no numbers.
+    /// `leave` and `reach` in the length unit of the application; `None` for other types, or if a text is no number.
     pub corner: Option<[f64; 2]>,
 }
 
-/// The values that a file writes. An array of which no value is written has an entry without keys.
+/// Reads the initial values in a file. An array without values in the file has an entry without keys.
 #[salsa::tracked]
 pub fn initial(db: &dyn Db, file: File) -> InitialValues {
     let parse = parse(db, file);
@@ -53,14 +53,14 @@ fn has_values(ty: BaseType) -> bool {
     ty.has_father() || matches!(ty, BaseType::Config | BaseType::Mdesc)
 }
 
-/// `<Value key x … shoulder … fatherId>`
+/// Reads `<Value key x … shoulder … fatherId>`.
 fn new_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Initial {
     let has_father = value.value("fatherId").is_some_and(|father| !father.trim().is_empty());
     let written = |name: &str| value.value(name).map(SmolStr::from);
     of_attributes(&written, ty, arm, has_father)
 }
 
-/// `<valuePoint index>` with `<cpValue shoulder …>` and others in it.
+/// Reads `<valuePoint index>` and its elements, for example `<cpValue shoulder …>`.
 fn old_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>, has_father: bool) -> Initial {
     let written = |name: &str| value.elements().find_map(|part| part.value(name)).map(SmolStr::from);
     of_attributes(&written, ty, arm, has_father)
@@ -80,7 +80,7 @@ fn of_attributes(
     }
 }
 
-/// The numbers that round a corner: `leave` and `reach`.
+/// Returns the blend distances `leave` and `reach`.
 fn corner(written: &dyn Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> Option<[f64; 2]> {
     let distance = |attribute: &Attribute| match attribute.default {
         DefaultValue::Number(usual) => written(attribute.name).map_or(Some(usual), |text| text.trim().parse().ok()),
@@ -93,7 +93,7 @@ fn corner(written: &dyn Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<A
     Some([leave?, reach?])
 }
 
-/// `<pFather alias name fatherIndex>`, which has no name where there is none.
+/// Whether the element is `<pFather alias name fatherIndex>` with a name; an empty name means no father.
 fn is_father(element: Element<'_>) -> bool {
     element.name().ends_with("Father") && element.value("name").is_some_and(|name| !name.is_empty())
 }

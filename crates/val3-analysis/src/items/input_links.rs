@@ -1,4 +1,4 @@
-//! Global data whose links in the data file name inputs.
+//! Global data that are linked to inputs in the data file.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -10,8 +10,8 @@ use super::{data, parse};
 use crate::db::{Db, File};
 use crate::xml::Element;
 
-/// Digital and numerical data of which every value is linked to an input, and tools whose output is an input in every
-/// value, with the first link. Only files of s7 and s8 are read.
+/// Returns the first link of digital and numerical data whose values are all linked to inputs, and of tools whose
+/// outputs are all inputs. Only files of s7 and s8 are read.
 #[salsa::tracked]
 pub fn input_links(db: &dyn Db, file: File) -> FxHashMap<SmolStr, SmolStr> {
     let parse = parse(db, file);
@@ -28,14 +28,14 @@ fn linked(element: Element<'_>) -> Option<(SmolStr, SmolStr)> {
     Some((element.value("name")?.as_ref().into(), first))
 }
 
-/// The link of a value.
+/// Returns the link of a value.
 fn link(value: Element<'_>, ty: BaseType) -> Option<SmolStr> {
     let is_link = |name: &str| attribute(ty, None, name).is_some_and(|known| known.value == AttributeValue::Link);
     let link = value.attributes().find(|attribute| is_link(attribute.name))?;
     Some(link.text().trim().into())
 }
 
-/// The links of the digital, numerical and serial data and of the tools of a file, with their ranges, without quotes.
+/// Returns the links of digital, numerical and serial data and of tools in a file, with their ranges without quotes.
 pub fn links(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
     let parse = parse(db, file);
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! How the code of a program is laid out: its place and its comments. Read from the tree whenever a rule asks.
+//! Ranges of a program's code and comments, read from the tree on each call.
 
 use rowan::NodeOrToken;
 use val3_syntax::view::{TokenView, View};
@@ -7,7 +7,7 @@ use val3_syntax::{SyntaxKind, TextRange};
 use super::{parse, program};
 use crate::db::{Db, File};
 
-/// The range of the code of the program in `file`, from `begin` to `end`.
+/// Returns the range of the program code in `file`, from `begin` to `end`.
 pub fn code(db: &dyn Db, file: File) -> Option<TextRange> {
     let parse = parse(db, file);
     let code = program::code(parse.view())?;
@@ -16,7 +16,7 @@ pub fn code(db: &dyn Db, file: File) -> Option<TextRange> {
     Some(TextRange::new(start, end.max(start)))
 }
 
-/// The comments in the code of the program in `file`, in order, without line ends.
+/// Returns the comments in the program code in `file`, in order, without line ends.
 pub fn comments(db: &dyn Db, file: File) -> Vec<TextRange> {
     let parse = parse(db, file);
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! Numbers in motion descriptors that a `.dtx` writes.
+//! Numbers of motion descriptors in a `.dtx`.
 
 use val3_lang::enumerations::find_in_file;
 use val3_lang::motion::is_blend;
@@ -12,15 +12,15 @@ use crate::xml::{Attribute, Element};
 /// A number in a motion descriptor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
-    /// The attribute: `tmax` for the field `tvel`.
+    /// Attribute name, for example `tmax` for the field `tvel`.
     pub attribute: &'static str,
-    /// The number.
+    /// Value.
     pub value: f64,
-    /// Its range, without quotes.
+    /// Range of the value, without quotes.
     pub range: TextRange,
 }
 
-/// The numbers of every motion descriptor of a data file of either dialect, those in user types included.
+/// Returns the numbers of all motion descriptors in a data file of either dialect, including fields of user types.
 pub fn limits(db: &dyn Db, file: File) -> Vec<Limit> {
     let parse = parse(db, file);
     let mut found = Vec::new();
@@ -30,16 +30,17 @@ pub fn limits(db: &dyn Db, file: File) -> Vec<Limit> {
     found
 }
 
-/// The distances of a motion descriptor that blends.
+/// Blend distances of a motion descriptor that blends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BlendDistances {
     /// `leave` and `reach` in the length unit of the application.
     pub distances: [f64; 2],
-    /// The range of `leave`, without quotes.
+    /// Range of `leave`, without quotes.
     pub range: TextRange,
 }
 
-/// The blending distances of every motion descriptor of a data file that writes both and a blend other than `off`.
+/// Returns the blend distances of all motion descriptors in a data file that have both distances and a blend other than
+/// `off`.
 pub fn blends(db: &dyn Db, file: File) -> Vec<BlendDistances> {
     let parse = parse(db, file);
     let mut found = Vec::new();
@@ -61,7 +62,8 @@ fn blend(value: Element<'_>) -> Option<BlendDistances> {
     is_blend(choice).then_some(BlendDistances { distances, range: leave.range })
 }
 
-/// `<Data type>` and `<Field type>` with `<Value>`; `<mdesc>` with `<valueMdesc>` and `<mdescValue>` in it.
+/// Collects from `<Data type>` and `<Field type>` with `<Value>`, and from `<mdesc>` with `<valueMdesc>` and
+/// `<mdescValue>`.
 fn declared(element: Element<'_>, found: &mut Vec<Limit>) {
     let written = element.value("type").unwrap_or_else(|| element.name().into());
     let is_descriptor = matches!(BaseType::from_file_name(&written), Some((BaseType::Mdesc, _)));

@@ -1,4 +1,4 @@
-//! The content of a `.pjx`.
+//! Content of a project file (`.pjx`).
 
 use smol_str::SmolStr;
 use val3_lang::types::LengthUnit;
@@ -8,10 +8,10 @@ use super::{is_sound, parse};
 use crate::db::{Db, File};
 use crate::xml::{self, Element};
 
-/// A `.pjx` of either dialect.
+/// A project file of either dialect.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Manifest {
-    /// The version as written; empty where it is missing.
+    /// Version as written; empty if missing.
     pub version: SmolStr,
     /// Program files as written, in order.
     pub programs: Vec<SmolStr>,
@@ -21,12 +21,12 @@ pub struct Manifest {
     pub libraries: Vec<LibraryEntry>,
     /// User types, in order.
     pub types: Vec<TypeEntry>,
-    /// Every entry can be read.
+    /// Whether every entry is readable.
     pub complete: bool,
 }
 
 impl Manifest {
-    /// The paths of the libraries and types, as written.
+    /// Returns the paths of the libraries and types, as written.
     pub fn projects(&self) -> Vec<&str> {
         let libraries = self.libraries.iter().map(|entry| entry.path.as_str());
         libraries.chain(self.types.iter().map(|entry| entry.path.as_str())).collect()
@@ -36,28 +36,28 @@ impl Manifest {
 /// `<Library alias path autoload>`
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LibraryEntry {
-    /// The identifier.
+    /// Library identifier.
     pub alias: SmolStr,
-    /// The path as written.
+    /// Path as written.
     pub path: SmolStr,
-    /// The library is loaded with the application.
+    /// Whether the library is loaded with the application.
     pub autoload: bool,
 }
 
 /// `<Type name path>`
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TypeEntry {
-    /// The name in this project.
+    /// Type name in this project.
     pub name: SmolStr,
-    /// The path as written.
+    /// Path as written.
     pub path: SmolStr,
 }
 
-/// The names of elements and attributes that differ between the dialects.
+/// Element and attribute names that differ between the dialects.
 pub struct Spelling {
-    /// The root element.
+    /// Root element.
     pub root: &'static str,
-    /// The element with the version.
+    /// Element with the version.
     pub parameters: &'static str,
     /// List and entry of program files.
     pub programs: (&'static str, &'static str),
@@ -65,9 +65,9 @@ pub struct Spelling {
     pub data: (&'static str, &'static str),
     /// List and entry of libraries.
     pub libraries: (&'static str, &'static str),
-    /// The attribute with the identifier of a library.
+    /// Attribute for a library's identifier.
     pub library_name: &'static str,
-    /// The attribute with the path of a library.
+    /// Attribute for a library's path.
     pub library_path: &'static str,
     /// List and entry of user types.
     pub types: (&'static str, &'static str),
@@ -97,19 +97,19 @@ pub(crate) const OLD: Spelling = Spelling {
     types: ("typeSection", "type"),
 };
 
-/// The dialect of a project file.
+/// Returns the dialect of a project file.
 pub fn spelling(root: Element<'_>) -> &'static Spelling {
     if root.name() == OLD.root { &OLD } else { &NEW }
 }
 
-/// A parameter of a project (2.1.4) as its file writes it.
+/// Returns a project parameter (2.1.4) as written in the file.
 pub fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
     let parse = parse(db, file);
     let root = xml::root(parse.view())?;
     root.child(&[spelling(root).parameters])?.value(name).map(|text| text.into_owned())
 }
 
-/// The unit of the lengths of a project (2.1.4.1).
+/// Returns the length unit of a project (2.1.4.1).
 #[salsa::tracked(returns(copy))]
 pub fn length_unit(db: &dyn Db, file: File) -> LengthUnit {
     match parameter(db, file, "millimeterUnit").as_deref().map(str::trim) {
@@ -142,7 +142,7 @@ pub fn read(file: View<'_>) -> Manifest {
     }
 }
 
-/// Every element is known and has the attribute with its name.
+/// Whether every element is known and has its name attribute.
 fn is_complete(root: Element<'_>, spelling: &Spelling) -> bool {
     let lists = [
         (spelling.programs, "file"),
@@ -159,7 +159,7 @@ fn is_complete(root: Element<'_>, spelling: &Spelling) -> bool {
         })
 }
 
-/// The elements of one list of a project file.
+/// Returns the elements of a list in a project file.
 pub fn entries<'g>(root: Element<'g>, (list, item): (&'static str, &'static str)) -> impl Iterator<Item = Element<'g>> {
     root.list(list, item)
 }

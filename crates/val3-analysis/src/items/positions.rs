@@ -1,4 +1,4 @@
-//! The numbers of positions, frames, tools and transformations in a `.dtx`.
+//! Coordinates of positions, frames, tools and transformations in a `.dtx`.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -13,35 +13,35 @@ use crate::data_check::steps;
 use crate::db::{Db, File};
 use crate::xml::Element;
 
-/// Levels of fields in fields that a file can have.
+/// Maximum nesting of fields in a file.
 const NESTING: usize = 8;
 
-/// The values of a file by their paths.
+/// Values of a file by data path.
 pub type Positions = FxHashMap<SmolStr, Position>;
 
-/// A value as the file writes it, in the length unit of the application.
+/// A value in a file, in the length unit of the application.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Position {
     /// Point, joint, frame, tool or transformation.
     pub ty: BaseType,
-    /// The kind of arm that a point or joint is for, if its type says so.
+    /// Kind of arm, if the type of a point or joint names one.
     pub arm: Option<Arm>,
-    /// A translation and angles, or the axes.
+    /// Translation and angles, or joint values.
     pub numbers: [f64; 6],
-    /// The configuration of a point.
+    /// Configuration of a point.
     pub configuration: ConfigValue,
-    /// The path of the frame or tool that it is relative to.
+    /// Data path of the father (frame or tool).
     pub father: Option<SmolStr>,
 }
 
 impl Position {
-    /// All numbers are 0: the position was declared and never taught.
+    /// Whether all numbers are 0, so that the position was declared but never taught.
     pub fn is_zero(&self) -> bool {
         self.numbers.iter().all(|number| *number == 0.0)
     }
 }
 
-/// The values that a file writes. Values whose numbers cannot be read are left out.
+/// Reads the values of a file. Values with unreadable numbers are omitted.
 #[salsa::tracked]
 pub fn positions(db: &dyn Db, file: File) -> Positions {
     let parse = parse(db, file);
@@ -56,17 +56,17 @@ pub fn positions(db: &dyn Db, file: File) -> Positions {
 
 /// A value in a file.
 pub struct PositionElement<'g> {
-    /// The place in the application, with every index: `tSlots[1,2].pPlace[0]`.
+    /// Data path with every index: `tSlots[1,2].pPlace[0]`.
     pub path: String,
-    /// The element of the value.
+    /// Element of the value.
     pub element: Element<'g>,
-    /// The element of the data or field.
+    /// Element of the data or field.
     pub container: Element<'g>,
     ty: BaseType,
     arm: Option<Arm>,
 }
 
-/// Calls `take` for each value of a file, those of fields of user types included.
+/// Calls `take` for each value of a file, including fields of user types.
 pub fn each<'g>(file: View<'g>, take: &mut dyn FnMut(PositionElement<'g>)) {
     for container in data::elements(file) {
         if let Some(name) = container.value("name") {
@@ -102,12 +102,12 @@ fn is_position(ty: BaseType) -> bool {
     ty.has_father() || matches!(ty, BaseType::Joint | BaseType::Trsf)
 }
 
-/// An index without blanks around its numbers; the key of a collection stays.
+/// Removes blanks around the numbers of an array index. A collection key without blanks is unchanged.
 pub fn key_of(key: &str) -> String {
     key.split(',').map(str::trim).collect::<Vec<_>>().join(",")
 }
 
-/// The path of a reference: `tSlot[a].fIn[0]` for `tSlot["a"].fIn`.
+/// Returns the data path of a father reference: `tSlot[a].fIn[0]` for `tSlot["a"].fIn`.
 pub fn path_of_reference(reference: &str) -> Option<SmolStr> {
     let part = |part: crate::data_check::ReferencePart| {
         let index = part.index.unwrap_or_else(|| "0".to_owned());
@@ -117,20 +117,20 @@ pub fn path_of_reference(reference: &str) -> Option<SmolStr> {
 }
 
 impl PositionElement<'_> {
-    /// The place of its index, or of the name of its element.
+    /// Returns the range of the index, or of the element's tag if there is no index.
     pub fn range(&self) -> TextRange {
         let key = self.element.attribute("key").or_else(|| self.element.attribute("index"));
         key.map_or_else(|| self.element.name_range(), |key| key.range)
     }
 
-    /// The value; `None` where a number cannot be read.
+    /// Reads the value; `None` if a number is unreadable.
     pub fn read(&self) -> Option<Position> {
         let (mut numbers, mut places) = ([0.0; 6], [0.0; 3]);
         let (mut slots, mut choices) = (numbers.iter_mut(), places.iter_mut());
         for attribute in attributes(self.ty, self.arm) {
             match attribute.value {
                 AttributeValue::Number => {
-                    // The times of a tool follow its transformation.
+                    // The times of a tool follow its transformation and are ignored.
                     let Some(slot) = slots.next() else { continue };
                     *slot = self.number(attribute)?;
                 }
@@ -150,20 +150,20 @@ impl PositionElement<'_> {
         text.trim().parse().ok().filter(|number: &f64| number.is_finite())
     }
 
-    /// The place of a choice among the values of its type.
+    /// Returns the index in the list of enumerators.
     fn choice(&self, attribute: &Attribute, ty: BaseType) -> Option<f64> {
         let Some(text) = self.written(attribute) else { return Some(0.0) };
         let found = find_in_file(ty, text.trim())?;
         values(ty).position(|value| value == found).and_then(|place| u8::try_from(place).ok()).map(f64::from)
     }
 
-    /// The text of an attribute: of the value, or in the old dialect of an element in it.
+    /// Returns the text of an attribute in the value; in the old dialect, in an element of the value.
     fn written(&self, attribute: &Attribute) -> Option<std::borrow::Cow<'_, str>> {
         let in_parts = || self.element.elements().find_map(|part| part.value(attribute.old_name()));
         self.element.value(attribute.name).or_else(in_parts)
     }
 
-    /// In the old dialect all values of data have one father.
+    /// Returns the father. In the old dialect, one father applies to all values of the data.
     fn father(&self) -> Option<SmolStr> {
         if let Some(text) = self.element.value("fatherId") {
             return path_of_reference(&text);

@@ -1,4 +1,4 @@
-//! The header of a `.pgx`: the program's name, access, parameters and locals.
+//! Header of a `.pgx`: program name, access, parameters and locals.
 
 use smol_str::SmolStr;
 use val3_lang::files::FileKind;
@@ -11,44 +11,44 @@ use super::{attributes, flag, parse};
 use crate::db::{Db, File, FileStatus};
 use crate::xml::{self, Element};
 
-/// The header of a program.
+/// Header of a program.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Header {
-    /// The program's name.
+    /// Program name.
     pub name: SmolStr,
-    /// Other projects may call it.
+    /// Whether other projects may call the program.
     pub public: bool,
     /// Parameters in order.
     pub params: Vec<ParamDecl>,
     /// Locals in order.
     pub locals: Vec<LocalDecl>,
-    /// Every parameter and local can be read.
+    /// Whether every parameter and local is readable.
     pub complete: bool,
 }
 
 /// A parameter.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ParamDecl {
-    /// The name.
+    /// Parameter name.
     pub name: SmolStr,
-    /// The type as written.
+    /// Type as written.
     pub type_name: SmolStr,
-    /// An element, array or collection.
+    /// Element, array or collection.
     pub container: Container,
-    /// Passed by reference; containers always are.
+    /// Whether the parameter is passed by reference; containers always are.
     pub by_reference: bool,
-    /// The old dialect does not distinguish an element by reference from an array.
+    /// Whether it may be an element by reference or an array, which the old dialect does not distinguish.
     pub loose: bool,
 }
 
 /// A local variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LocalDecl {
-    /// The name.
+    /// Variable name.
     pub name: SmolStr,
-    /// The type as written.
+    /// Type as written.
     pub type_name: SmolStr,
-    /// Always an array in files; a single value has size 1.
+    /// Container; always an array in files, with size 1 for a single value.
     pub container: Container,
     /// Sizes of the dimensions.
     pub sizes: Vec<u32>,
@@ -68,23 +68,23 @@ pub fn header(db: &dyn Db, file: File) -> Header {
     header
 }
 
-/// The element of the program in a file.
+/// Returns the program element of a file.
 pub fn element(file: View<'_>) -> Option<Element<'_>> {
     xml::root(file)?.child(&["Program", "program"])
 }
 
-/// The code of the program in a file.
+/// Returns the program code in a file.
 pub fn code(file: View<'_>) -> Option<View<'_>> {
     code_element(file)?.view().child(SyntaxKind::CODE)
 }
 
-/// The element that holds the code of the program in a file.
+/// Returns the element that contains the program code.
 pub fn code_element(file: View<'_>) -> Option<Element<'_>> {
     let program = element(file)?;
     program.child(&["Code"]).or_else(|| program.child(&["source"])?.child(&["code"]))
 }
 
-/// The lists that a program may hold, and what each lists; nothing for those that list no elements.
+/// Elements that a program may contain, with the tag of the items; `None` for elements without items.
 pub(crate) const LISTS: [(&str, Option<&str>); 8] = [
     ("Parameters", Some("Parameter")),
     ("paramSection", Some("param")),
@@ -108,12 +108,12 @@ fn is_complete(program: Element<'_>) -> bool {
         })
 }
 
-/// The elements that declare parameters.
+/// Returns the elements that declare parameters.
 pub fn params<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
     program.list("Parameters", "Parameter").chain(program.list("paramSection", "param"))
 }
 
-/// The elements that declare locals.
+/// Returns the elements that declare locals.
 pub fn locals<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
     program.list("Locals", "Local").chain(program.list("localSection", "local"))
 }
@@ -124,7 +124,7 @@ pub fn read(file: View<'_>) -> Header {
     let value = |name: &str| program.value(name);
     Header {
         name: value("name").map(SmolStr::from).unwrap_or_default(),
-        // A word that is neither, and an attribute that may be meant as this one, is a fault of its own, reported once.
+        // An unknown access or a misspelt attribute counts as public, because its fault is reported separately.
         public: value("access").is_some_and(|text| text.trim() != "private")
             || attributes::has_unknown(FileKind::Program, program)
             || value("public").and_then(|text| flag(&text)).unwrap_or(false),
@@ -159,7 +159,7 @@ fn local(element: Element<'_>) -> Option<LocalDecl> {
     Some(LocalDecl { name, type_name, container, sizes })
 }
 
-/// Nothing is known of the values of a variable whose attributes may be meant as others.
+/// Returns the shape without a type if an attribute may be misspelt, because the values are unknown then.
 fn plain_shape(element: Element<'_>) -> Shape {
     let shape = shape(element);
     if attributes::is_plain(element) { shape } else { Shape { type_name: SmolStr::default(), ..shape } }

@@ -1,4 +1,4 @@
-//! The items of a project for its own programs: the firewall between files and bodies.
+//! Items of a project as visible to its own programs: the firewall between files and bodies.
 
 use camino::Utf8Path;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -15,7 +15,7 @@ use crate::paths::{self, Target, path_key};
 
 use crate::ty::{Base, brackets};
 
-/// The names of a project.
+/// Names of a project.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Items {
     /// Global data by name.
@@ -24,50 +24,49 @@ pub struct Items {
     pub programs: FxHashMap<SmolStr, File>,
     /// Library identifiers by name.
     pub libraries: FxHashMap<SmolStr, LibraryItem>,
-    /// User types by name; `None` where the type's project cannot be found.
+    /// User types by name; `None` if the type's project was not found.
     pub types: FxHashMap<SmolStr, Option<Project>>,
-    /// A data file is missing or cannot be read whole, so that names it would declare are not known.
+    /// Whether a data file is missing or partly unreadable, so that an unresolved name may be declared in it.
     pub lacks_data: bool,
-    /// Names under which programs may exist whose files are missing, cannot be read, or hold a program of another
-    /// name; in lower case.
+    /// Names of programs whose files are missing, unreadable, or contain a program with another name; in lower case.
     pub lacking_programs: FxHashSet<SmolStr>,
-    /// The project file cannot be read whole, so that any program, library or type may be missing here.
+    /// Whether the project file is partly unreadable, so that any program, library or type may be missing.
     pub incomplete: bool,
-    /// The version that is configured, else the one the project declares, else the manual's.
+    /// VAL 3 version from the configuration, or from the project, or the default.
     pub version: Version,
-    /// The arm of its positions, where the configuration, the data or the cell give it.
+    /// Kind of arm from the configuration, the data or the cell, if known.
     pub arm: Option<Arm>,
 }
 
 /// A global variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataItem {
-    /// The declaration.
+    /// Declaration in the data file.
     pub decl: DataDecl,
-    /// The type it names.
+    /// Resolved type.
     pub base: Base,
-    /// The `.dtx`.
+    /// Data file.
     pub file: File,
 }
 
 /// A library identifier.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LibraryItem {
-    /// The project that gives the interface; `None` where it cannot be found.
+    /// Project of the interface; `None` if it was not found.
     pub interface: Option<Project>,
-    /// The library is loaded with the application.
+    /// Whether the library is loaded with the application.
     pub autoload: bool,
 }
 
 impl Items {
-    /// A program of this name may lie in a file that is missing.
+    /// Whether a program with this name may exist in a missing or unreadable file.
     pub fn may_have_program(&self, name: &str) -> bool {
         self.incomplete
             || !self.lacking_programs.is_empty() && self.lacking_programs.contains(name.to_lowercase().as_str())
     }
 }
 
-/// The project that `reference` names, seen from `project`.
+/// Returns the project that `reference` names in `project`.
 pub fn find_project(db: &dyn Db, project: Project, reference: &str) -> Option<Project> {
     if leads_outside(db, project, reference) {
         return None;
@@ -78,17 +77,17 @@ pub fn find_project(db: &dyn Db, project: Project, reference: &str) -> Option<Pr
     }
 }
 
-/// Whether a reference of the project file leads outside, so that its file is not read.
+/// Whether a reference in the project file is outside of the cell, so that its file is not read.
 pub fn leads_outside(db: &dyn Db, project: Project, reference: &str) -> bool {
     project.outside(db).iter().any(|outside| outside == reference)
 }
 
-/// The folder of a project.
+/// Returns the folder of a project.
 pub fn folder(db: &dyn Db, project: Project) -> &Utf8Path {
     project.manifest(db).path(db).parent().unwrap_or(Utf8Path::new(""))
 }
 
-/// The file that `reference` names in the project's folder, if it was found.
+/// Returns the file that `reference` names in the project's folder, if it was read.
 pub fn find_file(db: &dyn Db, project: Project, reference: &str) -> Option<File> {
     if leads_outside(db, project, reference) {
         return None;
@@ -97,21 +96,21 @@ pub fn find_file(db: &dyn Db, project: Project, reference: &str) -> Option<File>
     Sources::get(db).files(db).get(&path_key(path.as_str())).copied()
 }
 
-/// The program files of a project that were found, in the project's order.
+/// Returns the program files of a project that were read, in the order of the project file.
 #[salsa::tracked]
 pub fn program_files(db: &dyn Db, project: Project) -> Vec<File> {
     let manifest = manifest(db, project.manifest(db));
     manifest.programs.iter().filter_map(|reference| find_file(db, project, reference)).collect()
 }
 
-/// The data files of a project that were found.
+/// Returns the data files of a project that were read.
 #[salsa::tracked]
 pub fn data_files(db: &dyn Db, project: Project) -> Vec<File> {
     let manifest = manifest(db, project.manifest(db));
     manifest.data.iter().filter_map(|reference| find_file(db, project, reference)).collect()
 }
 
-/// The names of a project. Where a name is declared twice, the first declaration counts.
+/// Returns the names of a project. If a name is declared twice, the first declaration is used.
 #[salsa::tracked]
 pub fn items(db: &dyn Db, project: Project) -> Items {
     let manifest = manifest(db, project.manifest(db));
@@ -167,7 +166,7 @@ impl Items {
     }
 }
 
-/// The type called `name`; `None` where there is no such type.
+/// Returns the type called `name`; `None` if it does not exist.
 pub fn resolve_type(types: &FxHashMap<SmolStr, Option<Project>>, name: &str) -> Option<Base> {
     if let Some((base, arm)) = BaseType::from_file_name(name) {
         return Some(Base::Builtin(base, arm));
@@ -175,7 +174,7 @@ pub fn resolve_type(types: &FxHashMap<SmolStr, Option<Project>>, name: &str) -> 
     types.get(name).map(|project| project.map_or(Base::Unknown, Base::User))
 }
 
-/// The arm of a project: the one that is configured, else the one all its positions are for, else the cell's.
+/// Returns a project's kind of arm: from the configuration, else from all its positions, else from the cell.
 #[salsa::tracked(returns(copy))]
 fn arm(db: &dyn Db, project: Project) -> Option<Arm> {
     if let Some(arm) = project.config(db).and_then(|config| config.arm.as_ref()?.kind()) {
@@ -184,7 +183,7 @@ fn arm(db: &dyn Db, project: Project) -> Option<Arm> {
     arm_of_positions(db, project).or_else(|| project.cell_arm(db))
 }
 
-/// The arm that all positions of a project are for, if they are for one.
+/// Returns the common kind of arm of all positions in a project, if they agree.
 pub fn arm_of_positions(db: &dyn Db, project: Project) -> Option<Arm> {
     let mut arms = data_files(db, project).iter().flat_map(|file| data(db, *file)).filter_map(|decl| {
         let (_, arm) = BaseType::from_file_name(&decl.type_name)?;
@@ -193,33 +192,33 @@ pub fn arm_of_positions(db: &dyn Db, project: Project) -> Option<Arm> {
     arms.next().filter(|first| arms.all(|arm| arm == *first))
 }
 
-/// The old dialect has a section of every kind of arm.
+/// Whether the type comes from a section of the old dialect, which has a section for each kind of arm.
 fn is_old_section(type_name: &str) -> bool {
     type_name.ends_with("Vrb")
 }
 
-/// The fields of a user type: the public data of its project.
+/// Returns a user type's fields: the public data in its project.
 #[salsa::tracked]
 pub fn fields(db: &dyn Db, project: Project) -> FxHashMap<SmolStr, DataItem> {
     let items = items(db, project);
     items.data.iter().filter(|(_, item)| item.decl.public).map(|(name, item)| (name.clone(), item.clone())).collect()
 }
 
-/// A program as its callers see it.
+/// Signature of a program for its callers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Signature {
-    /// The name.
+    /// Program name.
     pub name: SmolStr,
-    /// Other projects may call it.
+    /// Whether other projects may call the program.
     pub public: bool,
     /// Parameters in order.
     pub params: Vec<Param>,
-    /// Every parameter can be read.
+    /// Whether every parameter is readable.
     pub complete: bool,
 }
 
 impl Signature {
-    /// The program as a programmer writes its head: `pick(num x_nCount, string& x_sName[])`.
+    /// Formats the syntax line: `pick(num x_nCount, string& x_sName[])`.
     pub(crate) fn syntax_line(&self, db: &dyn Db) -> SmolStr {
         let param = |param: &Param| {
             let reference = if param.by_reference { "&" } else { "" };
@@ -230,24 +229,24 @@ impl Signature {
     }
 }
 
-/// A parameter as callers see it.
+/// A parameter in a signature.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Param {
-    /// The name.
+    /// Parameter name.
     pub name: SmolStr,
-    /// The type of each value.
+    /// Type of the values.
     pub base: Base,
-    /// An element, array or collection.
+    /// Element, array or collection.
     pub container: Container,
-    /// Passed by reference.
+    /// Whether the parameter is passed by reference.
     pub by_reference: bool,
-    /// The old dialect: an element or an array.
+    /// Whether it may be an element or an array (old dialect).
     pub loose: bool,
 }
 
 impl Param {
-    /// The kind of argument. The old dialect does not distinguish elements by reference from arrays: all of them are
-    /// arrays.
+    /// Returns the form of argument. In the old dialect, every parameter by reference is an array, because elements are
+    /// not distinguished.
     pub fn shape(&self) -> Shape {
         match self.container {
             Container::Element if self.by_reference => Shape::Reference,
@@ -258,7 +257,7 @@ impl Param {
     }
 }
 
-/// The signature of the program in `file`, with the types of `project`.
+/// Returns the signature of the program in `file`, with the types of `project`.
 #[salsa::tracked]
 pub fn signature(db: &dyn Db, project: Project, file: File) -> Signature {
     let Header { name, public, params, complete, .. } = header(db, file);

@@ -1,4 +1,4 @@
-//! Names that a project gives to variables of programs and also to a program or a library identifier.
+//! Names that a project uses for program variables and also for a program or library identifier.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -7,7 +7,8 @@ use super::program::header;
 use super::project::{items, program_files};
 use crate::db::{Db, File, Project};
 
-/// For each such name the program files with a local or parameter of the name, in the order of the project.
+/// Returns for each such name the program files with a local or parameter of this name, in the order of the project
+/// file.
 #[salsa::tracked]
 pub fn shared_names(db: &dyn Db, project: Project) -> FxHashMap<SmolStr, Vec<File>> {
     let items = items(db, project);

@@ -1,5 +1,5 @@
-//! Comments for the tools: `//val3: allow(V0302, no-effect) reason` silences findings, `//val3: no-coverage reason` leaves
-//! code out of reports of coverage.
+//! Comments that control the tools: `//val3: allow(V0302, no-effect) reason` suppresses findings,
+//! `//val3: no-coverage reason` omits code from coverage reports.
 
 use memchr::memmem;
 use rowan::NodeOrToken;
@@ -10,47 +10,47 @@ use val3_syntax::{Part, SyntaxKind, TextRange, TextSize, text_size};
 use super::parse;
 use crate::db::{Db, File};
 
-/// The word that such a comment starts with, after its `//`.
+/// Prefix of such a comment after its `//`.
 const MARK: &str = "val3:";
 
-/// The order that leaves code out of reports of coverage.
+/// Keyword that omits code from coverage reports.
 const NO_COVERAGE: &str = "no-coverage";
 
-/// A comment that starts with `val3:`, other than one about coverage.
+/// A comment that begins with `val3:`, except comments about coverage.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Suppression {
-    /// The comment.
+    /// Range of the comment.
     pub comment: TextRange,
-    /// Its scope.
+    /// Extent of the suppression.
     pub scope: Scope,
-    /// The codes and names of rules in it.
+    /// Rule codes and names in the comment.
     pub rules: Vec<SuppressedRule>,
 }
 
-/// The scope of a suppression.
+/// Extent of a suppression.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// `allow(…)`: what starts in the next line that is neither blank nor a comment.
+    /// `allow(…)`: findings that start in the next line that is neither blank nor a comment.
     Line(TextRange),
-    /// `allow-program(…)` before the first line of code: everything in the file.
+    /// `allow-program(…)` before the first line of code: all findings of the file.
     Program,
-    /// `allow-program(…)` further down: nothing.
+    /// `allow-program(…)` after the first line of code: no finding.
     Misplaced,
-    /// The comment has none of the two forms.
+    /// Neither of the two forms.
     Unreadable,
 }
 
-/// A code or name of a rule as written in a comment.
+/// A rule code or name as written in a comment.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SuppressedRule {
-    /// The word.
+    /// Code or name.
     pub name: SmolStr,
-    /// Its range.
+    /// Range of the word.
     pub range: TextRange,
 }
 
 impl Suppression {
-    /// Whether something that starts at `at` lies where the comment counts.
+    /// Whether the suppression applies to a finding that starts at `at`.
     pub fn covers(&self, at: TextSize) -> bool {
         match self.scope {
             Scope::Line(line) => line.contains_inclusive(at),
@@ -60,14 +60,14 @@ impl Suppression {
     }
 }
 
-/// The comments in the code of `file` that silence findings, in order.
+/// Returns the suppressions in the code of `file`, in order.
 #[salsa::tracked]
 pub fn suppressions(db: &dyn Db, file: File) -> Vec<Suppression> {
     orders(db, file).0
 }
 
-/// The code of `file` that reports of coverage leave out: the line after each comment `//val3: no-coverage`, with its block
-/// if it opens one, or the whole file if the comment is before the first line of code.
+/// Returns the code of `file` that coverage reports omit: the line after each comment `//val3: no-coverage` with the
+/// block that it opens, or the entire file if the comment is before the first line of code.
 #[salsa::tracked]
 pub fn uncovered(db: &dyn Db, file: File) -> Vec<TextRange> {
     let lines = orders(db, file).1;
@@ -78,7 +78,7 @@ pub fn uncovered(db: &dyn Db, file: File) -> Vec<TextRange> {
     lines.into_iter().map(|line| with_block(parse.view(), line)).collect()
 }
 
-/// The comments that silence findings, and what those about coverage leave out: lines, or the whole file.
+/// Returns the suppressions, and the ranges that coverage comments omit: lines, or the entire file.
 fn orders(db: &dyn Db, file: File) -> (Vec<Suppression>, Vec<TextRange>) {
     let text = file.text(db);
     if memmem::find(text.as_bytes(), MARK.as_bytes()).is_none() {
@@ -89,7 +89,7 @@ fn orders(db: &dyn Db, file: File) -> (Vec<Suppression>, Vec<TextRange>) {
     (reader.found, reader.uncovered)
 }
 
-/// A line with the block that it opens: up to the end of the outermost statement or clause that starts in it.
+/// Extends a line to the end of the outermost statement or clause that starts in it.
 fn with_block(root: View<'_>, line: TextRange) -> TextRange {
     let is_inner = |node: &View<'_>| {
         node.kind() != SyntaxKind::BLOCK && (line.start()..line.end()).contains(&node.range().start())
@@ -105,7 +105,7 @@ fn with_block(root: View<'_>, line: TextRange) -> TextRange {
 
 struct Reader<'t> {
     text: &'t str,
-    /// No line of code was passed yet.
+    /// Whether no line of code has been read yet.
     in_head: bool,
     found: Vec<Suppression>,
     uncovered: Vec<TextRange>,
@@ -155,7 +155,7 @@ impl Reader<'_> {
         self.found.push(suppression);
     }
 
-    /// The next line of code without its indentation.
+    /// Returns the next line of code without its indentation.
     fn next_code(&self, from: TextSize) -> TextRange {
         let line = next_line(self.text, from);
         let blanks =
@@ -172,7 +172,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether an order is `no-coverage`, with or without a reason after it.
+/// Whether the comment is `no-coverage`, with or without a reason.
 fn is_about_coverage(order: &str) -> bool {
     order.trim_start().strip_prefix(NO_COVERAGE).is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '\t']))
 }
@@ -206,7 +206,7 @@ fn read(order: &str) -> Option<(AllowKeyword, Vec<(TextSize, &str)>)> {
     words.iter().all(|(_, word)| !word.is_empty()).then_some((reach, words))
 }
 
-/// The first line after `from` that is neither blank nor a comment; empty where there is none.
+/// Returns the first line after `from` that is neither blank nor a comment; empty if no such line exists.
 fn next_line(text: &str, from: TextSize) -> TextRange {
     let mut start = usize::from(from);
     let rest = text.part(start..);
@@ -289,7 +289,7 @@ mod tests {
         );
     }
 
-    /// The code that reports of coverage leave out, and the suppressions.
+    /// Checks the omitted code and the number of suppressions.
     #[track_caller]
     fn check_uncovered(code: &str, expected: Expect) {
         let text = format!("<Program name=\"p\"><Code><![CDATA[\n{code}\n]]></Code></Program>");

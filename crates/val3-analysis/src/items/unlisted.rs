@@ -1,4 +1,4 @@
-//! Programs and data files in the folder of a project that it does not list.
+//! Unlisted files: programs and data files in a project's folder that the project file does not list.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -8,7 +8,7 @@ use crate::db::{Db, Project, Sources};
 use crate::items::project::folder;
 use crate::paths::path_key;
 
-/// The names of the files that certainly belong to no project, sorted.
+/// Sorted names of files that certainly belong to no project.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Unlisted {
     /// Program files.
@@ -17,8 +17,8 @@ pub struct Unlisted {
     pub data: Vec<SmolStr>,
 }
 
-/// The program and data files next to the `.pjx` of a project that it does not list. There are none where a second
-/// project shares the folder, and where the `.pjx` cannot be read whole.
+/// Returns the unlisted program and data files next to a project's `.pjx`. Returns none if a second project shares the
+/// folder or the `.pjx` is partly unreadable.
 #[salsa::tracked]
 pub fn unlisted(db: &dyn Db, project: Project) -> Unlisted {
     let several = project.beside(db).iter().filter(|name| has_extension(name, "pjx")).count() > 1;
@@ -29,8 +29,9 @@ pub fn unlisted(db: &dyn Db, project: Project) -> Unlisted {
     Unlisted { programs, data }
 }
 
-/// The program and data files that none of several projects in one folder lists. They belong to the first of these
-/// projects by name, so that each is reported once; there are none if a project is not loaded, or not readable whole.
+/// Returns the files that no project of a shared folder lists. They are returned only for the first of these projects
+/// by name, so that each file is reported once. Returns none if any of the projects is not loaded or is partly
+/// unreadable.
 pub fn unlisted_in_shared_folder(db: &dyn Db, project: Project) -> Unlisted {
     let folder = folder(db, project);
     let names = project.beside(db).iter().filter(|name| has_extension(name, "pjx"));
@@ -53,20 +54,20 @@ pub fn unlisted_in_shared_folder(db: &dyn Db, project: Project) -> Unlisted {
 }
 
 impl Unlisted {
-    /// One of the files has the name of the program `name`.
+    /// Whether a program file has the name of the program `name`.
     pub fn has_program(&self, name: &str) -> bool {
         let stem = |file: &SmolStr| file.rsplit_once('.').is_some_and(|(stem, _)| stem.eq_ignore_ascii_case(name));
         self.programs.iter().any(stem)
     }
 
-    /// All files.
+    /// Returns all files.
     pub fn all(&self) -> Vec<SmolStr> {
         self.programs.iter().chain(&self.data).cloned().collect()
     }
 }
 
-/// The names of the programs and data files in the folder of a project that it does not list, sorted. Another project in
-/// the same folder may list them.
+/// Returns the sorted names of all files in a project's folder that the project does not list. Another project in the
+/// folder may list them.
 pub fn unlisted_names(db: &dyn Db, project: Project) -> Vec<&SmolStr> {
     let Manifest { programs, data, .. } = manifest(db, project.manifest(db));
     let listed = programs.iter().chain(data).map(|entry| file_name(entry).to_lowercase());
@@ -75,12 +76,12 @@ pub fn unlisted_names(db: &dyn Db, project: Project) -> Vec<&SmolStr> {
     names.filter(|name| !listed.contains(&name.to_lowercase())).collect()
 }
 
-/// Whether a file is called like a program.
+/// Whether the file name is a program's.
 pub fn is_program(name: &str) -> bool {
     has_extension(name, "pgx")
 }
 
-/// Whether a file is called like a data file.
+/// Whether the file name is a data file's.
 pub fn is_data(name: &str) -> bool {
     has_extension(name, "dtx")
 }
@@ -89,7 +90,7 @@ fn has_extension(name: &str, wanted: &str) -> bool {
     name.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case(wanted))
 }
 
-/// The name of a listed file, without the folder that s8 allows before it.
+/// Returns the name of a listed file, without the folder that s8 allows before it.
 fn file_name(entry: &str) -> &str {
     entry.trim().rsplit(['/', '\\']).next().unwrap_or(entry)
 }

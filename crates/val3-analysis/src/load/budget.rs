@@ -1,23 +1,23 @@
-//! Limit of the programs and data that a workspace holds.
+//! Size limit for the programs and data of a workspace.
 
 use camino::{Utf8Path, Utf8PathBuf};
 
-/// Bytes that a workspace may still hold.
+/// Remaining size of a workspace in bytes.
 #[derive(Debug)]
 pub(super) struct Budget {
     limit: u64,
     left: u64,
-    /// The first file that was not read.
+    /// Path of the first file that exceeded the limit.
     exceeded_at: Option<Utf8PathBuf>,
 }
 
 impl Budget {
-    /// A budget of `limit` bytes.
+    /// Creates a budget of `limit` bytes.
     pub(super) fn new(limit: u64) -> Self {
         Self { limit, left: limit, exceeded_at: None }
     }
 
-    /// Reserves the bytes of a file. Returns whether the file may be held.
+    /// Reserves the size of a file. Returns whether it fits.
     pub(super) fn reserve(&mut self, path: &Utf8Path, bytes: u64) -> bool {
         match self.left.checked_sub(bytes) {
             Some(left) => {
@@ -31,12 +31,12 @@ impl Budget {
         }
     }
 
-    /// The first file that was not read, with the reason; `None` if all files were read.
+    /// Returns the first file that was not read and the reason; `None` if all files were read.
     pub(super) fn excess(&self) -> Option<(Utf8PathBuf, String)> {
         Some((self.exceeded_at.clone()?, self.reason()))
     }
 
-    /// The reason why a file is not read.
+    /// Returns the reason why a file is not read.
     pub(super) fn reason(&self) -> String {
         format!(
             "the programs and data around it have more than {} bytes; name a smaller folder, or raise the limit with \

@@ -1,4 +1,4 @@
-//! The configuration of the controller around a `usrapp`.
+//! Configuration files of the controller that contains a `usrapp`.
 
 mod devices;
 
@@ -17,12 +17,12 @@ use crate::cell::{CellConfig, UnreadableCellFile};
 use crate::paths::path_key;
 use crate::system::System;
 
-/// Folders in `usr/configs` of a master of EtherCAT.
+/// Folders of EtherCAT masters in `usr/configs`.
 const MASTERS: [&str; 2] = ["J206_EtherCAT", "ecat"];
 
-/// Reads what `usr/configs` and `usr/app` say; `None` where neither is there.
+/// Reads `usr/configs` and `usr/app`; `None` if neither exists.
 ///
-/// `known_arm` is the arm that a `val3.toml` names; `actual` gives a path as the disk spells it.
+/// `known_arm` is the arm set in a `val3.toml`; `actual` returns a path as spelt on the disk.
 pub(super) fn read(
     system: &dyn System,
     usr: &Utf8Path,
@@ -42,7 +42,7 @@ pub(super) fn read(
         }),
         None => Vec::new(),
     };
-    // The master of EtherCAT has signals of its own.
+    // An EtherCAT master has additional signals.
     let has_master = MASTERS.iter().any(|folder| actual(&configs.join(folder)).is_some());
     let mut file = |path: &Utf8Path| {
         let path = actual(path)?;
@@ -53,7 +53,7 @@ pub(super) fn read(
     };
     let modbus = file(&usr.join("applicom/modbus/modbus.xml"));
     let mut config = |name: &str| file(&configs.join(name));
-    // The check uses no entry of it, but a damaged one shows that the backup is incomplete.
+    // The check uses no entry of this file, but a damaged file shows that the backup is incomplete.
     config("controller.cfx");
     let arm_file = config("arm.cfx");
     let cell_file = config("cell.cfx");
@@ -67,7 +67,7 @@ pub(super) fn read(
         devices::add_modbus(&text, &mut io);
     }
     let arm = known_arm.or_else(named);
-    // A cell that does not say its arm counts as one with six axes.
+    // A cell without a known arm is treated as six-axis.
     let fitting = tables.into_iter().filter(|(of, _)| *of == arm.unwrap_or(Arm::SixAxis));
     let mut add_ons = Vec::new();
     for (_, path) in fitting {
@@ -83,14 +83,14 @@ pub(super) fn read(
     Some(CellConfig { arm, version, arm_files, described_arm: None, add_ons: Arc::new(add_ons), unreadable_files, io })
 }
 
-/// Reads the table of an add-on.
+/// Reads an add-on's table.
 pub(super) fn named_table(system: &dyn System, path: &Utf8Path) -> Result<AddOnTable, String> {
     let bytes = system.read(path, FileClass::Cell).map_err(|error| error.to_string())?;
     let text = document::text(bytes).map_err(|fault| fault.to_string())?;
     parse_table(&text).map_err(|error| error.to_string())
 }
 
-/// The text of a file; `None` if it does not exist.
+/// Returns the text of a file; `None` if it does not exist.
 fn text(system: &dyn System, path: &Utf8Path) -> Result<Option<String>, String> {
     match system.read(path, FileClass::Cell) {
         Ok(bytes) => document::text(bytes).map(Some).map_err(|fault| fault.to_string()),
@@ -99,14 +99,14 @@ fn text(system: &dyn System, path: &Utf8Path) -> Result<Option<String>, String> 
     }
 }
 
-/// The arm that the table of an add-on is for: `val3.Motion.anthro.cfx`.
+/// Returns the kind of arm in the name of a table, for example `val3.Motion.anthro.cfx`.
 fn arm_of_table(name: &str) -> Option<Arm> {
     let name = path_key(name);
     let (_, arm) = name.strip_prefix("val3.")?.strip_suffix(".cfx")?.rsplit_once('.')?;
     Arm::from_table_word(arm)
 }
 
-/// The tables of add-ons in a folder, with the arms that they are for.
+/// Returns the add-on tables in a folder with their kinds of arm.
 fn tables(system: &dyn System, folder: &Utf8Path) -> io::Result<Vec<(Arm, Utf8PathBuf)>> {
     let names = system.list(folder)?;
     Ok(names.iter().filter_map(|name| Some((arm_of_table(name)?, folder.join(name)))).collect())

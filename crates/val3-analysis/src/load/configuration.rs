@@ -1,4 +1,4 @@
-//! The `val3.toml` above a project, and what it means for loading.
+//! The `val3.toml` of a project, and its effect on loading.
 
 use std::sync::{Arc, OnceLock};
 
@@ -16,29 +16,29 @@ use crate::paths::{Roots, normalise, path_key};
 
 use crate::system::{Kind, System};
 
-/// The file that takes the place of the nearest `val3.toml` for all applications.
+/// File that replaces the nearest `val3.toml` of all applications.
 static REQUESTED: OnceLock<Utf8PathBuf> = OnceLock::new();
 
-/// Lets a file take the place of the nearest `val3.toml` for all applications of the process. The first call counts.
+/// Replaces the nearest `val3.toml` of all applications in this process by a file. Only the first call has an effect.
 pub fn request_configuration(path: Utf8PathBuf) {
     let _ = REQUESTED.set(path);
 }
 
-/// The roots of paths that a configuration names.
+/// Returns the path roots in a configuration.
 pub(super) fn roots(file: &ConfigFile) -> Roots {
     let others = file.config.roots.iter().map(|(root, folder)| (root.clone(), inside(file, folder)));
     Roots { disk: file.config.disk.as_ref().map(|disk| inside(file, disk)), others: others.collect() }
 }
 
-/// A path of the configuration, which counts from the folder of its file.
+/// Resolves a path in a configuration, relative to the folder of the file.
 fn inside(file: &ConfigFile, path: &Utf8Path) -> Utf8PathBuf {
     normalise(&file.folder().join(path))
 }
 
-/// The nearest `val3.toml` from `folder` upwards.
+/// Returns the nearest `val3.toml` in `folder` or above.
 ///
 /// # Errors
-/// If it cannot be read, or says something that it may not.
+/// If the file cannot be read or is invalid.
 pub fn nearest_configuration(system: &dyn System, folder: &Utf8Path) -> Result<Option<ConfigFile>, ConfigError> {
     if let Some(path) = REQUESTED.get() {
         return read(system, path).transpose();
@@ -46,7 +46,7 @@ pub fn nearest_configuration(system: &dyn System, folder: &Utf8Path) -> Result<O
     folder.ancestors().find_map(|folder| read(system, &folder.join(FILE_NAME))).transpose()
 }
 
-/// Reads a configuration; `None` where there is no such file.
+/// Reads a configuration; `None` if the file does not exist.
 fn read(system: &dyn System, path: &Utf8Path) -> Option<Result<ConfigFile, ConfigError>> {
     if system.kind(path) != Some(Kind::File) {
         return None;
@@ -66,7 +66,7 @@ fn read(system: &dyn System, path: &Utf8Path) -> Option<Result<ConfigFile, Confi
 }
 
 impl Loader<'_> {
-    /// The nearest `val3.toml` from `folder` upwards.
+    /// Returns the nearest `val3.toml` in `folder` or above.
     pub(super) fn configuration(&mut self, folder: &Utf8Path) -> Option<Configuration> {
         let path = REQUESTED.get().cloned().unwrap_or_else(|| folder.join(FILE_NAME));
         let key = path_key(if REQUESTED.get().is_some() { path.as_str() } else { folder.as_str() });
@@ -82,8 +82,8 @@ impl Loader<'_> {
         found
     }
 
-    /// Reads a configuration; a faulty one counts as what it said before, or nothing, and keeps the workspace from
-    /// loading.
+    /// Reads a configuration. A faulty file is replaced by its previous content or an empty configuration, and
+    /// [`load`](super::load) then fails.
     fn read_configuration(&mut self, path: &Utf8Path) -> Option<ConfigFile> {
         let file = match read(self.system, path)? {
             Ok(file) => file,
@@ -101,7 +101,7 @@ impl Loader<'_> {
         before.unwrap_or_default()
     }
 
-    /// The tables of add-ons that a configuration names.
+    /// Reads the add-on tables that a configuration names.
     pub(super) fn named_add_ons(&mut self, configuration: Option<Configuration>) -> Vec<AddOnTable> {
         let Some(configuration) = configuration else { return Vec::new() };
         let file = configuration.file(&self.db);
@@ -120,7 +120,7 @@ impl Loader<'_> {
         tables
     }
 
-    /// Queues the libraries with programs that are called in place of instructions.
+    /// Queues the libraries of stand-in programs for add-on instructions.
     pub(super) fn enqueue_add_on_programs(&mut self, configuration: Option<Configuration>, roots: &Roots) {
         let Some(configuration) = configuration else { return };
         let file = configuration.file(&self.db);
@@ -128,7 +128,7 @@ impl Loader<'_> {
         self.queue.extend(libraries.map(|manifest| LoadedProject { manifest, disk: roots.disk.clone() }));
     }
 
-    /// The arm of the file that a configuration names. A fault of the file concerns only those who ask for the arm.
+    /// Reads the arm file that a configuration names. A fault is reported only by features that need the arm.
     pub(super) fn described_arm(&self, configuration: Option<Configuration>) -> Option<Result<Arc<Arm>, SmolStr>> {
         let file = configuration?.file(&self.db);
         let ArmModel::File(path) = file.config.arm.as_ref()?.model()? else { return None };
@@ -136,7 +136,7 @@ impl Loader<'_> {
         Some(cells::described_arm(self.system, &inside(file, path)).map(Arc::new).map_err(failed))
     }
 
-    /// The `.pjx` files under `path`, without those that a `val3.toml` excludes from a search.
+    /// Returns the `.pjx` files under `path`, without files that a `val3.toml` excludes.
     pub(super) fn discover(&mut self, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, LoadError> {
         let mut found = discover::manifests(self.system, path, &mut self.unreadable)?;
         if self.system.kind(path) == Some(Kind::File) {
@@ -157,7 +157,8 @@ impl Loader<'_> {
         }
     }
 
-    /// The configuration that excludes `manifest` from a search in `asked`. A path given by name is never excluded.
+    /// Returns the path of the configuration that excludes `manifest` from a search in `asked`. A path that is named
+    /// explicitly is never excluded.
     fn exclusion(&mut self, asked: &Utf8Path, manifest: &Utf8Path) -> Option<Utf8PathBuf> {
         let folder = manifest.parent()?;
         let file = self.configuration(folder)?.file(&self.db);
@@ -176,7 +177,7 @@ fn unreadable(path: &Utf8Path, reason: &str) -> ConfigError {
     }
 }
 
-/// Faults of roots whose folder does not exist.
+/// Returns errors for path roots whose folders do not exist.
 fn missing_folders(system: &dyn System, file: &ConfigFile) -> Vec<ConfigError> {
     let config = &file.config;
     let disk = config.disk.iter().map(|disk| ("disk".to_owned(), disk));

@@ -1,4 +1,4 @@
-//! Which projects lie under a path.
+//! Search for the projects under a path.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::{FileClass, is_archive_name};
@@ -7,7 +7,7 @@ use super::error::LoadError;
 use super::search::{files, has_extension};
 use crate::system::{Kind, System};
 
-/// The `.pjx` files under `path`: a project file, an application folder, a cell, or any folder above some.
+/// Returns the `.pjx` files under `path`: a project file, an application folder, a cell, or any folder above.
 pub(super) fn manifests(
     system: &dyn System,
     path: &Utf8Path,
@@ -28,7 +28,7 @@ pub(super) fn manifests(
     Ok(found)
 }
 
-/// The reason why there is nothing at a path: often a folder above it cannot be read.
+/// Returns the reason why a path does not exist; often a folder above it cannot be read.
 fn missing(system: &dyn System, path: &Utf8Path) -> String {
     match system.read(path, FileClass::Program) {
         Err(reason) if !reason.is_missing() => format!("it cannot be read: {reason}"),
@@ -40,7 +40,7 @@ fn error(path: &Utf8Path, reason: &str) -> LoadError {
     LoadError::Path { path: path.to_owned(), reason: reason.to_owned() }
 }
 
-/// A `.pjx` itself; for a program or data file the project in its folder.
+/// Returns a `.pjx` itself; for a program or data file, the project in its folder.
 fn of_file(system: &dyn System, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, LoadError> {
     if is_manifest(path) {
         return Ok(vec![path.to_owned()]);

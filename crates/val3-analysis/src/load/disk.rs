@@ -1,4 +1,4 @@
-//! The root of the controller's disk, seen from a project.
+//! The folder of the controller's disk (`Disk://`) for a project.
 
 use camino::{Utf8Path, Utf8PathBuf};
 
@@ -10,12 +10,12 @@ use crate::items::manifest::manifest as project_manifest;
 use crate::paths::{self, Roots, Target, path_key, usrapp};
 use crate::system::Kind;
 
-/// Number of folders above a project that may be the disk, or contain it.
+/// Maximum number of folders above a project that are considered as the disk, or as the folder that contains it.
 const LEVELS: usize = 6;
 
 impl Loader<'_> {
-    /// The projects in the order in which they are read: those that no other one loads come first, because an application
-    /// chooses the folder of `Disk://` for all that it loads.
+    /// Returns the projects in reading order: projects that no other project loads come first, because an application
+    /// determines the folder of `Disk://` for all projects that it loads.
     pub(super) fn applications_first<'p>(&mut self, manifests: &'p [Utf8PathBuf]) -> Vec<&'p Utf8Path> {
         let is_certain = |manifest: &&Utf8PathBuf| usrapp(manifest).is_some();
         if manifests.len() < 2 || manifests.iter().all(|manifest| is_certain(&manifest)) {
@@ -42,9 +42,9 @@ impl Loader<'_> {
         order
     }
 
-    /// The folder of `Disk://` of an application without a configuration and without a `usrapp` above: the
-    /// [candidate](Self::disk_candidates) in which most references of the application name a file, of equal ones the
-    /// nearest.
+    /// Returns the folder of `Disk://` for an application without a configuration and without an enclosing `usrapp`:
+    /// the [candidate](Self::disk_candidates) in which most of the application's references resolve, or the nearest of
+    /// several.
     pub(super) fn own_disk(&mut self, manifest: &Utf8Path) -> Option<Utf8PathBuf> {
         let key = path_key(manifest.as_str());
         if let Some(disk) = self.own_disks.get(&key) {
@@ -72,7 +72,7 @@ impl Loader<'_> {
         (score > 0).then_some(disk)
     }
 
-    /// The references that begin at a root: of the project, and of the projects that it loads by relative paths.
+    /// Returns the references relative to a root, of the project and of the projects that it loads by relative paths.
     fn references_from_roots(&mut self, manifest: &Utf8Path) -> Vec<String> {
         let mut seen = FxHashSet::default();
         let mut queue = vec![manifest.to_owned()];
@@ -93,7 +93,7 @@ impl Loader<'_> {
         found
     }
 
-    /// The projects that a project names: libraries, types, and the literal arguments of `libLoad`.
+    /// Returns the paths of referenced projects: libraries, types, and constant arguments of `libLoad`.
     fn references_of(&mut self, manifest: &Utf8Path) -> Vec<String> {
         let Some(file) = self.found_file(manifest) else { return Vec::new() };
         let folder = file.path(&self.db).parent().unwrap_or(Utf8Path::new("")).to_owned();
@@ -104,8 +104,8 @@ impl Loader<'_> {
         named.chain(loaded.iter().filter_map(PathArgument::whole).map(ToOwned::to_owned)).collect()
     }
 
-    /// The folders above a project, each followed by the `usr/usrapp` in it, because tests are beside `usr`. All but the
-    /// folder around the project must be in its repository, if it has one.
+    /// Returns the folders above a project, each followed by its `usr/usrapp`, because test folders are next to `usr`.
+    /// Except for the parent folder, they must be in the project's repository, if there is one.
     fn disk_candidates(&mut self, folder: &Utf8Path) -> Vec<Utf8PathBuf> {
         let repository = outside::repository_around(self.system, folder);
         let system = self.system;
@@ -123,7 +123,7 @@ impl Loader<'_> {
         candidates
     }
 
-    /// The number of references that name an existing project if `disk` is the folder of `Disk://`.
+    /// Returns the number of references that resolve to an existing project if `disk` is the folder of `Disk://`.
     fn resolved(&mut self, folder: &Utf8Path, disk: &Utf8Path, references: &[String]) -> usize {
         let roots = Roots { disk: Some(disk.to_owned()), others: Vec::new() };
         let mut is_project = |reference: &&String| match paths::project(folder, &roots, reference) {

@@ -1,30 +1,30 @@
-//! Why nothing can be loaded.
+//! Errors of loading.
 
 use std::fmt;
 
 use camino::Utf8PathBuf;
 use val3_config::ConfigError;
 
-/// The reasons why a workspace cannot be loaded.
+/// Reason why a workspace cannot be loaded.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LoadError {
-    /// A path that was asked for cannot be used.
+    /// A requested path cannot be used.
     Path {
-        /// The path as it was given.
+        /// Path as requested.
         path: Utf8PathBuf,
-        /// The fault, and the remedy.
+        /// Fault and remedy.
         reason: String,
     },
-    /// A folder that was asked for contains no project.
+    /// A requested folder contains no project.
     NoApplication {
-        /// The folder.
+        /// Requested folder.
         folder: Utf8PathBuf,
     },
-    /// Configuration files are at fault; never empty.
+    /// Configuration files are invalid; never empty.
     Configuration(Vec<ConfigError>),
 }
 
-/// The fault of a folder without a project, and the remedy.
+/// Message for a folder without a project, with the remedy.
 pub const NO_APPLICATION: &str = "there is no VAL 3 application (`.pjx`) in this folder or below; name an application \
                                   folder, a `.pjx`, or a controller folder";
 

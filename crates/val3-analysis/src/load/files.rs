@@ -11,14 +11,14 @@ use crate::paths::path_key;
 use crate::system::{Content, Kind};
 
 impl Loader<'_> {
-    /// Reads several files at once. Files missing under their exact name are left for `found_file`.
+    /// Reads several files in one call. Files that do not exist under their exact name are left to `found_file`.
     pub(super) fn read_ahead<'p>(&mut self, paths: impl IntoIterator<Item = &'p Utf8PathBuf>) {
         let is_new = |path: &&Utf8PathBuf| {
             let key = path_key(path.as_str());
             !self.files.contains_key(&key) && !self.is_available(path, &key)
         };
         let mut paths: Vec<Utf8PathBuf> = paths.into_iter().filter(is_new).cloned().collect();
-        // The others are left for `found_file`, which reports them.
+        // Files above the limit are left to `found_file`, which reports them.
         paths.retain(|path| self.budget.reserve(path, self.system.size(path)));
         let contents = self.system.read_all(&paths);
         for (path, content) in paths.iter().zip(contents) {
@@ -26,7 +26,7 @@ impl Loader<'_> {
         }
     }
 
-    /// The input for the file at `path`, whatever the letter case of its name; `None` where there is none.
+    /// Returns the input for the file at `path` in any letter case; `None` if it does not exist.
     pub(super) fn found_file(&mut self, path: &Utf8Path) -> Option<File> {
         self.file(path).or_else(|| {
             let path = self.actual(path)?;
@@ -64,13 +64,13 @@ impl Loader<'_> {
         }
     }
 
-    /// The file need not be read: its text is known, or an editor has it.
+    /// Whether the file need not be read, because its text is known or open in an editor.
     fn is_available(&self, path: &Utf8Path, key: &str) -> bool {
         let known = self.known.files.contains_key(key);
         known && !(self.is_stale)(key) || self.system.edited(path).is_some()
     }
 
-    /// Makes an input of what was read; `None` where there is no file.
+    /// Creates an input from read content; `None` if the file does not exist.
     fn add(&mut self, path: &Utf8Path, content: Option<Content>) -> Option<File> {
         let key = path_key(path.as_str());
         match self.files.get(&key) {
@@ -79,12 +79,12 @@ impl Loader<'_> {
         }
     }
 
-    /// Whether there is a file at `path`, whatever the letter case.
+    /// Whether a file exists at `path` in any letter case.
     pub(super) fn is_file(&mut self, path: &Utf8Path) -> bool {
         self.actual(path).is_some_and(|path| self.system.kind(&path) == Some(Kind::File))
     }
 
-    /// The path as the disk spells it: references are written without regard to letter case.
+    /// Returns the path as spelt on the disk, because references may use any letter case.
     pub(super) fn actual(&mut self, path: &Utf8Path) -> Option<Utf8PathBuf> {
         if self.system.kind(path).is_some() {
             return Some(path.to_owned());
@@ -93,14 +93,14 @@ impl Loader<'_> {
         self.folder(&parent).spelling(path.file_name()?).map(|name| parent.join(name))
     }
 
-    /// `path` with the name of the file as the disk spells it. A disk that ignores letter case gives a file under any
+    /// Returns `path` with the file name as spelt on the disk, because a case-insensitive disk opens a file under any
     /// spelling.
     pub(super) fn spelt(&mut self, path: &Utf8Path) -> Utf8PathBuf {
         let (Some(parent), Some(name)) = (path.parent(), path.file_name()) else { return path.to_owned() };
         self.folder(parent).spelling(name).map_or_else(|| path.to_owned(), |name| parent.join(name))
     }
 
-    /// The names in a folder, sorted, as the disk spells them.
+    /// Returns the sorted names in a folder, as spelt on the disk.
     pub(super) fn names_in(&mut self, folder: &Utf8Path) -> Vec<SmolStr> {
         let mut names: Vec<SmolStr> = self.folder(folder).spellings().map(SmolStr::from).collect();
         names.sort_unstable();

@@ -1,8 +1,8 @@
-//! The names in a folder, found without regard to letter case.
+//! Names in a folder, with lookup in any letter case.
 
 use crate::paths::path_key;
 
-/// The names in a folder, sorted by their keys.
+/// Names in a folder with their keys, sorted by key.
 pub(super) struct FolderNames(Vec<(String, String)>);
 
 impl FolderNames {
@@ -12,7 +12,7 @@ impl FolderNames {
         Self(names)
     }
 
-    /// The name that differs from `name` in letter case at most; `name` itself if it is there.
+    /// Returns the exact name if it exists, otherwise a name that differs only in letter case.
     pub(super) fn spelling(&self, name: &str) -> Option<&str> {
         let key = path_key(name);
         let start = self.0.partition_point(|(known, _)| *known < key);
@@ -21,7 +21,7 @@ impl FolderNames {
         alike.clone().find(|known| *known == name).or_else(|| alike.next())
     }
 
-    /// All names, as the disk spells them.
+    /// Returns all names, as spelt on the disk.
     pub(super) fn spellings(&self) -> impl Iterator<Item = &str> {
         self.0.iter().map(|(_, name)| name.as_str())
     }

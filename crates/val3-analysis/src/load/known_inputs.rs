@@ -1,4 +1,4 @@
-//! Inputs of an earlier load. They are reused, and set only if they differ, so that a second load invalidates only the
+//! Inputs from an earlier load. They are reused, and set only if they differ, so that a second load invalidates only
 //! queries that depend on a change.
 
 use camino::Utf8Path;
@@ -16,23 +16,23 @@ use crate::paths::{Roots, path_key};
 
 use crate::system::Content;
 
-/// The durability of stored files, which change less often than open documents: after an edit of a document, salsa skips
-/// all queries that depend on stored files alone.
+/// Durability of stored files, which change less often than open documents. After an edit, salsa skips all queries that
+/// depend only on stored files.
 const STORED: Durability = Durability::MEDIUM;
 
-/// The inputs of a workspace by their keys.
+/// Inputs of a workspace by key.
 #[derive(Debug, Default)]
 pub(super) struct KnownInputs {
     sources: Option<Sources>,
-    /// By path key.
+    /// Files by path key.
     pub(super) files: FxHashMap<String, File>,
     projects: FxHashMap<String, Project>,
-    /// By the path key of the `val3.toml`.
+    /// Configurations by the path key of the `val3.toml`.
     pub(super) configurations: FxHashMap<String, Configuration>,
     cells: FxHashMap<CellKey, Cell>,
 }
 
-/// The parts of an input for a project.
+/// Parts of a project input.
 pub(super) struct ProjectInput {
     pub(super) file: File,
     pub(super) roots: Roots,
@@ -45,7 +45,7 @@ pub(super) struct ProjectInput {
 }
 
 impl KnownInputs {
-    /// The inputs of a database that a workspace was read into.
+    /// Collects the inputs of a database into which a workspace was loaded.
     pub(super) fn of(db: &Database) -> Self {
         let Some(sources) = Sources::try_get(db) else { return Self::default() };
         let projects = sources.projects(db).clone();
@@ -67,7 +67,7 @@ impl KnownInputs {
 }
 
 impl Loader<'_> {
-    /// The input for a file with this content.
+    /// Returns the input for a file with this content.
     pub(super) fn file_input(&mut self, key: String, path: &Utf8Path, content: Content) -> File {
         let path = self.spelt(path);
         let known = self.known.files.get(&key).copied();
@@ -97,7 +97,7 @@ impl Loader<'_> {
         file
     }
 
-    /// How a file that is being edited is stored. One that cannot be read counts as a new one.
+    /// Returns the status of the stored file that is being edited. An unreadable file is treated as a new file.
     fn stored_status(&self, known: Option<File>, key: &str, path: &Utf8Path) -> FileStatus {
         let is_read = |status: &FileStatus| matches!(status, FileStatus::Read { .. });
         let known = known.filter(|_| !(self.is_stale)(key)).map(|file| file.status(&self.db).clone());
@@ -179,7 +179,7 @@ impl Loader<'_> {
         }
     }
 
-    /// Inputs cannot be freed, but their texts can.
+    /// Clears the texts of files that no longer exist. Inputs themselves cannot be freed.
     fn forget_missing(&mut self, files: &FxHashMap<String, File>, unlisted: &FxHashMap<String, File>) {
         for (key, file) in &self.known.files {
             if !files.contains_key(key) && !unlisted.contains_key(key) {

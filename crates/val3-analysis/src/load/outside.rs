@@ -1,4 +1,5 @@
-//! The boundary of a cell: paths that its settings and project files name count only inside it, after following links.
+//! Boundary of a cell: paths in its settings and project files are used only if they are inside the cell after
+//! resolving links.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_config::trust::{self, NamedPath};
@@ -11,13 +12,13 @@ use crate::system::System;
 /// Folders that mark the root of a repository.
 const REPOSITORY: [&str; 3] = [".git", ".hg", ".svn"];
 
-/// The cell of the files in `folder`: the repository around it, otherwise the folder. Links are resolved. The user's home
-/// contains cells and is none, even if it is a repository.
+/// Returns the cell of the files in `folder`: the enclosing repository, otherwise the folder itself. Links are
+/// resolved. The user's home is never a cell, even if it is a repository.
 pub fn cell_around(system: &dyn System, folder: &Utf8Path) -> Utf8PathBuf {
     repository_around(system, folder).unwrap_or_else(|| system.target(folder))
 }
 
-/// The repository around a folder, unless that is the user's home. Links are resolved.
+/// Returns the repository that contains a folder, unless it is the user's home. Links are resolved.
 pub(super) fn repository_around(system: &dyn System, folder: &Utf8Path) -> Option<Utf8PathBuf> {
     let folder = system.target(folder);
     let is_marked = |folder: &Utf8Path| REPOSITORY.iter().any(|name| system.kind(&folder.join(name)).is_some());
@@ -25,8 +26,9 @@ pub(super) fn repository_around(system: &dyn System, folder: &Utf8Path) -> Optio
     within_home.find(|folder| is_marked(folder)).map(Utf8Path::to_owned)
 }
 
-/// Whether a folder `tests` leads to `folder`, or is it: one in the repository around it, otherwise below `base` or the folder
-/// of its `val3.toml`. The names of the folders above the cell say nothing about the cell.
+/// Whether `folder` is below a folder `tests`, or is such a folder itself. Only folders inside the repository are
+/// considered; without a repository, only folders below `base` or the folder of the `val3.toml`, because folders above
+/// a cell do not describe it.
 pub fn is_below_tests(
     system: &dyn System,
     folder: &Utf8Path,
@@ -43,7 +45,7 @@ pub fn is_below_tests(
     below.is_some_and(|below| below.components().any(|part| part.as_str() == TESTS))
 }
 
-/// Whether `path` leads out of `cell`, whose links are resolved.
+/// Whether `path` is outside of `cell`, whose links are resolved.
 pub fn leads_outside(system: &dyn System, cell: &Utf8Path, path: &Utf8Path) -> bool {
     !system.target(path).starts_with(cell)
 }
@@ -51,7 +53,7 @@ pub fn leads_outside(system: &dyn System, cell: &Utf8Path, path: &Utf8Path) -> b
 /// Checks that the paths in a settings file stay in its cell, or that the user trusts the file.
 ///
 /// # Errors
-/// The first setting that leads outside.
+/// Reports the first setting whose path is outside.
 pub(super) fn check(system: &dyn System, file: &ConfigFile) -> Result<(), ConfigError> {
     let named = file.named_paths();
     if named.is_empty() {
@@ -70,13 +72,13 @@ pub(super) fn check(system: &dyn System, file: &ConfigFile) -> Result<(), Config
     }
 }
 
-/// The folder around a library, which becomes a root of paths.
+/// Returns the parent folder of a library's folder, which becomes a path root.
 fn around_library(path: Utf8PathBuf) -> Utf8PathBuf {
     with_manifest(path).ancestors().nth(2).unwrap_or(Utf8Path::new("")).to_owned()
 }
 
-/// Whether a file that a project in `folder` names is in this folder. A link to a file elsewhere is not, unless the user
-/// trusts the folder.
+/// Whether a file that a project in `folder` names is in this folder. A link to a file elsewhere is rejected, unless
+/// the user trusts the folder.
 pub(super) fn is_in_folder(system: &dyn System, folder: &Utf8Path, path: &Utf8Path) -> bool {
     if path.parent() == Some(folder) && !system.is_link(path) {
         return true;
@@ -85,8 +87,8 @@ pub(super) fn is_in_folder(system: &dyn System, folder: &Utf8Path, path: &Utf8Pa
     path.starts_with(folder) && (!leads_outside(system, &real_folder, path) || trust::is_trusted(&real_folder))
 }
 
-/// The reason why the link at `path` is not followed; `None` if it is none, stays in the cell of `folder`, or the user trusts
-/// this folder.
+/// Returns the reason why the link at `path` is not followed; `None` if the path is no link, if its target is inside
+/// the cell of `folder`, or if the user trusts this folder.
 pub fn refused_link(system: &dyn System, folder: &Utf8Path, path: &Utf8Path) -> Option<String> {
     if !system.is_link(path) || !leads_outside(system, &cell_around(system, folder), path) {
         return None;
@@ -96,15 +98,15 @@ pub fn refused_link(system: &dyn System, folder: &Utf8Path, path: &Utf8Path) -> 
     (!trust::is_trusted(&system.target(folder))).then(reason)
 }
 
-/// The folders that libraries and user types of a project can be in. Links in the paths are resolved.
+/// Folders in which libraries and user types of a project may be. Links are resolved.
 pub(super) struct Reach {
     folders: Vec<Utf8PathBuf>,
     project: Utf8PathBuf,
 }
 
 impl Reach {
-    /// The cell of the project in `folder`, the folder around the project, and the roots of paths; with `usr/usrapp` as
-    /// `Disk`, the whole `usr`.
+    /// Creates the reach of the project in `folder`: its cell, its parent folder and the path roots. If `Disk` is
+    /// `usr/usrapp`, all of `usr` is included.
     pub(super) fn of(system: &dyn System, folder: &Utf8Path, roots: &Roots) -> Self {
         let disk = roots.disk.as_deref().map(|disk| usr_around(disk).unwrap_or(disk));
         let others = roots.others.iter().map(|(_, folder)| folder.as_path());
@@ -113,14 +115,14 @@ impl Reach {
         Self { folders: named.chain([cell_around(system, folder)]).collect(), project }
     }
 
-    /// Whether a project file can be used, because it is in one of the folders or the user trusts the project.
+    /// Whether a project file may be used, because it is in one of the folders or the user trusts the project.
     pub(super) fn contains(&self, system: &dyn System, path: &Utf8Path) -> bool {
         let target = system.target(path);
         self.folders.iter().any(|folder| target.starts_with(folder)) || trust::is_trusted(&self.project)
     }
 }
 
-/// The folder `usr` of a controller around its `usrapp`.
+/// Returns the controller folder `usr` that contains the `usrapp`.
 fn usr_around(disk: &Utf8Path) -> Option<&Utf8Path> {
     let is = |path: &Utf8Path, name: &str| path.file_name().is_some_and(|found| found.eq_ignore_ascii_case(name));
     disk.parent().filter(|usr| is(disk, "usrapp") && is(usr, "usr"))

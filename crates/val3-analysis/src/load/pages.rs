@@ -1,4 +1,4 @@
-//! The user pages of an application: the HTML files and bindings in its folder `interface`.
+//! User pages of applications: HTML and binding files in the folder `interface`.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
@@ -9,7 +9,7 @@ use crate::db::File;
 use crate::pages::{BINDINGS, FOLDER, HTML, page_name};
 
 impl Loader<'_> {
-    /// Reads the files of the pages of the application in `folder`, whose content is `beside`.
+    /// Reads the page files of the application in `folder`; `beside` is the content of the folder.
     pub(super) fn pages(&mut self, folder: &Utf8Path, beside: &[SmolStr]) -> Vec<File> {
         let Some(name) = beside.iter().find(|name| name.eq_ignore_ascii_case(FOLDER)) else { return Vec::new() };
         let pages = folder.join(name.as_str());

@@ -1,14 +1,14 @@
-//! Libraries that programs load by name.
+//! Libraries that programs load by path.
 
 use memchr::memmem;
 use val3_syntax::decode_entities;
 
-/// The arguments of `libLoad(…)`.
+/// Constant part of a path argument of `libLoad(…)`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum PathArgument {
-    /// A whole path: `libLoad("Disk://part")`.
+    /// An entire path: `libLoad("Disk://part")`.
     Path(String),
-    /// The start of one: `libLoad("Disk://parts/" + sName)`.
+    /// A prefix: `libLoad("Disk://parts/" + sName)`.
     Prefix(String),
 }
 
@@ -28,15 +28,15 @@ impl PathArgument {
     }
 }
 
-/// The paths that the code in `text` loads, as far as it spells them out.
+/// Returns the constant paths that the code in `text` loads.
 pub(super) fn loaded_libraries(text: &str) -> Vec<PathArgument> {
     memmem::find_iter(text.as_bytes(), b"libLoad")
         .filter_map(|at| argument(text.get(at + "libLoad".len()..)?))
         .collect()
 }
 
-/// Two texts of a program load the same libraries, judged by the paths that they give literally. If this holds and only
-/// code changed, the workspace need not be loaded again.
+/// Whether two versions of a program load the same constant paths. If this holds and only code changed, the workspace
+/// need not be loaded again.
 pub fn loads_alike(before: &str, after: &str) -> bool {
     loaded_libraries(before) == loaded_libraries(after)
 }

@@ -1,4 +1,4 @@
-//! Reading a workspace again after something changed.
+//! Repeated loading of a workspace after a change.
 
 use camino::Utf8PathBuf;
 use val3_config::ConfigError;
@@ -10,16 +10,16 @@ use crate::paths;
 use crate::system::System;
 
 impl Workspace {
-    /// A workspace with nothing in it, to be refreshed.
+    /// Creates an empty workspace, to be refreshed.
     pub fn empty() -> Self {
         Self { db: Database::default(), projects: Vec::new(), unreadable: Vec::new() }
     }
 
-    /// Finds the projects under `paths` as [`load`](super::load) does, and reads again those files for whose path
-    /// keys `is_stale` holds. Inputs are kept, and set only if they differ, so that only the affected queries run again.
+    /// Finds the projects under `paths` like [`load`](super::load), and reads the files whose path keys are `is_stale`
+    /// once more. Inputs are reused, and set only if they differ, so that only affected queries run again.
     ///
-    /// A fault does not stop the load: faulty parts are left out, a faulty configuration keeps its previous content, and
-    /// the faults of configurations are returned. A path without a project is not an error.
+    /// A fault does not stop the load: faulty parts are omitted, a faulty configuration keeps its previous content, and
+    /// the configuration errors are returned. A path without a project is no error.
     pub fn refresh(
         &mut self,
         system: &dyn System,
@@ -27,7 +27,7 @@ impl Workspace {
         is_stale: &dyn Fn(&str) -> bool,
     ) -> Vec<ConfigError> {
         let known = KnownInputs::of(&self.db);
-        // Moved, not cloned: salsa blocks a change until all clones are dropped, so a clone would deadlock.
+        // Moved instead of cloned: salsa blocks a change until all clones are dropped, so a clone would deadlock.
         let db = std::mem::take(&mut self.db);
         let mut loader = Loader::new(db, system, known, is_stale);
         let found = paths.iter().filter_map(|path| loader.discover(&paths::normalise(path)).ok());

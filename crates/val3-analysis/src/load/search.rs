@@ -1,4 +1,4 @@
-//! Files below a folder.
+//! Search for files below a folder.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
@@ -8,11 +8,11 @@ use super::outside::refused_link;
 use crate::items::unlisted::{is_data, is_program};
 use crate::system::{Kind, System};
 
-/// Number of folders below each other that are searched.
+/// Maximum nesting of searched folders.
 const DEPTH: usize = 32;
 
-/// The files with an extension in `folder` and the folders below, hidden ones aside. Folders and entries that cannot be
-/// read go into `unreadable`, with the reason.
+/// Returns the files with an extension in `folder` and below, except hidden ones. Unreadable folders and entries are
+/// added to `unreadable` with the reason.
 pub fn files(
     system: &dyn System,
     folder: &Utf8Path,
@@ -22,8 +22,8 @@ pub fn files(
     search(system, folder, &|entry, _| has_extension(entry, extension), unreadable)
 }
 
-/// The programs and data files without a project file in their folder, and the ZIP archives, in `folder` and below, like
-/// [`files`].
+/// Returns programs and data files without a project file in their folder, and ZIP archives, in `folder` and below.
+/// Unreadable entries are handled as in [`files`].
 pub fn loose_files(
     system: &dyn System,
     folder: &Utf8Path,
@@ -35,7 +35,7 @@ pub fn loose_files(
     search(system, folder, &wanted, unreadable)
 }
 
-/// Whether a path has an extension, in any letter case.
+/// Whether the path has the extension, in any letter case.
 pub(super) fn has_extension(path: &Utf8Path, extension: &str) -> bool {
     path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension))
 }
@@ -53,12 +53,12 @@ fn search(
 
 struct Search<'s> {
     system: &'s dyn System,
-    /// The folder that is searched.
+    /// Root folder of the search.
     root: &'s Utf8Path,
-    /// Whether an entry is searched for, by its path and the names of all entries of its folder.
+    /// Whether an entry is a result, by its path and the names of all entries in its folder.
     wanted: &'s dyn Fn(&Utf8Path, &[String]) -> bool,
     found: Vec<Utf8PathBuf>,
-    /// Folders already searched, so that links in a circle end.
+    /// Folders already searched, so that circular links terminate.
     seen: FxHashSet<Utf8PathBuf>,
     unreadable: &'s mut Vec<(Utf8PathBuf, String)>,
 }
@@ -84,7 +84,7 @@ impl Search<'_> {
             }
             match self.system.kind(&entry) {
                 Some(Kind::File) if is_wanted && self.follows(&entry) => self.found.push(entry),
-                // The files of a requested archive are laid over the disk.
+                // A folder named like a searched file is reported; a folder named like an archive is searched below.
                 Some(Kind::Folder) if is_wanted && !is_archive_name(&entry) => {
                     self.unreadable.push((entry, Unreadable::Folder.to_string()))
                 }
@@ -95,7 +95,7 @@ impl Search<'_> {
         }
     }
 
-    /// An entry of which the system shows only the name. A link to nothing is no fault.
+    /// Handles an entry of which the system reports only the name. A dangling link is no fault.
     fn hidden(&mut self, entry: Utf8PathBuf) {
         match self.system.read(&entry, FileClass::Program) {
             Err(reason) if !reason.is_missing() => self.unreadable.push((entry, reason.to_string())),
@@ -103,7 +103,7 @@ impl Search<'_> {
         }
     }
 
-    /// Whether the search continues at an entry. A link out of the cell is reported instead.
+    /// Whether the search follows an entry. A link out of the cell is reported instead.
     fn follows(&mut self, entry: &Utf8Path) -> bool {
         let refusal = refused_link(self.system, self.root, entry);
         self.unreadable.extend(refusal.iter().map(|reason| (entry.to_owned(), reason.clone())));
@@ -111,7 +111,7 @@ impl Search<'_> {
     }
 }
 
-/// Saves a look at the disk for files whose extension gives their kind.
+/// Whether a name may be a folder's; avoids disk accesses for files with well-known extensions.
 fn may_be_folder(name: &str) -> bool {
     let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
     !["pgx", "dtx", "ltx", "cfx", "html", "json", "png", "xml"]

@@ -1,6 +1,6 @@
-//! Programs and data in the folder of a project that no project lists.
+//! Unlisted programs and data in project folders.
 //!
-//! They are part of nothing, but a name that one of them uses is not left over.
+//! They belong to no project, but a name that they use is not reported as unused.
 
 use camino::Utf8PathBuf;
 
@@ -10,10 +10,10 @@ use crate::items::unlisted::{is_data, is_program};
 use crate::paths::path_key;
 
 impl Loader<'_> {
-    /// Reads them, once everything is known that is listed.
+    /// Reads the unlisted files after all listed files.
     pub(super) fn read_unlisted(&mut self) {
         let paths = self.unlisted_paths();
-        // Their inputs go into a map of their own.
+        // Their inputs are stored in a separate map.
         let listed = std::mem::take(&mut self.files);
         self.read_ahead(&paths);
         for path in &paths {

@@ -1,4 +1,4 @@
-//! The names in the code of a program.
+//! Names in the code of a program.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -26,7 +26,7 @@ struct Names<'db> {
     programs: FxHashSet<ExprId>,
     /// Names that are called as instructions.
     instructions: FxHashSet<ExprId>,
-    /// How the variable with its root at an expression is used, where it is more than read.
+    /// Usage of the variable whose root is at the expression, if it is more than a read.
     usages: FxHashMap<ExprId, Usage>,
     found: Vec<Occurrence>,
 }
@@ -57,7 +57,7 @@ fn callee(expr: &Expr) -> Option<ExprId> {
     if let Expr::Call(callee, _) = expr { Some(*callee) } else { None }
 }
 
-/// The names after `call`, and in the call of a `taskCreate`.
+/// Returns the program names after `call` and in the call of `taskCreate`.
 fn called_programs(db: &dyn Db, file: File, body: &Body) -> FxHashSet<ExprId> {
     let calls = flow(db, file).points().filter_map(|(_, point)| match &point.kind {
         PointKind::Call(call) => Some(*call),
@@ -88,7 +88,7 @@ fn root(body: &Body, mut id: ExprId) -> ExprId {
     id
 }
 
-/// The field that is written in `a.b[1]`.
+/// Returns the name before the last indexes, for example the field `b` for `a.b[1]`.
 fn last_name(body: &Body, mut id: ExprId) -> ExprId {
     while let Expr::Index(base, _) | Expr::Paren(base) = body.expr(id) {
         id = *base;
@@ -141,7 +141,7 @@ impl Names<'_> {
         builtin.or_else(|| enumerations::find(name).map(|_| Symbol::Enumerator(name.clone())))
     }
 
-    /// `library:item`, with or without blanks around the colon.
+    /// Adds the names of `library:item`, with or without blanks around the colon.
     fn path(&mut self, id: ExprId, library: &SmolStr, item: &SmolStr, range: TextRange) {
         let library_range = TextRange::at(range.start(), TextSize::of(library.as_str()));
         let known = self.items.libraries.get(library);

@@ -1,4 +1,4 @@
-//! Names in data paths: `tSlot["a"].fFrame[0]` as a father, `part:nWeight[0]` in the bindings of a page.
+//! Names in data paths: `tSlot["a"].fFrame[0]` as a father, `part:nWeight[0]` in page bindings.
 
 use val3_lang::builtins;
 use val3_syntax::{TextRange, TextSize};
@@ -8,7 +8,7 @@ use crate::db::{Db, Project};
 use crate::items::project::{fields, items};
 use crate::ty::Base;
 
-/// The known names of a path in `project`, with their ranges in the path.
+/// Returns the resolved names of a data path in `project`, with their ranges in the path.
 pub(crate) fn path_names(db: &dyn Db, project: Project, path: &str) -> Vec<(TextRange, Symbol)> {
     let Some((alias, behind)) = library(path) else { return item_names(db, project, path) };
     let Some(library) = items(db, project).libraries.get(alias) else { return Vec::new() };
@@ -19,7 +19,7 @@ pub(crate) fn path_names(db: &dyn Db, project: Project, path: &str) -> Vec<(Text
     std::iter::once(identifier).chain(names).collect()
 }
 
-/// The library identifier before a colon, and the text after the colon.
+/// Splits a data path into the library identifier before the colon and the rest.
 pub(crate) fn library(path: &str) -> Option<(&str, &str)> {
     path.split_once(':').filter(|(alias, _)| !alias.contains(['[', '.', '"', '&']))
 }
@@ -46,7 +46,7 @@ fn item_names(db: &dyn Db, project: Project, path: &str) -> Vec<(TextRange, Symb
     names
 }
 
-/// The names of a reference with their offsets. Indexes in brackets are no names.
+/// Returns the names in a data path with their offsets. Indexes in brackets are no names.
 fn steps(reference: &str) -> Vec<(TextSize, &str)> {
     let mut steps = Vec::new();
     let (mut at, mut rest) = (TextSize::new(0), reference);

@@ -1,4 +1,4 @@
-//! A name in a file, with its symbol and the kind of its use.
+//! A name in a file, with its symbol and usage.
 
 use smol_str::SmolStr;
 use val3_lang::types::BaseType;
@@ -19,15 +19,15 @@ pub enum Symbol {
     Program(Project, SmolStr),
     /// A library identifier of a project.
     Library(Project, SmolStr),
-    /// The name by which a project calls a user type.
+    /// Name of a user type in a project.
     Type(Project, SmolStr),
-    /// A task that programs of a project create. Its name is a text.
+    /// A task that programs of a project create, named by a string.
     Task(Project, SmolStr),
-    /// An element of the user page in an HTML file, by its id.
+    /// An element with this id in the HTML file of a user page.
     Element(File, SmolStr),
     /// An instruction.
     Instruction(SmolStr),
-    /// A variable or constant that is always there (`world`).
+    /// A built-in variable or constant, for example `world`.
     Builtin(SmolStr),
     /// A value of an enumeration.
     Enumerator(SmolStr),
@@ -37,26 +37,26 @@ pub enum Symbol {
     BuiltinType(SmolStr),
 }
 
-/// How a name is used.
+/// Usage of a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Usage {
-    /// It is declared here.
+    /// The name is declared.
     Declaration,
-    /// Its value is used, or it is called.
+    /// The value is read, or the program is called.
     Read,
-    /// It gets a value.
+    /// The value is written.
     Write,
-    /// It is handed over by reference.
+    /// The variable is passed by reference.
     Reference,
 }
 
 /// A name in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Occurrence {
-    /// The name alone.
+    /// Range of the name only.
     pub range: TextRange,
-    /// Its symbol.
+    /// Symbol of the name.
     pub symbol: Symbol,
-    /// How it is used.
+    /// Usage of the symbol.
     pub usage: Usage,
 }

@@ -1,11 +1,11 @@
-//! Names of tasks, which are texts: `taskCreate "watch",10,watch()`, `taskKill("watch")`.
+//! Task names, which are strings: `taskCreate "watch",10,watch()`, `taskKill("watch")`.
 
 use val3_lang::instructions::ON_TASKS;
 
 use super::occurrence::Usage;
 use crate::body::{Body, Expr, ExprId, StmtKind};
 
-/// The arguments of a program that name a task; the name in `taskCreate` declares it.
+/// Returns the arguments in a program that name a task. The name in `taskCreate` is the declaration.
 pub fn task_names(body: &Body) -> Vec<(ExprId, Usage)> {
     let created = body.stmts().into_iter().filter_map(|stmt| match &stmt.kind {
         StmtKind::TaskCreate { arguments, .. } => arguments.first().map(|name| (*name, Usage::Declaration)),

@@ -1,4 +1,4 @@
-//! Names in texts that instructions read as names: `getData("part:pTrack[0]", …)`, `part:libExist("pick()")`, tasks,
+//! Names in strings that instructions resolve: `getData("part:pTrack[0]", …)`, `part:libExist("pick()")`, tasks,
 //! elements of user pages.
 
 use val3_lang::instructions::{GET_DATA, LIB_EXIST, USER_PAGE_SET};
@@ -24,7 +24,7 @@ pub(super) fn names(db: &dyn Db, project: Project, file: File, body: &Body) -> V
         .collect()
 }
 
-/// The page and the id of each element that a program changes with `userPageSet`.
+/// Returns page and element id from every `userPageSet` in a program.
 pub fn elements(body: &Body) -> Vec<(ExprId, ExprId)> {
     let calls = body.exprs().filter_map(|(_, expr, _)| match expr {
         Expr::Call(callee, arguments) if matches!(body.expr(*callee), Expr::Name(name) if name == USER_PAGE_SET) => {
@@ -59,7 +59,7 @@ impl Texts<'_> {
         }
     }
 
-    /// A task whose whole name is a literal.
+    /// Returns the occurrence of a task whose entire name is a literal.
     fn task(&self, name: ExprId, usage: Usage) -> Option<Occurrence> {
         let Expr::String(whole) = self.body.expr(name) else { return None };
         let (start, text) = self.inside(name);
@@ -69,7 +69,7 @@ impl Texts<'_> {
         (found == whole && !found.is_empty()).then_some(Occurrence { range, symbol, usage })
     }
 
-    /// An element whose page and id are literals.
+    /// Returns the occurrence of a page element if page and id are literals.
     fn element(&self, page: ExprId, id: ExprId) -> Option<Occurrence> {
         let (Expr::String(page), Expr::String(whole)) = (self.body.expr(page), self.body.expr(id)) else { return None };
         let (start, text) = self.inside(id);
@@ -78,7 +78,7 @@ impl Texts<'_> {
         text.starts_with(whole.as_str()).then_some(Occurrence { range, symbol, usage: Usage::Write })
     }
 
-    /// The start of the text between the quotes, and that text as written in the file.
+    /// Returns the offset and the source of a string between its quotes.
     fn inside(&self, string: ExprId) -> (TextSize, &str) {
         let range = self.body.range(string);
         let raw = text_at(self.source, range);
@@ -86,7 +86,7 @@ impl Texts<'_> {
         (range.end() - TextSize::of(inner), inner)
     }
 
-    /// `name`, `library:name`, with or without an index.
+    /// Returns the occurrences in `name` or `library:name`, with or without an index.
     fn data(&self, start: TextSize, text: &str) -> Vec<Occurrence> {
         let first = identifier(text);
         let Some(behind) = text.get(first.len()..).and_then(|behind| behind.strip_prefix(':')) else {
@@ -100,7 +100,7 @@ impl Texts<'_> {
         std::iter::once(identifier).chain(item).collect()
     }
 
-    /// Data or a program of a project, by the name that a text starts with.
+    /// Returns the occurrence of a data or program name at the start of a string.
     fn item(&self, project: Project, start: TextSize, text: &str) -> Option<Occurrence> {
         let name = identifier(text);
         let offered = items(self.db, project);
@@ -115,7 +115,7 @@ impl Texts<'_> {
     }
 }
 
-/// The letters, digits and underscores at the start of a text.
+/// Returns the letters, digits and underscores at the start of a string.
 fn identifier(text: &str) -> &str {
     let end = text.find(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_')).unwrap_or(text.len());
     text.part(..end)

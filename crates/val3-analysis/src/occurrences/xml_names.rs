@@ -1,4 +1,4 @@
-//! The names in the XML of a file: headers of programs, data, project files.
+//! Names in the XML of a file: headers of programs, data, project files.
 
 use camino::Utf8Path;
 use smol_str::SmolStr;
@@ -44,7 +44,7 @@ impl Names<'_> {
         }
     }
 
-    /// The type that an element names.
+    /// Adds the element's type name.
     fn type_of(&mut self, element: Element<'_>) {
         let Some(found) = element.attribute("type") else { return };
         let name = SmolStr::from(found.text());
@@ -84,7 +84,7 @@ impl Names<'_> {
         }
     }
 
-    /// The values of a variable or field: fathers, and the fields of user types.
+    /// Adds the names in the values of a variable or field: fathers, and fields of user types.
     fn values(&mut self, element: Element<'_>, base: Base) {
         for value in element.elements() {
             if let Some(father) = value.attribute("fatherId") {
@@ -107,7 +107,7 @@ impl Names<'_> {
         self.values(element, item.base);
     }
 
-    /// A father in s5 and s6, which may belong to a library: `<fFather alias="part" name="fTable" …/>`.
+    /// Adds a father in s5 and s6, which may belong to a library: `<fFather alias="part" name="fTable" …/>`.
     fn old_father(&mut self, element: Element<'_>) {
         let Some(name) = element.attribute("name").filter(|name| !name.raw.is_empty()) else { return };
         let Some(alias) = element.attribute("alias").filter(|alias| !alias.raw.is_empty()) else {
@@ -121,7 +121,7 @@ impl Names<'_> {
         }
     }
 
-    /// The names in a reference to a father: `tSlot` and `fFrame` of `tSlot["a"].fFrame[0]`.
+    /// Adds the names in a father reference, for example `tSlot` and `fFrame` in `tSlot["a"].fFrame[0]`.
     fn father(&mut self, found: Attribute<'_>) {
         for (range, symbol) in path_names(self.db, self.project, found.raw) {
             self.add(range + found.range.start(), symbol, Usage::Read);
@@ -143,7 +143,8 @@ impl Names<'_> {
         }
     }
 
-    /// `file="pick.pgx"` names the program `pick`, and so does `file="PICK.pgx"`: it is the same file on the controller.
+    /// Adds the program name in `file="pick.pgx"`. `file="PICK.pgx"` also names `pick`, because it is the same file on
+    /// the controller.
     fn program_file(&mut self, entry: Element<'_>) {
         let Some(reference) = entry.attribute("file") else { return };
         let Some(file) = find_file(self.db, self.project, &reference.text()) else { return };

@@ -1,4 +1,4 @@
-//! The content of `<page>.bindings.json`.
+//! Content of `<page>.bindings.json`.
 
 use std::ops::Range;
 
@@ -9,36 +9,36 @@ use super::escapes::source_range;
 use super::json::{self, JsonFault, Value};
 use crate::db::{Db, File};
 
-/// The bindings of a page.
+/// Bindings of a page.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Bindings {
-    /// The first place that is no JSON. Nothing else is known then.
+    /// First JSON fault. If it is set, the lists are empty.
     pub fault: Option<JsonFault>,
-    /// Bindings of data to elements of the page.
+    /// Bindings of data to page elements.
     pub data: Vec<BoundData>,
-    /// Programs that events of the page execute.
+    /// Programs that page events execute.
     pub callbacks: Vec<Callback>,
 }
 
-/// A binding of data to an attribute of an element.
+/// Binding of data to an element's attribute.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BoundData {
-    /// Id of the element.
+    /// Element id.
     pub element: Option<BoundName>,
-    /// Path of the data: `nSpeed[0]`.
+    /// Data path, for example `nSpeed[0]`.
     pub path: Option<BoundName>,
-    /// Attribute of the element: `innerHTML`.
+    /// Attribute name, for example `innerHTML`.
     pub attribute: Option<SmolStr>,
     /// Whether the page writes the data.
     pub is_written: bool,
 }
 
-/// A program that an event of an element executes.
+/// A program that an element's event executes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Callback {
-    /// Id of the element.
+    /// Element id.
     pub element: Option<BoundName>,
-    /// Event of the element: `click`.
+    /// Event name, for example `click`.
     pub event: Option<SmolStr>,
     /// Program of the application.
     pub program: Option<BoundName>,
@@ -46,17 +46,17 @@ pub struct Callback {
     pub priority: Option<u32>,
 }
 
-/// A name in the bindings of a page.
+/// A name in page bindings.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BoundName {
-    /// The text of the string, with its escapes replaced.
+    /// Content of the string without escapes.
     pub text: SmolStr,
-    /// The range between the quotes.
+    /// Range between the quotes.
     pub range: TextRange,
 }
 
 impl BoundName {
-    /// The range of a part of the text in `source`, the text of the file.
+    /// Returns the source range for a part of the name; `source` is the text of the file.
     pub fn part(&self, source: &str, part: &Range<usize>) -> TextRange {
         let raw = text_at(source, self.range);
         source_range(raw, self.range.start(), part)
@@ -64,14 +64,14 @@ impl BoundName {
 }
 
 impl Bindings {
-    /// Ids of elements of the page.
+    /// Returns the ids of page elements.
     pub fn elements(&self) -> impl Iterator<Item = &BoundName> {
         let of_data = self.data.iter().filter_map(|bound| bound.element.as_ref());
         of_data.chain(self.callbacks.iter().filter_map(|callback| callback.element.as_ref()))
     }
 }
 
-/// Reads the file with the bindings of a page.
+/// Reads a binding file.
 #[salsa::tracked]
 pub fn bindings(db: &dyn Db, file: File) -> Bindings {
     let root = match json::parse(file.text(db)) {

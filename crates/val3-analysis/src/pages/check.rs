@@ -1,4 +1,4 @@
-//! The faults of user pages: names in their bindings that lead nowhere.
+//! Checks of user pages: unresolved names in their bindings.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -18,7 +18,7 @@ use crate::problem::{PageFault, Problem, ProblemKind};
 use crate::resizing::is_resized;
 use crate::ty::Base;
 
-/// The problems of the bindings of a project's pages.
+/// Returns the problems of the user pages of a project.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     let mut problems = Vec::new();
@@ -32,7 +32,7 @@ pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     problems
 }
 
-/// The pages that a program shows by names that no page has.
+/// Returns problems for page names in a program that no page has.
 fn unknown_pages(db: &dyn Db, file: File, names: &[SmolStr]) -> Vec<Problem> {
     let body = body(db, file);
     let shows_page = |callee: ExprId| {
@@ -83,7 +83,8 @@ impl PageCheck<'_> {
         self.problems.push(Problem { kind: ProblemKind::Page(fault), place, related: Vec::new() });
     }
 
-    /// Items of libraries are not checked: a page could bind data of another library of the interface.
+    /// Checks the data path of a binding. Library items are not checked, because the page may be used with another
+    /// library of the interface.
     fn data(&mut self, bound: &BoundData) {
         let Some(path) = bound.path.as_ref().filter(|path| library(&path.text).is_none()) else { return };
         if let Some(fault) = self.path_fault(&path.text, bound.attribute.as_ref()) {
@@ -117,7 +118,7 @@ impl PageCheck<'_> {
         }
     }
 
-    /// An attribute has one value; a position and an object have several.
+    /// Reports a type with several values, such as a position, which cannot be bound to an attribute.
     fn type_fault(&self, base: Base, path: &str, attribute: Option<&SmolStr>) -> Option<PageFault> {
         let is_single = match base {
             Base::Unknown => true,
@@ -153,7 +154,7 @@ impl PageCheck<'_> {
         }
     }
 
-    /// Ids that no element of the page has, or more than one. Scripts may add and remove elements.
+    /// Checks the element ids: each must exist once. Pages whose scripts may add elements are not checked.
     fn elements(&mut self, found: &Bindings) {
         let Some(page) = page_of(self.db, self.project, self.file) else { return };
         let ids = page_ids(self.db, page);
@@ -177,7 +178,7 @@ fn is_read(db: &dyn Db, file: File) -> bool {
     matches!(file.status(db), FileStatus::Read { .. })
 }
 
-/// An index beyond the declared size.
+/// Returns the fault if an index is beyond the declared size.
 fn index_fault(item: &DataItem, step: &ReferencePart) -> Option<PageFault> {
     let (Container::Array { .. }, Some(index)) = (item.decl.container, step.index.as_deref()) else { return None };
     let indexes: Option<Vec<u32>> = index.split(',').map(|index| index.trim().parse().ok()).collect();

@@ -1,15 +1,15 @@
-//! Escapes in the strings of JSON files: `\"`, `\u00e9`.
+//! Escapes in JSON strings: `\"`, `\u00e9`.
 
 use std::ops::Range;
 
 use val3_syntax::{TextRange, TextSize, text_size};
 
-/// The text of a string, with its escapes replaced.
+/// Returns the content of a string without escapes.
 pub fn unescaped(raw: &str) -> String {
     letters(raw).map(|(letter, _)| letter).collect()
 }
 
-/// The text as a part of a JSON string: quotes, backslashes and control characters are escaped.
+/// Escapes quotes, backslashes and control characters for a JSON string.
 pub fn escaped(text: &str) -> String {
     let mut raw = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -22,7 +22,7 @@ pub fn escaped(text: &str) -> String {
     raw
 }
 
-/// The range of a part of a string in the file. `part` counts the bytes of the text without escapes.
+/// Returns the source range for a part of a string. `part` is in bytes of the unescaped string.
 pub(super) fn source_range(raw: &str, start: TextSize, part: &Range<usize>) -> TextRange {
     let (mut from, mut to) = (None, raw.len());
     let mut at = 0;
@@ -40,7 +40,7 @@ pub(super) fn source_range(raw: &str, start: TextSize, part: &Range<usize>) -> T
     TextRange::at(start + text_size(from), text_size(to - from))
 }
 
-/// The letters of a string, each with its range in `raw`.
+/// Returns the characters of a string with their ranges in `raw`.
 fn letters(raw: &str) -> impl Iterator<Item = (char, Range<usize>)> {
     let mut at = 0;
     std::iter::from_fn(move || {
@@ -53,7 +53,7 @@ fn letters(raw: &str) -> impl Iterator<Item = (char, Range<usize>)> {
     })
 }
 
-/// The letter of an escape at the start of a text, and the length of the escape.
+/// Parses an escape at the start of a string: the character and the length of the escape.
 fn escape(text: &str) -> Option<(char, usize)> {
     let kind = text.strip_prefix('\\')?.chars().next()?;
     let letter = match kind {
@@ -68,7 +68,7 @@ fn escape(text: &str) -> Option<(char, usize)> {
     Some((letter, 1 + kind.len_utf8()))
 }
 
-/// `\u00e9`, or a pair of surrogates.
+/// Parses `\u00e9` or a surrogate pair.
 fn unicode(text: &str) -> Option<(char, usize)> {
     let unit = |at: usize| {
         let digits = text.get(at..)?.strip_prefix("\\u")?.get(..4)?;

@@ -1,4 +1,4 @@
-//! The HTML file of a page: the ids of its elements.
+//! HTML file of a page: element ids.
 
 use std::ops::Range;
 
@@ -6,16 +6,16 @@ use val3_syntax::{Part, TextRange, decode_entities, text_size};
 
 use crate::db::{Db, File};
 
-/// The ids in the HTML file of a page, with their ranges without quotes.
+/// Ids in the HTML file of a page, with their ranges without quotes.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct PageIds {
-    /// Values of attributes `id`, in the order of the text.
+    /// Values of `id` attributes in source order.
     pub declared: Vec<(String, TextRange)>,
-    /// Values of attributes `for`, which name the element of a label.
+    /// Values of `for` attributes, which refer to the element of a label.
     pub named: Vec<(String, TextRange)>,
-    /// The text outside of comments.
+    /// Ranges outside of comments.
     pub parts: Vec<TextRange>,
-    /// Whether a script of the page may add elements.
+    /// Whether a script in the page may add elements.
     pub is_dynamic: bool,
 }
 
@@ -26,10 +26,10 @@ impl PageIds {
     }
 }
 
-/// Signs of scripts that add elements.
+/// Names in scripts that add elements.
 const ADDING: [&str; 4] = ["createElement", "innerHTML", "insertAdjacentHTML", "document.write"];
 
-/// Reads the ids of the HTML file of a page. Comments have none.
+/// Reads the ids in the HTML file of a page, outside of comments.
 #[salsa::tracked]
 pub fn page_ids(db: &dyn Db, file: File) -> PageIds {
     let text = file.text(db);
@@ -67,7 +67,7 @@ fn outside_comments(text: &str) -> Vec<Range<usize>> {
     parts
 }
 
-/// The names of attributes with the ranges of their values: `name="value"`, `name='value'`, `name=value`.
+/// Returns attribute names and the ranges of the values: `name="value"`, `name='value'`, `name=value`.
 fn attributes(text: &str, part: Range<usize>) -> Vec<(&str, Range<usize>)> {
     let mut found = Vec::new();
     let end = part.end;

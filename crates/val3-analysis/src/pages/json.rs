@@ -1,29 +1,29 @@
-//! A reader of JSON that keeps the places of strings.
+//! JSON parser that records the ranges of strings.
 
 use super::escapes::unescaped;
 use val3_syntax::{Part, TextRange, text_size};
 
-/// Values within values. Bindings have four levels.
+/// Maximum nesting of values. Bindings have four levels.
 const DEEPEST: usize = 32;
 
-/// A value; only strings have a place.
+/// A JSON value; only strings have a range.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Value {
     Object(Vec<(String, Value)>),
     Array(Vec<Value>),
-    /// The text, and the range between the quotes.
+    /// Content, and range between the quotes.
     Text(String, TextRange),
-    /// A number from 0 on without a fraction.
+    /// An integer from 0.
     Integer(u32),
     Other,
 }
 
-/// The first place of a text that is no JSON.
+/// First JSON fault of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JsonFault {
-    /// The place.
+    /// Range of the fault.
     pub range: TextRange,
-    /// What is expected there.
+    /// Expected token.
     pub expected: &'static str,
 }
 
@@ -49,7 +49,7 @@ impl Value {
 /// Reads one value.
 ///
 /// # Errors
-/// The first place that is no JSON.
+/// Reports the first JSON fault.
 pub(super) fn parse(text: &str) -> Result<Value, JsonFault> {
     let mut reader = Reader { text, at: 0 };
     let value = reader.value(0)?;
@@ -59,7 +59,7 @@ pub(super) fn parse(text: &str) -> Result<Value, JsonFault> {
 
 struct Reader<'t> {
     text: &'t str,
-    /// The next byte, at the boundary of a character.
+    /// Offset of the next character.
     at: usize,
 }
 
@@ -144,7 +144,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A string with its text, in which escapes are replaced.
+    /// Parses a string: its content without escapes, and its range.
     fn string(&mut self) -> Result<(String, TextRange), JsonFault> {
         if !self.rest().starts_with('"') {
             return Err(self.fault("a string"));

@@ -1,4 +1,4 @@
-//! Names in the files of a page, with their symbols: data, programs, ids of elements.
+//! Names in page files with their symbols: data, programs, element ids.
 
 use smol_str::SmolStr;
 use val3_syntax::TextRange;
@@ -8,7 +8,7 @@ use crate::db::{Db, File, Project};
 use crate::items::project::items;
 use crate::occurrences::{Occurrence, Symbol, Usage, path_names};
 
-/// The names in a file of a project's pages, in the order of the text.
+/// Returns the names in a page file of a project, in source order.
 pub(crate) fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     let mut found = if is_bindings(db, file) { of_bindings(db, project, file) } else { of_html(db, file) };
     found.sort_by_key(|occurrence| occurrence.range.start());
@@ -54,7 +54,7 @@ fn of_html(db: &dyn Db, file: File) -> Vec<Occurrence> {
     declared.chain(named.map(|(id, range)| occurrence(*range, id, Usage::Read))).collect()
 }
 
-/// The element with the id `id` of the page called `page`.
+/// Returns the symbol of the element `id` in the page called `page`.
 pub(crate) fn element(db: &dyn Db, project: Project, page: &str, id: &str) -> Option<Symbol> {
     declared(db, html_file(db, project, page)?, id)
 }

@@ -1,14 +1,14 @@
-//! The memory that a variable needs.
+//! Memory of a variable.
 
 use smol_str::SmolStr;
 
-/// A variable and the bytes that it needs.
+/// A variable and its memory.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct DataSize {
-    /// The variable.
+    /// Variable name.
     pub name: SmolStr,
-    /// Bytes of the variable.
+    /// Size of the variable in bytes.
     pub bytes: u64,
-    /// Bytes of the variable and those before it in the file.
+    /// Size of this and all preceding variables of the file in bytes.
     pub total: u64,
 }

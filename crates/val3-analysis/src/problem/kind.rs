@@ -1,18 +1,18 @@
-//! Every kind of fault that the analysis finds.
+//! All kinds of faults that the analysis finds.
 
 use smol_str::SmolStr;
 
 use super::{DataSize, EncodingFault, FileRole, NameKind, PageFault};
 
-/// The kinds of faults. Types are given as a programmer would write them: `num`, `point[]`, `string[""]`, `Slot`.
+/// Kind of fault. Types are written as in a program: `num`, `point[]`, `string[""]`, `Slot`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ProblemKind {
     // ---- names ----
-    /// No local, parameter, data or built-in name is called so.
+    /// No local, parameter, data or built-in item has this name.
     UnknownName {
         /// The name as written.
         name: SmolStr,
-        /// The most similar known name.
+        /// Most similar known name.
         near: Option<SmolStr>,
     },
     /// `call` of a program that the application does not have.
@@ -21,23 +21,23 @@ pub enum ProblemKind {
         name: SmolStr,
         /// The most similar program.
         near: Option<SmolStr>,
-        /// It names an instruction or a variable instead.
+        /// Kind of item that the name refers to instead.
         is: Option<NameKind>,
     },
-    /// An instruction that VAL 3 does not have.
+    /// An instruction that does not exist in VAL 3.
     UnknownInstruction {
         /// The name as written.
         name: SmolStr,
         /// The most similar instruction.
         near: Option<SmolStr>,
-        /// It names a program or a variable instead (`call` is missing, or an index in round brackets).
+        /// Kind of item that the name refers to instead (`call` is missing, or an index is in round brackets).
         is: Option<NameKind>,
     },
-    /// An instruction of an add-on whose table the cell does not have.
+    /// An add-on instruction whose table is missing in the cell.
     MissingAddOn {
         /// The instruction (`$fileOpen`).
         name: SmolStr,
-        /// The add-on that has it, where known.
+        /// Add-on that provides the instruction, if known.
         add_on: Option<SmolStr>,
         /// Whether the cell has tables of other add-ons.
         lists_others: bool,
@@ -69,10 +69,10 @@ pub enum ProblemKind {
     DuplicateName {
         /// The name.
         name: SmolStr,
-        /// The kind of declaration.
+        /// Kind of declaration.
         what: NameKind,
     },
-    /// A name longer than the version allows.
+    /// A name that is longer than the VAL 3 version allows.
     NameTooLong {
         /// The name.
         name: SmolStr,
@@ -89,11 +89,11 @@ pub enum ProblemKind {
         /// The name.
         name: SmolStr,
     },
-    /// A program, library identifier or type used where a value belongs.
+    /// A program, library identifier or type used as a value.
     NotAValue {
         /// The name.
         name: SmolStr,
-        /// The kind of item that it names.
+        /// Kind of item that the name refers to.
         is: NameKind,
     },
     // ---- types ----
@@ -101,12 +101,12 @@ pub enum ProblemKind {
     OperatorType {
         /// The operator as written.
         op: SmolStr,
-        /// Type on the left; `None` for a unary operator.
+        /// Type of the left operand; `None` for a unary operator.
         left: Option<SmolStr>,
-        /// Type on the right.
+        /// Type of the right operand.
         right: SmolStr,
     },
-    /// The value does not fit the variable.
+    /// The type of the value does not match the variable.
     AssignmentType {
         /// Type of the variable.
         target: SmolStr,
@@ -115,13 +115,13 @@ pub enum ProblemKind {
     },
     /// The left side of `=` is no variable.
     NotAssignable,
-    /// The argument's type is not the parameter's.
+    /// The type of the argument is not the parameter's.
     ArgumentType {
         /// The callee.
         callee: SmolStr,
         /// Name of the parameter.
         parameter: SmolStr,
-        /// The types that the forms of the callee take here.
+        /// Types that the forms of the callee accept.
         expected: Vec<SmolStr>,
         /// Type of the argument.
         found: SmolStr,
@@ -130,168 +130,168 @@ pub enum ProblemKind {
     ArgumentCount {
         /// The callee.
         callee: SmolStr,
-        /// The counts that are possible, in ascending order.
+        /// Accepted counts in ascending order.
         expected: Vec<usize>,
-        /// The count found.
+        /// Actual count.
         found: usize,
-        /// The syntax lines of the callee.
+        /// Syntax lines of the callee.
         forms: Vec<SmolStr>,
     },
-    /// A parameter by reference got a constant or the result of an expression (2.6.2).
+    /// A constant or computed value is passed by reference (2.6.2).
     VariableExpected {
         /// The callee.
         callee: SmolStr,
         /// Name of the parameter.
         parameter: SmolStr,
     },
-    /// A parameter by reference to a container got another container (2.6.3).
+    /// Another kind of container is required by a parameter by reference (2.6.3).
     ContainerMismatch {
         /// The callee.
         callee: SmolStr,
         /// Name of the parameter.
         parameter: SmolStr,
-        /// The container the parameter takes, as type text.
+        /// Type of the parameter with its container.
         expected: SmolStr,
-        /// The argument's, as type text.
+        /// Type of the argument with its container.
         found: SmolStr,
     },
-    /// `if`, `while`, `until`, `wait` … without a bool.
+    /// The condition of `if`, `while`, `until`, `wait` … is no `bool`.
     ConditionType {
         /// The keyword.
         keyword: SmolStr,
-        /// Type found.
+        /// Actual type.
         found: SmolStr,
     },
-    /// An array of several dimensions or a collection used without its index or key.
+    /// An array of several dimensions or a collection used without index or key.
     IndexMissing {
         /// The variable.
         name: SmolStr,
-        /// Its type.
+        /// Type of the variable.
         ty: SmolStr,
     },
-    /// An index where none is allowed: after an element, or after a container that is passed as a whole.
+    /// An index that is not allowed: after an element, or after a container that is passed entirely.
     IndexNotAllowed {
         /// The variable.
         name: SmolStr,
-        /// Its type.
+        /// Type of the variable.
         ty: SmolStr,
-        /// The callee that wants the whole container.
+        /// Callee that requires the whole container.
         callee: Option<SmolStr>,
     },
-    /// The number of indexes is not the number of dimensions.
+    /// The number of indexes differs from the number of dimensions.
     IndexCount {
         /// The variable.
         name: SmolStr,
-        /// Dimensions.
+        /// Number of dimensions.
         expected: usize,
-        /// Indexes found.
+        /// Number of indexes.
         found: usize,
     },
-    /// An array's index that is no num, or a collection's key that is no string.
+    /// An array index that is no `num`, or a collection key that is no `string`.
     IndexType {
         /// The variable.
         name: SmolStr,
         /// `num` or `string`.
         expected: SmolStr,
-        /// Type found.
+        /// Actual type.
         found: SmolStr,
     },
-    /// A constant index that the array can never have.
+    /// A constant index that is always outside of the array.
     IndexOutOfBounds {
         /// The variable.
         name: SmolStr,
-        /// The index, rounded.
+        /// Rounded index.
         index: i64,
-        /// The size of that dimension.
+        /// Size of the dimension.
         size: usize,
     },
-    /// The value of a `case` is of another type than the `switch`.
+    /// The type of a `case` value differs from the type of the `switch`.
     CaseType {
         /// Type of the `switch`.
         expected: SmolStr,
         /// Type of the `case`.
         found: SmolStr,
     },
-    /// `switch` over a type that `==` does not compare.
+    /// `switch` over a type that `==` does not support.
     SwitchType {
-        /// Type found.
+        /// Actual type.
         found: SmolStr,
     },
-    /// More fields between braces than the type has.
+    /// A `{…}` with more values than the type has fields.
     LiteralFieldCount {
         /// The type.
         ty: SmolStr,
-        /// Its fields.
+        /// Number of fields.
         expected: usize,
-        /// Values found.
+        /// Number of values.
         found: usize,
     },
-    /// A value between braces of another type than the field.
+    /// A value in `{…}` whose type differs from the field's.
     LiteralFieldType {
-        /// The type between braces.
+        /// Type of the `{…}`.
         ty: SmolStr,
         /// The field.
         field: SmolStr,
-        /// The field's type.
+        /// Type of the field.
         expected: SmolStr,
-        /// Type found.
+        /// Actual type.
         found: SmolStr,
     },
-    /// Braces where no structure is expected, so that they have no type.
+    /// A `{…}` where no structure is expected, so that it has no type.
     LiteralWithoutType {
-        /// The type expected here, if it is known.
+        /// Expected type, if known.
         expected: Option<SmolStr>,
     },
-    /// The counter of `for` is no num variable.
+    /// The counter of `for` is no `num` variable.
     ForCounter {
-        /// Type found.
+        /// Actual type.
         found: SmolStr,
     },
-    /// A bound or the step of `for` is no num.
+    /// A bound or the step of `for` is no `num`.
     ForBound {
         /// `=`, `to` or `step`.
         keyword: SmolStr,
-        /// Type found.
+        /// Actual type.
         found: SmolStr,
     },
-    /// The line computes a value and does nothing with it.
+    /// The line computes a value without using it.
     NoEffect,
-    /// An instruction that yields no value, used as a value.
+    /// An instruction without a result is used as a value.
     NoValue {
         /// The callee.
         callee: SmolStr,
     },
-    /// A position of another arm (`jointRs` where the arm has six axes).
+    /// A position for another kind of arm (`jointRs` on a six-axis arm).
     WrongArm {
-        /// The type found.
+        /// Actual type.
         found: SmolStr,
-        /// The type expected.
+        /// Expected type.
         expected: SmolStr,
     },
-    /// A string literal of more than 128 bytes; with its bytes in UTF-8.
+    /// A string literal of more than 128 bytes; contains its length in bytes of UTF-8.
     StringTooLong(usize),
     // ---- project and data ----
-    /// A file named in the project is not on the disk.
+    /// A file in the project file does not exist on the disk.
     FileMissing {
-        /// The expected spelling.
+        /// Role of the file.
         what: FileRole,
         /// The path as written.
         path: SmolStr,
     },
-    /// A file outside of the folder of the project, or a library outside of the cell; its path. It is not read.
+    /// A file outside of the project's folder, or a library outside of the cell, which is not read; role and path.
     FileOutside(FileRole, SmolStr),
-    /// A file exists but cannot be read.
+    /// A file that exists but cannot be read.
     FileUnreadable {
-        /// The path as the project writes it; the name of a file that no project lists.
+        /// Path as written in the project file; only the file name if no project lists the file.
         path: SmolStr,
-        /// The reason, as the system words it.
+        /// Error message of the system.
         reason: SmolStr,
     },
-    /// A file of the cell exists but cannot be read.
+    /// A file of the cell that exists but cannot be read.
     CellFileUnreadable {
-        /// The path from `usr`.
+        /// Path below `usr`.
         path: SmolStr,
-        /// The reason, as the system or the reader of tables words it.
+        /// Error message of the system or of the table reader.
         reason: SmolStr,
     },
     /// A path with backslashes.
@@ -299,31 +299,31 @@ pub enum ProblemKind {
         /// The path as written.
         path: SmolStr,
     },
-    /// The path of a library or type whose root has no known folder here.
+    /// The path of a library or type has a root without a known folder.
     UnresolvedPath {
-        /// The kind of file expected there.
+        /// Role of the file.
         what: FileRole,
         /// The path as written.
         path: SmolStr,
-        /// The root: `Disk`, `USB0`.
+        /// Root name, for example `Disk` or `USB0`.
         root: SmolStr,
-        /// The root that was probably meant.
+        /// Most similar root.
         near: Option<SmolStr>,
     },
-    /// The text is not in the declared encoding, or was read in another one.
+    /// The text is not in the declared encoding, or was read in another encoding.
     Encoding(EncodingFault),
-    /// A file named twice in the project, or a library identifier or type declared twice.
+    /// A file listed twice in the project file, or a library identifier or type declared twice.
     DuplicateEntry {
-        /// The kind of item.
+        /// Role of the item.
         what: FileRole,
         /// Path or name.
         name: SmolStr,
     },
-    /// The root element is not that of the file kind.
+    /// The root element does not match the kind of file.
     WrongRoot {
-        /// The expected kind of file.
+        /// Expected kind of file.
         expected: FileRole,
-        /// The root element found.
+        /// Actual root element.
         found: SmolStr,
     },
     /// A required attribute is missing.
@@ -332,73 +332,73 @@ pub enum ProblemKind {
         element: SmolStr,
         /// The attribute.
         attribute: SmolStr,
-        /// The value that is assumed instead, where there is one.
+        /// Value that is assumed instead, if any.
         default: Option<SmolStr>,
-        /// The unknown attribute that was probably meant to be it.
+        /// Unknown attribute that is probably a misspelling of it.
         written: Option<SmolStr>,
     },
-    /// An attribute that the element does not have.
+    /// An attribute that the element does not support.
     UnknownAttribute {
         /// The element.
         element: SmolStr,
         /// The attribute.
         attribute: SmolStr,
-        /// The most similar attribute that is not there.
+        /// Most similar attribute that the element does not have.
         near: Option<SmolStr>,
     },
     /// A required element is missing.
     MissingElement {
-        /// The element around it.
+        /// Parent element.
         parent: SmolStr,
-        /// The element that is missing.
+        /// Missing element.
         element: SmolStr,
     },
-    /// The root, or a part with a namespace of its own, is in another namespace than that of its kind of file.
+    /// The root, or an element with its own namespace, is not in the namespace of this kind of file.
     Namespace {
         /// The element.
         element: SmolStr,
-        /// The namespace found.
+        /// Actual namespace.
         found: SmolStr,
-        /// The namespace of this element.
+        /// Expected namespace.
         expected: SmolStr,
     },
-    /// An attribute with a value that it cannot have.
+    /// An attribute with an invalid value.
     InvalidAttribute {
         /// The element.
         element: SmolStr,
         /// The attribute.
         attribute: SmolStr,
-        /// The value found.
+        /// Actual value.
         value: SmolStr,
-        /// The possible values.
+        /// Valid values.
         expected: SmolStr,
     },
-    /// An element in a place where it does not belong.
+    /// An element that must not appear in its parent.
     UnexpectedElement {
         /// The element.
         name: SmolStr,
-        /// The element around it.
+        /// Parent element.
         parent: SmolStr,
     },
-    /// The program in a `.pgx` has another name than the file.
+    /// The program name in a `.pgx` differs from the file name.
     ProgramNameMismatch {
-        /// The program's name.
+        /// Program name.
         program: SmolStr,
-        /// The file's name without `.pgx`.
+        /// File name without `.pgx`.
         file: SmolStr,
     },
-    /// An initial value that the type cannot have.
+    /// An invalid initial value.
     InvalidValue {
         /// The type.
         ty: SmolStr,
         /// The attribute.
         attribute: SmolStr,
-        /// The text found.
+        /// Actual text.
         value: SmolStr,
-        /// The possible values.
+        /// Valid values.
         expected: SmolStr,
     },
-    /// An attribute of `<Value>` that the type does not have.
+    /// An attribute of `<Value>` that the type does not support.
     UnknownValueAttribute {
         /// The type.
         ty: SmolStr,
@@ -414,7 +414,7 @@ pub enum ProblemKind {
         /// The size.
         size: SmolStr,
     },
-    /// A key twice.
+    /// A repeated key.
     DuplicateKey {
         /// The key.
         key: SmolStr,
@@ -426,7 +426,7 @@ pub enum ProblemKind {
         /// Dimensions of the array.
         dims: usize,
     },
-    /// A `<Field>` that the user type does not have.
+    /// A `<Field>` that does not exist in the user type.
     UnknownUserField {
         /// The type.
         ty: SmolStr,
@@ -435,89 +435,89 @@ pub enum ProblemKind {
         /// The most similar field.
         near: Option<SmolStr>,
     },
-    /// A `<Field>` whose type or container is not that of the user type.
+    /// A `<Field>` whose type or container differs from the user type's.
     UserFieldType {
         /// The user type.
         ty: SmolStr,
         /// The field.
         field: SmolStr,
-        /// The declaration of the type.
+        /// Declaration in the user type.
         expected: SmolStr,
-        /// The declaration found here.
+        /// Actual declaration.
         found: SmolStr,
     },
-    /// A `size` that is no list of one to three whole numbers.
+    /// A `size` that is no list of integers with one to three entries.
     InvalidSize {
-        /// The text found.
+        /// Actual text.
         size: SmolStr,
     },
-    /// A variable that needs more memory than a controller has, alone or with those before it in the file.
+    /// A variable that, alone or with all preceding variables of the file, needs more memory than a controller has.
     DataTooLarge(DataSize),
     /// A father (reference frame or base tool) that does not exist.
     FatherMissing {
-        /// The reference as written.
+        /// Father reference as written.
         father: SmolStr,
-        /// The most similar frame or tool.
+        /// Most similar frame or tool.
         near: Option<SmolStr>,
     },
-    /// A father of the wrong kind.
+    /// A father of the wrong type.
     FatherKind {
-        /// The reference as written.
+        /// Father reference as written.
         father: SmolStr,
         /// `frame` or `tool`.
         expected: SmolStr,
-        /// Type found.
+        /// Actual type.
         found: SmolStr,
     },
-    /// Data that is called `world` or `flange`, is of another type, and is named as a father (related: where).
+    /// Data called `world` or `flange` with another type, which is named as a father (related: the references).
     FatherHidden {
         /// The name.
         name: SmolStr,
         /// `frame` or `tool`.
         expected: SmolStr,
-        /// Type found.
+        /// Actual type.
         found: SmolStr,
-        /// How many values name it.
+        /// Number of values with this father.
         uses: usize,
     },
-    /// Frames or tools that hang on each other in a circle.
+    /// Frames or tools whose fathers form a cycle.
     FatherCircle {
-        /// The names in order, the first again at the end.
+        /// Names in order; the first name is repeated at the end.
         chain: Vec<SmolStr>,
     },
-    /// A father that lives in a library.
+    /// A father in a library.
     FatherInLibrary {
-        /// The reference as written.
+        /// Father reference as written.
         father: SmolStr,
     },
-    /// A father's index outside its array.
+    /// A father reference with an index outside of the array.
     FatherIndex {
-        /// The reference as written.
+        /// Father reference as written.
         father: SmolStr,
         /// The size of the array.
         size: SmolStr,
     },
     /// A fault of a user page of the application.
     Page(PageFault),
-    /// An input or output that the cell's configuration does not have.
+    /// An input or output that is missing in the cell's configuration.
     IoLinkUnknown {
         /// The link as written.
         link: SmolStr,
         /// The most similar link.
         near: Option<SmolStr>,
     },
-    /// A link to an input or output of another kind.
+    /// A link whose input or output has a different type.
     IoLinkKind {
         /// The link as written.
         link: SmolStr,
-        /// `dio`, `aio` or `sio`.
+        /// Expected type: `dio`, `aio` or `sio`.
         expected: SmolStr,
-        /// The kind found.
+        /// Actual type.
         found: SmolStr,
     },
-    /// Libraries or types that use each other in a circle (6.6).
+    /// Libraries or types that use each other in a cycle (6.6).
     LibraryCircle {
-        /// The projects in order, the first again at the end.
+        /// Projects in order; the first project is repeated at the end.
         chain: Vec<SmolStr>,
     },
     // ---- library interfaces ----
@@ -527,23 +527,23 @@ pub enum ProblemKind {
         alias: SmolStr,
         /// The item.
         item: SmolStr,
-        /// The kind that it was used as.
+        /// Kind of item as used.
         what: NameKind,
         /// The most similar public item.
         near: Option<SmolStr>,
     },
-    /// The project of the identifier lists nothing of what is used of it (related: its list, and where it is used).
+    /// The library's project file omits all used items (related: its list and the uses).
     LibraryLeftOut {
         /// The identifier.
         alias: SmolStr,
-        /// The missing items, sorted; at least one.
+        /// Missing items, sorted; at least one.
         missing: Vec<SmolStr>,
-        /// The files in the library's folder that its project does not list.
+        /// Unlisted files in the library's folder.
         unlisted: Vec<SmolStr>,
-        /// How many times they are used.
+        /// Number of uses.
         uses: usize,
     },
-    /// The item exists and is private.
+    /// The item exists but is private.
     LibraryItemPrivate {
         /// The identifier.
         alias: SmolStr,
@@ -552,49 +552,49 @@ pub enum ProblemKind {
         /// The kind of item.
         what: NameKind,
     },
-    /// The identifier has `autoload="false"` and nothing loads it.
+    /// The identifier has `autoload="false"`, and no program loads it.
     LibraryNeverLoaded {
         /// The identifier.
         alias: SmolStr,
     },
-    /// `libLoad` of a path without a library.
+    /// `libLoad` with a path at which no library exists.
     LibLoadPath {
         /// The path as written.
         path: SmolStr,
     },
-    /// A library that can be loaded under the identifier lacks an item of the interface.
+    /// A library that may be loaded under the identifier does not have all used items of the interface.
     ImplementationMissing {
         /// The identifier.
         alias: SmolStr,
-        /// The library's project.
+        /// Project name of the library.
         library: SmolStr,
-        /// The missing items, by name; at least one.
+        /// Missing items, sorted by name; at least one.
         items: Vec<(NameKind, SmolStr)>,
     },
-    /// The item is there and private.
+    /// The item exists in the library but is private.
     ImplementationPrivate {
         /// The identifier.
         alias: SmolStr,
-        /// The library's project.
+        /// Project name of the library.
         library: SmolStr,
         /// The item.
         item: SmolStr,
         /// The kind of item.
         what: NameKind,
     },
-    /// The item is there with another type, container, parameter or passing.
+    /// The item exists in the library with another type, container, parameter or passing mode.
     ImplementationDifferent {
         /// The identifier.
         alias: SmolStr,
-        /// The library's project.
+        /// Project name of the library.
         library: SmolStr,
         /// The item.
         item: SmolStr,
         /// The kind of item.
         what: NameKind,
-        /// The declaration of the interface, as a syntax line.
+        /// Syntax line of the interface.
         expected: SmolStr,
-        /// The declaration of the library.
+        /// Syntax line of the library.
         found: SmolStr,
     },
 }

@@ -1,23 +1,23 @@
-//! The faults of user pages.
+//! Faults of user pages.
 
 use smol_str::SmolStr;
 
 /// A fault in the bindings of a user page, or a page that does not exist.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PageFault {
-    /// The file is no JSON.
+    /// The file is not valid JSON.
     NoJson {
-        /// What is expected at the place.
+        /// Expected token.
         expected: &'static str,
     },
-    /// Data that the application does not have.
+    /// Data that do not exist in the application.
     UnknownData {
         /// The name.
         name: SmolStr,
         /// The most similar name.
         near: Option<SmolStr>,
     },
-    /// A field that a user type does not have.
+    /// A field that does not exist in the user type.
     UnknownField {
         /// The name.
         name: SmolStr,
@@ -26,32 +26,32 @@ pub enum PageFault {
         /// The most similar name.
         near: Option<SmolStr>,
     },
-    /// An attribute, which has one value, is bound to a position or an object.
+    /// A position or object is bound to an attribute, which has only one value.
     SeveralValues {
-        /// The path of the data.
+        /// Data path.
         path: SmolStr,
-        /// The type of the data.
+        /// Type of the data.
         found: SmolStr,
-        /// The attribute: `innerHTML`.
+        /// Attribute name, for example `innerHTML`.
         attribute: SmolStr,
     },
-    /// An index outside of the data.
+    /// An index outside of the declared size.
     Index {
-        /// The name of the data.
+        /// Name of the data.
         name: SmolStr,
         /// The index as written.
         index: SmolStr,
-        /// The declared sizes: `3,4`.
+        /// Declared sizes, for example `3,4`.
         size: SmolStr,
     },
-    /// A program that the application does not have.
+    /// A program that does not exist in the application.
     UnknownProgram {
         /// The name.
         name: SmolStr,
         /// The most similar name.
         near: Option<SmolStr>,
     },
-    /// An event of the page calls a program with parameters.
+    /// A page event calls a program with parameters.
     Parameters {
         /// The program.
         name: SmolStr,
@@ -63,12 +63,12 @@ pub enum PageFault {
         /// The most similar id.
         near: Option<SmolStr>,
     },
-    /// Two elements of the page have one id.
+    /// Two elements of the page have the same id.
     ElementTwice {
         /// The id.
         id: SmolStr,
     },
-    /// A program shows a page that the application does not have.
+    /// A program shows a page that does not exist in the application.
     UnknownPage {
         /// The name.
         name: SmolStr,

@@ -1,14 +1,13 @@
-//! Which faults the controller's compiler refuses.
+//! Faults with which the controller's compiler rejects an application.
 
 use super::{FileRole, ProblemKind};
 
 impl ProblemKind {
-    /// The controller's compiler refuses an application or library with this fault.
+    /// Whether the controller's compiler rejects an application or library with this fault.
     ///
-    /// This is a property of the language. The level of the rule, the settings and comments that silence findings have
-    /// no influence on it. Faults that the controller reports at run time are not refused: an index beyond an array
-    /// (error 20), a library that is not there or that differs from its interface (error 80 and the codes of
-    /// `libLoad`). A fault of the text itself is always refused.
+    /// This is a property of the language; rule levels, settings and suppressions have no influence. Faults that the
+    /// controller reports at run time do not count: an index outside the array (error 20), and a library that is
+    /// missing or differs from its interface (error 80 and the codes of `libLoad`). A syntax error always counts.
     #[must_use]
     pub fn is_refused(&self) -> bool {
         match self {
@@ -71,11 +70,11 @@ impl ProblemKind {
             | Self::LibraryItemPrivate { .. }
             | Self::LibraryLeftOut { .. } => true,
             Self::MissingAttribute { default, .. } => default.is_none(),
-            // The items of a missing library or user type are missing when a line uses them.
+            // Items of a missing library or user type are reported only when a line uses them.
             Self::FileMissing { what, .. } | Self::FileOutside(what, _) => {
                 !matches!(what, FileRole::Library | FileRole::Type)
             }
-            // Controllers load these. A CS9 accepts long names whatever the version says.
+            // Controllers load these. A CS9 accepts long names regardless of the version.
             Self::NameTooLong { .. }
             | Self::Encoding(_)
             | Self::UnexpectedElement { .. }
@@ -87,9 +86,9 @@ impl ProblemKind {
             | Self::UnknownUserField { .. }
             | Self::Page(_)
             | Self::IoLinkUnknown { .. } => false,
-            // A fault of the cell. The catalogue has the instructions of the add-on too.
+            // A fault of the cell: the catalogue also contains the add-on instructions.
             Self::CellFileUnreadable { .. } => false,
-            // A task that executes such a line gets an error or a return code.
+            // A task that executes such a line gets a run-time error or a return code.
             Self::IndexOutOfBounds { .. }
             | Self::LibraryNeverLoaded { .. }
             | Self::LibLoadPath { .. }

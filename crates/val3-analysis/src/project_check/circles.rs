@@ -1,4 +1,4 @@
-//! Projects that use each other in a circle (6.6).
+//! Projects that use each other in a cycle (6.6).
 
 use std::collections::VecDeque;
 
@@ -15,7 +15,7 @@ use crate::xml::Element;
 type Edges = fn(&dyn Db, Project) -> Vec<Project>;
 
 impl ProjectCheck<'_> {
-    /// A circle of libraries and one of types, each reported by the first of its projects by path.
+    /// Reports a cycle of libraries and a cycle of types, each only in the first project of the cycle by path.
     pub(super) fn circles(&mut self, root: Element<'_>, spelling: &Spelling) {
         let lists = [(spelling.libraries, spelling.library_path, libraries as Edges), (spelling.types, "path", types)];
         for (list, path, edges) in lists {
@@ -45,8 +45,8 @@ fn types(db: &dyn Db, project: Project) -> Vec<Project> {
     items(db, project).types.values().copied().flatten().collect()
 }
 
-/// The shortest way from `start` along `edges` back to it, `start` at both ends. It passes only projects whose
-/// path is greater than that of `start`, so that one project of a circle finds it.
+/// Returns the shortest cycle from `start` along `edges`, with `start` at both ends. Only projects whose path is not
+/// less than the path of `start` are visited, so that only one project of a cycle finds it.
 fn circle(db: &dyn Db, start: Project, edges: Edges) -> Option<Vec<Project>> {
     let mut from: FxHashMap<Project, Project> = FxHashMap::default();
     let mut queue = VecDeque::from([start]);
@@ -67,7 +67,7 @@ fn circle(db: &dyn Db, start: Project, edges: Edges) -> Option<Vec<Project>> {
     None
 }
 
-/// `start`, the steps to `last`, and `start` again.
+/// Returns `start`, the path to `last`, and `start` again.
 fn way(from: &FxHashMap<Project, Project>, start: Project, last: Project) -> Vec<Project> {
     let back = std::iter::successors(Some(last), |at| from.get(at).copied());
     let mut way: Vec<Project> = std::iter::once(start).chain(back).collect();

@@ -1,13 +1,13 @@
-//! Targets of paths on the disk, whose last names need not exist.
+//! Resolution of links in paths whose last parts need not exist.
 
 use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::paths::normalise;
 
-/// Links that are followed at most, as on Linux.
+/// Maximum number of followed links, as on Linux.
 const MOST: usize = 40;
 
-/// The path after following all links. A link to a missing file leads to the place at which the file would be created.
+/// Resolves all links in the path. A link to a missing file resolves to the path where the file would be created.
 pub(super) fn target(path: &Utf8Path) -> Utf8PathBuf {
     follow(path, MOST)
 }

@@ -1,4 +1,4 @@
-//! A file system with files laid over it.
+//! Overlay: additional files on top of a file system.
 
 use std::collections::BTreeSet;
 use std::io;
@@ -12,25 +12,25 @@ use val3_files::{FileClass, Unreadable};
 use super::{Content, Kind, System};
 use crate::paths::path_key;
 
-/// A file system below files that it does not hold. Paths are compared without regard to letter case.
+/// An overlay on the file system `below`. Paths are compared in any letter case.
 #[derive(Debug, Clone, Default)]
 pub struct OverlayFs<S> {
     below: S,
-    /// Bytes by path key; they count as stored.
+    /// Stored bytes by path key.
     stored: FxHashMap<String, Vec<u8>>,
-    /// The names in the folders above stored files.
+    /// Names in the folders above stored files.
     folders: FxHashMap<Utf8PathBuf, BTreeSet<String>>,
-    /// Texts by path key; they count as being edited.
+    /// Texts that are open in an editor, by path key.
     edited: FxHashMap<String, Arc<str>>,
 }
 
 impl<S: System> OverlayFs<S> {
-    /// `below` with nothing laid over it.
+    /// Creates an empty overlay on `below`.
     pub fn new(below: S) -> Self {
         Self { below, stored: FxHashMap::default(), folders: FxHashMap::default(), edited: FxHashMap::default() }
     }
 
-    /// Adds or replaces a file. It appears in the listings of the folders above it.
+    /// Adds or replaces a file, which then appears in the listings of the parent folders.
     pub fn store(&mut self, path: Utf8PathBuf, bytes: Vec<u8>) {
         let mut child = path.as_path();
         while let (Some(parent), Some(name)) = (child.parent(), child.file_name()) {
@@ -42,12 +42,12 @@ impl<S: System> OverlayFs<S> {
         self.stored.insert(path_key(path.as_str()), bytes);
     }
 
-    /// Adds or replaces the text of a file that is being edited.
+    /// Adds or replaces the text of a file that is open in an editor.
     pub fn edit(&mut self, path: &Utf8Path, text: Arc<str>) {
         self.edited.insert(path_key(path.as_str()), text);
     }
 
-    /// Whether `path` has a file laid over it.
+    /// Whether the overlay contains `path`.
     pub fn covers(&self, path: &Utf8Path) -> bool {
         let key = path_key(path.as_str());
         self.stored.contains_key(&key) || self.edited.contains_key(&key)
@@ -57,7 +57,7 @@ impl<S: System> OverlayFs<S> {
         self.stored.get(&path_key(path.as_str()))
     }
 
-    /// The names in the folder `path` that lead to stored files.
+    /// Returns the names in the folder `path` that are stored files or contain some.
     fn names_below(&self, path: &Utf8Path) -> impl Iterator<Item = &str> {
         self.folders.get(path).into_iter().flatten().map(String::as_str)
     }

@@ -1,4 +1,4 @@
-//! The sums over the programs of an application.
+//! Combined effects of all programs in an application.
 
 use expect_test::{Expect, expect};
 use smol_str::SmolStr;

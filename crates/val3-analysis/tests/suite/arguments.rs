@@ -4,7 +4,7 @@ use expect_test::expect;
 
 use crate::show::faults;
 
-/// The variables of the manual's examples.
+/// Variables of the manual's examples.
 const DATA: &str = r#"
 string sMessage
 string sSignalName

@@ -1,5 +1,5 @@
-//! Attributes, namespaces and required elements of all kinds of files; what is misspelt or missing is reported there,
-//! and not in the code that uses it.
+//! Attributes, namespaces and required elements of all kinds of files. Misspelt and missing ones are reported there,
+//! not in the code that uses the declaration.
 
 use expect_test::expect;
 
@@ -69,7 +69,7 @@ fn a_wrong_attribute_adds_no_fault_in_the_code() {
     "#]].assert_eq(&listing(r#"<Data name="nA" access="private" type="num" size="1" />"#));
 }
 
-/// The faults of a program file.
+/// Returns the faults of a program file.
 fn program(text: &str) -> String {
     faults(&format!(
         "=== main/main.pjx\n<Project><Programs><Program file=\"run.pgx\" /></Programs></Project>\n=== main/run.pgx\n{text}"

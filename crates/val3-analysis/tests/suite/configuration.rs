@@ -1,4 +1,4 @@
-//! Effects of a `val3.toml`: the nearest one, roots, version, arm, add-ons, excluded applications.
+//! Effects of a `val3.toml`: nearest file, roots, version, arm, add-ons, excluded applications.
 
 use camino::Utf8PathBuf;
 use expect_test::expect;
@@ -10,7 +10,7 @@ use crate::show::faults_in;
 
 const PROGRAM: &str = "<Programs><Program name=\"start\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
 
-/// A project with one program and libraries of these paths.
+/// Creates a project with one program and libraries with these paths.
 fn application(folder: &str, libraries: &[&str]) -> Vec<(String, String)> {
     let entries: String =
         (0..).zip(libraries).map(|(index, path)| format!("<Library alias=\"a{index}\" path=\"{path}\" />")).collect();
@@ -22,7 +22,7 @@ fn application(folder: &str, libraries: &[&str]) -> Vec<(String, String)> {
     vec![(format!("{folder}/{name}.pjx"), manifest), (format!("{folder}/start.pgx"), PROGRAM.to_owned())]
 }
 
-/// Loads applications and other files; `asked` is looked through.
+/// Loads applications and other files; `asked` is the path to load.
 fn loaded(applications: &[(&str, &[&str])], files: &[(&str, &str)], asked: &str) -> Result<Workspace, String> {
     let applications = applications.iter().flat_map(|(folder, libraries)| application(folder, libraries));
     let files = files.iter().map(|&(path, text)| (path.to_owned(), text.to_owned()));
@@ -30,7 +30,7 @@ fn loaded(applications: &[(&str, &[&str])], files: &[(&str, &str)], asked: &str)
     load(&memory, &[Utf8PathBuf::from(asked)]).map_err(|error| error.to_string() + "\n")
 }
 
-/// For each project: its version, arm and disk; then the faults.
+/// Shows version, arm and disk of the projects, then the faults.
 fn shown(applications: &[(&str, &[&str])], files: &[(&str, &str)], asked: &str) -> String {
     let workspace = match loaded(applications, files, asked) {
         Ok(workspace) => workspace,

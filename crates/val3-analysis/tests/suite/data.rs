@@ -1,10 +1,10 @@
-//! Data files: each fault on both sides of its edge.
+//! Data files: each fault, and a correct value at its limit.
 
 use expect_test::expect;
 
 use crate::show::faults;
 
-/// The faults of a `main.dtx` with these elements, in a project with the user type `Slot`.
+/// Returns the faults of a `main.dtx` with these elements, in a project with the user type `Slot`.
 pub(crate) fn datas(elements: &str) -> String {
     let listing = format!(
         "=== main/main.pjx\n<Project><Database><Data file=\"main.dtx\" /></Database><Types><Type name=\"Slot\" \
@@ -14,7 +14,7 @@ pub(crate) fn datas(elements: &str) -> String {
     faults(&listing)
 }
 
-/// One array with values.
+/// Returns the faults in an array with these values.
 fn array(ty: &str, size: &str, values: &str) -> String {
     datas(&format!(r#"<Data name="vA" access="private" xsi:type="array" type="{ty}" size="{size}">{values}</Data>"#))
 }

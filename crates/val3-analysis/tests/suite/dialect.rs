@@ -1,4 +1,4 @@
-//! Files of s5 and s6: another spelling of the same things.
+//! Files of s5 and s6: another format for the same content.
 
 use expect_test::expect;
 use val3_analysis::infer;

@@ -1,4 +1,4 @@
-//! Discovery on a disk: projects, roots, files under other letter cases, and obstacles.
+//! Discovery on a disk: projects, roots, names in other letter cases, and obstacles.
 
 use std::io;
 
@@ -20,7 +20,7 @@ fn manifest(libraries: &[&str]) -> String {
     format!("<Project><Programs><Program file=\"start.pgx\" /></Programs><Libraries>{entries}</Libraries></Project>")
 }
 
-/// Projects at `folder/name`, each with libraries.
+/// Creates projects at `folder/name`, each with libraries.
 fn disk(projects: &[(&str, &[&str])]) -> Memory {
     Memory::new(files(projects))
 }
@@ -33,7 +33,7 @@ fn files(projects: &[(&str, &[&str])]) -> Vec<(String, String)> {
     files.collect()
 }
 
-/// The projects found under `path`, what `Disk://` is to each, and all faults.
+/// Shows the projects found under `path`, with the folder of `Disk://`, and all faults.
 fn found(system: &dyn System, path: &str) -> String {
     let workspace = match load(system, &[path.into()]) {
         Ok(workspace) => workspace,
@@ -168,7 +168,7 @@ fn a_folder_can_be_called_like_a_file() {
     .assert_eq(&found(&Memory::new(files), "/cell"));
 }
 
-/// A disk with a file that cannot be read, a folder that cannot be listed, and a folder that holds itself.
+/// A disk with an unreadable file, a folder that cannot be listed, and a folder that contains itself.
 #[derive(Debug)]
 struct Rough(Memory);
 
@@ -199,7 +199,7 @@ impl System for Rough {
     }
 }
 
-/// `loop/again` is a link to `loop`.
+/// Resolves the link `loop/again` to `loop`.
 fn real(path: &Utf8Path) -> Utf8PathBuf {
     path.as_str().replace("/again", "").into()
 }
@@ -265,19 +265,19 @@ fn circular_links_on_a_disk_end() {
     .assert_eq(&shown);
 }
 
-/// An empty folder on the real disk for the test called `test` alone.
+/// Creates an empty folder on the real disk for the test called `test`.
 fn fresh_folder(test: &str) -> Utf8PathBuf {
     let folder = Utf8PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
     std::fs::remove_dir_all(&folder).ok();
     folder
 }
 
-/// A disk that ignores letter case, as those of Windows and macOS do.
+/// A case-insensitive disk, as on Windows and macOS.
 #[derive(Debug)]
 struct Insensitive(Memory);
 
 impl Insensitive {
-    /// The path as the disk spells it.
+    /// Returns the path as spelt on the disk.
     fn actual(&self, path: &Utf8Path) -> Utf8PathBuf {
         path.components().fold(Utf8PathBuf::new(), |folder, part| {
             let names = self.0.list(&folder).unwrap_or_default();
@@ -309,8 +309,7 @@ impl System for Insensitive {
     }
 }
 
-/// An application that names a program, a library and the beginning of others in letter cases that the disk does not
-/// have.
+/// Creates an application that names a program, a library and a library prefix in other letter cases than the disk.
 fn spelt_otherwise() -> Memory {
     let code = "<Programs><Program name=\"start\"><Code><![CDATA[begin\n  a0:libLoad(\"Disk://PARTS/p\"+\"1\")\nend]]></Code></Program></Programs>";
     Memory::new([
@@ -360,7 +359,7 @@ fn projects_beside_usr_use_the_disk_of_their_cell() {
         /cell/usr/usrapp/pal/pal.pjx on /cell/usr/usrapp
     "#]]
     .assert_eq(&found(&disk(&cell), "/cell"));
-    // A nearer folder with as many of the libraries takes precedence.
+    // A nearer folder with the same number of libraries takes precedence.
     let with_nearer = [&cell[..], &[("/cell/tests/pal", &[])]].concat();
     expect![[r#"
         /cell/tests/palTest/palTest.pjx on /cell/tests

@@ -1,4 +1,4 @@
-//! Statements and what each of their parts has to be; values that are not used; assignments (2.1 to 2.4, 3).
+//! Statements and the types that they require; unused values; assignments (2.1 to 2.4, 3).
 
 use expect_test::expect;
 

@@ -1,4 +1,4 @@
-//! Fathers: what a point, frame or tool is relative to (9.4 to 9.6).
+//! Fathers of points, frames and tools (9.4 to 9.6).
 
 use expect_test::expect;
 

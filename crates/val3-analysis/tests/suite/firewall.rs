@@ -1,4 +1,4 @@
-//! Recomputation after an edit: the code of one program concerns that program alone.
+//! Recomputation after an edit: a program's code affects only this program.
 
 use std::sync::{Arc, Mutex};
 
@@ -41,7 +41,7 @@ end
 public num nCount
 "#;
 
-/// A workspace that has been checked, and the queries it runs from then on.
+/// A checked workspace, and the queries that have run since.
 struct Watched {
     workspace: Workspace,
     log: Arc<Mutex<Vec<String>>>,
@@ -62,7 +62,7 @@ impl Watched {
         watched
     }
 
-    /// Checks everything; the queries that ran.
+    /// Checks everything. Returns the queries that ran.
     fn check(&self) -> Vec<String> {
         self.log.lock().unwrap().clear();
         let db = &self.workspace.db;
@@ -92,7 +92,7 @@ impl Watched {
         program(&self.workspace.db, self.project(folder), name)
     }
 
-    /// Replaces `old` in the file; the number of programs whose types are inferred again.
+    /// Replaces `old` in the file. Returns the number of programs whose types are inferred again.
     fn edit(&mut self, file: File, old: &str, new: &str) -> usize {
         let text = file.text(&self.workspace.db);
         assert!(text.contains(old), "{text}");

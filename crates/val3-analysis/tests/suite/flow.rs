@@ -1,4 +1,4 @@
-//! The control-flow graph: every point of a program and the ways between them.
+//! Control-flow graph: all nodes of a program and their edges.
 
 use std::collections::BTreeSet;
 
@@ -7,8 +7,8 @@ use val3_analysis::flow::{Facts, Flow, Point, PointId, PointKind, backward, flow
 
 use crate::show::{program, project, workspace};
 
-/// The points of the program `start`: number, what happens, text of its first line, and where it leads. A point that
-/// no way reaches is marked `!`.
+/// Shows the flow nodes of the program `start`: index, operation, first line, and successors. An unreachable node is
+/// marked `!`.
 fn check(code: &str, expected: Expect) {
     let workspace = workspace(&format!("num n\nbool b\n\n{code}"));
     let db = &workspace.db;
@@ -230,7 +230,7 @@ fn return_leads_to_the_end() {
     );
 }
 
-/// The points that hold a fact, and the numbers it has collected.
+/// Shows the flow nodes with facts, and the numbers in the facts.
 fn collected(flow: &Flow, facts: &Facts<BTreeSet<usize>>) -> String {
     let of_point = |(id, _): (PointId, &Point)| Some(format!("{}: {:?}\n", id.index(), facts.before(id)?));
     flow.points().filter_map(of_point).collect()
@@ -250,7 +250,7 @@ fn facts_flow_in_both_directions() {
         known.extend(more);
         known.len() > before
     };
-    // Variables assigned before a point and after it.
+    // Variables assigned before and after a node.
     expect![[r#"
         0: {}
         1: {4}

@@ -1,4 +1,4 @@
-//! Headers of programs: each fault on both sides of its edge.
+//! Headers of programs: each fault, and a correct header at its limit.
 
 use expect_test::expect;
 

@@ -1,4 +1,4 @@
-//! Inputs that no person writes: nothing panics, nothing hangs.
+//! Malformed input: no panic, no endless loop.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! Initial values: references and choices of positions and motion descriptors, in both dialects.
+//! Initial values: fathers and enumerated fields of positions and motion descriptors, in both dialects.
 
 use expect_test::expect;
 use val3_analysis::items::initial::initial;
@@ -6,7 +6,7 @@ use val3_analysis::items::project::data_files;
 
 use crate::show::{project, workspace};
 
-/// Each value of the data of `main`: father or none, and its choices.
+/// Shows the values in `main`: whether a value has a father, and its enumerated fields.
 fn shown(data: &str) -> String {
     let workspace = workspace(&format!("return\n\n=== main/main.dtx\n<?xml version=\"1.0\"?>\n{data}\n"));
     let db = &workspace.db;

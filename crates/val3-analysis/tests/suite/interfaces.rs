@@ -1,4 +1,4 @@
-//! Library identifiers: what they name, what is used of them, and what is loaded under them (6).
+//! Library identifiers: their interfaces, used items, and loaded libraries (6).
 
 use expect_test::expect;
 
@@ -80,7 +80,8 @@ fn items_that_an_interface_lacks_are_reported() {
     "#]].assert_eq(&faults(listing));
 }
 
-/// An application that loads `path` under an identifier and uses `use_`, and two libraries next to the interface.
+/// Shows the faults of an application that loads `path` under an identifier and executes `use_`, with two libraries
+/// next to the interface.
 fn loads(path: &str, use_: &str) -> String {
     faults(&format!(
         r#"
@@ -228,7 +229,8 @@ fn types_of_libraries_are_the_same_by_path() {
     assert_eq!(faults(listing), "");
 }
 
-/// An application that uses `part` in two programs; `pjx` lists what the library has, and `files` lie next to it.
+/// Shows the faults if an application uses `part` in two programs; `pjx` is the library's list, and `files` are in its
+/// folder.
 fn left_out(pjx: &str, files: &[&str]) -> String {
     let text = |file: &str| match file.to_lowercase().strip_suffix(".pgx") {
         Some(name) => format!(

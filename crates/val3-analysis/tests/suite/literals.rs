@@ -1,4 +1,4 @@
-//! `{…}`: the type comes from the context of the braces (2.4.2, 9.2.1 to 9.7.1, 10.5.1).
+//! `{…}`: the type is given by the context (2.4.2, 9.2.1 to 9.7.1, 10.5.1).
 
 use expect_test::expect;
 
@@ -76,7 +76,7 @@ fn braces_are_allowed_where_a_type_is_known() {
     .assert_eq(&types(listing));
 }
 
-/// Only transformations can be multiplied, so braces on both sides are two of them.
+/// Only transformations can be multiplied, so both `{…}` are transformations.
 #[test]
 fn two_braces_are_multiplied_as_transformations() {
     expect![[r#"

@@ -1,4 +1,4 @@
-//! The analysis from outside: types of expressions, faults of every file kind, interfaces, incrementality.
+//! Tests of the public interface: types of expressions, faults of all kinds of files, interfaces, incrementality.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 
 mod show;

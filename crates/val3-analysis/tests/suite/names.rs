@@ -1,4 +1,4 @@
-//! Names and what hides them (2.5.2).
+//! Names and hiding (2.5.2).
 
 use expect_test::expect;
 

@@ -12,12 +12,12 @@ const TYPES: [&str; 14] = [
     "mdesc",
 ];
 
-/// One variable `v_TYPE` of each type.
+/// Returns a variable `v_TYPE` for each type.
 fn declarations() -> String {
     TYPES.iter().map(|ty| format!("{ty} v_{ty}\n")).collect()
 }
 
-/// The lines `? expression` and what each expression is; those that are no expression left out.
+/// Shows the lines `? expression` with their types, without invalid expressions.
 fn results(expressions: impl Iterator<Item = String>) -> String {
     let lines: String = expressions.map(|expression| format!("? {expression}\n")).collect();
     let workspace = workspace(&(declarations() + &lines));

@@ -1,4 +1,4 @@
-//! Project files: each fault on both sides of its edge, and circles.
+//! Project files: each fault, a correct file at its limit, and cycles.
 
 use expect_test::expect;
 

@@ -1,4 +1,4 @@
-//! The results of the analysis for a listing, as text to compare.
+//! Results of the analysis for a listing, as text for comparison.
 
 use std::collections::BTreeMap;
 
@@ -12,32 +12,32 @@ use val3_analysis::system::Memory;
 use val3_analysis::{data_check, header_check, infer, interfaces, project_check};
 use val3_test::{Fixture, ROOT};
 
-/// The files of a listing in memory.
+/// Returns the files of a listing in memory.
 pub(crate) fn memory(listing: &str) -> Memory {
     let fixture = Fixture::parse(listing);
     Memory::new(fixture.files.into_iter().map(|(path, text)| (Utf8PathBuf::from(ROOT).join(path), text)))
 }
 
-/// Every project of a listing.
+/// Loads every project of a listing.
 pub(crate) fn workspace(listing: &str) -> Workspace {
     load(&memory(listing), &[ROOT.into()]).unwrap()
 }
 
-/// The project at `usrapp/FOLDER`.
+/// Returns the project at `usrapp/FOLDER`.
 pub(crate) fn project(workspace: &Workspace, folder: &str) -> Project {
     let db = &workspace.db;
     let is_it = |project: &&Project| relative(project.manifest(db).path(db).parent().unwrap().as_str()) == folder;
     *workspace.projects.iter().find(is_it).unwrap()
 }
 
-/// The program called `name`.
+/// Returns the program called `name`.
 pub(crate) fn program(db: &Database, project: Project, name: &str) -> File {
     let is_it = |file: &&File| file.path(db).file_stem() == Some(name);
     *program_files(db, project).iter().find(is_it).unwrap()
 }
 
-/// The type of every expression of the program `start` of `main`, line by line, inner ones first; literals of one
-/// value and the names of instructions left out. Faults follow.
+/// Shows the type of every expression in the program `start` of `main` by line, inner expressions first, without single
+/// literals and instruction names. Then shows the faults.
 pub(crate) fn types(listing: &str) -> String {
     let workspace = workspace(listing);
     let db = &workspace.db;
@@ -67,12 +67,12 @@ fn is_literal(expr: &Expr) -> bool {
     matches!(expr, Expr::Number(_) | Expr::String(_) | Expr::Bool(_))
 }
 
-/// Every fault of every project, with the places it names.
+/// Shows every fault of every project with its locations.
 pub(crate) fn faults(listing: &str) -> String {
     faults_in(&workspace(listing))
 }
 
-/// Every fault of the projects asked for.
+/// Shows every fault of the requested projects.
 pub(crate) fn faults_in(workspace: &Workspace) -> String {
     let db = &workspace.db;
     let mut problems = Vec::new();
@@ -95,7 +95,7 @@ fn show(db: &Database, problem: &Problem) -> String {
     format!("{} {:?}\n{}", place(db, problem.place), problem.kind, related.collect::<String>())
 }
 
-/// `main/start.pgx:3 text`
+/// Formats a location, for example `main/start.pgx:3 text`.
 fn place(db: &Database, place: FileRange) -> String {
     let text = place.file.text(db);
     let line = 1 + text[..usize::from(place.range.start())].matches('\n').count();

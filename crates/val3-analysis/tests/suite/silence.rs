@@ -1,4 +1,4 @@
-//! One mistake, one finding: what a fault hides is not judged.
+//! One mistake, one finding: consequences of a fault are not reported.
 
 use expect_test::expect;
 
@@ -21,7 +21,7 @@ end
 public num nCount
 "#;
 
-/// The faults of a sound workspace in which one file has another text.
+/// Shows the faults of a sound workspace in which one file has another text.
 fn with(path: &str, text: &str) -> String {
     faults(&format!("{USE}=== {path}\n{text}"))
 }

@@ -1,10 +1,10 @@
-//! The combined effects of the programs of an application.
+//! Programs that may let other tasks run.
 
 use val3_analysis::application::application;
 
 use crate::show::{project, workspace};
 
-/// The programs during which other tasks may run, in the order of their names.
+/// Returns the programs during which other tasks may run, sorted by name.
 fn waiting(listing: &str) -> Vec<String> {
     let workspace = workspace(listing);
     let application = application(&workspace.db, project(&workspace, "main"));

@@ -1,4 +1,4 @@
-//! The page with the table of all programs.
+//! Index page with the table of all programs.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use super::{cells, document, escaped};
 use crate::coverage::Coverage;
 use crate::share::Share;
 
-/// The page. `names` are the files of the programs' pages.
+/// Returns the page. `names` are the file names of the programs' pages.
 pub(super) fn page(coverage: &Coverage, names: &[String]) -> String {
     let pages: Vec<(&str, &String)> = coverage.programs().map(|(file, _)| file).zip(names).collect();
     let page_of = |file: &str| pages.iter().find(|(known, _)| *known == file).map_or("", |(_, page)| page.as_str());

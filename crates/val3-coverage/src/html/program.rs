@@ -1,11 +1,11 @@
-//! The page of a program: its code with counts.
+//! Page of a program: its code with counts.
 
 use std::fmt::Write as _;
 
 use super::{document, escaped};
 use crate::program::{Branch, LineState, ProgramCoverage};
 
-/// The page of the program in a file.
+/// Returns the page of the program in a file.
 pub(super) fn page(file: &str, program: &ProgramCoverage) -> String {
     let name = format!("{}:{}", program.project, program.program);
     let (lines, branches) = (program.line_share(), program.branch_share());
@@ -50,7 +50,7 @@ fn class(state: LineState) -> &'static str {
     }
 }
 
-/// The sides of a branch with their counts. Those that are missing are named first.
+/// Formats the sides of a branch with their counts, sides that were not taken first.
 fn sides(branch: &Branch) -> String {
     let missing: Vec<String> = branch.missing().map(|side| escaped(&side.name)).collect();
     let taken = branch.sides.iter().filter(|side| side.hits > 0);

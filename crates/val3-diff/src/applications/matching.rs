@@ -1,4 +1,4 @@
-//! Applications of the old tree and their counterparts in the new one.
+//! Matching of the old tree's applications with the new tree's.
 
 use std::collections::BTreeMap;
 
@@ -6,13 +6,13 @@ use val3_analysis::paths::path_key;
 
 use super::Application;
 
-/// An application of both trees, or of one.
+/// An application in both trees, or in only one of them.
 pub(crate) struct Matched<'a, 't> {
     pub(crate) old: Option<&'a Application<'t>>,
     pub(crate) new: Option<&'a Application<'t>>,
 }
 
-/// Pairs of the same path; then of the rest those of the same name, if only one in each tree has it.
+/// Matches applications by path. The rest are matched by name, if the name is unique in each tree.
 pub(crate) fn matched<'a, 't>(old: &'a [Application<'t>], new: &'a [Application<'t>]) -> Vec<Matched<'a, 't>> {
     let path = |application: &Application<'_>| path_key(application.path.as_str());
     let by_path: BTreeMap<String, &Application<'_>> =
@@ -39,7 +39,7 @@ pub(crate) fn matched<'a, 't>(old: &'a [Application<'t>], new: &'a [Application<
     found
 }
 
-/// A project and a loose folder are no counterparts.
+/// Whether the names are equal. A project and a loose folder never match.
 fn same_name(one: &Application<'_>, other: &Application<'_>) -> bool {
     one.manifest.is_some() == other.manifest.is_some() && path_key(&one.name) == path_key(&other.name)
 }

@@ -1,26 +1,26 @@
-//! Alignment of two sequences: which elements correspond, and which were removed or inserted.
+//! Alignment of sequences: corresponding, removed and inserted elements.
 
 use rustc_hash::FxHashMap;
 
-/// An element of the alignment, by index.
+/// A step of the alignment, by element index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Step {
-    /// Both sequences have the element, with the same content or a changed one.
+    /// The element is in both sequences, with the same or changed content.
     Pair {
         /// Index in the old sequence.
         old: usize,
         /// Index in the new sequence.
         new: usize,
     },
-    /// Only the old sequence has the element.
+    /// The element is only in the old sequence.
     Removed(usize),
-    /// Only the new sequence has the element.
+    /// The element is only in the new sequence.
     Inserted(usize),
 }
 
-/// Aligns two sequences in O(n log n). Elements that occur once in each sequence are the anchors, in the longest order that
-/// both have. Between two anchors, equal elements at either end correspond, then the others one by one. A comparison that
-/// finds the fewest edits would take quadratic time for sequences without a common element.
+/// Aligns two sequences in O(n log n). Elements that occur once in each sequence are anchors, in their longest common
+/// order. Between two anchors, equal elements at both ends are paired first, then the rest in order. An alignment with
+/// the fewest edits would need quadratic time for sequences without common elements.
 pub(super) fn align(old: &[u32], new: &[u32]) -> Vec<Step> {
     let mut steps = Vec::with_capacity(old.len().max(new.len()));
     let (mut old_start, mut new_start) = (0, 0);
@@ -33,7 +33,7 @@ pub(super) fn align(old: &[u32], new: &[u32]) -> Vec<Step> {
     steps
 }
 
-/// The elements that occur once in each sequence, in the old order.
+/// Returns the elements that occur once in each sequence, in old order.
 fn unique(old: &[u32], new: &[u32]) -> Vec<(usize, usize)> {
     let once = |sequence: &[u32]| -> FxHashMap<u32, Option<usize>> {
         let mut indexes = FxHashMap::default();
@@ -50,9 +50,10 @@ fn unique(old: &[u32], new: &[u32]) -> Vec<(usize, usize)> {
     in_both.collect()
 }
 
-/// The longest part of the pairs whose new indexes increase.
+/// Returns the longest subsequence of the pairs with increasing new indexes.
 fn increasing(pairs: &[(usize, usize)]) -> Vec<(usize, usize)> {
-    // For each length, the pair at the end of the part with the least new index; and the predecessor of each pair.
+    // `ends`: for each length, the pair that ends a subsequence with the smallest new index. `predecessors`: the pair
+    // before each pair.
     let mut ends: Vec<usize> = Vec::new();
     let mut predecessors: Vec<Option<usize>> = Vec::with_capacity(pairs.len());
     for (index, (_, new)) in pairs.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! One project of both trees.
+//! Comparison of a project in both trees.
 
 mod programs;
 mod sides;
@@ -16,10 +16,10 @@ use crate::read::project::Project;
 use programs::ProgramPair;
 use sides::{DataSides, versions};
 
-/// The program with which an application starts. A project without it is a library or a user type.
+/// Program with which an application starts. A project without it is a library or a user type.
 const START: &str = "start.pgx";
 
-/// Compares a project; `None` if nothing differs.
+/// Compares a project; `None` if there is no difference.
 pub(super) fn compare(
     pair: &Matched<'_, '_>,
     users: &Users,
@@ -61,12 +61,12 @@ pub(super) fn compare(
     (!compared.is_empty()).then_some(compared)
 }
 
-/// The files of a folder without a project file. They come and go one by one.
+/// Whether the files belong to a folder without a project file. Such files are compared individually.
 fn is_loose(application: &Application<'_>) -> bool {
     application.manifest.is_none()
 }
 
-/// The old path, if it is another one. A path that ends in the other one is the same, seen from another root.
+/// Returns the old path if it differs. If one path ends with the other, the trees only have different roots.
 fn moved_from(pair: &Matched<'_, '_>) -> Option<String> {
     let (old, new) = (pair.old?, pair.new?);
     let lower = |path: &Utf8Path| Utf8PathBuf::from(path_key(path.as_str()));
@@ -75,7 +75,7 @@ fn moved_from(pair: &Matched<'_, '_>) -> Option<String> {
     (!is_same).then(|| old.path.to_string())
 }
 
-/// The project files.
+/// Compares the project files.
 fn manifest(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: &mut Vec<Problem>) {
     fn read<'a>(side: Option<&'a Application<'_>>) -> Option<&'a Project> {
         side.and_then(|application| application.project.as_ref())
@@ -99,7 +99,7 @@ fn manifest(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: 
     compared.types = project::references(&old.types(), &new.types());
 }
 
-/// The data of both versions; none if the files are the same.
+/// Reads the data of both versions; empty if the files are equal.
 fn read_data(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: &mut Vec<Problem>) -> DataSides {
     let old_files = pair.old.map(Application::data_files).unwrap_or_default();
     let new_files = pair.new.map(Application::data_files).unwrap_or_default();
@@ -135,7 +135,7 @@ fn compare_data(
     found.interface
 }
 
-/// Data files that neither project file lists are no data of the controller. They are compared as text.
+/// Compares data files that neither project file lists as text, because the controller does not load them.
 fn unlisted_data(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: &mut Vec<Problem>) {
     let unlisted = |side: Option<&Application<'_>>, file: Option<&SourceFile<'_>>| {
         let has_list = side.is_none_or(|application| application.project.is_some());

@@ -1,4 +1,4 @@
-//! What differs in the XML of a file whose programs, data or lists are the same: namespaces, unknown attributes, texts.
+//! Differences in the XML of files that are not differences of items: namespaces, unknown attributes, texts.
 
 use super::settings::entries;
 use crate::applications::{Application, SourceFile};
@@ -6,8 +6,7 @@ use crate::model::{ApplicationChange, Change, ContentChange, ProgramChange};
 use crate::read::contents::Contents;
 use crate::tree::text_of;
 
-/// Adds the entries of a file that differ in both versions, unless `is_known` says of an entry that its item is listed as
-/// changed.
+/// Adds the entries of a file that differ, except entries that are `is_known`, because their item is listed as changed.
 pub(super) fn add(path: &str, bytes: [&[u8]; 2], is_known: impl Fn(&str) -> bool, compared: &mut ApplicationChange) {
     if bytes[0] == bytes[1] || compared.texts.iter().any(|text| text.path == path) {
         return;
@@ -21,7 +20,7 @@ pub(super) fn add(path: &str, bytes: [&[u8]; 2], is_known: impl Fn(&str) -> bool
     }
 }
 
-/// Adds the data files with other differences than those of the listed data.
+/// Adds differences of data files outside of the listed data.
 pub(super) fn add_data(files: [&[(&str, &SourceFile<'_>)]; 2], compared: &mut ApplicationChange) {
     let [old, new] = files;
     let names = compared.data.iter().flat_map(|data| [Some(&data.name), data.renamed_from.as_ref()]).flatten();
@@ -38,7 +37,7 @@ pub(super) fn add_data(files: [&[(&str, &SourceFile<'_>)]; 2], compared: &mut Ap
     }
 }
 
-/// Adds the project file if it differs in something other than its parameters and the listed items.
+/// Adds differences in the project file outside its parameters and the listed items.
 pub(super) fn add_project([old, new]: [&Application<'_>; 2], compared: &mut ApplicationChange) {
     let Some(bytes) = old.manifest.zip(new.manifest) else { return };
     let is_other_list = |program: &ProgramChange| {
@@ -46,7 +45,7 @@ pub(super) fn add_project([old, new]: [&Application<'_>; 2], compared: &mut Appl
     };
     let is_of_programs = compared.programs.iter().any(is_other_list);
     let is_of_references = !compared.project.is_empty() || !compared.libraries.is_empty() || !compared.types.is_empty();
-    // Other texts are programs or data that the project does not list in one of the versions.
+    // Further texts are programs or data that one of the versions does not list.
     let is_of_texts = !compared.texts.is_empty();
     let is_known = |entry: &str| match entry.split(' ').next().unwrap_or_default().to_lowercase().as_str() {
         "parameters" => is_of_references,

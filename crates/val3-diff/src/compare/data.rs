@@ -1,4 +1,4 @@
-//! The data of both trees.
+//! Comparison of data.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use crate::read::code::Renames;
 use crate::read::data::Data;
 use crate::read::program::access;
 
-/// The data that differ.
+/// Data that differ.
 #[derive(Debug, Default)]
 pub(super) struct DataComparison {
     pub(super) data: Vec<DataChange>,
@@ -24,12 +24,12 @@ pub(super) struct DataComparison {
     pub(super) problems: Vec<(Side, String)>,
 }
 
-/// Compares data. `units` are the millimetres of a unit of length, `renames` the new names of data.
+/// Compares data. `units` are the length units in mm, `renames` the new names of data.
 pub(super) fn compare([original, new]: [&[Data]; 2], units: [f64; 2], renames: &Renames) -> DataComparison {
     let old: Vec<Data> = original.iter().map(|data| data.renamed(renames)).collect();
     let old = old.as_slice();
     let by_name = |list: &'_ [Data]| -> BTreeMap<String, usize> {
-        // Of two declarations of one name the first counts, as in the analysis.
+        // If a name is declared twice, the first declaration is used, as in the analysis.
         list.iter().enumerate().rev().map(|(index, data)| (data.decl.name.to_string(), index)).collect()
     };
     let (old_names, new_names) = (by_name(old), by_name(new));
@@ -55,7 +55,7 @@ pub(super) fn compare([original, new]: [&[Data]; 2], units: [f64; 2], renames: &
     found
 }
 
-/// `num nA[]`: what a user of the data depends on.
+/// Formats the interface of data for their users, for example `num nA[]`.
 fn interface_of(data: &Data) -> String {
     let brackets = val3_analysis::ty::brackets(data.decl.container);
     let is_single = data.decl.sizes == [1];
@@ -100,7 +100,7 @@ fn compare_one(
     (!compared.is_same()).then_some(compared)
 }
 
-/// Both dialects have names of their own for the types that depend on the arm.
+/// Whether the types are equal. Each dialect has its own names for types that depend on the kind of arm.
 fn is_same_type(old: &Data, new: &Data) -> bool {
     let arm = |(ty, arm): (BaseType, Option<Arm>)| (ty, arm.unwrap_or(Arm::SixAxis));
     match (old.base, new.base) {

@@ -1,4 +1,4 @@
-//! Positions that moved because a frame or tool did.
+//! Dependents: positions that moved because their frame or tool moved.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -10,8 +10,7 @@ use super::placement::{Places, Positions};
 use crate::model::{DataChange, Dependent};
 use crate::read::data::Data;
 
-/// Adds to each frame and tool that has moved the positions that depend on it. Each position is added to the nearest of its
-/// fathers that has moved.
+/// Adds dependents to every frame and tool that has moved. A position is added to its nearest father that has moved.
 pub(super) fn add(changes: &mut [DataChange], new: &[Data], places: &mut Places<'_>) {
     let moved = moved(changes);
     if moved.is_empty() {
@@ -22,7 +21,7 @@ pub(super) fn add(changes: &mut [DataChange], new: &[Data], places: &mut Places<
         let Some((origin, value)) = places.origin(path).zip(places.new.value(path)) else { continue };
         let Some(father) = nearest(value.father(), &moved, &places.new) else { continue };
         if father == shown(path) {
-            // A loop of fathers leads back to the frame itself.
+            // A loop of fathers ends at the frame itself.
             continue;
         }
         let in_world = movement::in_world(&origin, path, places);
@@ -41,14 +40,14 @@ fn paths(data: &[Data]) -> impl Iterator<Item = &SmolStr> {
     values.filter(|(_, value)| value.ty.has_father()).map(|(path, _)| path)
 }
 
-/// The frames and tools whose place has changed, as they are shown.
+/// Returns the data paths of frames and tools that have moved, as displayed.
 fn moved(changes: &[DataChange]) -> FxHashSet<String> {
     let values = changes.iter().flat_map(|change| &change.values).filter(|value| value.movement.is_some());
     let is_father = |name: &str| [BaseType::Frame, BaseType::Tool].iter().any(|ty| ty.name() == name);
     values.filter(|value| is_father(&value.type_name)).map(|value| value.path.clone()).collect()
 }
 
-/// The nearest father that has moved. A loop of fathers ends the search.
+/// Returns the nearest father that has moved. The search ends at a loop of fathers.
 fn nearest(father: Option<&SmolStr>, moved: &FxHashSet<String>, positions: &Positions<'_>) -> Option<String> {
     let (mut next, mut seen) = (father.cloned(), FxHashSet::default());
     while let Some(path) = next.filter(|path| seen.insert(path.clone())) {

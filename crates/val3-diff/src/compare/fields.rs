@@ -1,11 +1,11 @@
-//! The fields of two values.
+//! Comparison of fields.
 
 use val3_lang::types::Attribute;
 
 use crate::model::{FieldChange, Pair};
 use crate::read::value::{Part, Value, field_name, shown_part};
 
-/// The fields that differ. What the file does not write (`is_written`) is shown as unknown.
+/// Returns the fields that differ. A side without an explicit value (`is_written`) is shown as unknown.
 pub(super) fn compare(old: &Value, new: &Value, is_written: Pair<bool>) -> Vec<FieldChange> {
     let text = |attribute: &Attribute, part: &Part, is_written: bool| is_written.then(|| shown_part(attribute, part));
     let both = old.parts().zip(new.parts());

@@ -1,18 +1,18 @@
-//! What other projects see of a project: its public programs and data.
+//! Interface of a project for other projects: its public programs and data.
 
 use crate::model::{Change, DataChange, InterfaceChange, ItemKind, Pair, ProgramChange};
 
-/// The interfaces of a changed program, old and new: `pick(num, string&)`.
+/// Old and new signature of a changed program: `pick(num, string&)`.
 pub(super) type Interfaces = Pair<Option<String>>;
 
-/// A program as a public item; `None` if other projects see no difference.
+/// Returns the change of a public program; `None` if its interface is unchanged.
 pub(super) fn program(change: &ProgramChange, interfaces: Interfaces) -> Option<InterfaceChange> {
     let old = interfaces.old.filter(|_| change.public.old);
     let new = interfaces.new.filter(|_| change.public.new);
     item(ItemKind::Program, &change.name, old, new)
 }
 
-/// Data as a public item. Sizes may differ, because programs change them.
+/// Returns the change of public data. Sizes are ignored, because programs change them.
 pub(super) fn data(change: &DataChange, types: Interfaces) -> Option<InterfaceChange> {
     let old = types.old.filter(|_| change.public.old);
     let new = types.new.filter(|_| change.public.new);

@@ -1,4 +1,4 @@
-//! How far a position has moved.
+//! Movements of positions.
 
 use smol_str::SmolStr;
 use val3_geometry::{Rotation3, Trsf, Vector3, chain, rotation};
@@ -7,11 +7,11 @@ use super::placement::Places;
 use crate::model::{Displacement, Movement, Shift};
 use crate::read::value::{AxisKind, Value};
 
-/// Movements below this many millimetres or degrees are rounding.
+/// Movements below this limit in mm or degrees are rounding errors.
 const NOISE: f64 = 1e-6;
 
-/// The movement of the position at a new path from one value to another; `None` if it is no position or has not changed its
-/// place.
+/// Returns the movement from an old to a new value of the position at a new path; `None` if the value is no position or
+/// has not moved.
 pub(super) fn of(path: &SmolStr, old: &Value, new: &Value, places: &mut Places<'_>) -> Option<Movement> {
     let (old_trsf, new_trsf) = (places.old.transformation(old)?, places.new.transformation(new)?);
     let is_same_father = old.father() == new.father();
@@ -25,7 +25,7 @@ pub(super) fn of(path: &SmolStr, old: &Value, new: &Value, places: &mut Places<'
     Some(Movement { in_father, shift, in_world })
 }
 
-/// The greatest changes of linear and of rotary axes; `None` if the values are no joint positions.
+/// Returns the maximum changes of linear and of rotary axes; `None` if the values are no joint positions.
 pub(super) fn of_axes(old: &Value, new: &Value, places: &Places<'_>) -> Option<Displacement> {
     let (old, new) = (old.axes()?, new.axes()?);
     let greatest = |wanted: AxisKind, [old_unit, new_unit]: [f64; 2]| {
@@ -39,13 +39,14 @@ pub(super) fn of_axes(old: &Value, new: &Value, places: &Places<'_>) -> Option<D
     })
 }
 
-/// The displacement in `world` from the position at an old path to that at a new path; on the flange for a tool.
+/// Returns the displacement in `world`, or on the flange for a tool, from the position at an old path to the position
+/// at a new path.
 pub(super) fn in_world(old: &str, new: &str, places: &mut Places<'_>) -> Option<Displacement> {
     let (old, new) = (places.old.chain(old)?, places.new.chain(new)?);
     Some(between(&old.links, &new.links))
 }
 
-/// The translation and rotation along the axes of the father.
+/// Returns the translation and rotation along the axes of the father.
 fn shift(old: &Trsf, new: &Trsf) -> Shift {
     let translation = new.translation() - old.translation();
     let turn = new.isometry().rotation * old.isometry().rotation.inverse();
@@ -54,20 +55,20 @@ fn shift(old: &Trsf, new: &Trsf) -> Shift {
     Shift { translation_mm: rounded(translation), rotation_deg: rounded(rotation) }
 }
 
-/// The movement from one chain to another. What both have in common at their outer ends adds no rounding.
+/// Returns the displacement between two chains. Common outer links add no rounding error.
 pub(super) fn between(old: &[Trsf], new: &[Trsf]) -> Displacement {
     let turn = chain::position(new, old).isometry().rotation;
     let angle = rotation::angle_between(&Rotation3::identity(), &turn).to_degrees();
     Displacement { distance_mm: rounded(chain::distance(old, new)), angle_deg: rounded(angle) }
 }
 
-/// Both machines and people read these numbers. A nanometre is beyond every arm.
+/// Rounds to a nanometre, which is finer than any arm, because both programs and people read these numbers.
 fn rounded(number: f64) -> f64 {
     (number / NOISE).round() / (1.0 / NOISE).round()
 }
 
 impl Displacement {
-    /// The position has not moved.
+    /// Whether there is no displacement.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.distance_mm < NOISE && self.angle_deg < NOISE

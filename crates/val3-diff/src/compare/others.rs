@@ -1,4 +1,4 @@
-//! Files of other kinds: recipes, add-ons, user pages, logs.
+//! Comparison of other kinds of files: recipes, add-ons, user pages, logs.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,14 +9,14 @@ use crate::applications::{Application, Matched};
 use crate::model::{Change, OtherChange};
 use crate::tree::Tree;
 
-/// The application around a file, by its number among the pairs, and the path from its folder. A file that belongs to no
-/// application has its whole path.
+/// Index of the matched application that contains a file, and the path below its folder. A file outside of applications
+/// has `None` and its whole path.
 type Key = (Option<usize>, String);
 
-/// A file, with its length and hash.
+/// A file with its length and hash.
 type Found = (String, (usize, u64));
 
-/// The files that differ. Those of an application are compared with those of its counterpart, wherever that lies.
+/// Returns the files that differ. A file in an application is compared with the file in the matched application.
 pub(super) fn compare([old, new]: [&Tree; 2], pairs: &[Matched<'_, '_>], is_one_cell: bool) -> Vec<OtherChange> {
     let old = by_key(old, &pairs.iter().map(|pair| pair.old).collect::<Vec<_>>(), is_one_cell);
     let new = by_key(new, &pairs.iter().map(|pair| pair.new).collect::<Vec<_>>(), is_one_cell);

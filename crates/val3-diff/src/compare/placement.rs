@@ -1,4 +1,4 @@
-//! Where the positions of one tree are: the chains of their fathers.
+//! Placement of positions in a tree: their chains of fathers.
 
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -13,80 +13,80 @@ use val3_syntax::Part;
 use crate::read::data::Data;
 use crate::read::value::Value;
 
-/// The longest chain of fathers that is followed. Real ones have up to five.
+/// Maximum number of fathers in a chain. Real chains have up to five.
 const LONGEST: usize = 100;
 
-/// The frames, tools and points of both trees.
+/// Frames, tools and points of both trees.
 #[derive(Debug)]
 pub(super) struct Places<'a> {
     pub(super) old: Positions<'a>,
     pub(super) new: Positions<'a>,
-    /// Old paths of array elements with another index, by their new paths; `None` for an inserted element.
+    /// Old paths of array elements whose index differs, by new path; `None` for an inserted element.
     origins: FxHashMap<SmolStr, Option<SmolStr>>,
 }
 
 impl<'a> Places<'a> {
-    /// The positions of both trees, where elements have the same paths.
+    /// Creates the positions of both trees, with equal paths.
     pub(super) fn new(old: Positions<'a>, new: Positions<'a>) -> Self {
         Self { old, new, origins: FxHashMap::default() }
     }
 
-    /// Sets the old path of an element whose index differs; `None` for an inserted element.
+    /// Sets the old path if the index of an element differs; `None` for an inserted element.
     pub(super) fn set_origin(&mut self, path: SmolStr, old: Option<SmolStr>) {
         self.origins.insert(path, old);
     }
 
-    /// The old path of the position at a new path; `None` if the old tree has no such position.
+    /// Returns the old path of the position at a new path; `None` if the position does not exist in the old tree.
     pub(super) fn origin(&self, path: &SmolStr) -> Option<SmolStr> {
         let old = self.origins.get(path).map_or_else(|| Some(path.clone()), Clone::clone)?;
         self.old.value(&old).map(|_| old)
     }
 }
 
-/// The frames, tools and points of a tree.
+/// Frames, tools and points of a tree.
 #[derive(Debug)]
 pub(super) struct Positions<'a> {
     values: FxHashMap<&'a str, &'a Value>,
-    /// Millimetres of a unit of length.
+    /// Length unit in mm.
     unit: f64,
-    /// Chains of fathers that were followed before; `None` where they do not lead to `world` or the flange.
+    /// Known chains of fathers; `None` if a chain does not end at `world` or the flange.
     chains: FxHashMap<SmolStr, Option<Rc<Chain>>>,
     loops: BTreeSet<String>,
 }
 
-/// A position with its fathers, up to `world` or the flange.
+/// Chain from a position through its fathers to `world` or the flange.
 #[derive(Debug, Default)]
 pub(super) struct Chain {
-    /// Transformations from the inside out, in mm.
+    /// Transformations from the position outwards, in mm.
     pub(super) links: Vec<Trsf>,
-    /// The paths of their values.
+    /// Data paths of the values.
     pub(super) names: Vec<SmolStr>,
 }
 
 impl<'a> Positions<'a> {
-    /// The positions among `data`.
+    /// Collects the positions in `data`.
     pub(super) fn new(data: &'a [Data], unit: f64) -> Self {
         let values = data.iter().flat_map(|data| &data.values).filter(|(_, value)| value.ty.has_father());
         let values = values.map(|(path, value)| (path.as_str(), value)).collect();
         Self { values, unit, chains: FxHashMap::default(), loops: BTreeSet::new() }
     }
 
-    /// The position at a path.
+    /// Returns the position at a path.
     pub(super) fn value(&self, path: &str) -> Option<&'a Value> {
         self.values.get(path).copied()
     }
 
-    /// Millimetres of a unit of length.
+    /// Returns the length unit in mm.
     pub(super) fn unit(&self) -> f64 {
         self.unit
     }
 
-    /// The transformation of a value in mm.
+    /// Returns the transformation of a value in mm.
     pub(super) fn transformation(&self, value: &Value) -> Option<Trsf> {
         value.transformation().map(|found| found.scaled(self.unit))
     }
 
-    /// The chain of a position; `None` if it does not lead to `world` or the flange.
+    /// Returns the chain of a position; `None` if it does not end at `world` or the flange.
     pub(super) fn chain(&mut self, path: &str) -> Option<Chain> {
         let value = self.value(path)?;
         let fathers = self.fathers(value.father()?)?;
@@ -96,7 +96,7 @@ impl<'a> Positions<'a> {
         Some(chain)
     }
 
-    /// The chain that starts with the father at `path`, which many positions have in common.
+    /// Returns the chain from the father at `path` on. It is cached, because many positions share it.
     pub(super) fn fathers(&mut self, path: &SmolStr) -> Option<Rc<Chain>> {
         let (mut open, mut next): (Vec<SmolStr>, SmolStr) = (Vec::new(), path.clone());
         let mut found = loop {
@@ -126,13 +126,13 @@ impl<'a> Positions<'a> {
     }
 
     fn add_loop(&mut self, names: &[SmolStr]) {
-        // The loop starts at its first name, so that it is reported once.
+        // The loop starts at its smallest name, so that it is reported only once.
         let start = (0..names.len()).min_by_key(|index| names.get(*index)).unwrap_or(0);
         let names = names.iter().cycle().skip(start).take(names.len() + 1);
         self.loops.insert(names.map(|name| shown(name)).collect::<Vec<_>>().join(" → "));
     }
 
-    /// A message for each loop of fathers that was found.
+    /// Returns a message for each detected loop of fathers.
     pub(super) fn loops(self) -> impl Iterator<Item = String> + 'a {
         let message = |names| {
             format!(
@@ -144,14 +144,14 @@ impl<'a> Positions<'a> {
 }
 
 impl Chain {
-    /// The chain of a position whose father is the start of this one.
+    /// Returns the chain of a position whose father starts this chain.
     fn with(&self, name: SmolStr, link: Trsf) -> Self {
         let links = std::iter::once(link).chain(self.links.iter().copied()).collect();
         Self { links, names: std::iter::once(name).chain(self.names.iter().cloned()).collect() }
     }
 }
 
-/// `world` and `flange`, which are the last fathers.
+/// Whether the data path is `world` or `flange`, where every chain ends.
 fn is_built_in(path: &str) -> bool {
     let name = path.strip_suffix("[0]").unwrap_or(path);
     builtins::find(name).is_some_and(|builtin| builtin.is_variable)

@@ -1,4 +1,4 @@
-//! One program of both trees.
+//! Comparison of a program.
 
 use std::collections::BTreeSet;
 
@@ -14,17 +14,17 @@ use crate::read::program::{Program, access};
 /// A program with its file.
 pub(super) type Located<'a, 't> = (&'a SourceFile<'t>, &'a Program);
 
-/// How programs of an application are compared.
+/// Options for comparing programs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rules<'r> {
-    /// Whether both project files can be read, so that it counts whether a program is listed.
+    /// Whether both project files are readable, so that listing of programs is compared.
     pub(super) has_lists: bool,
     pub(super) layout: Layout,
     /// New names of programs and data.
     pub(super) renames: &'r Renames,
 }
 
-/// Compares a program; `None` if nothing differs or neither tree has it.
+/// Compares a program; `None` if there is no difference or no program.
 pub(super) fn compare([old, new]: [Option<Located<'_, '_>>; 2], rules: Rules<'_>) -> Option<ProgramChange> {
     let (file, shown) = new.or(old)?;
     let change = Change::of(old.is_some(), new.is_some());
@@ -81,13 +81,13 @@ fn code(old: Option<&Program>, new: Option<&Program>, rules: Rules<'_>) -> CodeC
     CodeChange { kind, added, removed, hunks, syntax_errors }
 }
 
-/// The new names without those of parameters and local variables.
+/// Returns the renames without names of parameters and local variables.
 fn names_of(old: &Program, new: &Program, renames: &Renames) -> Renames {
     let is_global = |(before, after): &(&String, &String)| !old.has_local(before) && !new.has_local(after);
     renames.iter().filter(is_global).map(|(before, after)| (before.clone(), after.clone())).collect()
 }
 
-/// The lines of the code; without blank lines if the layout is ignored.
+/// Returns the lines of the code, without blank lines if layout is ignored.
 fn lines_of(code: &Code, layout: Layout, renames: &Renames) -> Vec<text::Line> {
     let line = |(number, line): (usize, &CodeLine)| text::Line {
         number,

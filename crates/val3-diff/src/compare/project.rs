@@ -1,4 +1,4 @@
-//! The project file of both trees.
+//! Comparison of project files.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,8 @@ use smol_str::SmolStr;
 use crate::model::{Change, ProjectChange, ReferenceChange};
 use crate::read::project::Project;
 
-/// The parameters that differ, and the lists of data files: of data with one name those of the first file count.
+/// Returns the parameters that differ, and the list of data files if it differs, because the first of several
+/// declarations is used.
 pub(super) fn parameters(old: &Project, new: &Project) -> Vec<ProjectChange> {
     let names: BTreeSet<&str> = old.parameters.iter().chain(&new.parameters).map(|(name, _)| name.as_str()).collect();
     let value = |project: &Project, name: &str| project.parameter(name).map(str::to_owned);
@@ -17,7 +18,7 @@ pub(super) fn parameters(old: &Project, new: &Project) -> Vec<ProjectChange> {
     names.into_iter().map(change).chain([files]).filter(|change| change.old != change.new).collect()
 }
 
-/// Library identifiers or user types that differ.
+/// Returns library identifiers or user types that differ.
 pub(super) fn references(old: &[(SmolStr, String)], new: &[(SmolStr, String)]) -> Vec<ReferenceChange> {
     let path = |list: &[(SmolStr, String)], name: &SmolStr| {
         list.iter().find(|(known, _)| known == name).map(|(_, path)| path.clone())

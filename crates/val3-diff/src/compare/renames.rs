@@ -1,7 +1,7 @@
-//! Renamed programs and data of one application.
+//! Detection of renamed programs and data in an application.
 //!
-//! A name is renamed if programs use the new name wherever they used the old one, or if one removed item and one added item have
-//! the same content and no other item has it.
+//! An item is renamed if programs use the new name in all places of the old name, or if one removed item and one added
+//! item have the same content and no other item has it.
 
 mod bodies;
 mod contents;
@@ -13,7 +13,7 @@ use crate::read::data::Data;
 use items::Names;
 pub(super) use items::{Renamed, Versions};
 
-/// Finds the renamed items among the data and the programs that differ.
+/// Finds renamed items among the data and programs that differ.
 pub(super) fn find([old, new]: [&[Data]; 2], programs: &[Versions<'_>]) -> Renamed {
     let mut renamed = Renamed::default();
     let data =

@@ -1,4 +1,4 @@
-//! Elements that were removed from or inserted into an array, so that the elements after them have another index.
+//! Renumbering of arrays: removed or inserted elements shift the index of the elements after them.
 
 use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
@@ -13,26 +13,26 @@ use super::values::{Contents, key};
 use crate::model::{Renumbering, Run};
 use crate::read::data::Data;
 
-/// Greatest index of an array whose elements are aligned, as a multiple of the number of written elements. A file of a few
-/// lines can write an element 4,000,000,000.
+/// Maximum ratio of the highest index to the number of written elements for which an array is aligned. A file with a
+/// few lines may contain an element with index 4,000,000,000.
 const SPARSEST: usize = 4;
 
 /// An array with removed or inserted elements.
 #[derive(Debug)]
 pub(super) struct Renumbered {
-    /// The old data under the new indexes, without the removed elements.
+    /// Old data with the new indexes, without the removed elements.
     pub(super) old: Data,
-    /// The new data without the inserted elements.
+    /// New data without the inserted elements.
     pub(super) new: Data,
-    /// Old indexes.
+    /// Old indexes of removed elements.
     pub(super) removed: Vec<usize>,
-    /// New indexes.
+    /// New indexes of inserted elements.
     pub(super) inserted: Vec<usize>,
     pub(super) renumbering: Renumbering,
 }
 
-/// Finds removed and inserted elements. `None` if a comparison by index has fewer differences, or for arrays whose elements
-/// have an identity of their own.
+/// Finds removed and inserted elements; `None` if a comparison by index has fewer differences, or if the index
+/// identifies the elements.
 pub(super) fn find(old: &Data, new: &Data, places: &mut Places<'_>) -> Option<Renumbered> {
     if !can_be_renumbered(old, new) {
         return None;
@@ -66,8 +66,9 @@ pub(super) fn find(old: &Data, new: &Data, places: &mut Places<'_>) -> Option<Re
     })
 }
 
-/// Whether an element may be found under another index. Fathers name frames and tools by their index. A number alone says
-/// little about the element: of an array of numbers, only another size shows that an element was removed.
+/// Whether elements may be matched with another index. Frames and tools are excluded, because fathers refer to them by
+/// index. Single numbers do not identify an element, so in arrays of them elements are matched only if the size
+/// differs.
 fn can_be_renumbered(old: &Data, new: &Data) -> bool {
     let is_array = |data: &Data| data.decl.container != Container::Collection && data.decl.sizes.len() == 1;
     let is_father = |ty: BaseType| matches!(ty, BaseType::Frame | BaseType::Tool);
@@ -77,12 +78,12 @@ fn can_be_renumbered(old: &Data, new: &Data) -> bool {
     [old, new].into_iter().all(|data| is_array(data) && !has_fathers(data)) && (is_rich || has_other_size)
 }
 
-/// A number for each different content of an element.
+/// Identifiers of the different element contents.
 #[derive(Debug, Default)]
 struct Ids(FxHashMap<Vec<String>, u32>);
 
 impl Ids {
-    /// The contents of the elements, up to the last written one; `None` for a sparse array.
+    /// Returns the identifiers of the elements up to the last written element; `None` for a sparse array.
     fn of(&mut self, data: &Data) -> Option<Vec<u32>> {
         let contents = Contents::of(data);
         let indexes = data.keys.iter().filter(|key| data.has_element(key)).filter_map(|key| key.parse::<usize>().ok());
@@ -110,7 +111,7 @@ impl Ids {
         *self.0.entry(texts).or_insert(next)
     }
 
-    /// The number of the default content, which elements after the last written one have.
+    /// Returns the identifier of the default content, which all elements after the last written one have.
     fn unwritten(&mut self) -> u32 {
         self.id(Vec::new())
     }
@@ -129,13 +130,13 @@ fn greatest_distance(name: &str, indexes: &[usize], places: &mut Places<'_>) -> 
     indexes.iter().filter_map(distance).reduce(f64::max)
 }
 
-/// New indexes by old ones, where both sides have the element.
+/// Returns the new index of every old index that is in both versions.
 fn pairs(steps: &[Step]) -> FxHashMap<usize, usize> {
     let pair = |step: &Step| if let Step::Pair { old, new } = step { Some((*old, *new)) } else { None };
     steps.iter().filter_map(pair).collect()
 }
 
-/// Runs of elements with another index.
+/// Returns the runs of elements whose index differs.
 fn runs(steps: &[Step]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     for step in steps {
@@ -149,7 +150,7 @@ fn runs(steps: &[Step]) -> Vec<Run> {
     runs
 }
 
-/// The path of the same value in an element with another index; `None` if the pairs have no partner for its element.
+/// Returns the path of the same value in the renumbered element; `None` if the element is not in both versions.
 fn moved(name: &str, path: &str, pairs: &FxHashMap<usize, usize>) -> Option<SmolStr> {
     let key = key(name, path);
     let index = pairs.get(&key.parse().ok()?)?;

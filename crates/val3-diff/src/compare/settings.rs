@@ -1,4 +1,4 @@
-//! The files of the controller's configuration.
+//! Comparison of the controller's configuration files.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,7 +12,7 @@ use crate::read::entries::Entry;
 use crate::read::settings::{is_io, read};
 use crate::tree::{is_settings, text_of};
 
-/// The files that differ.
+/// Returns the files that differ.
 pub(super) fn compare(old: &Files<'_>, new: &Files<'_>, problems: &mut Vec<Problem>) -> Vec<SettingsChange> {
     let of = |files: &Files<'_>| -> BTreeMap<String, String> {
         let settings = files.keys().filter(|path| is_settings(path));
@@ -50,7 +50,7 @@ fn file(path: &str, old: Option<Vec<u8>>, new: Option<Vec<u8>>, problems: &mut V
     (!compared.entries.is_empty() || compared.text.is_some()).then_some(compared)
 }
 
-/// The entries that differ, in the order of the new file and then those that were removed.
+/// Returns the entries that differ, in the order of the new file, followed by removed entries.
 pub(super) fn entries(old: &[Entry], new: &[Entry]) -> Vec<EntryChange> {
     let (old_values, new_values): (BTreeMap<_, _>, BTreeMap<_, _>) =
         (old.iter().cloned().collect(), new.iter().cloned().collect());

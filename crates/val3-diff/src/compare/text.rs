@@ -1,4 +1,4 @@
-//! Lines that differ.
+//! Comparison of text lines.
 
 use similar::{ChangeTag, DiffOp, TextDiff};
 
@@ -12,14 +12,14 @@ const CONTEXT: usize = 3;
 /// A line of a version.
 #[derive(Debug)]
 pub(crate) struct Line {
-    /// From 1.
+    /// Line number, from 1.
     pub(crate) number: usize,
     pub(crate) text: String,
-    /// The text by which lines of both versions correspond.
+    /// Text by which lines of both versions are matched.
     pub(crate) key: String,
 }
 
-/// The lines that differ with their surroundings. Line ends do not count.
+/// Returns the lines that differ with context. Line ends are ignored.
 pub(crate) fn hunks(old: &str, new: &str) -> Vec<Hunk> {
     let lines = |text: &str| -> Vec<Line> {
         let text = line_ends(text);
@@ -29,7 +29,7 @@ pub(crate) fn hunks(old: &str, new: &str) -> Vec<Hunk> {
     hunks_of(&lines(old), &lines(new))
 }
 
-/// The lines whose keys differ with their surroundings.
+/// Returns the lines whose keys differ with context.
 pub(crate) fn hunks_of(old: &[Line], new: &[Line]) -> Vec<Hunk> {
     let keys = |lines: &'_ [Line]| -> Vec<String> { lines.iter().map(|line| line.key.clone()).collect() };
     let (old_keys, new_keys) = (keys(old), keys(new));
@@ -54,33 +54,33 @@ fn hunk<'k>(diff: &TextDiff<'k, 'k, str>, group: &[DiffOp], old: &[Line], new: &
         hunk.new_lines += usize::from(kind != LineKind::Removed);
         hunk.lines.extend(line.map(|line| HunkLine { kind, number: line.number, text: line.text.clone() }));
     }
-    // As in other tools, a hunk without lines starts after the line before it.
+    // As in other tools, a hunk without lines starts after the preceding line.
     hunk.old_start -= usize::from(hunk.old_lines == 0 && hunk.old_start > 0);
     hunk.new_start -= usize::from(hunk.new_lines == 0 && hunk.new_start > 0);
     hunk
 }
 
-/// The number of a line, or of the line after the last one.
+/// Returns the number of a line; after the last line, the next number.
 fn number(lines: &[Line], index: usize) -> usize {
     lines.get(index).map_or_else(|| lines.last().map_or(1, |last| last.number + 1), |line| line.number)
 }
 
-/// Number of lines of a kind.
+/// Counts the lines with this kind.
 pub(crate) fn count(hunks: &[Hunk], kind: LineKind) -> usize {
     hunks.iter().flat_map(|hunk| &hunk.lines).filter(|line| line.kind == kind).count()
 }
 
-/// What a file of settings should be.
+/// Expected content of a configuration file.
 pub(super) const XML: &str = "XML";
 
-/// A version of a file: its bytes, and whether VAL 3 can be read from it.
+/// A version of a file: its bytes, and whether it is readable as VAL 3.
 #[derive(Clone, Copy)]
 pub(super) struct Version<'t> {
     pub(super) bytes: &'t [u8],
     pub(super) is_readable: bool,
 }
 
-/// Compares a file as text, because one of its versions cannot be read as what it should be (`expected`).
+/// Compares a file as text, because a version is not readable as `expected`.
 pub(super) fn compare(
     path: &str,
     [old, new]: [Option<Version<'_>>; 2],

@@ -1,4 +1,4 @@
-//! Which projects use which as a library or user type.
+//! Users of projects that are libraries or user types.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,10 +7,10 @@ use val3_analysis::paths::{Roots, Target, path_key, project};
 
 use crate::applications::Application;
 
-/// The users of projects: for the path of a project, in lower case, the names of those that load it or use it as a type.
+/// Names of the projects that use a project as a library or type, by the used project's path in lower case.
 pub(super) type Users = BTreeMap<String, BTreeSet<String>>;
 
-/// The users in both trees.
+/// Returns the users in both trees.
 pub(super) fn users(old: &[Application<'_>], new: &[Application<'_>]) -> Users {
     let mut users = Users::new();
     for application in old.iter().chain(new) {
@@ -24,7 +24,7 @@ pub(super) fn users(old: &[Application<'_>], new: &[Application<'_>]) -> Users {
     users
 }
 
-/// `Disk://` is the folder of applications, which is the root of the tree.
+/// Resolves a reference. `Disk://` is the folder of applications, which is the root of the tree.
 fn target(folder: &Utf8Path, reference: &str) -> Option<String> {
     let roots = Roots { disk: Some("/".into()), others: Vec::new() };
     match project(&Utf8Path::new("/").join(folder), &roots, reference) {
@@ -33,7 +33,8 @@ fn target(folder: &Utf8Path, reference: &str) -> Option<String> {
     }
 }
 
-/// The users of an application. A tree without `usrapp` does not show where `Disk://` is; then the end of the path counts.
+/// Returns the users of `application`. In a tree without `usrapp`, the folder of `Disk://` is unknown, so the end of
+/// the path is compared.
 pub(super) fn of(users: &Users, application: &Application<'_>) -> Vec<String> {
     let path = Utf8PathBuf::from(path_key(application.path.as_str()));
     let found = users.iter().filter(|(target, _)| path.ends_with(target)).flat_map(|(_, names)| names);

@@ -1,4 +1,4 @@
-//! The values of data of both trees.
+//! Comparison of data values.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -12,7 +12,7 @@ use crate::model::{Change, FieldChange, Pair, Renumbering, ValueChange};
 use crate::read::data::Data;
 use crate::read::value::Value;
 
-/// The values that differ, in the order of the new file and then those that were removed, and the elements with another index.
+/// Returns the values that differ, in the order of the new file, followed by removed values; and the renumbering.
 pub(super) fn compare(old: &Data, new: &Data, places: &mut Places<'_>) -> (Vec<ValueChange>, Option<Renumbering>) {
     let Some(found) = renumbering::find(old, new, places) else { return (by_index(old, new, places), None) };
     let mut changes = some(old, &found.removed, Change::Removed);
@@ -21,7 +21,7 @@ pub(super) fn compare(old: &Data, new: &Data, places: &mut Places<'_>) -> (Vec<V
     (changes, Some(found.renumbering))
 }
 
-/// The values that differ between elements of the same index or key.
+/// Returns the values that differ between elements with the same index or key.
 fn by_index(old: &Data, new: &Data, places: &mut Places<'_>) -> Vec<ValueChange> {
     let by_path = |data: &Data| -> FxHashMap<SmolStr, usize> {
         data.values.iter().enumerate().map(|(index, (path, _))| (path.clone(), index)).collect()
@@ -43,7 +43,7 @@ fn by_index(old: &Data, new: &Data, places: &mut Places<'_>) -> Vec<ValueChange>
     changes
 }
 
-/// Whether both data have the element, or both files write it outside of the size.
+/// Whether the element is in both data, or both files contain it outside of the size.
 fn is_in_both(old: &Data, new: &Data, key: &str) -> bool {
     match (old.has_element(key), new.has_element(key)) {
         (true, true) => true,
@@ -52,7 +52,7 @@ fn is_in_both(old: &Data, new: &Data, key: &str) -> bool {
     }
 }
 
-/// Fields of user types of which both files write different sizes. A size that a file leaves out is that of the type.
+/// Returns fields of user types with different sizes in both files. An omitted size is the size in the type.
 fn field_sizes(old: &Data, new: &Data) -> impl Iterator<Item = ValueChange> {
     let sizes = new.field_sizes.iter().filter_map(|(path, size)| Some((path, old.field_sizes.get(path)?, size)));
     sizes.filter(|(_, old, new)| old != new).map(|(path, old, new)| ValueChange {
@@ -68,14 +68,14 @@ fn field_sizes(old: &Data, new: &Data) -> impl Iterator<Item = ValueChange> {
     })
 }
 
-/// The key of the element that a path starts with: `a b` for `tSlot[a b].pPick[1]`.
+/// Returns the key of the element at the start of a path: `a b` for `tSlot[a b].pPick[1]`.
 pub(super) fn key<'p>(name: &str, path: &'p str) -> &'p str {
     let rest = path.strip_prefix(name).unwrap_or(path);
     let rest = rest.strip_prefix('[').unwrap_or(rest);
     rest.split_once(']').map_or(rest, |(key, _)| key)
 }
 
-/// A value that is not written is the default of its type, or for a field what the user type says.
+/// Compares a value. A missing value is the type's default; for a field, the value in the user type.
 fn compare_one(path: &SmolStr, old: Option<Value>, new: Option<Value>, places: &mut Places<'_>) -> Option<ValueChange> {
     let known = new.as_ref().or(old.as_ref())?;
     let (ty, arm) = (known.ty, known.arm);
@@ -101,7 +101,7 @@ fn compare_one(path: &SmolStr, old: Option<Value>, new: Option<Value>, places: &
     })
 }
 
-/// Elements that only one of the sizes or key sets has, and that have a value there or a key.
+/// Returns elements that are in only one of the sizes or key sets, and that have a value or key in the file.
 fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
     let only = |data: &Data, other: &Data, change: Change| -> Vec<ValueChange> {
         let contents = Contents::of(data);
@@ -115,30 +115,30 @@ fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
     [only(old, new, Change::Removed), only(new, old, Change::Added)].concat()
 }
 
-/// All elements that the file writes, of data that only one tree has.
+/// Returns all elements in the file, for data that exist in only one tree.
 pub(super) fn all(data: &Data, change: Change) -> Vec<ValueChange> {
     let contents = Contents::of(data);
     data.keys.iter().map(|key| contents.element(data, key, change)).collect()
 }
 
-/// Elements with these indexes, of data that only one tree has.
+/// Returns the elements with these indexes, for data that exist in only one tree.
 fn some(data: &Data, indexes: &[usize], change: Change) -> Vec<ValueChange> {
     let contents = Contents::of(data);
     indexes.iter().map(|index| contents.element(data, &index.to_string(), change)).collect()
 }
 
-/// What the file writes about each element, by its key: values, and fields of a user type, other than the default.
+/// Non-default values and user type fields in the file, by element key.
 pub(super) struct Contents<'d>(FxHashMap<&'d str, Vec<String>>);
 
 impl<'d> Contents<'d> {
-    /// The contents of data.
+    /// Returns the contents of data.
     pub(super) fn of(data: &'d Data) -> Self {
         let name = &data.decl.name;
         let mut contents: FxHashMap<&str, Vec<String>> = FxHashMap::default();
         for (path, value) in &data.values {
             let Some(value) = value.shown() else { continue };
             let key = key(name, path);
-            // The name, the key and its brackets.
+            // Skips the name, the key and its brackets.
             let field = path.part(name.len() + key.len() + 2..).trim_start_matches('.');
             let text = if field.is_empty() { value } else { format!("{} {value}", shown(field)) };
             contents.entry(key).or_default().push(text);
@@ -146,7 +146,7 @@ impl<'d> Contents<'d> {
         Self(contents)
     }
 
-    /// The texts of the element with this key; `None` for an element with default values.
+    /// Returns the texts of the element with this key; `None` for an element with default values.
     pub(super) fn get(&self, key: &str) -> Option<&[String]> {
         self.0.get(key).map(Vec::as_slice)
     }

@@ -1,11 +1,12 @@
-//! Patterns of the names of data.
+//! Patterns of data names.
 
 use std::fmt::{self, Display};
 use std::str::FromStr;
 
 use globset::{GlobBuilder, GlobMatcher};
 
-/// A pattern such as `n*Count` or `tState.n*`: `*` stands for any characters, `?` for one, `[ab]` for one of several.
+/// A pattern such as `n*Count` or `tState.n*`: `*` matches any characters, `?` one character, `[ab]` one of several
+/// characters.
 #[derive(Debug, Clone)]
 pub struct NamePattern {
     text: String,
@@ -13,7 +14,7 @@ pub struct NamePattern {
 }
 
 impl NamePattern {
-    /// Whether data or a field matches, without its indexes: `tState.nCount` for `tState[3].nCount`.
+    /// Whether data or a field matches, without indexes: `tState.nCount` for `tState[3].nCount`.
     pub(crate) fn matches(&self, path: &str) -> bool {
         let mut name = String::with_capacity(path.len());
         let mut rest = path;

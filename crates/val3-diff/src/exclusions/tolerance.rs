@@ -1,4 +1,4 @@
-//! Movements that are too small to count.
+//! Tolerance of movements.
 
 use std::str::FromStr;
 
@@ -6,29 +6,29 @@ use serde::Serialize;
 
 use crate::model::Displacement;
 
-/// The greatest movement that does not count.
+/// Maximum movement that is ignored.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Tolerance {
-    /// Millimetres between origins, or of a linear axis.
+    /// Distance between origins, or movement of a linear axis, in mm.
     pub distance_mm: f64,
-    /// Degrees between orientations, or of a rotary axis.
+    /// Angle between orientations, or movement of a rotary axis, in degrees.
     pub angle_deg: f64,
 }
 
 impl Tolerance {
-    /// Whether a movement is not greater.
+    /// Whether a movement is within the tolerance.
     pub(crate) fn includes(self, moved: Displacement) -> bool {
         moved.distance_mm <= self.distance_mm && moved.angle_deg <= self.angle_deg
     }
 }
 
-/// What a tolerance looks like.
+/// Hint on the syntax of a tolerance.
 const USAGE: &str = "write a distance in mm, an angle in deg, or both, for example 0.01mm,0.01deg";
 
 impl FromStr for Tolerance {
     type Err = String;
 
-    /// Reads `0.01mm,0.01deg`. A part that is not written is 0.
+    /// Parses `0.01mm,0.01deg`. An omitted part is 0.
     fn from_str(text: &str) -> Result<Self, String> {
         let (mut distance, mut angle) = (None, None);
         for part in text.split(',').map(str::trim) {

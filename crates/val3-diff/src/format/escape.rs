@@ -1,12 +1,12 @@
-//! Texts of files inside of Markdown and HTML.
+//! Escaping of text in Markdown and HTML.
 
-/// A text in HTML.
+/// Escapes text for HTML.
 pub(super) fn html(text: &str) -> String {
     let visible = printable(text);
     visible.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// A text in Markdown, outside of code.
+/// Escapes text for Markdown outside of code.
 pub(super) fn markdown(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in printable(text).chars() {
@@ -21,17 +21,17 @@ pub(super) fn markdown(text: &str) -> String {
     escaped
 }
 
-/// A text as a code span of Markdown.
+/// Formats text as a Markdown code span.
 pub(super) fn code_span(text: &str) -> String {
     let text = printable(text).replace('\n', " ");
     let longest = text.split(|character| character != '`').map(str::len).max().unwrap_or(0);
     let fence = "`".repeat(longest + 1);
     let blank = if text.starts_with('`') || text.ends_with('`') { " " } else { "" };
-    // A bar would end the cell of a table, even in a code span.
+    // A bar would end a table cell, even in a code span.
     format!("{fence}{blank}{}{blank}{fence}", text.replace('|', "\\|"))
 }
 
-/// The text without control characters, which could act on a terminal.
+/// Replaces control characters, which could act on a terminal.
 pub(super) fn printable(text: &str) -> String {
     text.chars()
         .map(|character| if character.is_control() && !matches!(character, '\n' | '\t') { '?' } else { character })

@@ -1,4 +1,4 @@
-//! One page for browsers, without scripts or other files. It is light or dark as the reader's system is.
+//! HTML format: one page without scripts or other files. It is light or dark according to the reader's system.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use crate::report::{Block, Detail, Entry, Mark, Table, blocks, summary};
 
 const STYLE: &str = include_str!("html/style.css");
 
-/// The page.
+/// Writes the page.
 #[must_use]
 pub fn write(comparison: &Comparison, detail: Detail) -> String {
     let title = html(&format!("{} → {}", comparison.old, comparison.new));
@@ -48,7 +48,7 @@ fn add(block: &Block, out: &mut String) {
     }
 }
 
-/// The class of a line and a word for readers who do not see colours.
+/// Returns the CSS class of a line, and a sign for readers who cannot see colours.
 fn mark(mark: Mark) -> (&'static str, &'static str) {
     match mark {
         Mark::Added => ("added", "+"),

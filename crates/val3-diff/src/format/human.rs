@@ -1,4 +1,4 @@
-//! For people at a terminal: lines of styled texts. The caller has the colours.
+//! Terminal format: lines of styled texts. The caller maps styles to colours.
 
 use unicode_width::UnicodeWidthStr;
 
@@ -6,31 +6,31 @@ use super::escape::printable;
 use crate::model::{Comparison, HunkLine, LineKind};
 use crate::report::{Block, Detail, Entry, Mark, Table, blocks, summary};
 
-/// The style of a text.
+/// Style of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Style {
-    /// As the terminal shows text.
+    /// Default text of the terminal.
     Plain,
     /// A heading.
     Heading,
     /// A name.
     Name,
-    /// Less important.
+    /// Less important text.
     Dim,
-    /// Something added.
+    /// An added item.
     Added,
-    /// Something removed.
+    /// A removed item.
     Removed,
-    /// Something changed.
+    /// A changed item.
     Changed,
-    /// Something that needs attention.
+    /// A warning.
     Warning,
 }
 
 /// A line: its texts with their styles.
 pub type Line = Vec<(Style, String)>;
 
-/// The report, with the summary at its end.
+/// Formats the report, with the summary at the end.
 #[must_use]
 pub fn lines(comparison: &Comparison, detail: Detail) -> Vec<Line> {
     let mut lines = Vec::new();
@@ -80,7 +80,7 @@ fn entry_line(entry: &Entry) -> Line {
     line
 }
 
-/// The style and the first character of a line.
+/// Returns the style and the first character of a line.
 fn sign(mark: Mark) -> (Style, &'static str) {
     match mark {
         Mark::Added => (Style::Added, "+"),

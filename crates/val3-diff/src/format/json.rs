@@ -1,11 +1,11 @@
-//! For programs: the list of changes as one JSON document.
+//! JSON format for programs: the list of changes as one document.
 
 use serde::Serialize;
 
 use crate::model::{Comparison, Ignored, Problem};
 use crate::report::{Counts, Detail, Statistics, statistics};
 
-/// The form of the document. It changes only when a field is removed or gets another meaning.
+/// Version of the document format. It changes only if a field is removed or its meaning changes.
 const VERSION: u32 = 1;
 
 #[derive(Serialize)]
@@ -17,7 +17,7 @@ struct Document<'a, C: Serialize> {
     content: &'a C,
 }
 
-/// The content with numbers instead of differences.
+/// Content with numbers instead of differences.
 #[derive(Serialize)]
 struct Numbers<'a> {
     old: &'a str,
@@ -28,10 +28,10 @@ struct Numbers<'a> {
     problems: &'a [Problem],
 }
 
-/// The document, with a line end.
+/// Writes the document, with a line end.
 ///
 /// # Errors
-/// Never for a comparison of this crate, whose values all have a form in JSON.
+/// Never for a comparison of this crate, because all its values can be serialised.
 pub fn write(comparison: &Comparison, detail: Detail) -> Result<String, serde_json::Error> {
     let text = match detail {
         Detail::Full => document(comparison, comparison),

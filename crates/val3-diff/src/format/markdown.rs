@@ -1,4 +1,4 @@
-//! For merge requests and wikis.
+//! Markdown format for merge requests and wikis.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use super::escape::{code_span, markdown, printable};
 use crate::model::{Comparison, HunkLine, LineKind};
 use crate::report::{Block, Detail, Entry, Mark, Table, blocks, summary};
 
-/// The report.
+/// Writes the report.
 #[must_use]
 pub fn write(comparison: &Comparison, detail: Detail) -> String {
     let mut out =

@@ -1,4 +1,4 @@
-//! Differences of one application, library or user type.
+//! Differences in an application, library or user type.
 
 use serde::Serialize;
 
@@ -8,16 +8,16 @@ use super::data::DataChange;
 use super::program::ProgramChange;
 use super::text::TextChange;
 
-/// The differences of one project: an application, a library or a user type.
+/// Differences in a project: an application, a library or a user type.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ApplicationChange {
-    /// The name: that of the `.pjx` without its extension.
+    /// Name of the `.pjx` without its extension.
     pub name: String,
-    /// The path of the `.pjx`, or of the folder with files that belong to no project.
+    /// Path of the `.pjx`, or of the folder for files that belong to no project.
     pub path: String,
-    /// What happened to the project as a whole. All items of an added project are added.
+    /// Change of the entire project. If the project was added, all items are added.
     pub change: Change,
-    /// The path in the old tree, if it was another one.
+    /// Path in the old tree, if it differs.
     pub moved_from: Option<String>,
     /// Parameters of the project file: version, stack size, unit.
     pub project: Vec<ProjectChange>,
@@ -25,31 +25,31 @@ pub struct ApplicationChange {
     pub libraries: Vec<ReferenceChange>,
     /// User types.
     pub types: Vec<ReferenceChange>,
-    /// Programs, by name.
+    /// Programs, sorted by name.
     pub programs: Vec<ProgramChange>,
-    /// Global data, by name. For a user type these are its fields.
+    /// Global data, sorted by name; for a user type, its fields.
     pub data: Vec<DataChange>,
-    /// Public items that differ, if other projects use this one or it has no `start`.
+    /// Public items that differ, if other projects use this project or it has no `start`.
     pub interface: Vec<InterfaceChange>,
-    /// The projects that load this one as a library or use it as a type.
+    /// Projects that use this project as a library or type.
     pub used_by: Vec<String>,
     /// Broken files, compared as text.
     pub texts: Vec<TextChange>,
-    /// Files that differ in something that belongs to no item above, such as an unknown attribute.
+    /// Files with differences that belong to no item above, such as an unknown attribute.
     pub contents: Vec<ContentChange>,
 }
 
-/// A VAL 3 file that differs in its XML.
+/// A VAL 3 file with differences in its XML.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ContentChange {
-    /// The path.
+    /// Path of the file.
     pub path: String,
-    /// The attributes and texts that differ.
+    /// Attributes and texts that differ.
     pub entries: Vec<EntryChange>,
 }
 
 impl ApplicationChange {
-    /// Nothing in it differs.
+    /// Whether there is no difference.
     pub(crate) fn is_empty(&self) -> bool {
         self.change == Change::Changed
             && self.moved_from.is_none()
@@ -67,28 +67,28 @@ impl ApplicationChange {
 /// A parameter of a project file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ProjectChange {
-    /// The name of the parameter in the file.
+    /// Parameter name in the file.
     pub name: String,
-    /// The old value; `None` if it was not written.
+    /// Old value; `None` if it was not written.
     pub old: Option<String>,
-    /// The new value; `None` if it is not written.
+    /// New value; `None` if it is not written.
     pub new: Option<String>,
 }
 
-/// A library identifier or a user type of a project file.
+/// A library identifier or a user type in a project file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ReferenceChange {
-    /// The identifier, or the name of the type.
+    /// Identifier, or name of the type.
     pub name: String,
-    /// What happened to it.
+    /// Change of the entry.
     pub change: Change,
-    /// The old path; `None` if it was added.
+    /// Old path; `None` if the entry was added.
     pub old: Option<String>,
-    /// The new path; `None` if it was removed.
+    /// New path; `None` if the entry was removed.
     pub new: Option<String>,
 }
 
-/// The kind of a public item.
+/// Kind of a public item.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ItemKind {
@@ -98,19 +98,19 @@ pub enum ItemKind {
     Data,
 }
 
-/// A public item that other projects see in another way.
+/// A public item whose interface differs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct InterfaceChange {
     /// Program or data.
     pub kind: ItemKind,
-    /// The name.
+    /// Item name.
     pub name: String,
-    /// What happened to it as a public item.
+    /// Change of the public item.
     pub change: Change,
-    /// The old parameters or type; `None` if it was not public.
+    /// Old parameters or type; `None` if the item was not public.
     pub old: Option<String>,
-    /// The new parameters or type; `None` if it is not public.
+    /// New parameters or type; `None` if the item is not public.
     pub new: Option<String>,
-    /// Programs that use it may no longer compile.
+    /// Whether programs that use the item may no longer compile.
     pub breaks_users: bool,
 }

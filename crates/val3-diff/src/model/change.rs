@@ -1,21 +1,21 @@
-//! What happened to an item, and values of both trees.
+//! Changes of items, and values in both trees.
 
 use serde::Serialize;
 
-/// What happened to an item from the old to the new tree.
+/// Change from the old to the new tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Change {
-    /// Only the new tree has it.
+    /// The item is only in the new tree.
     Added,
-    /// Only the old tree has it.
+    /// The item is only in the old tree.
     Removed,
-    /// Both have it, with differences.
+    /// The item is in both trees, with differences.
     Changed,
 }
 
 impl Change {
-    /// The change of an item that is in the old tree, in the new one, or in both.
+    /// Returns the change for an item that is in the old tree, in the new tree, or in both.
     pub(crate) fn of(in_old: bool, in_new: bool) -> Self {
         match (in_old, in_new) {
             (false, true) => Self::Added,
@@ -25,17 +25,17 @@ impl Change {
     }
 }
 
-/// A value of both trees.
+/// A value in both trees.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Pair<T> {
-    /// In the old tree.
+    /// Value in the old tree.
     pub old: T,
-    /// In the new tree.
+    /// Value in the new tree.
     pub new: T,
 }
 
 impl<T: PartialEq> Pair<T> {
-    /// Both values, if they differ.
+    /// Returns both values, if they differ.
     pub(crate) fn differing(old: T, new: T) -> Option<Self> {
         (old != new).then_some(Self { old, new })
     }

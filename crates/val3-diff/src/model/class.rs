@@ -1,4 +1,4 @@
-//! The parts of a report, which can be asked for alone.
+//! Parts of a report, which can be selected individually.
 
 use serde::Serialize;
 use val3_lang::types::BaseType;
@@ -9,22 +9,22 @@ use val3_lang::types::BaseType;
 pub enum Class {
     /// Programs.
     Programs,
-    /// Data that are neither positions nor inputs and outputs.
+    /// Data except positions, inputs and outputs.
     Data,
     /// Points, joints, frames, tools, transformations and configurations.
     Points,
-    /// Inputs, outputs and lines, and the files of the cell that describe them.
+    /// Inputs, outputs and serial lines, and the cell's files that describe them.
     Io,
     /// Libraries and user types with their interfaces.
     Libraries,
-    /// Parameters of applications, and other files of the controller's configuration.
+    /// Parameters of applications, and other configuration files of the controller.
     Configuration,
-    /// Files of other kinds.
+    /// Other kinds of files.
     Files,
 }
 
 impl Class {
-    /// The class of data of a type; user types are data.
+    /// Returns the class of data by type; user types are data.
     pub(crate) fn of(ty: Option<BaseType>) -> Self {
         match ty {
             Some(ty) if ty.is_linkable() => Self::Io,

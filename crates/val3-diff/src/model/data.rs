@@ -8,38 +8,39 @@ use super::class::Class;
 /// Global data that differ.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DataChange {
-    /// The name.
+    /// Data name.
     pub name: String,
-    /// The name in the old tree, if it was another one.
+    /// Name in the old tree, if it differs.
     pub renamed_from: Option<String>,
-    /// What happened to it.
+    /// Change of the data.
     pub change: Change,
-    /// The part of the report that it belongs to.
+    /// Part of the report.
     pub class: Class,
-    /// The type, in the new tree if it is there.
+    /// Type in the new tree; in the old tree if the data were removed.
     #[serde(rename = "type")]
     pub type_name: String,
-    /// The declaration without the access: `num nA[3]`, in the new tree if it is there.
+    /// Declaration without the access, for example `num nA[3]`, in the new tree; in the old tree if the data were
+    /// removed.
     pub declaration: String,
-    /// The value of added or removed data with one element; `None` if it is the default.
+    /// Value of added or removed data with one element; `None` for the default value.
     pub value: Option<String>,
-    /// `public` or `private`, if it differs.
+    /// Access `public` or `private`, if it differs.
     pub access: Option<Pair<String>>,
-    /// The types, if they differ.
+    /// Types, if they differ.
     pub types: Option<Pair<String>>,
-    /// The sizes, if they differ: `3`, `3 x 4`, `collection`.
+    /// Sizes, if they differ, for example `3`, `3 x 4` or `collection`.
     pub sizes: Option<Pair<String>>,
-    /// The data are public in the old tree, in the new tree.
+    /// Whether the data are public in each tree.
     #[serde(skip)]
     pub public: Pair<bool>,
-    /// Elements that have another index because of removed or inserted elements.
+    /// Elements whose index differs because of removed or inserted elements.
     pub renumbering: Option<Renumbering>,
-    /// The values that differ. Of added or removed data with several elements, those that the file writes.
+    /// Values that differ; for added or removed data with several elements, the values in the file.
     pub values: Vec<ValueChange>,
 }
 
 impl DataChange {
-    /// Whether nothing of data of both trees differs.
+    /// Whether data in both trees have no difference.
     pub(crate) fn is_same(&self) -> bool {
         self.change == Change::Changed
             && self.renamed_from.is_none()
@@ -51,22 +52,22 @@ impl DataChange {
     }
 }
 
-/// Elements of an array that have another index in the new tree, with the same content or a changed one.
+/// Array elements whose index differs in the new tree, with the same or changed content.
 ///
-/// The removed elements are among the values under their old index, inserted and changed ones under their new index.
-/// Programs address elements by index, so each program that uses such an index uses another element.
+/// Removed elements are among the values with their old index, inserted and changed elements with their new index.
+/// Programs address elements by index, so every program that uses such an index uses another element.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Renumbering {
     /// Runs of elements that moved by the same number of indexes, in order.
     pub runs: Vec<Run>,
-    /// Number of indexes whose element differs, as programs see the array.
+    /// Number of indexes whose element differs for a program.
     pub differing_indexes: usize,
-    /// Greatest distance in `world` between the old and the new position of one index, in millimetres; `None` if the elements are no
-    /// points or their fathers do not lead to `world`.
+    /// Maximum distance in `world` between the old and the new position at an index, in mm; `None` if the elements are
+    /// no points or their fathers do not end at `world`.
     pub greatest_distance_mm: Option<f64>,
 }
 
-/// Elements that moved by the same number of indexes.
+/// Consecutive elements that moved by the same number of indexes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Run {
     /// Old index of the first element.
@@ -80,61 +81,63 @@ pub struct Run {
 /// A value that differs: an element of data, or a field of a user type.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ValueChange {
-    /// The place as programs write it: `pPick[3]`, `tSlot["a"].pPick`.
+    /// Data path as in programs, for example `pPick[3]` or `tSlot["a"].pPick`.
     pub path: String,
-    /// What happened to it. An element is added by another size or a new key.
+    /// Change of the value. A larger size or a new key adds elements.
     pub change: Change,
-    /// The part of the report that it belongs to.
+    /// Part of the report.
     pub class: Class,
-    /// The type.
+    /// Type of the value.
     #[serde(rename = "type")]
     pub type_name: String,
-    /// The whole value of an added or removed element.
+    /// Entire value of the added or removed element.
     pub value: Option<String>,
-    /// The fields that differ. The field without a name is the value itself.
+    /// Fields that differ. The value itself is a field without a name.
     pub fields: Vec<FieldChange>,
-    /// How far a position has moved.
+    /// Movement of a position.
     pub movement: Option<Movement>,
-    /// Greatest change of a linear and of a rotary axis of a joint position. A full turn of an axis is a change.
+    /// Maximum change of linear and of rotary axes of a joint position. A full turn is a change.
     pub axes: Option<Displacement>,
-    /// Positions that this frame or tool has moved, because they depend on it. Each is listed at the nearest changed father.
+    /// Positions that moved because they depend on this frame or tool. Each position is listed at its nearest changed
+    /// father.
     pub dependents: Vec<Dependent>,
 }
 
 /// A field that differs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FieldChange {
-    /// The field as programs write it (`trsf.x`, `config.shoulder`, `tvel`), `father`, or nothing for the value itself.
+    /// Field as in programs (`trsf.x`, `config.shoulder`, `tvel`), or `father`; empty for the value itself.
     pub field: String,
-    /// The old value; `None` if the file does not write it and the type decides.
+    /// Old value; `None` if the file omits it and the type determines it.
     pub old: Option<String>,
-    /// The new value; `None` if the file does not write it and the type decides.
+    /// New value; `None` if the file omits it and the type determines it.
     pub new: Option<String>,
 }
 
 impl FieldChange {
-    /// Whether the field is a number of a transformation or of a joint position.
+    /// Whether the field is a number of a transformation or joint position.
     pub(crate) fn is_of_pose(&self) -> bool {
         const NUMBERS: [&str; 12] = ["x", "y", "z", "rx", "ry", "rz", "j1", "j2", "j3", "j4", "j5", "j6"];
         NUMBERS.contains(&self.field.as_str())
     }
 }
 
-/// How far a position has moved.
+/// Movement of a position.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Movement {
-    /// In the father; `None` if the father is another one.
+    /// Displacement in the father; `None` if the father differs.
     pub in_father: Option<Displacement>,
-    /// Translation and rotation along the axes of the father; `None` if the father is another one.
+    /// Translation and rotation along the axes of the father; `None` if the father differs.
     pub shift: Option<Shift>,
-    /// In `world`, for a tool on the flange; `None` if the fathers do not lead there, and for a transformation.
+    /// Displacement in `world`, for a tool on the flange; `None` if the chain of fathers does not end there, and for a
+    /// transformation.
     pub in_world: Option<Displacement>,
 }
 
 /// A translation and a rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Shift {
-    /// Millimetres along x, y and z.
+    /// Translation along x, y and z in mm.
     pub translation_mm: [f64; 3],
     /// Rotation vector: its direction is the axis, its length the angle in degrees.
     pub rotation_deg: [f64; 3],
@@ -143,20 +146,20 @@ pub struct Shift {
 /// A distance and an angle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Displacement {
-    /// Millimetres between the origins.
+    /// Distance between the origins in mm.
     pub distance_mm: f64,
-    /// Degrees between the orientations, at most 180.
+    /// Angle between the orientations in degrees, at most 180.
     pub angle_deg: f64,
 }
 
-/// A position that moved because a frame or tool moved.
+/// A position that moved because its frame or tool moved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Dependent {
-    /// The place as programs write it.
+    /// Data path as in programs.
     pub path: String,
-    /// The type.
+    /// Type of the position.
     #[serde(rename = "type")]
     pub type_name: String,
-    /// The movement in `world`, for a tool on the flange; `None` if the fathers do not lead there.
+    /// Displacement in `world`, for a tool on the flange; `None` if the chain of fathers does not end there.
     pub in_world: Option<Displacement>,
 }

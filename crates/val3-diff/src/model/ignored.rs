@@ -1,22 +1,22 @@
-//! Differences that were left out.
+//! Differences that were omitted.
 
 use serde::Serialize;
 
 use crate::exclusions::Tolerance;
 
-/// Numbers of differences that were left out on request, and the request. They are no differences for the exit code.
+/// Exclusions and the number of differences omitted for each. They do not affect the exit code.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Ignored {
-    /// The tolerance of positions.
+    /// Tolerance of positions.
     pub tolerance: Option<Tolerance>,
-    /// Positions within the tolerance.
+    /// Number of positions within the tolerance.
     pub within_tolerance: usize,
-    /// The patterns of names.
+    /// Patterns of data names.
     pub patterns: Vec<String>,
-    /// Data whose names match a pattern.
+    /// Number of data whose names match a pattern.
     pub data: usize,
-    /// Positions that moved with a frame or tool whose name matches a pattern.
+    /// Number of positions that moved with a frame or tool whose name matches a pattern.
     pub moved_along: usize,
-    /// Programs of which the layout of the code was ignored.
+    /// Number of programs whose layout differences were ignored.
     pub layouts: usize,
 }

@@ -8,40 +8,40 @@ use super::text::Hunk;
 /// A program that differs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ProgramChange {
-    /// The name.
+    /// Program name.
     pub name: String,
-    /// The name in the old tree, if it was another one.
+    /// Name in the old tree, if it differs.
     pub renamed_from: Option<String>,
-    /// The path of the file.
+    /// Path of the file.
     pub file: String,
-    /// What happened to it.
+    /// Change of the program.
     pub change: Change,
-    /// The line of its name and parameters, in the new tree if it is there.
+    /// Name and parameters in the new tree; in the old tree if the program was removed.
     pub signature: String,
-    /// Name and parameters of both trees, if the parameters differ.
+    /// Name and parameters in both trees, if the parameters differ.
     pub signatures: Option<Pair<String>>,
-    /// `public` or `private`, if it differs.
+    /// Access `public` or `private`, if it differs.
     pub access: Option<Pair<String>>,
-    /// Whether the project file lists it, if that differs. A program that is not listed is not part of the application.
+    /// Whether the project file lists the program, if that differs. An unlisted program is no part of the application.
     pub listed: Option<Pair<bool>>,
-    /// The program is public in the old tree, in the new tree.
+    /// Whether the program is public in each tree.
     #[serde(skip)]
     pub public: Pair<bool>,
-    /// Local variables.
+    /// Local variables that differ.
     pub locals: Vec<VariableChange>,
-    /// The code.
+    /// Change of the code.
     pub code: CodeChange,
-    /// The description of the program differs.
+    /// Whether the description of the program differs.
     pub description_changed: bool,
 }
 
 impl ProgramChange {
-    /// Whether nothing of a program of both trees differs.
+    /// Whether a program in both trees has no difference.
     pub(crate) fn is_same(&self) -> bool {
         self.code.kind == CodeKind::Same && self.has_same_head()
     }
 
-    /// Whether nothing but the code differs.
+    /// Whether a program has no difference except in its code.
     pub(crate) fn has_same_head(&self) -> bool {
         self.renamed_from.is_none()
             && self.signatures.is_none()
@@ -55,43 +55,43 @@ impl ProgramChange {
 /// A local variable that differs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct VariableChange {
-    /// The name.
+    /// Variable name.
     pub name: String,
-    /// What happened to it.
+    /// Change of the variable.
     pub change: Change,
-    /// The old declaration: `num l_nA[3]`.
+    /// Old declaration, for example `num l_nA[3]`.
     pub old: Option<String>,
-    /// The new declaration.
+    /// New declaration.
     pub new: Option<String>,
 }
 
-/// How the code of a program differs.
+/// Kind of difference in the code of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum CodeKind {
-    /// It is the same.
+    /// No difference.
     Same,
-    /// Blanks, blank lines or the letter case of keywords differ.
+    /// Only blanks, blank lines or the letter case of keywords differ.
     Layout,
-    /// Only names of renamed programs and data differ, and comments and the layout may.
+    /// Only names of renamed programs and data differ, and possibly comments and layout.
     Renames,
-    /// Comments differ, and the layout may.
+    /// Only comments differ, and possibly layout.
     Comments,
     /// The statements differ.
     Code,
 }
 
-/// The code of a program.
+/// Difference in the code of a program.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CodeChange {
-    /// How it differs.
+    /// Kind of difference.
     pub kind: CodeKind,
-    /// Lines that only the new version has. For an added program the number of its lines.
+    /// Number of lines that are only in the new version; for an added program, all lines.
     pub added: usize,
-    /// Lines that only the old version has. For a removed program the number of its lines.
+    /// Number of lines that are only in the old version; for a removed program, all lines.
     pub removed: usize,
-    /// The lines that differ with their surroundings. Line 1 is the line of `begin`. Empty for an added or removed program.
+    /// Lines that differ with context. Line 1 is the line of `begin`. Empty for an added or removed program.
     pub hunks: Vec<Hunk>,
-    /// The old code has syntax errors, the new code has.
+    /// Whether the code has syntax errors in each tree.
     pub syntax_errors: Pair<bool>,
 }

@@ -1,17 +1,17 @@
-//! Lines that differ.
+//! Text lines that differ.
 
 use serde::Serialize;
 
 use super::change::Change;
 
-/// Lines that differ, with their surroundings.
+/// Lines that differ, with context.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Hunk {
-    /// The first old line, from 1; the line before if there are none.
+    /// First old line, from 1; the preceding line if the hunk has no old lines.
     pub old_start: usize,
     /// Number of old lines.
     pub old_lines: usize,
-    /// The first new line, from 1; the line before if there are none.
+    /// First new line, from 1; the preceding line if the hunk has no new lines.
     pub new_start: usize,
     /// Number of new lines.
     pub new_lines: usize,
@@ -22,33 +22,33 @@ pub struct Hunk {
 /// A line of a hunk.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct HunkLine {
-    /// Which version has it.
+    /// Versions that contain the line.
     pub kind: LineKind,
-    /// Its number in the version that has it, from 1; in the new version if both have it.
+    /// Line number, from 1, in the version with the line; in the new version if both contain it.
     pub number: usize,
-    /// The text without its line end.
+    /// Text without its line end.
     pub text: String,
 }
 
-/// Which version has a line.
+/// Versions that contain a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LineKind {
-    /// Both.
+    /// Both versions.
     Context,
-    /// The old one.
+    /// Only the old version.
     Removed,
-    /// The new one.
+    /// Only the new version.
     Added,
 }
 
-/// A file that was compared as text, because it is broken or of an unknown form.
+/// A file that was compared as text, because it is broken or has an unknown format.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct TextChange {
-    /// The path.
+    /// Path of the file.
     pub path: String,
-    /// What happened to it.
+    /// Change of the file.
     pub change: Change,
-    /// The lines that differ, in the numbers of the file. Empty if the text cannot be read.
+    /// Lines that differ, with line numbers of the file; empty if the text is unreadable.
     pub hunks: Vec<Hunk>,
 }

@@ -1,4 +1,4 @@
-//! The code of a program: its lines, and their tokens in comparable form.
+//! Code of a program: its lines and tokens in comparable form.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -10,10 +10,10 @@ use val3_syntax::{Part, SyntaxKind, decode_entities};
 
 use crate::exclusions::Layout;
 
-/// New names of renamed programs and data, by their old names.
+/// New names of renamed programs and data, by old name.
 pub(crate) type Renames = BTreeMap<String, String>;
 
-/// The code of a program, from `begin` on.
+/// Code of a program, from `begin` on.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Code {
     lines: Vec<CodeLine>,
@@ -29,19 +29,19 @@ pub(crate) struct CodeLine {
 /// A token that is no blank.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct CodeToken {
-    /// Bytes of the line.
+    /// Byte range in the line.
     range: Range<usize>,
     kind: TokenKind,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum TokenKind {
-    /// A keyword with its usual letters.
+    /// A keyword in its canonical spelling.
     Keyword(&'static str),
-    /// The name of a program, of data or of a local variable.
+    /// Name of a program, data or local variable.
     Name,
     Comment,
-    /// Operators, numbers, texts, and names of fields and of items of libraries.
+    /// Operators, numbers, strings, field names, and items of libraries.
     Other,
 }
 
@@ -54,7 +54,7 @@ impl Code {
         let is_escaped = !tokens.iter().any(|token| token.kind() == SyntaxKind::CDATA_OPEN);
         let is_bracket = |kind| matches!(kind, SyntaxKind::CDATA_OPEN | SyntaxKind::CDATA_CLOSE);
         tokens.retain(|token| !is_bracket(token.kind()));
-        // The first line is that of `begin`, which the controller counts first.
+        // The first line is the line of `begin`, as on the controller.
         let is_blank = |token: &TokenView<'_>| token.text().trim().is_empty();
         let end = tokens.iter().rposition(|token| !is_blank(token)).map_or(0, |last| last + 1);
         let mut lines = vec![CodeLine::default()];
@@ -68,34 +68,34 @@ impl Code {
         Self { lines }
     }
 
-    /// The lines, numbered from 1 for the line of `begin`.
+    /// Returns the lines; the line of `begin` is line 1.
     pub(crate) fn lines(&self) -> &[CodeLine] {
         &self.lines
     }
 
-    /// The text with `\n` as line end.
+    /// Returns the text with `\n` as line end.
     pub(crate) fn text(&self) -> String {
         self.lines.iter().map(|line| line.text.as_str()).collect::<Vec<_>>().join("\n")
     }
 
-    /// Whether the statements of both are the same after the names of this code are replaced.
+    /// Whether the statements are equal after replacing the names in this code.
     pub(crate) fn same_statements(&self, other: &Self, renames: &Renames) -> bool {
         let none = Renames::new();
         self.statements(renames).eq(other.statements(&none))
     }
 
-    /// Whether both have the same comments at the same statements.
+    /// Whether the comments and their places between the statements are equal.
     pub(crate) fn same_comments(&self, other: &Self) -> bool {
         self.comments() == other.comments()
     }
 
-    /// The tokens without comments. Keywords have their usual letters.
+    /// Returns the tokens without comments. Keywords are in their canonical spelling.
     pub(crate) fn statements<'c>(&'c self, renames: &'c Renames) -> impl Iterator<Item = &'c str> {
         let tokens = self.lines.iter().flat_map(|line| line.tokens.iter().map(move |token| (line, token)));
         tokens.filter(|(_, token)| token.kind != TokenKind::Comment).map(|(line, token)| line.shown(token, renames))
     }
 
-    /// The comments, each with the number of tokens before it.
+    /// Returns the comments, each with the number of preceding tokens.
     fn comments(&self) -> Vec<(usize, &str)> {
         let mut before = 0;
         let mut comments = Vec::new();
@@ -110,7 +110,7 @@ impl Code {
 }
 
 impl CodeLine {
-    /// The text by which lines of two versions correspond.
+    /// Returns the text by which the lines in both versions are matched.
     pub(crate) fn key(&self, layout: Layout, renames: &Renames) -> String {
         if layout == Layout::Ignored {
             return self.tokens.iter().map(|token| self.shown(token, renames)).collect::<Vec<_>>().join(" ");
@@ -126,7 +126,7 @@ impl CodeLine {
         key
     }
 
-    /// The line with a mark in place of each name.
+    /// Returns the line with a placeholder for each name.
     pub(crate) fn shape(&self) -> String {
         let text = |token: &CodeToken| match token.kind {
             TokenKind::Name => "\0",
@@ -136,7 +136,7 @@ impl CodeLine {
         self.tokens.iter().map(text).collect::<Vec<_>>().join(" ")
     }
 
-    /// The names of programs, data and local variables in their order.
+    /// Returns the names of programs, data and local variables in order.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.tokens.iter().filter(|token| token.kind == TokenKind::Name).map(|token| self.raw(token))
     }
@@ -156,7 +156,7 @@ impl CodeLine {
     }
 }
 
-/// The kind of a token after another one that is no blank; `None` for blanks.
+/// Returns the kind of a token after the non-blank token `before`; `None` for a blank.
 fn token_kind(kind: SyntaxKind, before: Option<SyntaxKind>) -> Option<TokenKind> {
     match kind {
         SyntaxKind::COMMENT => Some(TokenKind::Comment),
@@ -166,7 +166,7 @@ fn token_kind(kind: SyntaxKind, before: Option<SyntaxKind>) -> Option<TokenKind>
     }
 }
 
-/// Adds a token to the last line, or to several lines.
+/// Adds a token, which may extend over several lines.
 fn add(lines: &mut Vec<CodeLine>, text: &str, kind: Option<TokenKind>) {
     for (index, part) in text.split('\n').enumerate() {
         if index > 0 {
@@ -188,7 +188,7 @@ fn collect<'t>(node: View<'t>, found: &mut Vec<TokenView<'t>>) {
     }
 }
 
-/// The text with `\n` as line end.
+/// Replaces all line ends by `\n`.
 pub(crate) fn line_ends(text: &str) -> String {
     text.replace("\r\n", "\n").replace('\r', "\n")
 }

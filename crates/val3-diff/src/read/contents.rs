@@ -1,12 +1,12 @@
-//! The whole content of a VAL 3 file as a list of entries, also what no rule reads: namespaces, unknown attributes, texts between
-//! elements.
+//! Content of a VAL 3 file as a list of entries, including content that no rule reads: namespaces, unknown attributes,
+//! texts between elements.
 
 use val3_analysis::xml;
 use val3_lang::types::{BaseType, attributes};
 
 use super::entries::{Entry, Style, entries};
 
-/// Attributes that files write or leave out.
+/// Default values of attributes that files may omit.
 const DEFAULTS: [(&str, &str); 7] = [
     ("access", "private"),
     ("public", "false"),
@@ -17,10 +17,10 @@ const DEFAULTS: [(&str, &str); 7] = [
     ("fatherIndex", "0"),
 ];
 
-/// Elements whose content is compared as code or as a text.
+/// Elements whose content is compared as code or text.
 const TEXTS: [&str; 4] = ["Code", "code", "Description", "description"];
 
-/// Types with all attributes of values between them.
+/// Types that together have all attributes of values.
 const TYPES: [BaseType; 9] = [
     BaseType::Num,
     BaseType::Dio,
@@ -33,12 +33,12 @@ const TYPES: [BaseType; 9] = [
     BaseType::Mdesc,
 ];
 
-/// The content of a file.
+/// Content of a file.
 #[derive(Debug)]
 pub(crate) struct Contents {
-    /// The name of the root element, which tells the dialects apart.
+    /// Name of the root element, which determines the dialect.
     pub(crate) root: String,
-    /// Without defaults, elements without a name and content, empty attributes, code, and values.
+    /// Entries, without defaults, elements without name and content, empty attributes, code, and values.
     pub(crate) entries: Vec<Entry>,
 }
 
@@ -54,26 +54,26 @@ impl Contents {
     }
 }
 
-/// Whether an entry says nothing, or is compared as a value.
+/// Whether an entry has no information, or is compared as a value.
 fn is_usual((path, value): &Entry) -> bool {
     if is_unread(path) {
         return false;
     }
     let (element, attribute) = path.rsplit_once(' ').unwrap_or(("", path));
     if value.is_empty() {
-        // The name of an element is no default.
+        // An element's name is no default.
         return !path.ends_with(']') || innermost_value(path).is_some();
     }
     DEFAULTS.contains(&(attribute, value.as_str())) || innermost_value(element).is_some() && is_of_value(attribute)
 }
 
-/// Whether an entry belongs to a value that is not read: one that is written twice, or without a key.
+/// Whether an entry belongs to a value that is not read, because it is written twice or has no key.
 fn is_unread(path: &str) -> bool {
     innermost_value(path).is_some_and(|value| !value.contains('[') || path.contains(" #"))
 }
 
-/// The innermost element around an entry, if it is a value and the value is not in `world` or `flange`, which files of s5
-/// and s6 declare: `Value[0]` for `Datas Data[nA] Value[0]`.
+/// Returns the innermost element that contains an entry, if it is a value, for example `Value[0]` for
+/// `Datas Data[nA] Value[0]`. Values of `world` and `flange`, which files of s5 and s6 declare, are excluded.
 fn innermost_value(path: &str) -> Option<&str> {
     let is_value = |part: &&str| part.to_ascii_lowercase().starts_with("value");
     let is_built_in = ["frame[world]", "tool[flange]"].iter().any(|name| path.contains(name));

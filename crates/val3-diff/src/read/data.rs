@@ -1,4 +1,4 @@
-//! The data of a `.dtx`, with all values that it writes.
+//! Data of a `.dtx`, with all values in the file.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,25 +13,25 @@ use val3_syntax::view::View;
 use super::code::Renames;
 use super::value::Value;
 
-/// Levels of fields in fields that are read, so that hostile files cannot overflow the stack.
+/// Maximum nesting of fields that are read, so that hostile files cannot overflow the stack.
 const NESTING: usize = 16;
 
 /// Global data.
 #[derive(Debug, Clone)]
 pub(crate) struct Data {
     pub(crate) decl: DataDecl,
-    /// The built-in type with its arm; `None` for a user type.
+    /// Built-in type with its kind of arm; `None` for a user type.
     pub(crate) base: Option<(BaseType, Option<Arm>)>,
-    /// The keys of the elements that the file writes.
+    /// Keys of the elements in the file.
     pub(crate) keys: BTreeSet<SmolStr>,
-    /// The values by their paths (`tSlot[a].pPick[0]`), in the order of the file.
+    /// Values by data path (`tSlot[a].pPick[0]`), in file order.
     pub(crate) values: Vec<(SmolStr, Value)>,
-    /// The dimensions of fields of user types that the file writes, by the paths of the fields (`tSlot[a].pPick`).
+    /// Dimensions of user type fields in the file, by data path of the field (`tSlot[a].pPick`).
     pub(crate) field_sizes: BTreeMap<SmolStr, String>,
 }
 
 impl Data {
-    /// The data have an element with this key: `3`, `1,2`, or the key of a collection.
+    /// Whether the data have an element with this key: `3`, `1,2`, or the key of a collection.
     pub(crate) fn has_element(&self, key: &str) -> bool {
         if self.decl.container == Container::Collection {
             return self.keys.contains(key);
@@ -42,7 +42,7 @@ impl Data {
             && indexes.iter().zip(sizes).all(|(index, size)| index.is_some_and(|index| index < *size))
     }
 
-    /// The data under their new name, and with new names of their fathers.
+    /// Returns the data with new names of the data and their fathers.
     pub(crate) fn renamed(&self, renames: &Renames) -> Self {
         let mut renamed = self.clone();
         if let Some(name) = renames.get(self.decl.name.as_str()) {
@@ -54,12 +54,12 @@ impl Data {
         renamed
     }
 
-    /// The type, with the suffix of the arm only if the file has it.
+    /// Returns the type, with the suffix of the arm only if the file contains it.
     pub(crate) fn type_name(&self) -> &str {
         &self.decl.type_name
     }
 
-    /// The dimensions: `3`, `3 x 4`, `collection`.
+    /// Returns the dimensions: `3`, `3 x 4`, `collection`.
     pub(crate) fn size(&self) -> String {
         match self.decl.container {
             Container::Collection => "collection".to_owned(),
@@ -67,26 +67,26 @@ impl Data {
         }
     }
 
-    /// The declaration without the access: `num nA[3]`.
+    /// Returns the declaration without the access: `num nA[3]`.
     pub(crate) fn declaration(&self) -> String {
         declaration(&self.decl.type_name, &self.decl.name, self.decl.container, &self.decl.sizes)
     }
 
-    /// The value of data with one element; `None` for the default and for several elements.
+    /// Returns the value of data with one element; `None` for the default value and for several elements.
     pub(crate) fn single(&self) -> Option<String> {
         let is_single = self.base.is_some() && self.decl.sizes == [1];
         self.values.first().filter(|_| is_single).and_then(|(_, value)| value.shown())
     }
 }
 
-/// `fNew[3].pA` for `fOld[3].pA`; `None` if the data are not renamed.
+/// Renames data in a path: `fNew[3].pA` for `fOld[3].pA`; `None` if the data are not renamed.
 pub(crate) fn path_with_new_name(path: &str, renames: &Renames) -> Option<SmolStr> {
     let end = path.find(['[', '.']).unwrap_or(path.len());
     let (name, rest) = path.split_at_checked(end)?;
     renames.get(name).map(|new| format_smolstr!("{new}{rest}"))
 }
 
-/// `num nA[3]`, `dio dIn[""]`
+/// Formats a declaration: `num nA[3]`, `dio dIn[""]`.
 pub(crate) fn declaration(type_name: &str, name: &str, container: Container, sizes: &[u32]) -> String {
     let ty = if type_name.is_empty() { "?" } else { type_name };
     match (container, sizes) {
@@ -99,7 +99,7 @@ pub(crate) fn declaration(type_name: &str, name: &str, container: Container, siz
     }
 }
 
-/// The data of a file. `world` and `flange`, which files of s5 and s6 declare, are left out.
+/// Reads the data of a file, without `world` and `flange`, which files of s5 and s6 declare.
 pub(crate) fn read(file: View<'_>) -> Vec<Data> {
     data::elements(file).filter_map(read_one).filter(|data| !is_built_in(data)).collect()
 }
@@ -123,7 +123,7 @@ fn read_one(element: Element<'_>) -> Option<Data> {
     Some(data)
 }
 
-/// The written elements of data or of a field, with their keys.
+/// Returns the elements of data or a field in the file, with their keys.
 fn elements<'g>(container: Element<'g>) -> impl Iterator<Item = (SmolStr, Element<'g>)> {
     let is_value = |element: &Element<'_>| element.name().to_ascii_lowercase().starts_with("value");
     container.elements().filter(is_value).filter_map(|element| {
@@ -155,7 +155,7 @@ fn values(name: &str, container: Element<'_>, base: Option<(BaseType, Option<Arm
     }
 }
 
-/// A field with one element that has the default of its type, which files leave out.
+/// Whether the field has one element with the default value, which files may omit.
 fn is_unwritten_single(field: Element<'_>) -> bool {
     elements(field).next().is_none() && field.value("size").is_some_and(|size| size.trim() == "1")
 }

@@ -1,28 +1,29 @@
-//! The elements of an XML file as a flat list of entries.
+//! Elements in an XML file as a flat list of entries.
 
 use rustc_hash::FxHashMap;
 use val3_analysis::xml::Element;
 
 use super::program::text_in;
 
-/// Levels of elements that are read, so that hostile files cannot overflow the stack.
+/// Maximum nesting of elements that are read, so that hostile files cannot overflow the stack.
 const NESTING: usize = 64;
 
-/// An entry: the elements around it with the attribute, and the value.
+/// An entry: its enclosing elements with the attribute, and the value.
 pub(crate) type Entry = (String, String);
 
-/// How elements become entries.
+/// Rules for converting elements to entries.
 #[derive(Debug)]
 pub(crate) struct Style {
     /// Attributes that identify an element among its siblings, in this order.
     pub(crate) keys: &'static [&'static str],
-    /// Elements that are left out.
+    /// Elements to omit.
     pub(crate) without: &'static [&'static str],
-    /// Whether each element with a key has an entry of its own, without a value. Otherwise only an element without content has one.
+    /// Whether each element with a key has a separate entry without a value. Otherwise only an element without content
+    /// has one.
     pub(crate) has_keys: bool,
 }
 
-/// The entries of an element in their order.
+/// Returns the entries in an element, in order.
 pub(crate) fn entries(root: Element<'_>, style: &Style) -> Vec<Entry> {
     let mut entries = Vec::new();
     add("", root, style, NESTING, &mut entries);
@@ -65,7 +66,7 @@ fn key_of(element: Element<'_>, style: &Style) -> Option<(&'static str, String)>
     style.keys.iter().find_map(|name| Some((*name, element.value(name)?.trim().to_owned())))
 }
 
-/// `bioDin[3]`
+/// Formats an element with its key, for example `bioDin[3]`.
 fn named(element: Element<'_>, style: &Style) -> String {
     let key = key_of(element, style).map(|(_, key)| format!("[{key}]")).unwrap_or_default();
     format!("{}{key}", element.name())

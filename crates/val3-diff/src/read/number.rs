@@ -1,6 +1,6 @@
-//! Numbers as a report shows them.
+//! Numbers as displayed in a report.
 
-/// A number of a file, in as few digits as give it back.
+/// Formats a number with the fewest digits that represent it exactly.
 pub(crate) fn shown(number: f64) -> String {
     let magnitude = number.abs();
     if magnitude != 0.0 && !(1e-6..1e15).contains(&magnitude) {

@@ -15,7 +15,7 @@ pub(crate) struct Program {
     pub(crate) header: Header,
     pub(crate) code: Code,
     pub(crate) description: String,
-    /// The code has syntax errors.
+    /// Whether the code has syntax errors.
     pub(crate) has_errors: bool,
 }
 
@@ -34,18 +34,18 @@ impl Program {
         })
     }
 
-    /// `pick(num x_nSlot, string& x_sName)`
+    /// Formats the signature: `pick(num x_nSlot, string& x_sName)`.
     pub(crate) fn signature(&self) -> String {
         format!("{}{}", self.header.name, self.parameters())
     }
 
-    /// `(num x_nSlot, string& x_sName)`
+    /// Formats the parameters: `(num x_nSlot, string& x_sName)`.
     pub(crate) fn parameters(&self) -> String {
         let params: Vec<String> = self.header.params.iter().map(parameter).collect();
         format!("({})", params.join(", "))
     }
 
-    /// `pick(num, string&)`: what a caller depends on.
+    /// Formats the interface for callers: `pick(num, string&)`.
     pub(crate) fn interface(&self) -> String {
         let ty =
             |param: &ParamDecl| parameter(&ParamDecl { name: SmolStr::default(), ..param.clone() }).replace(' ', "");
@@ -53,7 +53,7 @@ impl Program {
         format!("{}({})", self.header.name, params.join(", "))
     }
 
-    /// `public` or `private`.
+    /// Returns `public` or `private`.
     pub(crate) fn access(&self) -> String {
         access(self.header.public)
     }
@@ -64,14 +64,14 @@ impl Program {
         params.chain(self.header.locals.iter().map(|local| &local.name)).any(|known| known == name)
     }
 
-    /// Name and declaration of each local variable.
+    /// Returns the local variables: name and declaration.
     pub(crate) fn locals(&self) -> impl Iterator<Item = (&SmolStr, String)> {
         let locals = self.header.locals.iter();
         locals.map(|local| (&local.name, declaration(&local.type_name, &local.name, local.container, &local.sizes)))
     }
 }
 
-/// `public` or `private`.
+/// Returns `public` or `private`.
 pub(crate) fn access(is_public: bool) -> String {
     if is_public { "public" } else { "private" }.to_owned()
 }
@@ -96,13 +96,13 @@ fn has_errors_in_code_alone(parse: &Parse) -> bool {
     parse.errors().iter().all(|error| code.is_some_and(|code| code.contains_range(error.range)))
 }
 
-/// The text of `<Description>`.
+/// Returns the text of `<Description>`.
 fn description(program: Element<'_>) -> String {
     let Some(element) = program.child(&["Description", "description"]) else { return String::new() };
     line_ends(&text_in(element)).trim().to_owned()
 }
 
-/// The character data directly in an element, decoded.
+/// Returns the decoded character data directly in an element.
 pub(crate) fn text_in(element: Element<'_>) -> String {
     let is_text = |kind| matches!(kind, SyntaxKind::XML_TEXT | SyntaxKind::ENTITY_REF);
     let tokens = element.view().children_with_tokens().filter_map(rowan::NodeOrToken::into_token);

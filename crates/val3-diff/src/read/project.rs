@@ -1,4 +1,4 @@
-//! A project file: what it lists, and its parameters.
+//! A project file: its lists and parameters.
 
 use smol_str::SmolStr;
 use val3_analysis::items::manifest::{self, Manifest};
@@ -28,24 +28,24 @@ impl Project {
         Some(Self { manifest: manifest::read(parse.view()), parameters })
     }
 
-    /// The value of a parameter.
+    /// Returns the value of a parameter.
     pub(crate) fn parameter(&self, name: &str) -> Option<&str> {
         self.parameters.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str())
     }
 
-    /// The length unit of the data.
+    /// Returns the length unit of the data.
     pub(crate) fn unit(&self) -> LengthUnit {
         let is_inch = self.parameter("millimeterUnit") == Some("false");
         if is_inch { LengthUnit::Inch } else { LengthUnit::Millimetre }
     }
 
-    /// The data files in their order, in lower case.
+    /// Returns the data files in order, in lower case.
     pub(crate) fn data_files(&self) -> String {
         let files: Vec<String> = self.manifest.data.iter().map(|reference| path_key(reference)).collect();
         files.join(", ")
     }
 
-    /// Library identifiers with their paths and whether they are loaded with the application.
+    /// Returns library identifiers with their paths and whether they are loaded with the application.
     pub(crate) fn libraries(&self) -> Vec<(SmolStr, String)> {
         let shown = |path: &str, autoload: bool| {
             if autoload { path.to_owned() } else { format!("{path} (not loaded at the start)") }
@@ -54,7 +54,7 @@ impl Project {
         libraries.map(|entry| (entry.alias.clone(), shown(&entry.path, entry.autoload))).collect()
     }
 
-    /// User types with their paths.
+    /// Returns user types with their paths.
     pub(crate) fn types(&self) -> Vec<(SmolStr, String)> {
         self.manifest.types.iter().map(|entry| (entry.name.clone(), entry.path.to_string())).collect()
     }

@@ -1,17 +1,17 @@
-//! A file of the controller's configuration as a list of entries.
+//! A configuration file of the controller as a list of entries.
 
 use val3_analysis::xml;
 
 use super::entries::{Entry, Style, entries};
 
-/// The entries of a file in their order; `None` if it is no XML.
+/// Reads the entries of a file in order; `None` if it is no XML.
 pub(crate) fn read(text: &str) -> Option<Vec<Entry>> {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).filter(|_| parse.errors().is_empty())?;
     Some(entries(root, &Style { keys: &["index", "key", "id", "name"], without: &[], has_keys: false }))
 }
 
-/// The file describes inputs and outputs: `bio.cfx`, `sio.cfx`, `modbus.cfx`.
+/// Whether the file describes inputs and outputs: `bio.cfx`, `sio.cfx`, `modbus.cfx`.
 pub(crate) fn is_io(file_name: &str) -> bool {
     let name = file_name.to_lowercase();
     let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem);

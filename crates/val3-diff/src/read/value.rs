@@ -22,29 +22,29 @@ pub(crate) struct Value {
     parts: Vec<Part>,
 }
 
-/// The kind of an axis. The third axis of a SCARA arm is linear.
+/// Kind of axis. The third axis of a SCARA arm is linear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum AxisKind {
     Linear,
     Rotary,
 }
 
-/// The content of an attribute.
+/// Attribute content.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Part {
     /// A number.
     Number(f64),
-    /// Anything else, in the form in which equal contents have equal texts. A number that cannot be read is a text.
+    /// Any other content, normalised so that equal contents have equal texts. An unreadable number is a text.
     Text(SmolStr),
 }
 
 impl Value {
-    /// The value of an element that the file does not write.
+    /// Returns the value of elements that are not in the file.
     pub(crate) fn default_of(ty: BaseType, arm: Option<Arm>) -> Self {
         Self { ty, arm, parts: attributes(ty, arm).iter().map(default_part).collect() }
     }
 
-    /// Reads the value that `element` writes. `container` declares the data around it.
+    /// Reads the value of `element`. `container` is the element that declares the data.
     pub(crate) fn read(element: Element<'_>, container: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Self {
         let part = |attribute: &Attribute| match written(element, container, attribute) {
             Some(text) => part(attribute, &text),
@@ -53,12 +53,12 @@ impl Value {
         Self { ty, arm, parts: attributes(ty, arm).iter().map(part).collect() }
     }
 
-    /// Each attribute with its content.
+    /// Returns each attribute with its content.
     pub(crate) fn parts(&self) -> impl Iterator<Item = (&'static Attribute, &Part)> {
         attributes(self.ty, self.arm).iter().zip(&self.parts)
     }
 
-    /// The transformation of a position; `None` for values without one and where a number cannot be read.
+    /// Returns the transformation of a position; `None` for values without one or with an unreadable number.
     pub(crate) fn transformation(&self) -> Option<Trsf> {
         if !self.ty.has_father() && self.ty != BaseType::Trsf {
             return None;
@@ -71,7 +71,7 @@ impl Value {
         Some(Trsf::new([next()?, next()?, next()?], [next()?, next()?, next()?]))
     }
 
-    /// The value with the new name of its father.
+    /// Returns the value with the father's new name.
     pub(crate) fn with_new_father(&self, renames: &Renames) -> Self {
         let mut renamed = self.clone();
         for (attribute, part) in attributes(self.ty, self.arm).iter().zip(&mut renamed.parts) {
@@ -82,14 +82,14 @@ impl Value {
         renamed
     }
 
-    /// Number of parts that differ from the default.
+    /// Returns the number of parts that differ from the default.
     pub(crate) fn differing_parts(&self) -> usize {
         let default = Self::default_of(self.ty, self.arm);
         self.parts.iter().zip(&default.parts).filter(|(part, default)| part != default).count()
     }
 
-    /// The axes of a joint position; `None` for other values and where a number cannot be read. Angles are in degrees, linear
-    /// axes in the unit of the application.
+    /// Returns the axes of a joint position; `None` for other values or with an unreadable number. Angles are in
+    /// degrees, linear axes in the length unit of the application.
     pub(crate) fn axes(&self) -> Option<Vec<(AxisKind, f64)>> {
         let axis = |(number, part): (usize, &Part)| match part {
             Part::Number(value) if number == 2 && self.arm == Some(Arm::Scara) => Some((AxisKind::Linear, *value)),
@@ -102,7 +102,7 @@ impl Value {
         self.parts.iter().enumerate().map(axis).collect()
     }
 
-    /// The path of the frame or tool that the value is relative to; empty without one.
+    /// Returns the data path of the value's father; empty if the value has none.
     pub(crate) fn father(&self) -> Option<&SmolStr> {
         self.parts().find_map(|(attribute, part)| match (attribute.value, part) {
             (AttributeValue::Father(_), Part::Text(father)) => Some(father),
@@ -110,7 +110,7 @@ impl Value {
         })
     }
 
-    /// The value in one line; `None` for the default.
+    /// Formats the value in one line; `None` for the default.
     pub(crate) fn shown(&self) -> Option<String> {
         let is_structure = self.parts.len() > 1;
         let default = Self::default_of(self.ty, self.arm);
@@ -126,7 +126,7 @@ impl Value {
     }
 }
 
-/// The field as a report calls it: `x` for the `trsf.x` of a position.
+/// Returns the field name in a report: `x` for the `trsf.x` of a position.
 pub(crate) fn field_name(attribute: &Attribute) -> &'static str {
     match attribute.value {
         AttributeValue::Father(_) => "father",
@@ -134,7 +134,7 @@ pub(crate) fn field_name(attribute: &Attribute) -> &'static str {
     }
 }
 
-/// The content of an attribute as a report shows it.
+/// Formats attribute content for a report.
 pub(crate) fn shown_part(attribute: &Attribute, part: &Part) -> String {
     match (part, attribute.value) {
         (Part::Number(number), _) => number::shown(*number),
@@ -167,7 +167,7 @@ fn default_part(attribute: &Attribute) -> Part {
     }
 }
 
-/// The text of an attribute: of the value, or in the old dialect of an element in it or in its container.
+/// Returns the attribute's text: in the value, or in the old dialect in an element of the value or its container.
 fn written<'g>(element: Element<'g>, container: Element<'g>, attribute: &Attribute) -> Option<Cow<'g, str>> {
     let in_parts = || element.elements().find_map(|part| part.value(attribute.old_name()));
     let old = || match attribute.value {
@@ -178,7 +178,7 @@ fn written<'g>(element: Element<'g>, container: Element<'g>, attribute: &Attribu
     element.value(attribute.name).or_else(in_parts).or_else(|| old().map(Cow::Owned))
 }
 
-/// The reference in an element of the old dialect: `<pFather alias="" name="world" fatherIndex="0" />`.
+/// Returns the reference in an element of the old dialect: `<pFather alias="" name="world" fatherIndex="0" />`.
 fn named(around: Element<'_>, is_wanted: impl Fn(&str) -> bool, index: &str) -> Option<String> {
     let element = around.elements().find(|element| is_wanted(element.name()))?;
     let text = |name: &str| element.value(name).filter(|text| !text.is_empty());

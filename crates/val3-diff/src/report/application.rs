@@ -1,4 +1,4 @@
-//! The report of one application.
+//! Report of an application's differences.
 
 use super::block::{Block, Mark, entry, heading};
 use super::changes::{arrow, optional_arrow};
@@ -8,10 +8,10 @@ use super::{code, contents, points, renumbering};
 use crate::model::Class;
 use crate::model::{ApplicationChange, Change, DataChange, InterfaceChange, ItemKind, ReferenceChange, ValueChange};
 
-/// Number of elements that are shown of added or removed data.
+/// Number of elements that are shown for added or removed data.
 const SHOWN: usize = 4;
 
-/// Adds the report of an application.
+/// Adds the report of the differences in an application.
 pub(super) fn add(change: &ApplicationChange, blocks: &mut Vec<Block>) {
     let name = if change.name.is_empty() { "(this folder)" } else { &change.name };
     blocks.push(heading(1, name, &note(change)));
@@ -39,7 +39,7 @@ fn note(change: &ApplicationChange) -> String {
     }
 }
 
-/// An application that only one of the trees has.
+/// Adds an application that exists in only one tree.
 fn whole(change: &ApplicationChange, blocks: &mut Vec<Block>) {
     let parts = [
         (change.programs.len(), "program", "programs"),
@@ -120,13 +120,13 @@ fn data(title: &str, class: Class, changes: &[DataChange], blocks: &mut Vec<Bloc
     }
 }
 
-/// The values without removed and inserted elements that are reported with the elements after them.
+/// Returns the values, without removed and inserted elements that are reported as a renumbering.
 fn listed_values(change: &DataChange) -> impl Iterator<Item = &ValueChange> {
     let is_renumbered = change.renumbering.is_some();
     change.values.iter().filter(move |value| !is_renumbered || value.change == Change::Changed)
 }
 
-/// What differs in the declaration, and elements with another index.
+/// Adds differences of the declaration, and renumbered elements.
 fn declaration(change: &DataChange, blocks: &mut Vec<Block>) {
     if change.change != Change::Changed {
         let access = if change.public.old || change.public.new { "public " } else { "" };
@@ -146,7 +146,7 @@ fn declaration(change: &DataChange, blocks: &mut Vec<Block>) {
     }
 }
 
-/// The first elements of added or removed data: `0: "a", 1: "b" and 3 more`.
+/// Formats the first elements of added or removed data: `0: "a", 1: "b" and 3 more`.
 fn elements(change: &DataChange) -> String {
     let key =
         |path: &str| path.strip_prefix(&change.name).map(|rest| rest.trim_matches(['[', ']'])).unwrap_or("").to_owned();

@@ -1,4 +1,4 @@
-//! The parts of a report, without their layout.
+//! Report blocks, independent of layout.
 
 use crate::model::{Change, HunkLine};
 
@@ -9,20 +9,20 @@ pub enum Block {
     Heading {
         /// 1 or 2.
         level: u8,
-        /// The text.
+        /// Heading text.
         text: String,
-        /// An addition in smaller letters, such as a path.
+        /// Addition in smaller letters, such as a path.
         note: String,
     },
     /// An item that differs.
     Entry(Entry),
     /// Positions with their movements.
     Table(Table),
-    /// Lines of code or of a file, in groups that do not follow each other.
+    /// Lines of code or of a file, in groups of consecutive lines.
     Lines(Vec<Vec<HunkLine>>),
 }
 
-/// What a line is about.
+/// Meaning of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
     /// An added item.
@@ -33,7 +33,7 @@ pub enum Mark {
     Changed,
     /// An explanation of the item above.
     Note,
-    /// Something that needs attention.
+    /// A warning.
     Warning,
 }
 
@@ -50,18 +50,18 @@ impl From<Change> for Mark {
 /// An item that differs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {
-    /// What happened to it.
+    /// Change of the item.
     pub mark: Mark,
-    /// Its name or declaration; may be empty.
+    /// Name or declaration; may be empty.
     pub name: String,
-    /// The rest of the line; may be empty.
+    /// Rest of the line; may be empty.
     pub text: String,
 }
 
-/// Rows of texts.
+/// A table of texts.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Table {
-    /// The titles of the columns. The first column has names, the last has texts, those between have numbers.
+    /// Titles of the columns. The first column contains names, the last contains texts, and the others contain numbers.
     pub titles: Vec<&'static str>,
     /// The rows.
     pub rows: Vec<Row>,
@@ -70,18 +70,18 @@ pub struct Table {
 /// A row of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Row {
-    /// What happened to the item of the row.
+    /// Change of the item in the row.
     pub mark: Mark,
-    /// A text for each column.
+    /// Text for each column.
     pub cells: Vec<String>,
 }
 
-/// A heading.
+/// Creates a heading.
 pub(super) fn heading(level: u8, text: &str, note: &str) -> Block {
     Block::Heading { level, text: text.to_owned(), note: note.to_owned() }
 }
 
-/// An item that differs.
+/// Creates an entry for an item that differs.
 pub(super) fn entry(mark: Mark, name: &str, text: impl Into<String>) -> Block {
     Block::Entry(Entry { mark, name: name.to_owned(), text: text.into() })
 }

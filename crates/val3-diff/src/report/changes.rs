@@ -1,13 +1,13 @@
-//! Words for values before and after.
+//! Formatting of old and new values.
 
 use crate::model::{FieldChange, Pair};
 
-/// `5 → 7`
+/// Formats `5 → 7`.
 pub(super) fn arrow(pair: &Pair<String>) -> String {
     format!("{} → {}", pair.old, pair.new)
 }
 
-/// `5 → 7`, where a side may be missing.
+/// Formats `5 → 7`, where a side may be missing.
 pub(super) fn optional_arrow(old: Option<&String>, new: Option<&String>) -> String {
     let shown = |side: Option<&String>| {
         side.map_or("(not written)".to_owned(), |text| if text.is_empty() { "\"\"".to_owned() } else { text.clone() })
@@ -15,7 +15,7 @@ pub(super) fn optional_arrow(old: Option<&String>, new: Option<&String>) -> Stri
     format!("{} → {}", shown(old), shown(new))
 }
 
-/// `x 100 → 112.5, father fA → fB`
+/// Formats `x 100 → 112.5, father fA → fB`.
 pub(super) fn fields(fields: &[FieldChange]) -> String {
     let field = |change: &FieldChange| {
         let values = optional_arrow(change.old.as_ref(), change.new.as_ref());

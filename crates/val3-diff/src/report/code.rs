@@ -1,11 +1,12 @@
-//! Programs, and files that were compared as text.
+//! Report of programs, and of files compared as text.
 
 use super::block::{Block, Mark, entry, heading};
 use super::changes::arrow;
 use super::counts::counted;
 use crate::model::{Change, CodeKind, Hunk, ProgramChange, TextChange};
 
-/// Adds the programs that differ. Those of which only the layout differs share a line, as do those that follow renames.
+/// Adds the programs that differ. All programs that differ only in layout share a line; so do programs that differ only
+/// in renamed names.
 pub(super) fn add(programs: &[ProgramChange], blocks: &mut Vec<Block>) {
     if !programs.is_empty() {
         blocks.push(heading(2, "Programs", ""));
@@ -26,12 +27,12 @@ pub(super) fn add(programs: &[ProgramChange], blocks: &mut Vec<Block>) {
     }
 }
 
-/// Whether nothing differs but the code, in this way.
+/// Whether only the code differs, with this kind of difference.
 fn is_only(change: &ProgramChange, kind: CodeKind) -> bool {
     change.change == Change::Changed && change.code.kind == kind && change.has_same_head()
 }
 
-/// Whether nothing differs but names of renamed items.
+/// Whether only names of renamed items differ.
 fn has_only_renames(change: &ProgramChange) -> bool {
     is_only(change, CodeKind::Renames) && change.code.hunks.is_empty()
 }

@@ -1,13 +1,13 @@
-//! Files that differ in their XML.
+//! Report of files that differ in their XML.
 
 use super::block::{Block, Mark, entry, heading};
 use super::changes::optional_arrow;
 use crate::model::{ContentChange, EntryChange};
 
-/// Number of entries of a file that are shown.
+/// Number of entries that are shown for a file.
 const SHOWN: usize = 20;
 
-/// Adds the files with their entries that differ.
+/// Adds the files with the entries that differ.
 pub(super) fn add(files: &[ContentChange], blocks: &mut Vec<Block>) {
     if !files.is_empty() {
         blocks.push(heading(2, "Other attributes and texts of the files", ""));
@@ -22,7 +22,7 @@ pub(super) fn add(files: &[ContentChange], blocks: &mut Vec<Block>) {
     }
 }
 
-/// `num → numx`; of an element `added` or `removed`.
+/// Formats a changed attribute as `num → numx`, an element as `added` or `removed`.
 fn text(change: &EntryChange) -> String {
     match (change.old.as_deref(), change.new.as_deref()) {
         (None, Some("")) => "added".to_owned(),

@@ -1,4 +1,4 @@
-//! How much differs.
+//! Numbers of differences.
 
 use std::fmt::{self, Display};
 
@@ -12,32 +12,32 @@ use crate::model::{ApplicationChange, Change, Comparison};
 pub struct Counts {
     /// Applications, libraries and user types.
     pub applications: usize,
-    /// Programs.
+    /// Number of programs.
     pub programs: usize,
     /// Values of points, joints, frames, tools and transformations.
     pub points: usize,
     /// Positions that moved with a frame or tool.
     pub moved_along: usize,
-    /// Data that are neither positions nor inputs and outputs.
+    /// Data except positions, inputs and outputs.
     pub data: usize,
     /// Data of inputs and outputs, and entries of files that describe them.
     pub io: usize,
     /// Library identifiers and user types.
     pub libraries: usize,
-    /// Public items that other projects see in another way.
+    /// Public items whose interface differs.
     pub interface: usize,
-    /// Parameters of applications, and files of the configuration.
+    /// Parameters of applications, and configuration files.
     pub configuration: usize,
     /// Files that were compared as text.
     pub texts: usize,
-    /// VAL 3 files with other attributes or texts than those of the items above.
+    /// VAL 3 files with attributes or texts that differ and belong to no item above.
     pub contents: usize,
-    /// Files of other kinds.
+    /// Other kinds of files.
     pub others: usize,
 }
 
 impl Counts {
-    /// The numbers of a comparison.
+    /// Returns the numbers of a comparison.
     #[must_use]
     pub fn of(comparison: &Comparison) -> Self {
         let mut counts = comparison.applications.iter().fold(Self::default(), Self::with);
@@ -49,7 +49,7 @@ impl Counts {
         counts
     }
 
-    /// The numbers with those of an application.
+    /// Adds the numbers for `application`.
     pub(super) fn with(mut self, application: &ApplicationChange) -> Self {
         self.applications += 1;
         self.programs += application.programs.len();
@@ -69,7 +69,7 @@ impl Counts {
         self
     }
 
-    /// What remains without the numbers of applications.
+    /// Subtracts the numbers of applications.
     pub(super) fn without<'c>(self, applications: impl Iterator<Item = &'c Self>) -> Self {
         applications.fold(Self { applications: 0, ..self }, |rest, counts| Self {
             applications: 0,
@@ -87,7 +87,7 @@ impl Counts {
         })
     }
 
-    /// Whether nothing differs.
+    /// Whether all numbers are 0.
     pub(super) fn is_empty(&self) -> bool {
         *self == Self::default()
     }
@@ -101,7 +101,7 @@ impl Counts {
     }
 }
 
-/// `2 applications differ: 3 programs, 12 points`
+/// Formats `2 applications differ: 3 programs, 12 points`.
 impl Display for Counts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = [
@@ -123,7 +123,7 @@ impl Display for Counts {
             .map(|(count, one, many)| counted(*count, one, many))
             .collect();
         match self.applications {
-            // Nothing else differs.
+            // Only files of other kinds differ.
             0 if parts.len() == 1 && self.others > 0 => {
                 let verb = if self.others == 1 { "differs" } else { "differ" };
                 return write!(f, "{} {verb}", parts.concat());
@@ -136,7 +136,7 @@ impl Display for Counts {
     }
 }
 
-/// `1 program`, `2 programs`
+/// Formats `1 program`, `2 programs`.
 pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }

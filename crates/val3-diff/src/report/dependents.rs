@@ -1,4 +1,4 @@
-//! Positions that moved with a frame or tool, by variable.
+//! Report of positions that moved with a frame or tool, by variable.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use super::elements::{elements, parts};
 use super::points::{degrees, millimetres};
 use crate::model::{Dependent, Displacement, ValueChange};
 
-/// Adds an entry for the frame or tool, and a line for each variable with the range of its movements.
+/// Adds an entry for the frame or tool, and a line for each variable with the range of movements.
 pub(super) fn add(moved: &ValueChange, blocks: &mut Vec<Block>) {
     let count = counted(moved.dependents.len(), "position moves with it", "positions move with it");
     blocks.push(entry(Mark::Changed, &moved.path, count));
@@ -23,7 +23,7 @@ pub(super) fn add(moved: &ValueChange, blocks: &mut Vec<Block>) {
     }
 }
 
-/// `12.500 mm, 0.500°`, or from the least to the greatest movement.
+/// Formats `12.500 mm, 0.500°`, or the range from the smallest to the greatest movement.
 fn range(dependents: &[&Dependent]) -> String {
     let known: Vec<Displacement> = dependents.iter().filter_map(|dependent| dependent.in_world).collect();
     if known.len() < dependents.len() {
@@ -32,7 +32,8 @@ fn range(dependents: &[&Dependent]) -> String {
     span(&known)
 }
 
-/// `12.500 mm, 0.500°`, or from the least to the greatest displacement; empty without any.
+/// Formats `12.500 mm, 0.500°`, or the range from the smallest to the greatest displacement; empty without
+/// displacements.
 pub(super) fn span(displacements: &[Displacement]) -> String {
     let numbers = |number: fn(&Displacement) -> f64, shown: fn(f64) -> String| {
         let is_any = displacements.iter().any(|moved| number(moved) != 0.0);
@@ -43,7 +44,7 @@ pub(super) fn span(displacements: &[Displacement]) -> String {
     distances.into_iter().chain(angles).collect::<Vec<_>>().join(", ")
 }
 
-/// `12.500 mm`, `12.500 to 14.000 mm`
+/// Formats `12.500 mm` or `12.500 to 14.000 mm`.
 fn range_of(numbers: impl Iterator<Item = f64> + Clone, shown: fn(f64) -> String) -> String {
     let least = shown(numbers.clone().fold(f64::INFINITY, f64::min));
     let greatest = shown(numbers.fold(0.0, f64::max));

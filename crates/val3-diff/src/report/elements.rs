@@ -1,8 +1,8 @@
-//! Elements of one variable in a few characters.
+//! Short notation for elements of a variable.
 
 use val3_syntax::Part;
 
-/// Variable, key and field: `tSlot`, `3`, `.pPick` of `tSlot[3].pPick`.
+/// Splits a data path into variable, key and field: `tSlot`, `3`, `.pPick` for `tSlot[3].pPick`.
 pub(super) fn parts(path: &str) -> (&str, &str, &str) {
     let Some((name, rest)) = path.split_once('[') else {
         return path.split_once('.').map_or((path, "", ""), |(name, _)| (name, "", path.part(name.len()..)));
@@ -12,30 +12,30 @@ pub(super) fn parts(path: &str) -> (&str, &str, &str) {
     if name.contains('.') { (path, "", "") } else { (name, key, field) }
 }
 
-/// `pPick[0–3, 7]`, `tSlot["a"; "b"].pPick`: elements of one variable, with the same field.
+/// Formats elements of a variable with the same field: `pPick[0–3, 7]`, `tSlot["a"; "b"].pPick`.
 pub(super) fn elements(paths: &[&str]) -> String {
     let Some((name, _, field)) = paths.first().map(|path| parts(path)) else { return String::new() };
     format!("{name}{}{field}", keys(paths))
 }
 
-/// `[0–3, 7]`, `["a"; "b"]`; empty for single data.
+/// Formats keys: `[0–3, 7]`, `["a"; "b"]`; empty for single data.
 fn keys(paths: &[&str]) -> String {
     let keys: Vec<&str> = paths.iter().map(|path| parts(path).1).collect();
     if keys.iter().all(|key| key.is_empty()) {
         return String::new();
     }
-    // An element 0 is shown without an index.
+    // Element 0 is shown without an index.
     let number = |key: &&str| if key.is_empty() { Some(0) } else { key.parse::<usize>().ok() };
     let numbers: Option<Vec<usize>> = keys.iter().map(number).collect();
     let (shown, separator) = match numbers {
         Some(numbers) => (ranges(numbers), ", "),
-        // Indexes of several dimensions contain commas.
+        // Indexes with several dimensions contain commas.
         None => (keys.iter().map(|key| (*key).to_owned()).collect(), "; "),
     };
     format!("[{}]", shown.join(separator))
 }
 
-/// `0–3`, `7`
+/// Formats ranges: `0–3`, `7`.
 pub(super) fn ranges(mut numbers: Vec<usize>) -> Vec<String> {
     numbers.sort_unstable();
     let mut found: Vec<(usize, usize)> = Vec::new();

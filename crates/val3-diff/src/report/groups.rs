@@ -1,4 +1,4 @@
-//! Elements of an array that changed in the same way, which share a line.
+//! Groups of array elements with the same change, which share a line.
 
 use rustc_hash::FxHashMap;
 
@@ -6,10 +6,10 @@ use super::changes::fields;
 use super::elements::parts;
 use crate::model::{Change, FieldChange, ValueChange};
 
-/// Number of elements from which a line is shared. Fewer are shown with their own values.
+/// Minimum number of elements that share a line. Fewer elements are shown individually.
 const FEWEST: usize = 3;
 
-/// The values in groups, in the order of the first value of each group.
+/// Returns the values in groups, ordered by the first value in each group.
 pub(super) fn groups<'v>(values: &[&'v ValueChange]) -> Vec<Vec<&'v ValueChange>> {
     let mut groups: Vec<Vec<&ValueChange>> = Vec::new();
     let mut indexes: FxHashMap<(&str, &str, String), usize> = FxHashMap::default();
@@ -27,7 +27,7 @@ pub(super) fn groups<'v>(values: &[&'v ValueChange]) -> Vec<Vec<&'v ValueChange>
     groups.into_iter().flat_map(split).collect()
 }
 
-/// The change in words, which are equal for values of one group.
+/// Returns a description of the change that is equal for all values in a group.
 fn kind(value: &ValueChange) -> String {
     match (value.change, value.movement.and_then(|movement| movement.shift)) {
         (Change::Changed, Some(shift)) => {
@@ -38,7 +38,7 @@ fn kind(value: &ValueChange) -> String {
     }
 }
 
-/// The fields without the numbers of the pose, which differ between positions with the same movement.
+/// Returns the fields without the numbers of the pose, which differ between positions with the same movement.
 pub(super) fn other_fields(value: &ValueChange) -> Vec<FieldChange> {
     value.fields.iter().filter(|change| !change.is_of_pose()).cloned().collect()
 }

@@ -1,10 +1,10 @@
-//! What a report leaves out, in words.
+//! Summary of omitted differences.
 
 use super::counts::counted;
 use crate::model::Ignored;
 use crate::read::number::shown;
 
-/// `ignored: 3 positions within 0.01 mm and 0.01°, 2 data named n*Count`; `None` if nothing was left out.
+/// Formats `ignored: 3 positions within 0.01 mm and 0.01°, 2 data named n*Count`; `None` if nothing was omitted.
 pub(super) fn ignored(ignored: &Ignored) -> Option<String> {
     let tolerance = ignored.tolerance.map_or(String::new(), |tolerance| {
         format!("within {} mm and {}°", shown(tolerance.distance_mm), shown(tolerance.angle_deg))

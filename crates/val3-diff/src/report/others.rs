@@ -1,9 +1,9 @@
-//! Files of other kinds.
+//! Report of other kinds of files.
 
 use super::block::{Block, Mark, entry, heading};
 use crate::model::{Change, OtherChange};
 
-/// Files that are named in a report. The document for programs names all.
+/// Number of files that are named in a report. The JSON document names all.
 const SHOWN: usize = 20;
 
 /// Adds the files that differ.

@@ -1,4 +1,4 @@
-//! Positions, and how far they moved.
+//! Report of positions with their movements.
 
 use std::cmp::Ordering;
 
@@ -12,7 +12,7 @@ use super::groups::{groups, other_fields};
 use crate::model::{Change, Displacement, FieldChange, Shift, ValueChange};
 use crate::read::number::shown;
 
-/// Adds the positions that differ, the greatest movement first, then those that moved with a frame or tool.
+/// Adds the positions that differ, the greatest movement first, then the positions that moved with a frame or tool.
 pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
     let mut values = values.to_vec();
     let is_pose = |value: &ValueChange| value.movement.is_some() || value.axes.is_some();
@@ -30,12 +30,12 @@ pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
     moved.iter().filter(|value| !value.dependents.is_empty()).for_each(|value| dependents::add(value, blocks));
 }
 
-/// By how much a position moved, in `world` if that is known; `None` if the movement is unknown.
+/// Returns the movement of a position, in `world` if known; `None` if the movement is unknown.
 pub(super) fn extent(value: &ValueChange) -> Option<Displacement> {
     value.movement.map_or(value.axes, |movement| movement.in_world.or(movement.in_father))
 }
 
-/// The order of two movements. An unknown movement may be the greatest.
+/// Compares two movements. An unknown movement is the greatest.
 pub(super) fn by_size(one: Option<Displacement>, other: Option<Displacement>) -> Ordering {
     match (one, other) {
         (Some(one), Some(other)) => {
@@ -45,12 +45,12 @@ pub(super) fn by_size(one: Option<Displacement>, other: Option<Displacement>) ->
     }
 }
 
-/// `12.500 mm, 0.500°`, without what is zero.
+/// Formats `12.500 mm, 0.500°`, without zeros.
 pub(super) fn displacement(moved: Displacement) -> String {
     if moved.is_zero() { "same place".to_owned() } else { span(&[moved]) }
 }
 
-/// One line for values that changed in the same way.
+/// Returns a line for values with the same change.
 pub(super) fn values_entry(group: &[&ValueChange]) -> Option<Block> {
     let first = group.first()?;
     let text = match (first.change, &first.value) {
@@ -68,7 +68,7 @@ fn names(group: &[&ValueChange]) -> String {
     }
 }
 
-/// The title of the column with the movement as a whole. Tools move on the flange.
+/// Returns the title of the column for the entire movement. Tools move on the flange.
 fn whole_movement(moved: &[&ValueChange]) -> &'static str {
     let is_tool = |value: &&ValueChange| value.type_name == BaseType::Tool.name();
     match (moved.iter().any(is_tool), moved.iter().all(is_tool)) {
@@ -100,7 +100,7 @@ fn row(group: &[&ValueChange]) -> Option<Row> {
     Some(Row { mark: Mark::from(value.change), cells: vec![names(group), moved, angle, in_world, values] })
 }
 
-/// What several positions have in common: `x +1.5, y −2, turned about z`, and the other fields.
+/// Formats the common movement of several positions, `x +1.5, y −2, turned about z`, and the other fields.
 fn shared(shift: Shift, others: &[FieldChange]) -> String {
     const AXES: [&str; 3] = ["x", "y", "z"];
     let along = shift.translation_mm.iter().zip(AXES).filter(|(number, _)| **number != 0.0);
@@ -113,7 +113,7 @@ fn shared(shift: Shift, others: &[FieldChange]) -> String {
     format!("each {}", parts.join(", "))
 }
 
-/// `+1.5`, `−2`
+/// Formats `+1.5`, `−2`.
 fn signed(number: f64) -> String {
     let sign = if number < 0.0 { '−' } else { '+' };
     format!("{sign}{}", shown(number.abs()))
@@ -123,17 +123,17 @@ fn nonzero(number: f64, shown: fn(f64) -> String) -> String {
     if number == 0.0 { String::new() } else { shown(number) }
 }
 
-/// `12.500 mm`
+/// Formats `12.500 mm`.
 pub(super) fn millimetres(distance: f64) -> String {
     format!("{} mm", thousandths(distance))
 }
 
-/// `0.500°`
+/// Formats `0.500°`.
 pub(super) fn degrees(angle: f64) -> String {
     format!("{}°", thousandths(angle))
 }
 
-/// A small movement must not look like none.
+/// Formats with three decimals. A small movement must not look like zero.
 fn thousandths(number: f64) -> String {
     if number > 0.0 && number < 0.0005 { "<0.001".to_owned() } else { format!("{number:.3}") }
 }

@@ -1,4 +1,4 @@
-//! Arrays of which elements have another index.
+//! Report of arrays with renumbered elements.
 
 use super::block::{Block, Mark, entry};
 use super::elements::ranges;
@@ -8,7 +8,7 @@ use crate::model::{Change, DataChange, Renumbering, Run, ValueChange};
 /// Number of removed or inserted elements that are shown with their values.
 const SHOWN: usize = 4;
 
-/// Adds what happened to the elements of an array, and what it means for programs.
+/// Adds the changes of elements in an array, and the effect on programs.
 pub(super) fn add(change: &DataChange, renumbering: &Renumbering, blocks: &mut Vec<Block>) {
     let edited: Vec<&ValueChange> = change.values.iter().filter(|value| value.change != Change::Changed).collect();
     match one_edit(&change.name, &edited, &renumbering.runs) {
@@ -33,7 +33,8 @@ pub(super) fn add(change: &DataChange, renumbering: &Renumbering, blocks: &mut V
     blocks.push(entry(Mark::Note, "", by_index(renumbering)));
 }
 
-/// The sentence for elements that follow each other, with one run of elements after them: the usual edit.
+/// Returns a sentence for the usual edit: consecutive removed or inserted elements, with one run of elements after
+/// them.
 fn one_edit<'v>(name: &str, edited: &[&'v ValueChange], runs: &[Run]) -> Option<(&'v ValueChange, String)> {
     let ([first, ..], [run]) = (edited, runs) else { return None };
     let (word, direction, start) = match first.change {
@@ -49,12 +50,12 @@ fn one_edit<'v>(name: &str, edited: &[&'v ValueChange], runs: &[Run]) -> Option<
     is_one_edit.then(|| (*first, format!("{word}, the {after} moved {direction} by {}", number(edited.len()))))
 }
 
-/// `one`, `2`
+/// Formats `one`, `2`.
 fn number(count: usize) -> String {
     if count == 1 { "one".to_owned() } else { count.to_string() }
 }
 
-/// The index of an element: 0 for `pA`, 3 for `pA[3]`.
+/// Returns the index in a path: 0 for `pA`, 3 for `pA[3]`.
 fn index(name: &str, path: &str) -> Option<usize> {
     match path.strip_prefix(name)? {
         "" => Some(0),
@@ -78,12 +79,12 @@ fn values(edited: &[&ValueChange], blocks: &mut Vec<Block>) {
     }
 }
 
-/// `pA[3–9]`
+/// Formats `pA[3–9]`.
 fn indexes(name: &str, first: usize, count: usize) -> String {
     format!("{name}[{}]", ranges((first..first + count).collect()).join(", "))
 }
 
-/// What programs see, which address elements by their index.
+/// Formats the effect on programs, which address elements by index.
 fn by_index(renumbering: &Renumbering) -> String {
     let distance = renumbering.greatest_distance_mm.filter(|distance| *distance > 0.0);
     let distance = distance.map_or(String::new(), |distance| format!(", by up to {}", millimetres(distance)));

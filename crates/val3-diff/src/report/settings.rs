@@ -1,4 +1,4 @@
-//! The files of the controller's configuration.
+//! Report of the controller's configuration files.
 
 use super::block::{Block, entry, heading};
 use super::changes::optional_arrow;
@@ -22,7 +22,7 @@ pub(super) fn add(files: &[SettingsChange], blocks: &mut Vec<Block>) {
     }
 }
 
-/// `bioDin[3] name  door → gate`
+/// Formats `bioDin[3] name  door → gate`.
 fn setting(change: &EntryChange) -> Block {
     let kind = Change::of(change.old.is_some(), change.new.is_some());
     let text = match (&change.old, &change.new) {

@@ -1,4 +1,4 @@
-//! How much differs in each application: a short table.
+//! Statistics: a short table with the number of differences for each application.
 
 use camino::Utf8Path;
 use serde::Serialize;
@@ -8,31 +8,31 @@ use super::counts::Counts;
 use super::points::{by_size, displacement, extent};
 use crate::model::{ApplicationChange, Change, Comparison, Displacement};
 
-/// The statistics of an application, or of the configuration and the files outside of applications.
+/// Statistics for an application, or for the configuration and files outside of applications.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Statistics {
-    /// The name of the application; `None` for what belongs to no application that differs.
+    /// Application name; `None` for files outside of applications that differ.
     pub name: Option<String>,
-    /// The path of the project file; `None` without an application.
+    /// Path of the project file; `None` without an application.
     pub path: Option<String>,
-    /// What happened to the application.
+    /// Change of the application.
     pub change: Change,
-    /// Numbers of items that differ. `others` are the files of other kinds in the folder of the application.
+    /// Numbers of items that differ. `others` are other kinds of files in the folder of the application.
     pub counts: Counts,
-    /// The greatest movement of a position.
+    /// Greatest movement of a position.
     pub greatest: Option<GreatestMovement>,
 }
 
-/// A position that no other one exceeds.
+/// The position with the greatest movement.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GreatestMovement {
-    /// The path of the position.
+    /// Data path of the position.
     pub path: String,
-    /// The movement in `world`, for a tool on the flange, of a joint position that of its axes; `None` if it is unknown.
+    /// Movement in `world`, for a tool on the flange, for a joint position of the axes; `None` if unknown.
     pub displacement: Option<Displacement>,
 }
 
-/// The statistics of a comparison, by application.
+/// Returns the statistics of a comparison, by application.
 #[must_use]
 pub fn statistics(comparison: &Comparison) -> Vec<Statistics> {
     let mut others: Vec<usize> = vec![0; comparison.applications.len()];
@@ -53,7 +53,7 @@ pub fn statistics(comparison: &Comparison) -> Vec<Statistics> {
     found
 }
 
-/// Whether a file lies in the folder of the application.
+/// Whether a file is in the folder of the application.
 fn contains(application: &ApplicationChange, file: &str) -> bool {
     let folder = Utf8Path::new(&application.path).parent();
     folder.is_some_and(|folder| Utf8Path::new(&file.to_lowercase()).starts_with(folder.as_str().to_lowercase()))
@@ -75,7 +75,7 @@ fn greatest(application: &ApplicationChange) -> Option<GreatestMovement> {
     let moved = values().filter(|value| value.movement.is_some() || value.axes.is_some());
     let own = moved.map(|value| (&value.path, extent(value)));
     let along = values().flat_map(|value| &value.dependents).map(|dependent| (&dependent.path, dependent.in_world));
-    // Of equal movements the first.
+    // The first of equal movements.
     let greater = |one: (_, Option<Displacement>), other: (_, Option<Displacement>)| {
         if by_size(other.1, one.1).is_gt() { other } else { one }
     };
@@ -83,7 +83,7 @@ fn greatest(application: &ApplicationChange) -> Option<GreatestMovement> {
     Some(GreatestMovement { path: path.clone(), displacement })
 }
 
-/// A column of numbers: its title and its numbers.
+/// A column of numbers: its title, and the number in a row.
 type Column = (&'static str, fn(&Counts) -> usize);
 
 const COLUMNS: [Column; 7] = [
@@ -96,7 +96,7 @@ const COLUMNS: [Column; 7] = [
     ("Other", |counts| counts.libraries + counts.interface + counts.configuration),
 ];
 
-/// The table, without columns of zeros; nothing if nothing differs.
+/// Returns the table, without columns of zeros; `None` if there is no difference.
 pub(super) fn table(comparison: &Comparison) -> Option<Block> {
     let statistics = statistics(comparison);
     if statistics.is_empty() {

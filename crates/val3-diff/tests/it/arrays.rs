@@ -1,4 +1,4 @@
-//! Arrays: removed and inserted elements, and elements that moved by the same amount.
+//! Arrays: removed and inserted elements, and renumbered elements.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use val3_diff::report::Detail;
 
 use crate::support::{check, compared, human};
 
-/// An application with an array of points `p` and a program.
+/// Returns an application with an array of points `p` and a program.
 fn points(places: &[String]) -> String {
     let values = places.iter().enumerate().fold(String::new(), |mut out, (key, place)| {
         write!(out, "<Value key=\"{key}\" {place} fatherId=\"world[0]\"/>").unwrap();
@@ -35,7 +35,7 @@ fn numbers(values: &[i32]) -> String {
     )
 }
 
-/// A row of places, 100 mm apart.
+/// Returns a row of positions at a distance of 100 mm.
 fn row(count: usize) -> Vec<String> {
     (0..count).map(|index| format!("x=\"{}\" y=\"{}\"", 100 * (index + 1), index % 7)).collect()
 }

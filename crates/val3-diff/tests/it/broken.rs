@@ -1,4 +1,4 @@
-//! Files that are broken, missing or hostile.
+//! Broken, missing and hostile files.
 
 use expect_test::expect;
 use val3_diff::{Tree, compare, listing};

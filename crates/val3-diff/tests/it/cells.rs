@@ -1,4 +1,4 @@
-//! Whole cells: their configuration, and applications that moved.
+//! Entire cells: their configuration, and applications that moved.
 
 use expect_test::expect;
 use val3_diff::{Tree, compare};

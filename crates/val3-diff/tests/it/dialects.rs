@@ -1,4 +1,4 @@
-//! The same application in the files of s6 and of s7.
+//! The same application in files of s6 and s7.
 
 use val3_diff::{Tree, compare};
 

@@ -1,4 +1,4 @@
-//! Differences that are left out on request, and numbers in place of differences.
+//! Differences that are omitted on request, and statistics.
 
 use expect_test::{Expect, expect};
 use val3_diff::format::{human, json, markdown};
@@ -75,7 +75,7 @@ fn positions_within_the_tolerance_are_counted() {
         1 application differs: 1 position, 1 value
     "#]],
     );
-    // Another father is no small movement, even if the place is the same.
+    // Another father is no small movement, even if the pose is equal.
     check(
         &old,
         &cell("5", "0", "flange[0]"),

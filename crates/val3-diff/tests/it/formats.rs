@@ -58,7 +58,7 @@ fn a_page_needs_no_scripts_and_no_other_files() {
     }
 }
 
-/// The names of all fields.
+/// Collects the names of all fields.
 fn fields(value: &serde_json::Value, found: &mut std::collections::BTreeSet<String>) {
     match value {
         serde_json::Value::Object(members) => members.iter().for_each(|(name, value)| {

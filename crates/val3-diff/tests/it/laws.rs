@@ -1,4 +1,4 @@
-//! Laws of any comparison.
+//! Properties of comparisons that always hold.
 
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
@@ -7,7 +7,7 @@ use val3_diff::model::{ApplicationChange, Change};
 use val3_diff::report::Detail;
 use val3_diff::{Comparison, Tree, compare};
 
-/// Data with a few names, so that both trees have some in common.
+/// Generates data with a few names, so that both trees have common data.
 fn data() -> impl Strategy<Value = String> {
     let declaration = (0..3_u8, prop::bool::ANY, vec(-5..5_i8, 1..4));
     btree_map("[a-e]", declaration, 0..5).prop_map(|all| {
@@ -41,7 +41,7 @@ fn tree() -> impl Strategy<Value = Tree> {
     })
 }
 
-/// The number of each kind of change, that of added ones first.
+/// Returns the number of added, removed and changed items.
 fn counts(comparison: &Comparison) -> [usize; 3] {
     let mut counts = [0; 3];
     let mut add = |change: Change| counts[change as usize] += 1;

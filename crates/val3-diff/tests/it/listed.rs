@@ -1,4 +1,4 @@
-//! What the project file lists counts, in its order.
+//! Listed files: only files in the project file are compared, in its order.
 
 use expect_test::expect;
 use val3_diff::{Tree, compare};
@@ -21,7 +21,7 @@ fn program(code: &str) -> String {
     format!("<Programs><Program name=\"start\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>")
 }
 
-/// The report on two versions of the application `a`.
+/// Returns the report on two versions of the application `a`.
 fn report(old: &[(&str, String)], new: &[(&str, String)]) -> String {
     let tree = |files: &[(&str, String)]| {
         let start = [("a/start.pgx".to_owned(), program(""))];

@@ -1,4 +1,4 @@
-//! Comparisons of whole applications.
+//! Comparisons of entire applications.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 

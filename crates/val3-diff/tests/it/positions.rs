@@ -1,4 +1,4 @@
-//! Points, frames and tools: how far they moved, and what moved with them.
+//! Points, frames and tools: their movements and their dependents.
 
 use expect_test::expect;
 use val3_diff::Class;
@@ -19,7 +19,7 @@ fn value(ty: &str, name: &str, values: &[&str]) -> String {
     format!("<Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\">{values}</Data>")
 }
 
-/// A table on `world`, a tray on the table, points in the tray and one on `world`.
+/// Returns a table on `world`, a tray on the table, points in the tray and one point on `world`.
 fn cell(table: &str, tray: &str) -> String {
     data(
         &[

@@ -79,7 +79,7 @@ fn other_changes_are_shown_without_the_renames() {
 
 #[test]
 fn another_item_in_the_place_of_a_removed_one_is_no_rename() {
-    // Another type, another use, a name that was there before.
+    // Another type, another use, and a name that already existed.
     check(
         "num nA = 1\nnA=1",
         "string sA = \"a\"\nsA=\"b\"",
@@ -160,7 +160,7 @@ fn another_item_in_the_place_of_a_removed_one_is_no_rename() {
         1 application differs: 4 programs
     "#]],
     );
-    // Calls of another program.
+    // Calls to another program.
     check(
         "call a()\nprogram a()\nbegin\n  cls()\n  put(1)\nend",
         "call b()\nprogram b()\nbegin\n  open(tGrip)\n  waitEndMove()\nend",

@@ -1,4 +1,4 @@
-//! The law that every single change of an attribute, of a text or of code is reported, in the files of both dialects.
+//! Every single change to attributes, text or code is reported, in files of both dialects.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -10,7 +10,7 @@ use val3_test::Fixture;
 use crate::dialects::{OLD_DATA, OLD_PROGRAM};
 use crate::support::human;
 
-/// Every kind of item of an application, and a file of the controller.
+/// All kinds of items in an application, and a file of the controller.
 const APPLICATION: &str = r#"
 library tray "Disk://tray/tray.pjx" autoload=false
 type Slot "Disk://Slot/Slot.pjx"
@@ -52,7 +52,7 @@ public num nWeight
 <arm xmlns="arm"><Type name="a" value="TX2-60">text</Type></arm>
 "#;
 
-/// Attributes that a file may leave out with this value.
+/// Attributes that a file may omit with this value.
 const DEFAULTS: [&str; 5] =
     [r#"access="private""#, r#"public="false""#, r#"autoload="true""#, r#"byVal="true""#, r#"use="value""#];
 
@@ -63,7 +63,7 @@ fn files() -> BTreeMap<String, String> {
     files
 }
 
-/// The ranges of the attributes of a file, of which each has the form `name="value"`.
+/// Returns the ranges of the attributes in a file, in the form `name="value"`.
 fn attributes(text: &str) -> Vec<Range<usize>> {
     let mut found = Vec::new();
     for (start, _) in text.match_indices("=\"") {
@@ -115,7 +115,7 @@ fn other_attributes_are_named_with_their_elements() {
     "#]].assert_eq(&human(&compare(&Tree::new(old), &Tree::new(new))));
 }
 
-/// Another value of the same form.
+/// Returns another value of the same form.
 fn other(value: &str) -> String {
     match value {
         "true" => "false".to_owned(),

@@ -5,17 +5,17 @@ use val3_diff::report::Detail;
 use val3_diff::{Comparison, Tree, compare};
 use val3_test::Fixture;
 
-/// The files of a listing as a tree.
+/// Returns the files of a listing as a tree.
 pub(crate) fn tree(listing: &str) -> Tree {
     Tree::new(Fixture::parse(listing).files)
 }
 
-/// The differences between two listings.
+/// Returns the differences between two listings.
 pub(crate) fn compared(old: &str, new: &str) -> Comparison {
     compare(&tree(old), &tree(new))
 }
 
-/// The report for people, without colours.
+/// Formats the report for people, without colours.
 pub(crate) fn human(comparison: &Comparison) -> String {
     let lines = human::lines(comparison, Detail::Full);
     let line = |line: &human::Line| line.iter().map(|(_, text)| text.as_str()).collect::<String>();

@@ -20,7 +20,7 @@ fn check(base: &str, ours: &str, theirs: &str, expected: &Expect) {
     expected.assert_eq(&merged(FileKind::Data, base, ours, theirs));
 }
 
-/// The points with a size and other replacements.
+/// Returns the points after text replacements, for example of the size.
 fn points(edits: &[(&str, &str)]) -> String {
     edits.iter().fold(POINTS.to_owned(), |text, (from, to)| {
         assert!(text.contains(from), "{from}");

@@ -1,4 +1,4 @@
-//! Project files and settings.
+//! Project files and configuration files.
 
 use expect_test::{Expect, expect};
 

@@ -12,7 +12,7 @@ use crate::checked;
 /// Variables of type `num` with their values.
 type Model = BTreeMap<String, Vec<u32>>;
 
-/// The form of a file.
+/// Dialect of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Dialect {
     /// s7 and s8; values of 0 are omitted.
@@ -21,11 +21,11 @@ enum Dialect {
     Old,
 }
 
-/// A change of one side. Numbers are reduced to what exists.
+/// A change on one side. Numbers are taken modulo the number of existing items.
 #[derive(Debug, Clone)]
 enum Change {
     Set(usize, usize),
-    /// Appends an element, of the default value or of another one.
+    /// Appends an element with the default value or another value.
     Append(usize, bool),
     Truncate(usize),
     RemoveElement(usize, usize),
@@ -44,7 +44,7 @@ fn change() -> impl Strategy<Value = Change> {
     ]
 }
 
-/// The model after changes. New values are those from `next` on.
+/// Returns the model after changes. New values are numbered from `next`.
 fn changed(base: &Model, changes: &[Change], mut next: u32) -> Model {
     let mut model = base.clone();
     for change in changes {
@@ -152,7 +152,7 @@ fn read(text: &str) -> Model {
     model
 }
 
-/// The merge by hand; `None` is a conflict.
+/// Merges the model directly; `None` for a conflict.
 fn expected(base: &Model, ours: &Model, theirs: &Model) -> Option<Model> {
     let names: BTreeSet<&String> = base.keys().chain(ours.keys()).chain(theirs.keys()).collect();
     let mut merged = Model::new();
@@ -189,7 +189,7 @@ fn values(base: &[u32], ours: &[u32], theirs: &[u32]) -> Option<Vec<u32>> {
     Some(merged)
 }
 
-/// Checks one merge; returns whether it is clean.
+/// Checks one merge. Returns whether it is clean.
 fn check(base: &Model, ours: &Model, theirs: &Model, dialect: Dialect) -> bool {
     let texts = [base, ours, theirs].map(|model| file(model, dialect));
     let merged = checked(FileKind::Data, texts.each_ref().map(String::as_str));
@@ -200,11 +200,11 @@ fn check(base: &Model, ours: &Model, theirs: &Model, dialect: Dialect) -> bool {
         };
         match &expected {
             Some(expected) => assert_eq!(&read(&merged.text), expected, "{}", merged.text),
-            // The model does not remove elements, which the merge does where nothing after them has changed.
+            // The model never removes elements, but the merge does if no following element has changed.
             None => assert!(is_shrunk(ours) || is_shrunk(theirs), "{}", merged.text),
         }
     }
-    // Every value that one side has written, and that no side has removed, is in the file.
+    // The file contains every value that one side has written and no side has removed.
     let all =
         |model: &Model| -> BTreeSet<u32> { model.values().flatten().copied().filter(|value| *value != 0).collect() };
     let [b, o, t] = [base, ours, theirs].map(all);

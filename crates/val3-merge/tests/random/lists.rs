@@ -29,7 +29,7 @@ fn project(programs: &BTreeSet<u8>, libraries: &BTreeSet<u8>, is_old: bool) -> S
     }
 }
 
-/// The merge of sets: what both have, and what one side has added.
+/// Merges sets: the result contains common elements and elements that one side has added.
 fn merged_set(base: &BTreeSet<u8>, ours: &BTreeSet<u8>, theirs: &BTreeSet<u8>) -> BTreeSet<u8> {
     let is_in = |at: &u8| match [base, ours, theirs].map(|set| set.contains(at)) {
         [true, ours, theirs] => ours && theirs,
@@ -61,7 +61,7 @@ fn program(locals: &BTreeSet<u8>, lines: &[String], is_old: bool) -> String {
     }
 }
 
-/// A change of a line: replaced, removed, or followed by a new one.
+/// Replaces, removes or inserts lines.
 fn edited(base: &[String], changes: &[(usize, u8)], side: &str) -> Vec<String> {
     let mut lines = base.to_vec();
     for (number, (at, change)) in changes.iter().enumerate() {
@@ -80,7 +80,7 @@ fn set() -> impl Strategy<Value = BTreeSet<u8>> {
     proptest::collection::btree_set(0..20u8, 0..8)
 }
 
-/// A set that differs in a few numbers.
+/// Returns a set that differs in these numbers.
 fn toggled(base: &BTreeSet<u8>, numbers: &[u8]) -> BTreeSet<u8> {
     let numbers: BTreeSet<u8> = numbers.iter().copied().collect();
     base.symmetric_difference(&numbers).copied().collect()

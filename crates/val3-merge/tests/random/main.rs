@@ -1,4 +1,4 @@
-//! Random merges: the result is that of a simple model, or a conflict, and never a loss.
+//! Random merges: the result equals a simple model's result or is a conflict, and no change is lost.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail loudly")]
 
@@ -8,7 +8,7 @@ mod lists;
 use quick_xml::events::Event;
 use val3_merge::{FileKind, Merged, merge};
 
-/// Merges three versions and checks the laws of every merge.
+/// Merges three versions and checks properties that hold for every merge.
 pub(crate) fn checked(kind: FileKind, [base, ours, theirs]: [&str; 3]) -> Merged {
     for side in [ours, theirs] {
         assert_eq!(merge(kind, base, base, side).text, side);
@@ -23,7 +23,7 @@ pub(crate) fn checked(kind: FileKind, [base, ours, theirs]: [&str; 3]) -> Merged
     merged
 }
 
-/// Checks with another reader of XML that a text is well-formed.
+/// Checks with another XML parser that a text is well-formed.
 fn assert_well_formed(text: &str) {
     let mut reader = quick_xml::Reader::from_str(text);
     reader.config_mut().check_comments = true;

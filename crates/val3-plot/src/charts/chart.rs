@@ -11,23 +11,23 @@ use crate::{Sample, ticks};
 /// Space between the frame and the highest and lowest values, in pixels.
 const INSIDE: f64 = 5.0;
 
-/// Least room for the label of a limit, in pixels.
+/// Minimum width of a limit's label, in pixels.
 const LABEL: f64 = 74.0;
 
-/// A motion where it is at a limit.
+/// Style of a curve where it is at a limit.
 const AT_LIMIT: &str = "stroke:#d00000;stroke-opacity:.4;stroke-width:6;stroke-linejoin:round;stroke-linecap:round";
 
-/// A frame with an axis of time and an axis of values.
+/// A frame with a time axis and a value axis.
 pub(super) struct Chart<'a> {
     time: &'a Time,
     bottom: f64,
     range: [f64; 2],
-    /// Pixels a unit.
+    /// Pixels for each unit.
     scale: f64,
 }
 
 impl<'a> Chart<'a> {
-    /// Draws the frame and the grid between `top` and `bottom`, with values at least `apart` pixels apart.
+    /// Draws the frame and the grid between `top` and `bottom`. Grid values are at least `apart` pixels apart.
     pub(super) fn new(
         canvas: &mut Canvas,
         time: &'a Time,
@@ -47,7 +47,7 @@ impl<'a> Chart<'a> {
         chart
     }
 
-    /// Pixels of a value.
+    /// Returns the y coordinate of a value in pixels.
     pub(super) fn y(&self, value: f64) -> f64 {
         self.bottom - INSIDE - (value - self.range[0]) * self.scale
     }
@@ -57,7 +57,7 @@ impl<'a> Chart<'a> {
         (self.range[0]..=self.range[1]).contains(&value)
     }
 
-    /// Draws a curve of values at times in seconds.
+    /// Draws a curve; `values` are times in seconds with values.
     pub(super) fn curve(&self, canvas: &mut Canvas, colour: &str, values: impl Iterator<Item = (f64, f64)>) {
         self.path(canvas, values, &format!("stroke:{colour};stroke-width:1.6"));
     }
@@ -67,7 +67,7 @@ impl<'a> Chart<'a> {
         self.path(canvas, samples.iter().map(|sample| (sample.t, value(sample))), REFERENCE);
     }
 
-    /// Draws a band along a curve where its values are at a limit: each from the value before on.
+    /// Draws a band along a curve where its values are at a limit, from the preceding value on.
     pub(super) fn at_limit(&self, canvas: &mut Canvas, values: &[(f64, f64)], is_at_limit: impl Fn(f64, f64) -> bool) {
         let mut piece: Vec<(f64, f64)> = Vec::new();
         for pair in values.windows(2) {
@@ -89,7 +89,7 @@ impl<'a> Chart<'a> {
         canvas.path(&thinned(&points), style);
     }
 
-    /// Draws the steps of limits of moves that are within the range, with `name` and value where a new limit begins.
+    /// Draws the limits of moves that are within the range. Every new limit is labelled with `name` and its value.
     pub(super) fn limits(&self, canvas: &mut Canvas, limits: &InForce, name: &str, sign: f64) {
         let mut labelled = None;
         let mut free = f64::NEG_INFINITY;
@@ -112,13 +112,13 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// A limit as text: without needless decimals.
+/// Formats a limit without unnecessary decimals.
 pub(super) fn shown(value: f64) -> String {
     let text = format!("{value:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// Draws the legend of limits before the right end of a row of names.
+/// Draws the legend of limits at the right end of the names.
 pub(super) fn legend(canvas: &mut Canvas, y: f64) {
     canvas.rule([RIGHT - 190.0, y - 4.0], [RIGHT - 164.0, y - 4.0], "limit");
     canvas.text([RIGHT - 158.0, y], "small", "limit");

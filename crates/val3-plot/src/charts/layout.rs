@@ -1,4 +1,4 @@
-//! Places and colours that all charts share.
+//! Coordinates and colours that all charts share.
 
 use crate::canvas::WIDTH;
 

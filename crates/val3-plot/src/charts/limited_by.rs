@@ -1,4 +1,4 @@
-//! The limit that determines the speed, as a coloured strip over time.
+//! Strip over time that shows in colour which limit determines the speed.
 
 use std::collections::BTreeMap;
 
@@ -11,16 +11,16 @@ use crate::{Picture, SpeedLimit};
 /// Height of the strip, in pixels.
 pub(super) const HEIGHT: f64 = 14.0;
 
-/// Least width of a piece with the number of its axis, in pixels.
+/// Minimum width in pixels of a piece that shows its axis number.
 const NUMBER: f64 = 12.0;
 
-/// Pieces of the strip from left to right: first pixel, pixel after the last one, and the limit.
+/// Pieces of the strip from left to right: first pixel, pixel after the last, and limit.
 pub(super) struct LimitedBy(Vec<(usize, usize, SpeedLimit)>);
 
 impl LimitedBy {
-    /// The strip of a picture; `None` if its limits are unknown.
+    /// Returns the strip of a picture; `None` if its limits are unknown.
     ///
-    /// Each pixel has the limit that acts for most of its time.
+    /// A pixel shows the limit that is active for most of the pixel's time.
     pub(super) fn of(picture: &Picture, time: &Time) -> Option<Self> {
         let mut columns: Vec<BTreeMap<SpeedLimit, f64>> = vec![BTreeMap::new(); (RIGHT - LEFT) as usize];
         for pair in picture.samples.windows(2) {
@@ -62,7 +62,7 @@ impl LimitedBy {
         }
     }
 
-    /// Draws the colours of the limits that occur, on a base line.
+    /// Draws the colours of the limits that occur, on a base line at `y`.
     pub(super) fn legend(&self, canvas: &mut Canvas, y: f64) {
         let mut names: Vec<(&str, &str)> = Vec::new();
         for (.., limit) in &self.0 {
@@ -81,7 +81,7 @@ impl LimitedBy {
     }
 }
 
-/// All reasons to rest are one.
+/// Merges all reasons for rest.
 fn merged(limit: SpeedLimit) -> SpeedLimit {
     match limit {
         SpeedLimit::Fault | SpeedLimit::Held | SpeedLimit::End => SpeedLimit::NextMove,

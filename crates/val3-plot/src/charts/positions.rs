@@ -1,4 +1,4 @@
-//! The position of one axis over time.
+//! Strip with an axis position over time.
 
 use super::chart::{Chart, shown};
 use super::layout::{AXES, LEFT, RIGHT};
@@ -6,19 +6,19 @@ use super::time::Time;
 use crate::canvas::Canvas;
 use crate::{Axis, Picture, Sample};
 
-/// Height of a strip, in pixels.
+/// Height of a strip in pixels.
 pub(super) const HEIGHT: f64 = 64.0;
 
-/// Smallest range that a strip shows, in degrees or mm: less motion is drawn flatter.
+/// Minimum range of a strip in degrees or mm. Smaller motion is drawn flatter.
 const SMALLEST: f64 = 10.0;
 
-/// Space around the used range, as a share of it.
+/// Space above and below the used range, as a share of the range.
 const PADDING: f64 = 0.08;
 
-/// An axis nearer than this to a limit is at the limit, in degrees or mm.
+/// Distance to a limit in degrees or mm below which an axis is at the limit.
 const TOUCH: f64 = 0.01;
 
-/// Draws the strip of an axis from `top` on: the range that the motion uses, with the limits of the axis that are within it.
+/// Draws an axis strip from `top` on: the range that the motion uses, and the axis limits within it.
 pub(super) fn draw(picture: &Picture, canvas: &mut Canvas, time: &Time, index: usize, top: f64) {
     let Some(axis) = picture.axes.get(index) else { return };
     let position = |sample: &Sample| sample.joints.get(index).copied().unwrap_or_default();
@@ -34,7 +34,7 @@ pub(super) fn draw(picture: &Picture, canvas: &mut Canvas, time: &Time, index: u
     beyond(axis, canvas, (time, &chart), &positions);
 }
 
-/// Lowest and highest position of the strip.
+/// Returns the lowest and the highest position of the strip.
 fn range(positions: impl Iterator<Item = f64>) -> [f64; 2] {
     let positions = positions.filter(|position| position.is_finite());
     let used =
@@ -44,7 +44,7 @@ fn range(positions: impl Iterator<Item = f64>) -> [f64; 2] {
     [(low + high) / 2.0 - half, (low + high) / 2.0 + half]
 }
 
-/// Draws the limits of the axis that come into view, and shades what is beyond them.
+/// Draws the axis limits within the range, and shades the area beyond them.
 fn limits(axis: &Axis, canvas: &mut Canvas, chart: &Chart<'_>, [top, bottom]: [f64; 2]) {
     for (limit, edge) in [(axis.min, bottom), (axis.max, top)].into_iter().filter(|(limit, _)| chart.shows(*limit)) {
         let y = chart.y(limit);
@@ -55,7 +55,7 @@ fn limits(axis: &Axis, canvas: &mut Canvas, chart: &Chart<'_>, [top, bottom]: [f
     }
 }
 
-/// Marks the position that is the furthest beyond each limit.
+/// Marks the position that is furthest beyond each limit.
 fn beyond(axis: &Axis, canvas: &mut Canvas, (time, chart): (&Time, &Chart<'_>), positions: &[(f64, f64)]) {
     let excess = [|axis: &Axis, value: f64| axis.min - value, |axis: &Axis, value: f64| value - axis.max];
     for excess in excess {

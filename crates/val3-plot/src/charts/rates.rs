@@ -1,4 +1,4 @@
-//! Speeds and accelerations over time.
+//! Charts of speeds and accelerations over time.
 
 use super::chart::{Chart, legend};
 use super::layout::{AXES, LEFT};
@@ -7,33 +7,33 @@ use crate::canvas::Canvas;
 use crate::in_force::{InForce, OnBlend};
 use crate::{Axis, Picture, Sample};
 
-/// Height of a chart, in pixels.
+/// Height of a chart in pixels.
 pub(super) const HEIGHT: f64 = 130.0;
 
 /// Limits up to this multiple of the highest value are drawn.
 const FAR: f64 = 2.0;
 
-/// Share of the highest value that a chart shows: there is room for the name of the highest limit.
+/// Ratio of the chart's range to its highest value, so that there is space for the name of the highest limit.
 const HEADROOM: f64 = 1.12;
 
-/// From this share on a value is at its limit: the planner keeps a small distance between knots.
+/// Share of a limit from which a value is at the limit, because the planner keeps a small distance between knots.
 const TOUCH: f64 = 0.98;
 
 /// A chart of rates.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Rate {
-    /// Speed of each axis.
+    /// Speeds of the axes.
     JointSpeed,
-    /// Acceleration of each axis.
+    /// Accelerations of the axes.
     JointAcceleration,
     /// Speed of the tool centre point.
     ToolSpeed,
-    /// Speed of rotation of the tool.
+    /// Rotation speed of the tool.
     ToolRotation,
 }
 
 impl Rate {
-    /// The charts of a picture, from top to bottom.
+    /// Returns the charts of a picture, from top to bottom.
     pub(super) fn all(picture: &Picture) -> Vec<Self> {
         let mut rates = vec![Self::JointSpeed];
         rates.extend(picture.has_accelerations.then_some(Self::JointAcceleration));
@@ -53,7 +53,7 @@ impl Rate {
     }
 }
 
-/// Draws the speed of each axis in % of the nominal one.
+/// Draws the axis speeds in % of the nominal speeds.
 fn joint_speeds(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
     let limits = InForce::of(picture, OnBlend::Smaller, |limits| limits.joint_speed);
     let curves: Vec<_> = picture.axes.iter().enumerate().map(|(index, axis)| speeds(picture, index, axis)).collect();
@@ -71,7 +71,7 @@ fn joint_speeds(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
     }
 }
 
-/// Draws the change of the speed of each axis: above zero in % of the nominal acceleration, below in % of the nominal
+/// Draws the changes of the axis speeds: positive in % of the nominal acceleration, negative in % of the nominal
 /// deceleration.
 fn joint_accelerations(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
     let [speeding, braking] = [
@@ -104,14 +104,14 @@ fn tool_speed(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
     chart.curve(canvas, AXES[0], values.iter().copied());
 }
 
-/// Whether `rvel` of a move is near to the speed of rotation that occurs. Without it, rotation is not drawn.
+/// Whether the rotation speed comes near the `rvel` of a move. If not, rotation is not drawn.
 fn is_near_rotation_limit(picture: &Picture) -> bool {
     let limits = InForce::of(picture, OnBlend::Smaller, |limits| limits.tool_rotation);
     let used = picture.samples.iter().map(|sample| sample.rotation).fold(0.0, f64::max);
     limits.steps().iter().any(|step| step.value <= FAR * used)
 }
 
-/// Draws the speed of rotation of the tool.
+/// Draws the rotation speed of the tool.
 fn tool_rotation(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) {
     let limits = InForce::of(picture, OnBlend::Smaller, |limits| limits.tool_rotation);
     let values: Vec<_> = picture.samples.iter().map(|sample| (sample.t, sample.rotation)).collect();
@@ -123,7 +123,7 @@ fn tool_rotation(picture: &Picture, canvas: &mut Canvas, time: &Time, top: f64) 
     chart.curve(canvas, AXES[0], values.iter().copied());
 }
 
-/// Draws the colours of the axes beside the name of a chart.
+/// Draws the colours of the axes next to the name of a chart.
 fn axes(picture: &Picture, canvas: &mut Canvas, y: f64) {
     for (index, colour) in AXES.iter().enumerate().take(picture.axes.len()) {
         let x = LEFT + 260.0 + 42.0 * index as f64;
@@ -132,24 +132,25 @@ fn axes(picture: &Picture, canvas: &mut Canvas, y: f64) {
     }
 }
 
-/// The highest value that a chart shows: limits far above the used range are not drawn.
+/// Returns the highest value of a chart's range. Limits far above the used range are not drawn.
 fn highest(used: f64, limits: &InForce) -> f64 {
     let values = limits.steps().iter().map(|step| step.value);
     values.filter(|value| *value <= FAR * used).fold(used, f64::max) * HEADROOM
 }
 
-/// Whether a value is at the limit in force.
+/// Whether a value is at the active limit.
 fn is_at(limits: &InForce) -> impl Fn(f64, f64) -> bool {
     |t, value| limits.at(t).is_some_and(|limit| value >= TOUCH * limit)
 }
 
-/// The speed of an axis over the time before each sample, in % of the nominal one.
+/// Returns the axis speed before every sample, in % of the nominal speed.
 fn speeds(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
     let share = |speed: f64| if axis.nominal_speed > 0.0 { speed.abs() / axis.nominal_speed * 100.0 } else { 0.0 };
     rates(picture, index).into_iter().map(|[t, _, speed]| (t, share(speed))).collect()
 }
 
-/// The change of speed of an axis at each sample: in % of the nominal acceleration, or negative of the nominal deceleration.
+/// Returns the change of the axis speed at every sample: in % of the nominal acceleration, or negative in % of the
+/// nominal deceleration.
 fn accelerations(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
     let share = |pair: &[[f64; 3]]| {
         let [[t, before_length, before], [_, length, after]] = pair else { return Vec::new() };
@@ -166,7 +167,8 @@ fn accelerations(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)
     rates(picture, index).windows(2).flat_map(share).collect()
 }
 
-/// For each sample its time, the seconds since the one before, and the speed of an axis over them, per second.
+/// Returns for each sample its time, the seconds since the previous sample, and the axis speed in this time, per
+/// second.
 fn rates(picture: &Picture, index: usize) -> Vec<[f64; 3]> {
     let position = |sample: &Sample| sample.joints.get(index).copied().unwrap_or_default();
     let samples = &picture.samples;

@@ -1,13 +1,13 @@
-//! The axis of time.
+//! Time axis.
 
 use super::layout::{LEFT, RIGHT};
 use crate::canvas::Canvas;
 use crate::{Picture, ticks};
 
-/// Least distance of the labels of moves, in pixels.
+/// Minimum distance of move labels in pixels.
 const APART: f64 = 13.0;
 
-/// The axis of time.
+/// The time axis.
 pub(super) struct Time {
     from: f64,
     to: f64,
@@ -15,7 +15,7 @@ pub(super) struct Time {
 }
 
 impl Time {
-    /// The time of the motion and of the recorded one.
+    /// Creates the axis for the time of the motion and the recorded motion.
     pub(super) fn of(picture: &Picture) -> Self {
         let ends = [&picture.samples, &picture.reference].map(|samples| samples.first().zip(samples.last()));
         let ends = ends.into_iter().flatten().map(|(first, last)| [first.t, last.t]);
@@ -24,12 +24,12 @@ impl Time {
         Self { from, to, scale: (RIGHT - LEFT) / (to - from).max(0.004) }
     }
 
-    /// Pixels of a time in seconds.
+    /// Returns the x coordinate of a time in seconds.
     pub(super) fn x(&self, t: f64) -> f64 {
         LEFT + (t - self.from) * self.scale
     }
 
-    /// Pixels of a time in seconds, within the charts.
+    /// Returns the x coordinate of a time in seconds, clipped to the charts.
     pub(super) fn x_within(&self, t: f64) -> f64 {
         self.x(t).clamp(LEFT, RIGHT)
     }
@@ -43,7 +43,7 @@ impl Time {
         canvas.text([LEFT - 12.0, y + 14.0], "small right", "time (s)");
     }
 
-    /// Draws the lines of the grid across a chart.
+    /// Draws the grid lines across a chart.
     pub(super) fn grid(&self, canvas: &mut Canvas, [top, bottom]: [f64; 2]) {
         let step = ticks::step(self.scale, 80.0);
         for t in ticks::multiples(step, [self.from, self.to]) {
@@ -52,8 +52,7 @@ impl Time {
         canvas.frame([LEFT, top], [RIGHT - LEFT, bottom - top]);
     }
 
-    /// Draws where moves begin, each with its label as far as there is room. Moves of one line that follow each other share
-    /// one.
+    /// Draws the starts of moves, with labels where there is space. Consecutive moves with the same label share it.
     pub(super) fn starts(&self, picture: &Picture, canvas: &mut Canvas, [top, bottom]: [f64; 2]) {
         let mut free = f64::NEG_INFINITY;
         let mut last = String::new();

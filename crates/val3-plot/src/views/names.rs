@@ -1,34 +1,34 @@
-//! The labels of targets.
+//! Labels of targets.
 
 use std::collections::BTreeMap;
 
 use crate::Picture;
 
-/// Points nearer than this have one label, in pixels.
+/// Distance in pixels below which points share a label.
 pub(super) const SAME: f64 = 3.0;
 
-/// A line of a program.
+/// Program name and line number.
 pub(super) type Origin<'a> = (&'a str, u32);
 
-/// A line with more targets than this is a loop.
+/// Number of targets above which a line is a loop.
 const REPEATED: usize = 3;
 
-/// Most lines in a label.
+/// Maximum number of lines in a label.
 const MOST: usize = 4;
 
-/// A target in a view, or targets at one place.
+/// A target in a view, or several targets at the same place.
 pub(super) struct Named<'a> {
-    /// Pixels of the target.
+    /// Pixel coordinates of the target.
     pub(super) point: [f64; 2],
-    /// The moves to it.
+    /// Moves to the target.
     pub(super) origins: Vec<Origin<'a>>,
-    /// The label; empty if another target has it.
+    /// Label; empty if another target has it.
     pub(super) text: String,
 }
 
 impl<'a> Named<'a> {
-    /// The targets of a view. Moves to the same place share a label, and a line that moves to many places has its label at
-    /// the first of them.
+    /// Returns the targets of a view. Moves to the same place share a label, and a line with many targets is labelled
+    /// at the first target.
     pub(super) fn all(picture: &'a Picture, at: impl Fn(&[f64; 3]) -> [f64; 2]) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
         for mark in &picture.moves {
@@ -52,7 +52,7 @@ fn distance([x, y]: [f64; 2], [other_x, other_y]: [f64; 2]) -> f64 {
     libm::hypot(other_x - x, other_y - y)
 }
 
-/// The lines that are at more than [`REPEATED`] targets, with their number of moves until the label was written.
+/// Lines with more than [`REPEATED`] targets, with their number of moves until the label is written.
 struct Loops<'a>(BTreeMap<Origin<'a>, Option<usize>>);
 
 impl<'a> Loops<'a> {
@@ -66,7 +66,7 @@ impl<'a> Loops<'a> {
         Self(loops.map(|(origin, _)| (origin, Some(moves(origin)))).collect())
     }
 
-    /// The label of a line with the number of its moves if it is a loop; `None` if the loop has its label.
+    /// Returns the label of a line, with the number of moves if it is a loop; `None` if the loop was already labelled.
     fn label(&mut self, origin: Origin<'a>) -> Option<(Origin<'a>, Option<usize>)> {
         match self.0.get_mut(&origin) {
             None => Some((origin, None)),
@@ -75,7 +75,7 @@ impl<'a> Loops<'a> {
     }
 }
 
-/// Several lines as one label. A program is written before the first of its lines, unless it is the only one.
+/// Joins several lines to a label. The program is written before its first line, unless it is the only program.
 fn together<'a>(lines: impl Iterator<Item = (Origin<'a>, Option<usize>)>, only: Option<&'a str>) -> String {
     let mut text = String::new();
     let mut program = only;

@@ -1,8 +1,8 @@
-//! Which keyword ends which block.
+//! Block matching: which keyword closes which block.
 //!
-//! A program is read with its keywords alone first. Only if blocks do not match up it is read again in other ways
-//! ([`Matching`]), and the reading with the fewest faults is used. So a missing `endIf` is reported where a person
-//! would add it, while badly indented code that is balanced stays without a message.
+//! The first pass uses keywords only. If the blocks do not balance, further passes match by indentation or more
+//! strictly ([`Matching`]), and the pass with the fewest errors is kept. A missing `endIf` is therefore reported where
+//! the indentation ends, and balanced code is never reported for its indentation.
 
 use rowan::TextRange;
 
@@ -12,7 +12,7 @@ use crate::kind::SyntaxKind::{self, *};
 use crate::lexer::Indent;
 use crate::parser::{Matching, Parser};
 
-/// The kinds of blocks.
+/// Kind of block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum BlockKind {
     If,
@@ -24,7 +24,7 @@ pub(super) enum BlockKind {
 }
 
 impl BlockKind {
-    /// The keywords that open and close it.
+    /// Returns the keywords that open and close the block.
     pub(super) fn names(self) -> (&'static str, &'static str) {
         match self {
             Self::If => ("if", "endIf"),
@@ -36,7 +36,7 @@ impl BlockKind {
         }
     }
 
-    /// The block that a keyword ends or continues.
+    /// Returns the kind of block that a keyword ends or continues.
     pub(super) fn of(keyword: SyntaxKind) -> Option<Self> {
         Some(match keyword {
             END_IF_KW | ELSE_KW | ELSE_IF_KW => Self::If,
@@ -55,40 +55,40 @@ struct Open {
     kind: BlockKind,
     indent: Indent,
     keyword: TextRange,
-    /// The keyword that should open it is missing, which has been said.
+    /// Whether the opening keyword is missing, which was already reported.
     headless: bool,
     layout: Layout,
 }
 
-/// The end of a block according to the indentation of its lines.
+/// Indentation of the lines in a block, which may show its end.
 #[derive(Debug, Clone, Copy)]
 enum Layout {
     /// No line so far.
     Unknown,
-    /// The lines are not indented: nothing.
+    /// The lines are not indented, so that the end is unknown.
     Flat,
     /// The lines are indented.
     Indented,
-    /// This is the first line outside of the block: the end belongs before it.
+    /// The first line outside of the block, before which the end is expected.
     Dedented(TextRange),
 }
 
-/// The blocks that are open at a place.
+/// Stack of open blocks.
 pub(super) struct Blocks {
     open: Vec<Open>,
-    /// Position of the `end` that is the last word of the code.
+    /// Token position of the final `end` of the code.
     last_end: Option<usize>,
-    /// The rest of the code was skipped; what it would have closed is unknown.
+    /// Whether the rest of the code was skipped, so that missing block ends are not reported.
     pub(super) skipped: bool,
 }
 
-/// The meaning of a keyword at the end of a run of statements.
+/// Effect of a keyword on a sequence of statements.
 pub(super) enum Ending {
-    /// It ends or continues the innermost block or one around it: the run of statements is over.
+    /// The keyword ends or continues the innermost or an outer block, so that the sequence ends.
     Over,
-    /// It belongs to no open block.
+    /// The keyword belongs to no open block.
     Stray,
-    /// No keyword of that sort.
+    /// The token is no such keyword.
     None,
 }
 
@@ -109,7 +109,7 @@ impl Blocks {
         self.open.pop();
     }
 
-    /// The current keyword ends or continues the innermost block.
+    /// Whether the current keyword ends or continues the innermost block.
     pub(super) fn take_own(&mut self, p: &Parser<'_>) -> bool {
         let Some(kind) = self.open.last().map(|open| open.kind) else { return false };
         let own = BlockKind::of(p.current()) == Some(kind) && !self.skips_innermost(p, kind);
@@ -119,10 +119,10 @@ impl Blocks {
         own
     }
 
-    /// Closes the innermost block without its keyword and says so.
+    /// Closes the innermost block without its keyword and reports that.
     pub(super) fn give_up(&mut self, p: &mut Parser<'_>) {
         let Some(open) = self.open.pop() else { return };
-        // Where the file breaks off, its last element has the message.
+        // If the file is truncated, only its innermost element is reported.
         if open.headless || self.skipped || p.at(EOF) {
             return;
         }
@@ -142,7 +142,7 @@ impl Blocks {
         }
     }
 
-    /// The meaning of the current keyword for the run of statements in the innermost block.
+    /// Returns the effect of the current keyword on the statements of the innermost block.
     pub(super) fn ending(&self, p: &Parser<'_>) -> Ending {
         let keyword = p.current();
         let over = match (BlockKind::of(keyword), self.open.last()) {
@@ -155,14 +155,14 @@ impl Blocks {
         if over { Ending::Over } else { Ending::Stray }
     }
 
-    /// The current `end` ends the program, or the innermost block by mistake.
+    /// Whether the current `end` ends the program, or the innermost block by mistake.
     fn ends_here(&self, p: &Parser<'_>, innermost: Option<&Open>) -> bool {
         let is_last = self.last_end.is_none() || self.last_end == Some(p.position());
         let deeper = |open: &Open| p.matching == Matching::Guided && p.indent(p.position()) > open.indent;
         is_last || innermost.is_some_and(|open| !deeper(open))
     }
 
-    /// A block around the innermost one takes a keyword of `kind`.
+    /// Whether a keyword of `kind` belongs to an outer block.
     fn is_of_outer(&self, p: &Parser<'_>, kind: BlockKind, innermost: &Open) -> bool {
         let mut outer = self.open.iter().rev().skip(1).filter(|open| open.kind == kind);
         let indent = p.indent(p.position());
@@ -174,12 +174,13 @@ impl Blocks {
         }
     }
 
-    /// With indentation as a guide: the keyword is deeper than the block that it would end.
+    /// Whether, with matching by indentation, the keyword is indented more than the block that it would end.
     fn is_misplaced(&self, p: &Parser<'_>, open: &Open) -> bool {
         p.matching == Matching::Guided && !lines_up(p, open) && p.indent(p.position()) > open.indent
     }
 
-    /// With indentation as a guide: the keyword lines up with a block further out, so the innermost one is unclosed.
+    /// Whether, with matching by indentation, the keyword is aligned with an outer block, so that the innermost block
+    /// is unclosed.
     fn skips_innermost(&self, p: &Parser<'_>, kind: BlockKind) -> bool {
         let mut outer = self.open.iter().rev().skip(1);
         p.matching == Matching::Guided
@@ -187,7 +188,7 @@ impl Blocks {
             && outer.any(|open| open.kind == kind && lines_up(p, open))
     }
 
-    /// Notes how the statement at the current token is indented.
+    /// Records the indentation of the statement at the current token.
     pub(super) fn note_layout(&mut self, p: &Parser<'_>) {
         let at = p.position();
         if let Some(open) = self.open.last_mut()
@@ -204,20 +205,20 @@ impl Blocks {
     }
 }
 
-/// The current keyword has the indentation of those of the block: below its first one, or deeper if it starts a case.
+/// Whether the current keyword is aligned with the block's opening keyword; `case` and `default` may be indented more.
 fn lines_up(p: &Parser<'_>, open: &Open) -> bool {
     let indent = p.indent(p.position());
     indent == open.indent || indent > open.indent && matches!(p.current(), CASE_KW | DEFAULT_KW)
 }
 
-/// With indentation as a guide: the current keyword lines up with the block but ends those of another kind.
+/// Whether, with matching by indentation, the current keyword is aligned with the block but ends another kind of block.
 fn is_wrong_end(p: &Parser<'_>, open: &Open) -> bool {
     let ends = matches!(p.current(), END_IF_KW | END_WHILE_KW | UNTIL_KW | END_FOR_KW | END_SWITCH_KW);
     let other = open.kind != BlockKind::Case && BlockKind::of(p.current()) != Some(open.kind);
     p.matching == Matching::Guided && ends && other && !open.headless && p.indent(p.position()) == open.indent
 }
 
-/// Where the end of a block belongs that lacks it.
+/// Returns the place for the missing end of a block.
 fn place_of_end(p: &Parser<'_>, open: &Open) -> TextRange {
     match open.layout {
         Layout::Dedented(line) => line,

@@ -11,7 +11,7 @@ use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::{self, *};
 use crate::parser::Parser;
 
-/// The lines inside the innermost block; true if its own keyword follows.
+/// Parses the lines inside the innermost block. Returns whether the block's own keyword follows.
 pub(super) fn inner(p: &mut Parser<'_>, blocks: &mut Blocks) -> bool {
     statements(p, blocks);
     let own = blocks.take_own(p);
@@ -21,7 +21,7 @@ pub(super) fn inner(p: &mut Parser<'_>, blocks: &mut Blocks) -> bool {
     own
 }
 
-/// Closes the innermost block with the current keyword, or reports that it is missing.
+/// Closes the innermost block with the current keyword, or reports that the keyword is missing.
 pub(super) fn close(p: &mut Parser<'_>, blocks: &mut Blocks, own: bool) {
     if own {
         blocks.pop();
@@ -32,7 +32,7 @@ pub(super) fn close(p: &mut Parser<'_>, blocks: &mut Blocks, own: bool) {
     }
 }
 
-/// The last branch: `else` or `default`.
+/// The final branch of a statement: `else` or `default`.
 #[derive(Default)]
 pub(super) struct LastBranch {
     keyword: Option<TextRange>,
@@ -44,7 +44,7 @@ impl LastBranch {
         self.keyword = self.keyword.or(Some(keyword));
     }
 
-    /// The current keyword starts another branch. A branch after the last one is a fault, which is reported once.
+    /// Reports that the current keyword starts a branch after the final branch, once for a statement.
     pub(super) fn check(&mut self, p: &mut Parser<'_>, kind: SyntaxErrorKind) {
         if self.keyword.is_some() && !self.told {
             self.told = true;
@@ -53,14 +53,14 @@ impl LastBranch {
     }
 }
 
-/// The keyword here, a condition, and the end of the line.
+/// Parses the current keyword, a condition, and the end of the line.
 pub(super) fn condition(p: &mut Parser<'_>) {
     p.bump();
     value(p);
     line_end(p);
 }
 
-/// `if`, or the rest of one from `else` or `elseIf` on.
+/// Parses `if`; after a missing `if`, the rest from `else` or `elseIf` on.
 pub(super) fn if_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
     let m = p.start();
     let headless = !p.at(IF_KW);
@@ -86,7 +86,7 @@ pub(super) fn if_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
     m.complete(p, IF_STMT);
 }
 
-/// The line of an `else` or `elseIf`.
+/// Parses the line of `else` or `elseIf`.
 fn clause_head(p: &mut Parser<'_>) -> SyntaxKind {
     if p.at(ELSE_KW) && p.next_here() == IF_KW {
         let kind = SyntaxErrorKind::ForeignSpelling { found: "else if".to_owned(), instead: "elseIf" };
@@ -138,7 +138,7 @@ pub(super) fn for_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
     m.complete(p, FOR_STMT);
 }
 
-/// `counter = start to stop`, with `step size` if there is one.
+/// Parses `counter = start to stop`, optionally with `step size`.
 fn for_head(p: &mut Parser<'_>) {
     place(p);
     if p.here() != EQ {

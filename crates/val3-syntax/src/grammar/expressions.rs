@@ -1,4 +1,4 @@
-//! Expressions, by operator precedence (manual 3.1.2 to 3.4.2, 9.2.2, 9.3.3).
+//! Expressions, parsed by operator precedence (manual 3.1.2 to 3.4.2, 9.2.2, 9.3.3).
 
 use super::operands::postfix;
 use super::rest_of_line::skip_line;
@@ -7,7 +7,7 @@ use crate::kind::SyntaxKind::{self, *};
 use crate::lexer::decode_entities;
 use crate::parser::{Completed, NESTING_LIMIT, Parser};
 
-/// How tight a binary operator binds; higher is tighter, equal ones group from the left.
+/// Returns the precedence of a binary operator. Operators with equal precedence associate to the left.
 fn precedence(kind: SyntaxKind) -> Option<u8> {
     Some(match kind {
         OR_KW => 1,
@@ -21,7 +21,7 @@ fn precedence(kind: SyntaxKind) -> Option<u8> {
     })
 }
 
-/// An expression where a value is needed: nothing is a fault, and so is an assignment.
+/// Parses an expression whose value is needed. A missing expression is an error, and so is an assignment.
 pub(super) fn value(p: &mut Parser<'_>) {
     let Some(left) = expression(p) else {
         if !p.failed() {
@@ -38,12 +38,13 @@ pub(super) fn value(p: &mut Parser<'_>) {
     }
 }
 
-/// An expression; `None` if none starts here.
+/// Parses an expression; `None` if none starts here.
 pub(super) fn expression(p: &mut Parser<'_>) -> Option<Completed> {
     operand(p, |p| binary(p, 1))
 }
 
-/// Part of an expression, one level deeper; the rest of the line is skipped where that is too deep.
+/// Parses a part of an expression at the next nesting level. If this exceeds the nesting limit, the rest of the line is
+/// skipped.
 fn operand(p: &mut Parser<'_>, read: impl FnOnce(&mut Parser<'_>) -> Option<Completed>) -> Option<Completed> {
     p.nested(read).unwrap_or_else(|| {
         skip_line(p);
@@ -51,14 +52,14 @@ fn operand(p: &mut Parser<'_>, read: impl FnOnce(&mut Parser<'_>) -> Option<Comp
     })
 }
 
-/// As [`operand`], where one is needed.
+/// Like [`operand`], but reports a missing operand.
 fn needed(p: &mut Parser<'_>, read: impl FnOnce(&mut Parser<'_>) -> Option<Completed>) {
     if operand(p, read).is_none() && !p.failed() {
         p.expected(Expected::Expression);
     }
 }
 
-/// The tree is as high as it may be: the operator here, which would make it higher, is given up with its line.
+/// Whether the tree has its maximum height, so that the current operator and the rest of its line are skipped.
 pub(super) fn is_too_high(p: &mut Parser<'_>, below: Completed) -> bool {
     let too_high = below.height() >= NESTING_LIMIT;
     if too_high {
@@ -84,7 +85,8 @@ fn binary(p: &mut Parser<'_>, min: u8) -> Option<Completed> {
     Some(left)
 }
 
-/// The binary operator here, and how many tokens it has. Those of other languages are reported and taken as meant.
+/// Returns the precedence and the length in tokens of the current binary operator. Foreign spellings are reported and
+/// accepted as their VAL 3 operators.
 fn binary_operator(p: &mut Parser<'_>) -> Option<(u8, usize)> {
     let kind = p.here();
     if kind == LT && p.next_here() == GT && p.touches_next(p.position()) {
@@ -120,7 +122,7 @@ fn unary(p: &mut Parser<'_>) -> Option<Completed> {
     }
 }
 
-/// `not x`: a name directly followed by an operand.
+/// Whether the tokens are `not x`: the name `not` directly followed by an operand.
 fn is_foreign_not(p: &Parser<'_>) -> bool {
     p.text().eq_ignore_ascii_case("not") && matches!(p.next_here(), IDENT | TRUE_KW | FALSE_KW | NUMBER | STRING)
 }

@@ -1,18 +1,18 @@
-//! The parts of expressions: literals, names, brackets, and what follows a name.
+//! Operands of expressions: literals, names, brackets, and suffixes of names.
 
 use super::expressions::{is_too_high, value};
 use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::{self, *};
 use crate::parser::{Completed, Parser};
 
-/// A variable with its indexes and fields, as the counter of `for`.
+/// Parses a variable with its indexes and fields, as for the counter of `for`.
 pub(super) fn place(p: &mut Parser<'_>) {
     if p.here() != IDENT || postfix(p).is_none() {
         p.expected(Expected::Name);
     }
 }
 
-/// A value with what follows it closely: indexes, fields, arguments.
+/// Parses a value with its suffixes: indexes, fields, arguments.
 pub(super) fn postfix(p: &mut Parser<'_>) -> Option<Completed> {
     let mut base = atom(p)?;
     loop {
@@ -63,7 +63,8 @@ fn atom(p: &mut Parser<'_>) -> Option<Completed> {
     }
 }
 
-/// Keywords that occur between expressions: before them an expression is missing, they are not misused names.
+/// Whether the keyword separates expressions. Before such a keyword an expression is missing, whereas other keywords
+/// are misused names.
 fn is_separator(kind: SyntaxKind) -> bool {
     matches!(kind, AND_KW | OR_KW | XOR_KW | TO_KW | STEP_KW)
 }
@@ -74,7 +75,7 @@ fn name(p: &mut Parser<'_>) -> Completed {
     m.complete(p, NAME_REF)
 }
 
-/// `name` or `library:name`.
+/// Parses `name` or `library:name`.
 pub(super) fn name_or_path(p: &mut Parser<'_>) -> Completed {
     let first = name(p);
     if p.here() != COLON {
@@ -99,12 +100,12 @@ fn parenthesised(p: &mut Parser<'_>) -> Completed {
     m.complete(p, PAREN_EXPR)
 }
 
-/// Takes the closing bracket, or reports that it is missing.
+/// Parses the closing bracket, or reports that it is missing.
 fn close_bracket(p: &mut Parser<'_>, open: usize, close: SyntaxKind, missing: char) {
     if p.here() == close {
         return p.bump();
     }
-    // The first fault of a line decides; looking ahead once a line keeps the time in proportion to the text.
+    // Only the first error of a line is reported. Looking ahead once for each line keeps the time linear.
     if p.failed() {
         return;
     }
@@ -126,12 +127,12 @@ fn close_bracket(p: &mut Parser<'_>, open: usize, close: SyntaxKind, missing: ch
     }
 }
 
-/// A token of `kind` follows on this line.
+/// Whether a token of `kind` follows on this line.
 fn is_ahead(p: &Parser<'_>, kind: SyntaxKind) -> bool {
     (p.position()..).take_while(|&at| !p.starts_line(at) && p.kind_at(at) != EOF).any(|at| p.kind_at(at) == kind)
 }
 
-/// How many more brackets of the kind `close` this line closes than it opens.
+/// Returns the number of closing brackets of kind `close` on this line minus the number of opening ones.
 fn surplus(p: &Parser<'_>, close: SyntaxKind) -> isize {
     let open = match close {
         R_PAREN => L_PAREN,
@@ -142,7 +143,7 @@ fn surplus(p: &Parser<'_>, close: SyntaxKind) -> isize {
     count(close) - count(open)
 }
 
-/// Skips to the closing bracket on this line and takes it, so that what follows is read in its place.
+/// Skips to the closing bracket on this line and consumes it, so that parsing continues after it.
 fn skip_to(p: &mut Parser<'_>, close: SyntaxKind) {
     let m = p.start();
     while p.here() != close && !p.at_line_end() {
@@ -152,7 +153,7 @@ fn skip_to(p: &mut Parser<'_>, close: SyntaxKind) {
     p.eat(close);
 }
 
-/// `[index, …]`
+/// Parses `[index, …]`.
 fn index_list(p: &mut Parser<'_>) {
     let open = p.position();
     p.bump();
@@ -164,7 +165,7 @@ fn index_list(p: &mut Parser<'_>) {
     close_bracket(p, open, R_BRACK, ']');
 }
 
-/// `(argument, …)`
+/// Parses `(argument, …)`.
 pub(super) fn argument_list(p: &mut Parser<'_>) {
     let m = p.start();
     let open = p.position();
@@ -180,7 +181,7 @@ pub(super) fn argument_list(p: &mut Parser<'_>) {
     m.complete(p, ARG_LIST);
 }
 
-/// `{value, …}`: a value omitted between commas means zero (manual 2.4.2).
+/// Parses `{value, …}`. A value omitted between commas means zero (manual 2.4.2).
 fn struct_literal(p: &mut Parser<'_>) -> Completed {
     let m = p.start();
     let open = p.position();

@@ -7,7 +7,7 @@ use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;
 
-/// The code of a program; `opened` is the start tag around it.
+/// Parses the code of a program; `opened` is the position of the start tag.
 pub(super) fn code(p: &mut Parser<'_>, opened: usize) {
     let m = p.start();
     p.start_statement();
@@ -28,14 +28,14 @@ fn body(p: &mut Parser<'_>) {
     p.eat(BEGIN_KW);
     let mut blocks = Blocks::new(last_end(p, end));
     statements(p, &mut blocks);
-    // Where the file breaks off, its last element has the message.
+    // If the file is truncated, only its innermost element is reported.
     if !p.eat(END_KW) && !p.at(EOF) && !blocks.skipped {
         p.structure_error(SyntaxErrorKind::MissingEnd, p.range_after(), None);
     }
     text_after_end(p);
 }
 
-/// The position after the last token of the code.
+/// Returns the position after the last token of the code.
 fn code_end(p: &Parser<'_>) -> usize {
     let mut at = p.position();
     while !matches!(p.kind_at(at), L_ANGLE_SLASH | L_ANGLE | EOF) {
@@ -44,13 +44,13 @@ fn code_end(p: &Parser<'_>) -> usize {
     at
 }
 
-/// The last token of the code, if it is the `end` of the program.
+/// Returns the position of the last token if it is the `end` of the program.
 fn last_end(p: &Parser<'_>, end: usize) -> Option<usize> {
     let last = end.checked_sub(1)?;
     (p.kind_at(last) == END_KW).then_some(last)
 }
 
-/// Code before `begin` is one fault; no `begin` at all is another.
+/// Reports code before `begin`, or a missing `begin`.
 fn before_begin(p: &mut Parser<'_>, end: usize) {
     let start = p.position();
     let begin = (start..end).find(|&at| p.kind_at(at) == BEGIN_KW && p.starts_line(at));

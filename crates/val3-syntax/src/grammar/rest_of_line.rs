@@ -1,10 +1,10 @@
-//! The end of a statement, and tokens that are skipped after a fault.
+//! Ends of statements, and tokens that are skipped after an error.
 
 use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;
 
-/// Ends a statement: what is left on its line is a fault.
+/// Ends a statement. Remaining tokens on its line are an error.
 pub(super) fn line_end(p: &mut Parser<'_>) {
     if p.at_line_end() {
         return;
@@ -22,7 +22,7 @@ pub(super) fn line_end(p: &mut Parser<'_>) {
     skip_line(p);
 }
 
-/// Puts the rest of the line into an error node; at least one token.
+/// Moves the rest of the line, at least one token, to an error node.
 pub(super) fn skip_line(p: &mut Parser<'_>) {
     let m = p.start();
     if !p.at_code_end() {
@@ -34,7 +34,7 @@ pub(super) fn skip_line(p: &mut Parser<'_>) {
     m.complete(p, ERROR);
 }
 
-/// Puts the rest of the code into an error node.
+/// Moves the rest of the code to an error node.
 pub(super) fn skip_code(p: &mut Parser<'_>) {
     let m = p.start();
     while !p.at_code_end() {

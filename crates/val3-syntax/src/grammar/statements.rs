@@ -1,4 +1,4 @@
-//! Statements, one a line.
+//! Statements, one on each line.
 
 use super::blocks::{BlockKind, Blocks, Ending};
 use super::expressions::{expression, value};
@@ -8,7 +8,7 @@ use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;
 
-/// Statements up to a keyword that ends the innermost block, or one around it, or the program.
+/// Parses statements up to a keyword that ends the innermost block, an outer block or the program.
 pub(super) fn statements(p: &mut Parser<'_>, blocks: &mut Blocks) {
     let m = p.start();
     while !p.at_code_end() {
@@ -25,7 +25,7 @@ pub(super) fn statements(p: &mut Parser<'_>, blocks: &mut Blocks) {
     m.complete(p, BLOCK);
 }
 
-/// One statement, up to the end of its line or of its block.
+/// Parses a statement, up to the end of its line or block.
 pub(super) fn statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
     match p.current() {
         IF_KW | WHILE_KW | DO_KW | FOR_KW | SWITCH_KW => block_statement(p, blocks),
@@ -55,7 +55,7 @@ fn block_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
     }
 }
 
-/// A keyword that ends or continues a block which is not open.
+/// Reports a keyword that ends or continues a block which is not open.
 pub(super) fn stray_keyword(p: &mut Parser<'_>, blocks: &mut Blocks) {
     let keyword = p.current();
     p.error(match keyword {
@@ -92,7 +92,7 @@ fn print_statement(p: &mut Parser<'_>) {
     m.complete(p, PRINT_STMT);
 }
 
-/// An assignment, the call of an instruction, or a value that has no effect.
+/// Parses an assignment, an instruction call, or a value without effect.
 fn expression_statement(p: &mut Parser<'_>) {
     let m = p.start();
     let Some(left) = expression(p) else {
@@ -119,7 +119,7 @@ fn expression_statement(p: &mut Parser<'_>) {
     m.complete(p, kind);
 }
 
-/// `= value`, or `= place = value` where assignments are chained.
+/// Parses `= value`, or `= place = value` in a chained assignment.
 fn assigned_value(p: &mut Parser<'_>) {
     p.bump();
     let chained = p.nested(|p| {

@@ -9,7 +9,7 @@ use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;
 
-/// `switch`, or the rest of one from a `case` or `default` on.
+/// Parses `switch`; after a missing `switch`, the rest from `case` or `default` on.
 pub(super) fn switch_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
     let m = p.start();
     let headless = !p.at(SWITCH_KW);
@@ -22,17 +22,17 @@ pub(super) fn switch_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
     m.complete(p, SWITCH_STMT);
 }
 
-/// The cases of a `switch` read so far.
+/// State of parsing the cases of a `switch`.
 #[derive(Default)]
 struct Cases {
     default: LastBranch,
     any: bool,
-    /// The `switch` is missing, which has been said.
+    /// Whether the `switch` is missing, which was already reported.
     headless: bool,
 }
 
 impl Cases {
-    /// Reads all of them; true if the `endSwitch` follows.
+    /// Parses all cases. Returns whether `endSwitch` follows.
     fn read(&mut self, p: &mut Parser<'_>, blocks: &mut Blocks) -> bool {
         while !p.at_code_end() {
             p.start_statement();
@@ -47,7 +47,7 @@ impl Cases {
         false
     }
 
-    /// A `case` or `default` up to its `break`.
+    /// Parses a `case` or `default` up to its `break`.
     fn case(&mut self, p: &mut Parser<'_>, blocks: &mut Blocks) {
         let keyword = p.range(p.position());
         let is_case = p.at(CASE_KW);
@@ -71,7 +71,7 @@ impl Cases {
         m.complete(p, if is_case { CASE_CLAUSE } else { DEFAULT_CLAUSE });
     }
 
-    /// A line in no case. Behind a `break` it is never reached, but the controller takes it.
+    /// Parses a line outside of all cases. After a `break` the controller accepts it, but never executes it.
     fn statement(&mut self, p: &mut Parser<'_>, blocks: &mut Blocks) {
         if self.any {
             blocks.note_layout(p);

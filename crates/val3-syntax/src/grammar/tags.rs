@@ -6,7 +6,7 @@ use crate::error::{SyntaxErrorKind, XmlPart};
 use crate::kind::SyntaxKind::*;
 use crate::parser::{Marker, Parser};
 
-/// A start tag; true if content follows. One that is not closed may be any, but the root always has content.
+/// Parses a start tag. Returns whether content follows. An unclosed tag is assumed to have none, except for the root.
 pub(super) fn start_tag(p: &mut Parser<'_>, is_root: bool) -> bool {
     let m = p.start();
     let opener = if p.nth(1) == XML_NAME { p.range_of_two() } else { p.range(p.position()) };
@@ -21,7 +21,7 @@ pub(super) fn start_tag(p: &mut Parser<'_>, is_root: bool) -> bool {
 
 fn attributes(p: &mut Parser<'_>) {
     let mut seen = Vec::new();
-    // A tag that is not closed runs on over what follows: it has one message.
+    // An unclosed tag includes the following text, and is reported once.
     let mut told = false;
     loop {
         let (kind, name, range) = (p.current(), p.text(), p.range(p.position()));
@@ -36,7 +36,7 @@ fn attributes(p: &mut Parser<'_>) {
             }
             _ => break,
         };
-        // The lexer has said what it could not read.
+        // The lexer has already reported a token that it could not read.
         if !sound && !told && kind != ERROR_TOKEN {
             p.structure_error(SyntaxErrorKind::MalformedAttribute { name: name.to_owned() }, range, None);
         }
@@ -47,7 +47,7 @@ fn attributes(p: &mut Parser<'_>) {
     }
 }
 
-/// An attribute; false if it lacks its `=` or its value.
+/// Parses an attribute. Returns whether it has a `=` and a value.
 fn attribute(p: &mut Parser<'_>) -> bool {
     let m = p.start();
     p.bump();
@@ -73,7 +73,7 @@ fn report_duplicates(p: &mut Parser<'_>, mut seen: Vec<(&str, usize)>) {
     }
 }
 
-/// The end tag of the element that opened at `opened`.
+/// Parses the end tag of the element that starts at `opened`.
 pub(super) fn end_tag(p: &mut Parser<'_>, opened: usize) {
     let m = p.start();
     p.bump();
@@ -89,7 +89,7 @@ fn finish_end_tag(p: &mut Parser<'_>, m: Marker, opened: usize) {
     m.complete(p, END_TAG);
 }
 
-/// The `>` of a tag, or the message at `place` that it is missing.
+/// Parses the `>` of a tag, or reports at `place` that it is missing.
 fn close_tag(p: &mut Parser<'_>, place: TextRange, opened: Option<TextRange>) {
     if p.eat(R_ANGLE) || p.eat(SLASH_R_ANGLE) {
         return;
@@ -102,7 +102,7 @@ fn close_tag(p: &mut Parser<'_>, place: TextRange, opened: Option<TextRange>) {
     }
 }
 
-/// An end tag that closes nothing, or by its place the element that opened at `meant`.
+/// Reports an end tag that closes no element, or that probably closes the element at `meant`.
 pub(super) fn unmatched_end_tag(p: &mut Parser<'_>, meant: Option<usize>) {
     let m = p.start();
     let opened = p.position();
@@ -110,7 +110,7 @@ pub(super) fn unmatched_end_tag(p: &mut Parser<'_>, meant: Option<usize>) {
     p.bump();
     let name = if p.at(XML_NAME) { p.text().to_owned() } else { String::new() };
     finish_end_tag(p, m, opened);
-    // A tag in which the file breaks off may be any.
+    // A tag at the end of a truncated file may be incomplete.
     if !(p.at(EOF) && p.is_end_reported()) {
         let start = meant.map(|opened| p.range(opened).cover(p.range(opened + 1)));
         p.structure_error(SyntaxErrorKind::UnmatchedEndTag { name }, tag, start);

@@ -1,4 +1,4 @@
-//! Programs that are started: `call`, `taskCreate`, `taskCreateSync`.
+//! Statements that start programs: `call`, `taskCreate`, `taskCreateSync`.
 
 use super::expressions::value;
 use super::operands::{argument_list, name_or_path};
@@ -7,7 +7,7 @@ use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;
 
-/// `call name(…)`, `call library:name(…)`.
+/// Parses `call name(…)` or `call library:name(…)`.
 pub(super) fn call_statement(p: &mut Parser<'_>) {
     let m = p.start();
     p.bump();
@@ -30,7 +30,7 @@ fn called_program(p: &mut Parser<'_>) {
     call.complete(p, CALL_EXPR);
 }
 
-/// `taskCreate name, priority, program(…)`, `taskCreateSync name, period, overrun, program(…)`.
+/// Parses `taskCreate name, priority, program(…)` or `taskCreateSync name, period, overrun, program(…)`.
 pub(super) fn task_create_statement(p: &mut Parser<'_>) {
     let m = p.start();
     let more = if p.at(TASK_CREATE_KW) { 2 } else { 3 };

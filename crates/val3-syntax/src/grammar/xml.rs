@@ -1,4 +1,4 @@
-//! Elements and their contents.
+//! Elements and their content.
 
 use super::program::code;
 use super::tags::{end_tag, start_tag, unmatched_end_tag};
@@ -6,7 +6,7 @@ use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;
 
-/// Elements of program, data and project files that hold other elements but no text.
+/// Elements of program, data and project files that contain elements but no text.
 const HOLDS_ELEMENTS: &[&str] = &[
     "Programs",
     "Program",
@@ -31,7 +31,7 @@ const HOLDS_ELEMENTS: &[&str] = &[
     "aliasSection",
 ];
 
-/// A whole file: one element, with anything else around it reported once.
+/// Parses a file: one root element. Other content outside of it is reported once.
 pub(crate) fn file(p: &mut Parser<'_>) {
     let m = p.start();
     let (mut roots, mut strays) = (0, 0);
@@ -62,7 +62,7 @@ pub(crate) fn file(p: &mut Parser<'_>) {
     m.complete(p, XML_FILE);
 }
 
-/// An element; `names` are the names of the elements around it.
+/// Parses an element; `names` are the names of the enclosing elements.
 fn element<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>) {
     p.start_statement();
     if p.nested_block(|p| element_inner(p, names)).is_none() {
@@ -90,7 +90,7 @@ fn element_inner<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>) {
     m.complete(p, ELEMENT);
 }
 
-/// The content of the element that opened at `opened`, and its end tag.
+/// Parses the content and the end tag of the element at `opened`.
 fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
     let mut told = names.last().is_none_or(|name| !HOLDS_ELEMENTS.contains(name));
     loop {
@@ -108,7 +108,7 @@ fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
                 EndTag::Nobody => unmatched_end_tag(p, None),
             },
             EOF => {
-                // One truncated file is one fault: the innermost element has the message.
+                // A truncated file is one fault: only the innermost element is reported.
                 if !p.is_end_reported() {
                     unclosed(p, names, opened);
                     p.mark_end_reported();
@@ -124,8 +124,8 @@ fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
 enum EndTag {
     Mine,
     Outer,
-    /// No open element has the name, but it is similar to that of the innermost element, or that element needs an end
-    /// tag here.
+    /// No open element has this name, but the name resembles the innermost element's, or the innermost element needs an
+    /// end tag here.
     Misspelt,
     Nobody,
 }
@@ -146,23 +146,22 @@ fn end_tag_target(p: &Parser<'_>, names: &[&str]) -> EndTag {
     }
 }
 
-/// Behind the end tag here comes the true one of the innermost element, or a sibling of what the tag would close:
-/// the tag is one too many.
+/// Whether the end tag is superfluous: after it follows the innermost element's real end tag, or a sibling of the
+/// element that it would close.
 fn continues_after(p: &Parser<'_>, names: &[&str]) -> bool {
     let closed = end_tag_name(p, 0);
     let next_opened = (p.nth(3) == L_ANGLE && p.nth(4) == XML_NAME).then(|| p.text_at(p.position() + 4));
     end_tag_name(p, 3) == names.last().copied() || next_opened == closed
 }
 
-/// The names start alike for at least half of their length, in any letter case.
+/// Whether at least the first half of the names is equal, in any letter case.
 fn is_alike(name: Option<&str>, other: Option<&&str>) -> bool {
     let (Some(name), Some(other)) = (name, other) else { return false };
     let same = name.bytes().zip(other.bytes()).take_while(|(a, b)| a.eq_ignore_ascii_case(b)).count();
     2 * same >= name.len().max(other.len())
 }
 
-/// After this end tag follows the end tag of the element around the innermost one, or the end of the text after the
-/// root.
+/// Whether the end tag of the second innermost element follows this one; for the root, whether the text ends.
 fn is_end_of_outer(p: &Parser<'_>, names: &[&str]) -> bool {
     match names {
         [.., outer, _] => end_tag_name(p, 3) == Some(outer),
@@ -170,7 +169,7 @@ fn is_end_of_outer(p: &Parser<'_>, names: &[&str]) -> bool {
     }
 }
 
-/// The name in the end tag `n` tokens ahead.
+/// Returns the name in the end tag `n` tokens ahead.
 fn end_tag_name<'i>(p: &Parser<'i>, n: usize) -> Option<&'i str> {
     (p.nth(n) == L_ANGLE_SLASH && p.nth(n + 1) == XML_NAME).then(|| p.text_at(p.position() + n + 1))
 }

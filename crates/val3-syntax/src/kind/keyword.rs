@@ -1,8 +1,8 @@
-//! The keywords: their spelling, and the way back from a word to its kind.
+//! Keywords: their spelling, and the lookup of a word.
 
 use super::SyntaxKind::{self, *};
 
-/// The keywords with their canonical spelling, in the order of their kinds.
+/// Keywords in their canonical spelling, in the order of the kinds.
 pub const KEYWORDS: &[(SyntaxKind, &str)] = &[
     (BEGIN_KW, "begin"),
     (END_KW, "end"),
@@ -35,31 +35,31 @@ pub const KEYWORDS: &[(SyntaxKind, &str)] = &[
 ];
 
 impl SyntaxKind {
-    /// A keyword of the code.
+    /// Whether it is a keyword of the code.
     pub fn is_keyword(self) -> bool {
         (BEGIN_KW..=TASK_CREATE_SYNC_KW).contains(&self)
     }
 
-    /// The canonical spelling of a keyword.
+    /// Returns the canonical spelling of a keyword.
     pub fn keyword_text(self) -> Option<&'static str> {
         let index = (self as usize).checked_sub(BEGIN_KW as usize)?;
         KEYWORDS.get(index).map(|(_, text)| *text)
     }
 
-    /// The keyword written as `text`, in any letter case.
+    /// Returns the keyword with this spelling in any letter case.
     pub fn from_keyword(text: &str) -> Option<Self> {
         let (kind, keyword) = (*SLOTS.get(slot(text.as_bytes()))?)?;
         keyword.eq_ignore_ascii_case(text).then_some(kind)
     }
 }
 
-/// The keywords, each in the slot that its length, first and last letter give: one comparison distinguishes a name from
-/// a keyword. No two keywords share a slot.
+/// Hash table of the keywords by length, first and last letter, so that one comparison distinguishes a name from a
+/// keyword. No two keywords share a slot.
 static SLOTS: [Option<(SyntaxKind, &str)>; SLOT_COUNT] = slots();
 
 const SLOT_COUNT: usize = 64;
 
-/// The slot of a word, the same in any letter case.
+/// Returns the slot of a word in any letter case.
 const fn slot(word: &[u8]) -> usize {
     let (Some(first), Some(last)) = (word.first(), word.last()) else { return 0 };
     let (first, last) = (first.to_ascii_lowercase() as usize, last.to_ascii_lowercase() as usize);

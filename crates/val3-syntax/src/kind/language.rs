@@ -1,8 +1,8 @@
-//! The kinds as a language of rowan, and the names of its trees.
+//! The kinds as a rowan language, and its tree types.
 
 use super::SyntaxKind;
 
-/// The language of the trees, for rowan.
+/// Language of the trees, for rowan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Val3 {}
 

@@ -1,4 +1,4 @@
-//! VAL 3 code: the content of `<Code>`, in CDATA sections or as escaped text.
+//! Lexer of VAL 3 code: the content of `<Code>`, in CDATA sections or as escaped text.
 
 use memchr::{memchr, memchr2, memrchr2};
 
@@ -8,16 +8,16 @@ use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::{self, *};
 use crate::never::Part;
 
-/// One stretch of code between marks of XML.
+/// A segment of code between XML markup.
 #[derive(Clone, Copy)]
 struct CodeSegment {
     end: usize,
-    /// `<` and `&` are written as entity references.
+    /// Whether `<` and `&` are written as entity references.
     escaped: bool,
 }
 
 impl Lexer<'_> {
-    /// Everything between `<Code>` and `</Code>`.
+    /// Reads everything between `<Code>` and `</Code>`.
     pub(super) fn code_content(&mut self) {
         self.indent = Indent::ZERO;
         while let Some(byte) = self.byte() {
@@ -33,7 +33,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// `<` between stretches of code.
+    /// Reads `<` between code segments.
     fn code_markup(&mut self) {
         let rest = self.rest();
         if rest.starts_with(CDATA) {
@@ -44,7 +44,7 @@ impl Lexer<'_> {
         } else if rest.starts_with("<!--") {
             self.comment_of_xml();
         } else {
-            // A comparison that the writer forgot to escape.
+            // A comparison that was not escaped.
             self.error(SyntaxErrorKind::UnexpectedText, self.pos, self.pos + 1);
             let (kind, len) = if rest.starts_with("<=") { (LE, 2) } else { (LT, 1) };
             self.token(kind, self.pos + len);
@@ -73,12 +73,12 @@ impl Lexer<'_> {
         }
     }
 
-    /// `]]>` ends the code, but no CDATA section is open.
+    /// Whether a `]]>` ends the code without an open CDATA section.
     fn is_cdata_close(&self, stretch: CodeSegment) -> bool {
         self.stretch_bytes(stretch).strip_prefix(b"]]>").is_some_and(|after| after.trim_ascii().is_empty())
     }
 
-    /// Damage at the start of the section may have been reported.
+    /// Reports a `]]>` without a CDATA section, unless damage at the start of the section was reported.
     fn stray_cdata_close(&mut self) {
         let told = self.out.errors.last().is_some_and(|error| error.kind == SyntaxErrorKind::UnexpectedText);
         if !told {
@@ -91,7 +91,7 @@ impl Lexer<'_> {
         self.stretch_bytes(stretch).get(1).copied()
     }
 
-    /// The bytes from here to the end of the stretch.
+    /// Returns the bytes from the current position to the end of the segment.
     fn stretch_bytes(&self, stretch: CodeSegment) -> &[u8] {
         self.text.as_bytes().part(self.pos..stretch.end)
     }
@@ -104,7 +104,7 @@ impl Lexer<'_> {
         self.token(WHITESPACE, self.pos + len);
     }
 
-    /// A line end with all following blank lines and indentation.
+    /// Reads a line end with all following blank lines and indentation.
     fn line_break(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
         let len = bytes.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(bytes.len());
@@ -140,7 +140,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// `12`, `12.5`, `.5`, `1e3`, `1e-3`.
+    /// Reads a number: `12`, `12.5`, `.5`, `1e3`, `1e-3`.
     fn number(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
         let digits = |from: usize| bytes.part(from..).iter().take_while(|byte| byte.is_ascii_digit()).count();
@@ -158,7 +158,7 @@ impl Lexer<'_> {
         self.token(NUMBER, self.pos + len);
     }
 
-    /// A string from its opening quote of `quote` bytes on. There are no escapes; it ends on its line.
+    /// Reads a string from its opening quote of `quote` bytes on. It has no escapes and ends on its line.
     fn string(&mut self, stretch: CodeSegment, quote: usize) {
         let start = self.pos;
         let mut at = start + quote;
@@ -174,7 +174,7 @@ impl Lexer<'_> {
                 Some(_) => at += 1,
             }
         }
-        // Where the file breaks off, the element that is not closed has the message.
+        // If the file is truncated, only the unclosed element is reported.
         if at < self.text.len() {
             self.error(SyntaxErrorKind::UnterminatedString, start, at);
         }
@@ -188,7 +188,7 @@ impl Lexer<'_> {
         self.token(STRING, end);
     }
 
-    /// A comment; code before it in its line is a fault.
+    /// Reads a comment. Code before it on its line is an error.
     fn comment(&mut self, stretch: CodeSegment) {
         let bytes = self.stretch_bytes(stretch);
         let end = self.pos + memchr2(b'\n', b'\r', bytes).unwrap_or(bytes.len());
@@ -201,7 +201,7 @@ impl Lexer<'_> {
         self.token(COMMENT, end);
     }
 
-    /// An entity reference in escaped code means the character that it names.
+    /// Reads an entity reference in escaped code as the character that it encodes.
     fn reference(&mut self, stretch: CodeSegment) {
         let rest = self.text.part(self.pos..stretch.end);
         let Some((character, len)) = entity::resolve(rest) else {
@@ -216,7 +216,7 @@ impl Lexer<'_> {
             '>' if with_eq => self.token(GE, end + 1),
             '>' => self.token(GT, end),
             '"' => self.string(stretch, len),
-            // The parser knows what to write instead of `&&`.
+            // The parser reports `&&` with its VAL 3 spelling.
             '&' if rest.get(len..).is_some_and(|after| after.starts_with("&amp;")) => self.token(ERROR_TOKEN, end + 5),
             '\n' | '\r' => {
                 self.token(NEWLINE, end);
@@ -261,8 +261,8 @@ impl Lexer<'_> {
         self.token(kind, self.pos + len);
     }
 
-    /// Characters that no VAL 3 line contains, a run of them as one token with one message.
-    /// `&&` and `||` are left for the parser, which knows what to write instead.
+    /// Reads a sequence of characters that are invalid in VAL 3 as one token with one error. The parser reports `&&`
+    /// and `||` with their VAL 3 spelling.
     fn invalid_characters(&mut self, stretch: CodeSegment) {
         let rest = self.text.part(self.pos..stretch.end);
         if rest.starts_with("&&") || rest.starts_with("||") {

@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use crate::characters::is_allowed;
 use crate::never::Part;
 
-/// The character that the reference at the start of `text` means, and the length of the reference.
-/// `None` where `text` starts with no reference that XML itself defines.
+/// Resolves the entity reference at the start of `text`: its character and length; `None` if there is no reference that
+/// XML itself defines.
 pub fn resolve(text: &str) -> Option<(char, usize)> {
     let body = text.strip_prefix('&')?;
     let end = body.bytes().take(12).position(|byte| byte == b';')?;
@@ -28,12 +28,12 @@ fn numeric(name: &str) -> Option<char> {
         Some(hex) => (hex, 16),
         None => (digits, 10),
     };
-    // A sign, which Rust takes, is none of XML's digits.
+    // Rust accepts a sign in a number, XML does not.
     let code = u32::from_str_radix(digits, radix).ok().filter(|_| !digits.starts_with('+'))?;
     char::from_u32(code).filter(|character| is_allowed(*character))
 }
 
-/// `text` with every reference replaced by its character; what is no reference stays.
+/// Replaces every reference by its character. Text that is no reference is unchanged.
 pub fn decode_entities(text: &str) -> Cow<'_, str> {
     if memchr::memchr(b'&', text.as_bytes()).is_none() {
         return Cow::Borrowed(text);

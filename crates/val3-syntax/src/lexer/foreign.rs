@@ -1,6 +1,6 @@
-//! Words of other languages at the start of a line.
+//! Foreign words at the start of a line: block keywords of other languages.
 
-/// How other languages open, continue or end a block, in one word or two, and what VAL 3 writes.
+/// Foreign block keywords, which have one or two words, with the VAL 3 keyword.
 const FOREIGN_WORDS: &[(&str, &str, &str)] = &[
     ("end", "if", "endIf"),
     ("end", "while", "endWhile"),
@@ -12,9 +12,8 @@ const FOREIGN_WORDS: &[(&str, &str, &str)] = &[
     ("repeat", "", "do"),
 ];
 
-/// `code` starts a line with a word of `len` bytes. It, or it and the next word, opens, continues or ends a block in
-/// another language: Returns their length and the intended keyword. The text after a word distinguishes it from a
-/// variable.
+/// Returns the length and the VAL 3 keyword if the line `code` starts with a foreign block keyword, whose first word
+/// has `len` bytes. The text after a single word distinguishes it from a variable.
 pub(super) fn word(code: &[u8], len: usize) -> Option<(usize, &'static str)> {
     if !(3..=6).contains(&len) {
         return None;

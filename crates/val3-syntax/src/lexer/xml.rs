@@ -1,4 +1,4 @@
-//! The XML around the code.
+//! Lexer of the XML around the code.
 
 use memchr::{memchr, memchr2, memmem};
 
@@ -8,7 +8,7 @@ use crate::kind::SyntaxKind::{self, *};
 use crate::never::Part;
 
 impl Lexer<'_> {
-    /// The whole file.
+    /// Reads the entire file.
     pub(super) fn document(&mut self) {
         if self.rest().starts_with('\u{feff}') {
             self.token(BYTE_ORDER_MARK, 3);
@@ -21,7 +21,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Anything that starts with `<`.
+    /// Reads markup that starts with `<`.
     fn markup(&mut self) {
         if self.take_conflict_marker() {
             return;
@@ -46,7 +46,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// A comment. Only a merge writes one that starts with the mark of a conflict.
+    /// Reads a comment. A comment that starts with a conflict marker comes from a merge.
     pub(super) fn comment_of_xml(&mut self) {
         if self.rest().starts_with(CONFLICT_COMMENT) {
             self.error(SyntaxErrorKind::ConflictMarker, self.pos, self.line_end(self.pos));
@@ -54,7 +54,7 @@ impl Lexer<'_> {
         self.until("-->", XML_COMMENT, XmlPart::Comment);
     }
 
-    /// A token up to and with `close`; to the end of the text where `close` is missing.
+    /// Emits a token up to and including `close`, or up to the end of the text if `close` is missing.
     pub(super) fn until(&mut self, close: &str, kind: SyntaxKind, part: XmlPart) {
         match memmem::find(self.rest().as_bytes(), close.as_bytes()) {
             Some(at) => self.token(kind, self.pos + at + close.len()),
@@ -66,7 +66,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// A CDATA section outside of code.
+    /// Reads a CDATA section outside of code.
     fn cdata(&mut self) {
         let end = self.cdata_end();
         self.token(CDATA_OPEN, self.pos + CDATA.len());
@@ -76,8 +76,8 @@ impl Lexer<'_> {
         self.cdata_close();
     }
 
-    /// Where the text of the CDATA section that starts here ends. An unclosed one ends before the next end tag,
-    /// so that it does not swallow the rest of the file.
+    /// Returns the end of the text in the CDATA section that starts here. An unclosed section ends before the next end
+    /// tag, so that it does not include the rest of the file.
     pub(super) fn cdata_end(&mut self) -> usize {
         let start = self.pos + CDATA.len();
         let body = self.text.as_bytes().part(start..);
@@ -94,7 +94,7 @@ impl Lexer<'_> {
         start + body.trim_end_matches([']', '>']).len()
     }
 
-    /// The end of a CDATA section, or the text in its place.
+    /// Reads the end of a CDATA section, or a damaged end.
     pub(super) fn cdata_close(&mut self) {
         let mark = self.rest().bytes().take_while(|byte| matches!(byte, b']' | b'>')).count();
         let len = if self.rest().starts_with("]]>") { 3 } else { mark };
@@ -103,7 +103,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// A start tag. The one of a `<Code>` is followed by code.
+    /// Reads a start tag. After `<Code>`, code follows.
     fn start_tag(&mut self) {
         self.token(L_ANGLE, self.pos + 1);
         let name_end = self.pos + self.name_len();
@@ -114,7 +114,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// The inside of a tag, including its `>`. Text that does not belong there is one fault.
+    /// Reads the inside of a tag, including its `>`. All invalid text in it is one error.
     fn tag(&mut self) {
         let faults = self.out.errors.len();
         while let Some(byte) = self.byte() {
@@ -138,7 +138,7 @@ impl Lexer<'_> {
         self.out.tokens.last().is_some_and(|token| token.kind == XML_EQ)
     }
 
-    /// A value without quotes; the grammar misses the quoted one and says so.
+    /// Reads a value without quotes; the grammar reports the missing quotes.
     fn unquoted_value(&mut self) {
         let rest = self.rest();
         let ends = |next: char| matches!(next, ' ' | '\t' | '\r' | '\n' | '>' | '<' | '"' | '\'');
@@ -169,7 +169,7 @@ impl Lexer<'_> {
         self.token(WHITESPACE, self.pos + len);
     }
 
-    /// A quoted value. XML forbids `<` in it: either that was not escaped, or the closing quote is missing.
+    /// Reads a quoted value. XML forbids `<` in it: either it was not escaped, or the closing quote is missing.
     fn attribute_value(&mut self, quote: u8) {
         let start = self.pos;
         let body = self.text.as_bytes().part(start + 1..);
@@ -188,7 +188,7 @@ impl Lexer<'_> {
         self.token(XML_STRING, end);
     }
 
-    /// Text between tags: blanks, text, entity references.
+    /// Reads character data between tags: blanks, text, entity references.
     fn character_data(&mut self) {
         if self.take_conflict_marker() {
             return;
@@ -206,14 +206,14 @@ impl Lexer<'_> {
         }
     }
 
-    /// Text up to the end of its line: the next line may be a conflict marker.
+    /// Reads text up to the line end, because the next line may be a conflict marker.
     fn text(&mut self) {
         let rest = self.rest().as_bytes();
         let len = rest.iter().position(|byte| matches!(byte, b'<' | b'&' | b'\n')).unwrap_or(rest.len());
         self.token(XML_TEXT, self.pos + len.max(1));
     }
 
-    /// Reports the references between two offsets that have no meaning.
+    /// Reports undefined entity references between two offsets.
     pub(super) fn check_entities(&mut self, start: usize, end: usize) {
         let mut at = start;
         while let Some(step) = memchr(b'&', self.text.as_bytes().part(at..end)) {
@@ -239,8 +239,8 @@ impl Lexer<'_> {
     }
 }
 
-/// The length, including the closing quote, of a value with an unescaped `<` at `at`. No tag starts there, because the
-/// quote comes before any part of a tag.
+/// Returns the length, including the closing quote, of a value with an unescaped `<` at `at`; `None` if a part of a tag
+/// precedes the quote.
 fn unescaped_value(body: &[u8], at: usize, quote: u8) -> Option<usize> {
     let after = body.get(at..)?;
     let len = memchr(quote, after)?;
@@ -248,7 +248,7 @@ fn unescaped_value(body: &[u8], at: usize, quote: u8) -> Option<usize> {
     is_text.then_some(at + len + 1)
 }
 
-/// Where a value without its closing quote ends: before the end of its tag or line.
+/// Returns the end of a value without closing quote: before the end of the tag or line.
 fn unclosed_value(body: &[u8]) -> usize {
     match memchr2(b'>', b'\n', body) {
         Some(at) if body.get(..at).is_some_and(|value| value.ends_with(b"/")) => at - 1,
@@ -256,7 +256,7 @@ fn unclosed_value(body: &[u8]) -> usize {
     }
 }
 
-/// The opening of a CDATA section.
+/// Start mark of a CDATA section.
 pub(super) const CDATA: &str = "<![CDATA[";
 
 fn is_blank(byte: u8) -> bool {

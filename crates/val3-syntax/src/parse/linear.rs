@@ -1,10 +1,10 @@
-//! The time of the parser grows with the text and no faster: counted in looks at tokens, not by the clock.
+//! The parsing time is linear, measured in token accesses instead of clock time.
 
 use crate::grammar;
 use crate::lexer::lex;
 use crate::parser::{Input, Parser};
 
-/// Texts that make a careless parser look at the same tokens again and again.
+/// Texts for which a naive parser reads the same tokens repeatedly.
 const SHAPES: &[(&str, &str, &str)] = &[
     ("begin\nx=", "(", "\nend"),
     ("begin\nx=", "f(a b, g[1 ", "\nend"),
@@ -22,7 +22,7 @@ const SHAPES: &[(&str, &str, &str)] = &[
     ("begin\n", "a ", "\nend"),
 ];
 
-/// How often the parser looks at a token of `text`.
+/// Returns the number of token accesses while parsing `text`.
 fn looks(text: &str) -> usize {
     let lexed = lex(text);
     let input = Input::new(text, &lexed);
@@ -36,7 +36,7 @@ fn looks_grow_with_the_text() {
         let of = |times: usize| looks(&format!("<Code><![CDATA[{head}{}{tail}]]></Code>", unit.repeat(times)));
         let (once, tenfold) = (of(1_000), of(10_000));
         assert!(tenfold <= 11 * once, "{unit:?}: {once} -> {tenfold}");
-        // Some look far ahead, but no more than a fixed number of times.
+        // Some texts need far lookahead, but only a fixed number of times.
         assert!(tenfold < 100 * 10_000 * unit.len().max(4), "{unit:?}: {tenfold}");
     }
 }

@@ -1,7 +1,7 @@
-//! Parsing again after an edit of lines without blocks: those lines alone.
+//! Incremental parsing after an edit of lines without block keywords: only these lines are parsed.
 //!
-//! A statement ends with its line, and only the keywords of blocks mean something to other lines. So lines without
-//! them, read between a `begin` and an `end` of their own, give the tree that they give in their program.
+//! A statement ends with its line, and only block keywords affect other lines. Lines without them, parsed between a
+//! separate `begin` and `end`, therefore have the same tree as in their program.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -18,7 +18,7 @@ use crate::never::text_at;
 use crate::tree::{Entry, Piece, Splice};
 
 impl Parse {
-    /// The parse of `new_text`, which this one's text is after `change`; `None` where other lines have to be read again.
+    /// Parses `new_text`, the text of this parse after `change`; `None` if other lines must be parsed, too.
     pub(super) fn reparse_lines(&self, new_text: &Arc<str>, change: Change) -> Option<Parse> {
         if !self.has_line_faults_only() {
             return None;
@@ -57,7 +57,7 @@ impl Parse {
         self.errors.iter().all(|error| error.kind.is_local_to_line())
     }
 
-    /// The nodes from the root to the code of a text that is one element.
+    /// Returns the nodes from the root to the code of a text that is a single element.
     fn path_to_code(&self) -> Option<Vec<Piece<'_>>> {
         let root = self.tree.root();
         let element = root.children().find(|piece| piece.kind().is_node())?;
@@ -66,7 +66,7 @@ impl Parse {
     }
 }
 
-/// The text to put before and after lines of the same code section, so that they form a program.
+/// Returns the text that is placed before and after lines of the same code section, so that they form a program.
 fn around(text: &str, path: &[Piece<'_>], at: TextSize) -> (&'static str, &'static str) {
     let code = path.iter().rfind(|node| node.kind() == SyntaxKind::CODE);
     let start = code.map_or(at, |code| code.range().start());
@@ -77,27 +77,27 @@ fn around(text: &str, path: &[Piece<'_>], at: TextSize) -> (&'static str, &'stat
     }
 }
 
-/// The lines hold what may be the end of their stretch of code.
+/// Whether the lines may contain the end of the code segment.
 fn leaves_stretch(code: &str, tail: &str) -> bool {
     code.contains("]]>") || tail.starts_with("end<") && code.contains('<')
 }
 
-/// Whether the first token of the line at `at` is independent of the indentation: it is no blank and no mark of a merge
-/// conflict.
+/// Whether the first token of the line at `at` is independent of the indentation: it is neither a blank nor a conflict
+/// marker.
 fn starts_as_before(text: &str, at: TextSize) -> bool {
     let next = text.as_bytes().get(usize::from(at));
     next.is_some_and(|byte| !byte.is_ascii_whitespace() && !b"<>|=&".contains(byte))
 }
 
 impl StatementRun<'_, '_> {
-    /// It ends with a line, and nothing in it says something about other lines.
+    /// Whether the run ends with a line and contains nothing that affects other lines.
     fn affects_only_itself(&self) -> bool {
         let ends_line = self.pieces().last().is_some_and(is_line_end);
         ends_line && !self.pieces().any(|piece| affects_other_lines(piece.entries()))
     }
 }
 
-/// A keyword or mark among them says something about other lines.
+/// Whether the entries contain a keyword or mark that affects other lines.
 fn affects_other_lines(entries: &[Entry]) -> bool {
     entries.iter().any(|entry| is_of_blocks(entry.kind))
 }
@@ -117,7 +117,7 @@ mod tests {
 
     const CDATA: &str = "<a>\n<Code><![CDATA[begin\n  x=1\n  if x==1\n    put(x)\n    // two\n    y=\n  else\n  endIf\n\n  z=3\nend]]></Code>\n</a>";
 
-    /// Whether an edit of `old` to `new` needs its own lines alone.
+    /// Whether an edit from `old` to `new` requires parsing only its own lines.
     fn is_local(text: &str, old: &str, new: &str) -> bool {
         let new_text = text.replacen(old, new, 1);
         let start = TextSize::try_from(text.find(old).unwrap()).unwrap();

@@ -1,11 +1,11 @@
-//! One mistake, one message: the faults the lexer saw and those the grammar saw, in one list.
+//! Merging of lexer and grammar errors, so that each mistake is reported once.
 
 use std::ops::Range;
 
 use crate::error::{SyntaxError, SyntaxErrorKind};
 
-/// Both lists by position. A line on which the lexer failed has the lexer's first message alone, and a file with a
-/// merge conflict has only that to say.
+/// Merges both lists by position. If a line has lexer errors, only the first is kept. If a file has a merge conflict,
+/// only the conflicts are reported.
 pub(super) fn merge(text: &str, lexer: Vec<SyntaxError>, grammar: Vec<SyntaxError>) -> Vec<SyntaxError> {
     if lexer.is_empty() && grammar.is_empty() {
         return Vec::new();
@@ -29,7 +29,7 @@ fn is_conflict(error: &SyntaxError) -> bool {
     error.kind == SyntaxErrorKind::ConflictMarker
 }
 
-/// One message a conflict: at its opening marker, or at the first marker if none opens.
+/// Keeps one error for each conflict: its opening marker, or the first marker if none opens.
 fn conflicts(text: &str, lexer: Vec<SyntaxError>) -> Vec<SyntaxError> {
     let mut markers: Vec<_> = lexer.into_iter().filter(is_conflict).collect();
     let opens = |marker: &SyntaxError| {
@@ -44,7 +44,7 @@ fn conflicts(text: &str, lexer: Vec<SyntaxError>) -> Vec<SyntaxError> {
     markers
 }
 
-/// Leaves out what follows from the first fault of the lexer on a line.
+/// Removes errors that are consequences of the first lexer error on a line.
 fn drop_cascades(text: &str, faults: Vec<MergedError>) -> Vec<SyntaxError> {
     let mut kept = Vec::with_capacity(faults.len());
     for line in faults.chunk_by(|a, b| on_one_line(text, &a.error, &b.error)) {
@@ -60,7 +60,7 @@ fn drop_cascades(text: &str, faults: Vec<MergedError>) -> Vec<SyntaxError> {
     kept
 }
 
-/// The fault is on this line but caused by the lines of a block.
+/// Whether the error is reported on this line but caused by other lines of a block.
 fn is_about_other_lines(kind: &SyntaxErrorKind) -> bool {
     use SyntaxErrorKind::{MissingBreak, MissingEnd, UnclosedBlock, UnmatchedBlockEnd};
     matches!(kind, UnclosedBlock { .. } | UnmatchedBlockEnd { .. } | MissingBreak | MissingEnd)

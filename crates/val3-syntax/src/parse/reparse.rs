@@ -1,8 +1,8 @@
-//! Parsing again after an edit: only its lines ([`lines`](super::lines)) or the innermost element around it, where that
-//! is safe.
+//! Incremental parsing: after an edit, only the edited lines ([`lines`](super::lines)) or the innermost enclosing
+//! element are parsed, if that is safe.
 //!
-//! An element's tree depends on nothing outside of it as long as its own XML is in order; then the element can be
-//! parsed alone and put in the place of the old one. After any other edit the whole file is parsed again.
+//! The tree of a well-formed element does not depend on the surrounding text, so the element is parsed separately and
+//! spliced into the old tree. After any other edit the file is parsed completely.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -16,13 +16,13 @@ use crate::kind::SyntaxKind;
 use crate::tree::{Piece, Splice};
 
 impl Parse {
-    /// The parse of the text after `edit`: equal to `parse(&edit.apply(text))`.
+    /// Parses the text after `edit`. The result equals `parse(&edit.apply(text))`.
     pub fn reparse(&self, edit: &Edit) -> Parse {
         let text = self.tree.text();
         self.reparse_change(edit.apply(text).into(), Change::of(edit, text))
     }
 
-    /// The parse of `new_text`: equal to `parse(new_text)`, and fast where both texts are alike but for one place.
+    /// Parses `new_text`. The result equals `parse(new_text)`; it is fast if the texts differ in only one range.
     pub fn reparse_as(&self, new_text: Arc<str>) -> Parse {
         let change = Change::between(self.tree.text(), &new_text);
         self.reparse_change(new_text, change)
@@ -40,7 +40,7 @@ impl Parse {
     }
 
     fn reparse_element(&self, new_text: &Arc<str>, change: Change) -> Option<Parse> {
-        // A broken file around the element may change what it means.
+        // An error outside of the element may change the element's structure.
         if !are_local(&self.errors) {
             return None;
         }
@@ -53,7 +53,7 @@ impl Parse {
         let inside = sole_element(&fragment).filter(|_| are_local(&fragment.errors))?;
         let place = |at| at + old.start();
         let errors = self.spliced_errors(old, change, &fragment, place);
-        // The faults of one line are judged together, also across the edge of an element.
+        // Errors on the same line are merged, even across an element's boundary.
         if reach_edge(self.tree.text(), &self.errors, old) || reach_edge(new_text, &errors, new) {
             return None;
         }
@@ -63,7 +63,7 @@ impl Parse {
         Some(Parse { tree: Arc::new(tree), errors: errors.into(), odd_keywords })
     }
 
-    /// The old errors outside of `old`, moved by the edit, and those of the fragment, which lies at `place`.
+    /// Returns the old errors outside of `old`, shifted by the edit, and the errors of the fragment at `place`.
     pub(super) fn spliced_errors(
         &self,
         old: TextRange,
@@ -74,12 +74,12 @@ impl Parse {
         let before = self.errors.iter().filter(|error| error.range.end() <= old.start()).cloned();
         let inside = fragment.errors.iter().map(|error| shifted(error, &place));
         let after = self.errors.iter().filter(|error| error.range.start() >= old.end());
-        // The cause may be before the edit.
+        // The related range may be before the edit.
         let by = |at| if at >= old.end() { change.moved(at) } else { at };
         before.chain(inside).chain(after.map(|error| shifted(error, by))).collect()
     }
 
-    /// As [`spliced_errors`](Self::spliced_errors), of the keywords in an unusual letter case.
+    /// Like [`spliced_errors`](Self::spliced_errors), for keywords in unusual letter case.
     pub(super) fn spliced_keywords(
         &self,
         old: TextRange,
@@ -94,18 +94,18 @@ impl Parse {
     }
 }
 
-/// All of them are faults of code, which do not affect the XML around it.
+/// Whether all errors are errors of code, which do not affect the surrounding XML.
 fn are_local(errors: &[SyntaxError]) -> bool {
     errors.iter().all(|error| error.kind.is_local_to_code())
 }
 
-/// A number of levels around a text.
+/// Converts the number of enclosing nodes.
 pub(super) fn depth_of(nodes: usize) -> u32 {
     u32::try_from(nodes).unwrap_or(u32::MAX)
 }
 
-/// The innermost element that holds the edit between its first and its last character, and the nodes around it. The
-/// root is none: to parse it is to parse the whole.
+/// Returns the innermost element that contains the edit between its first and last character, and the enclosing nodes.
+/// The root is omitted, because parsing it means parsing the entire file.
 fn enclosing_element<'p, 't>(path: &'p [Piece<'t>], range: TextRange) -> Option<(Piece<'t>, &'p [Piece<'t>])> {
     let index = path.iter().rposition(|node| {
         let own = node.range();
@@ -124,7 +124,7 @@ fn nodes(parent: Piece<'_>) -> impl Iterator<Item = Piece<'_>> {
     parent.children().filter(|piece| piece.kind().is_node())
 }
 
-/// The element that is all of a fragment.
+/// Returns the element if it is the entire fragment.
 fn sole_element(fragment: &Parse) -> Option<Piece<'_>> {
     let root = fragment.tree.root();
     let element = nodes(root).next().filter(|child| child.kind() == SyntaxKind::ELEMENT)?;
@@ -132,7 +132,7 @@ fn sole_element(fragment: &Parse) -> Option<Piece<'_>> {
     (whole && is_closed(element) && has_own_tags_only(element)).then_some(element)
 }
 
-/// No tag in it may belong to an element around it. A fault of the lexer on its line would hide that this one is too many.
+/// Whether every tag in the element belongs to it. A lexer error on the same line would hide a superfluous tag.
 fn has_own_tags_only(element: Piece<'_>) -> bool {
     let last = nodes(element).last().map(Piece::index);
     let is_own = |child: Piece<'_>| match child.kind() {
@@ -144,7 +144,7 @@ fn has_own_tags_only(element: Piece<'_>) -> bool {
     nodes(element).all(is_own)
 }
 
-/// A fault is on the line where `element` starts or ends.
+/// Whether an error is on a line where `element` starts or ends.
 fn reach_edge(text: &str, errors: &[SyntaxError], element: TextRange) -> bool {
     let (first, last) = (line_around(text, element.start()), line_around(text, element.end()));
     errors.iter().any(|error| {
@@ -176,7 +176,7 @@ mod tests {
 
     const TEXT: &str = "<a>\n<b c=\"1\"/>\n<Code><![CDATA[begin\n  x=1\nend]]></Code>\n</a>";
 
-    /// The result of an edit from `old` to `new` if only the element is parsed again.
+    /// Returns the tree after the edit from `old` to `new` if only the element is parsed.
     fn alone(old: &str, new: &str) -> Option<Parse> {
         let start = TextSize::try_from(TEXT.find(old).unwrap()).unwrap();
         let change = Change { range: TextRange::at(start, TextSize::of(old)), inserted: TextSize::of(new) };

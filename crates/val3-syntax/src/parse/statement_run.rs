@@ -1,4 +1,4 @@
-//! The lines of a block: what an edit of lines looks at, and what it puts in their place.
+//! Lines of a block, for edits of lines: the examined lines and their replacement.
 //!
 //! A program may be one long block, so nothing here reads the text after an edit.
 
@@ -10,34 +10,35 @@ use rowan::{TextRange, TextSize};
 use crate::kind::SyntaxKind;
 use crate::tree::{Entry, Piece, count};
 
-/// A block of statements with the trivia around it.
+/// A block of statements with its surrounding trivia.
 pub(super) struct StatementRun<'p, 't> {
-    /// The nodes that hold both, innermost last.
+    /// Nodes that contain the block and its trivia, innermost last.
     pub(super) around: &'p [Piece<'t>],
-    /// Trivia.
+    /// Trivia before the block.
     before: Vec<Piece<'t>>,
     block: Piece<'t>,
-    /// Trivia.
+    /// Trivia after the block.
     after: Vec<Piece<'t>>,
-    /// Nothing else follows in the innermost node.
+    /// Whether nothing else follows in the innermost node.
     is_last: bool,
 }
 
-/// Some pieces of a run, by the first and the last of them.
+/// A range of pieces in a run, given by the first and the last piece.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lines<'t> {
     first: Piece<'t>,
     last: Piece<'t>,
 }
 
-/// The runs that an edit may lie in, inner ones first; `path` leads from the root to the innermost node with the edit.
+/// Returns the runs that may contain an edit, inner ones first. `path` goes from the root to the innermost node with
+/// the edit.
 pub(super) fn runs_around<'p, 't>(path: &'p [Piece<'t>]) -> impl Iterator<Item = StatementRun<'p, 't>> {
     let paths = (1..=path.len()).rev().filter_map(|len| path.get(..len));
     paths.flat_map(StatementRun::all_in_last)
 }
 
 impl<'p, 't> StatementRun<'p, 't> {
-    /// The runs in the last node of `path`.
+    /// Returns the runs in the last node of `path`.
     pub(super) fn all_in_last(path: &'p [Piece<'t>]) -> impl Iterator<Item = Self> {
         let parent = path.last().filter(|node| node.kind() != SyntaxKind::BLOCK);
         let siblings: Vec<Piece<'t>> = parent.into_iter().flat_map(|parent| parent.children()).collect();
@@ -56,29 +57,29 @@ impl<'p, 't> StatementRun<'p, 't> {
         Some(Self { around, before: before.to_vec(), block, after: after.to_vec(), is_last })
     }
 
-    /// Trivia, the statements of the block with trivia between them, and trivia.
+    /// Returns the pieces: trivia, the statements of the block with trivia between them, and trivia.
     pub(super) fn pieces(&self) -> impl Iterator<Item = Piece<'t>> {
         self.before.iter().copied().chain(self.block.children()).chain(self.after.iter().copied())
     }
 
-    /// Its range in the text.
+    /// Returns the range in the text.
     pub(super) fn range(&self) -> TextRange {
         self.lines().range()
     }
 
-    /// The range of its entries in the list of the tree.
+    /// Returns the index range in the tree's list of entries.
     pub(super) fn indexes(&self) -> Range<usize> {
         self.lines().indexes()
     }
 
-    /// All of it.
+    /// Returns the run as lines.
     fn lines(&self) -> Lines<'t> {
         let first = self.before.first().unwrap_or(&self.block);
         let last = self.after.last().unwrap_or(&self.block);
         Lines { first: *first, last: *last }
     }
 
-    /// The entries of its pieces within a range of the list, in stretches: all but that of the block itself.
+    /// Returns the entries of the run within an index range, in three slices, without the entry of the block itself.
     fn entries(&self, range: &Range<usize>) -> [&'t [Entry]; 3] {
         let (run, block) = (self.indexes(), self.block.indexes());
         [run.start..block.start, block.start + 1..block.end, block.end..run.end].map(|part| {
@@ -88,7 +89,7 @@ impl<'p, 't> StatementRun<'p, 't> {
         })
     }
 
-    /// The pieces from the line end before an edit to the line end after it, or the one that contains its end.
+    /// Returns the pieces from the line end before an edit to the line end that is after the edit or contains its end.
     pub(super) fn lines_around(&self, edit: TextRange) -> Option<Lines<'t>> {
         let mut first = None;
         for piece in self.pieces().filter(|piece| is_line_end(*piece)) {
@@ -101,7 +102,7 @@ impl<'p, 't> StatementRun<'p, 't> {
         None
     }
 
-    /// The run with that of another tree in the place of some lines.
+    /// Replaces some lines by a run from a different tree.
     pub(super) fn with<'n>(&self, lines: Lines<'t>, new: &StatementRun<'_, 'n>) -> Option<EditedRun<'n>>
     where
         't: 'n,
@@ -116,7 +117,7 @@ impl<'p, 't> StatementRun<'p, 't> {
         let leading = entries.iter().copied().flatten().take_while(is_trivia).count();
         let trailing = entries.iter().copied().rev().flat_map(|stretch| stretch.iter().rev()).take_while(is_trivia);
         let trailing = if leading == size { 0 } else { trailing.count() };
-        // Trivia at the end of a node belongs to the node around it.
+        // Trivia at the end of a node belongs to the parent node.
         if trailing > 0 && self.is_last {
             return None;
         }
@@ -129,23 +130,23 @@ impl<'p, 't> StatementRun<'p, 't> {
 }
 
 impl<'t> Lines<'t> {
-    /// Their range in the text.
+    /// Returns the range in the text.
     pub(super) fn range(self) -> TextRange {
         self.first.range().cover(self.last.range())
     }
 
-    /// The range of their entries in the list of the tree.
+    /// Returns the index range in the tree's list of entries.
     fn indexes(self) -> Range<usize> {
         self.first.index()..self.last.indexes().end
     }
 
-    /// Their entries; where the block begins or ends among them, its own as well.
+    /// Returns the entries, including the block's own entry if the block begins or ends in the lines.
     pub(super) fn entries(self) -> &'t [Entry] {
         self.first.entries_of_tree(self.indexes())
     }
 }
 
-/// The entries of a run after an edit.
+/// Entries of a run after an edit.
 pub(super) struct EditedRun<'t> {
     before: Vec<&'t [Entry]>,
     block: Entry,
@@ -154,13 +155,13 @@ pub(super) struct EditedRun<'t> {
 }
 
 impl EditedRun<'_> {
-    /// All entries in order.
+    /// Returns all entries in order.
     pub(super) fn entries(&self) -> Vec<&[Entry]> {
         [&*self.before, &[slice::from_ref(&self.block)], &*self.inside, &*self.after].concat()
     }
 }
 
-/// The first `at` entries, and the others.
+/// Splits the entries after the first `at` entries.
 fn split<'t>(stretches: &[&'t [Entry]], mut at: usize) -> (Vec<&'t [Entry]>, Vec<&'t [Entry]>) {
     let cut = stretches.iter().map(|stretch| {
         let (left, right) = stretch.split_at(at.min(stretch.len()));
@@ -170,7 +171,7 @@ fn split<'t>(stretches: &[&'t [Entry]], mut at: usize) -> (Vec<&'t [Entry]>, Vec
     cut.unzip()
 }
 
-/// The length of trivia.
+/// Returns the text length of trivia.
 fn len(trivia: &[&[Entry]]) -> TextSize {
     trivia.iter().copied().flatten().map(|entry| TextSize::new(entry.len)).sum()
 }

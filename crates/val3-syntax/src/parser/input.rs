@@ -1,4 +1,4 @@
-//! The tokens as the grammar sees them: without trivia.
+//! Input of the grammar: the non-trivia tokens.
 
 use rowan::TextRange;
 
@@ -6,18 +6,18 @@ use crate::kind::SyntaxKind;
 use crate::lexer::{Indent, Lexed, Token, range};
 use crate::never::text_at;
 
-/// The tokens that are no trivia.
+/// The non-trivia tokens of a text.
 pub(crate) struct Input<'t> {
     text: &'t str,
     tokens: &'t [Token],
     solid: Vec<TokenInfo>,
     cut_off: bool,
-    /// How often a token was looked at.
+    /// Number of token accesses.
     #[cfg(test)]
     pub(crate) looks: std::cell::Cell<usize>,
 }
 
-/// The most used properties of a token, and the index of the others.
+/// The most used properties of a token, and its index.
 #[derive(Clone, Copy)]
 struct TokenInfo {
     kind: SyntaxKind,
@@ -49,7 +49,7 @@ impl<'t> Input<'t> {
         self.solid.len()
     }
 
-    /// The lexer has already said that the text ends too early.
+    /// Whether the lexer has already reported a truncated text.
     pub(crate) fn is_cut_off(&self) -> bool {
         self.cut_off
     }
@@ -60,7 +60,7 @@ impl<'t> Input<'t> {
         self.solid.get(pos).map_or(SyntaxKind::EOF, |token| token.kind)
     }
 
-    /// Indentation if the token is the first of its line.
+    /// Returns the indentation if the token starts a line.
     pub(crate) fn indent(&self, pos: usize) -> Indent {
         self.solid.get(pos).map_or(Indent::NONE, |token| token.indent)
     }

@@ -1,13 +1,13 @@
-//! Starting and completing nodes.
+//! Markers, which start and complete nodes.
 
 use super::{Event, Parser};
 use crate::kind::SyntaxKind;
 
-/// A node that has been started.
+/// A started node.
 pub(crate) struct Marker {
-    /// Index of its `Start` event.
+    /// Index of the node's `Start` event.
     at: usize,
-    /// The height of the tallest sibling before it.
+    /// Maximum height of the preceding siblings.
     siblings: u32,
 }
 
@@ -31,7 +31,7 @@ impl Marker {
         Completed { at: self.at, kind, height, siblings: self.siblings }
     }
 
-    /// Gives the node up; what it holds goes to the node around it.
+    /// Abandons the node; its content becomes content of the parent node.
     pub(crate) fn abandon(self, p: &mut Parser<'_>) {
         p.height = p.height.max(self.siblings);
         if self.at + 1 == p.events.len() {
@@ -40,7 +40,7 @@ impl Marker {
     }
 }
 
-/// A node that is complete and may still get a node around it.
+/// A completed node, around which another node can still be started.
 #[derive(Clone, Copy)]
 pub(crate) struct Completed {
     at: usize,
@@ -54,12 +54,12 @@ impl Completed {
         self.kind
     }
 
-    /// Levels of nodes from this one down.
+    /// Returns the height of the node in levels.
     pub(crate) fn height(self) -> u32 {
         self.height
     }
 
-    /// Starts a node that encloses this one.
+    /// Starts a node that encloses this node.
     pub(crate) fn precede(self, p: &mut Parser<'_>) -> Marker {
         let at = p.events.len();
         p.events.push(Event::Abandoned);

@@ -1,17 +1,17 @@
-//! Reading the same tokens in several ways, and keeping the best.
+//! Repeated parsing of the same tokens in different modes, and selection of the best result.
 
 use super::{Event, Matching, Parser};
 use crate::error::SyntaxError;
 
-/// The result of reading some tokens.
+/// Result of parsing some tokens.
 struct ParseAttempt {
     events: Vec<Event>,
     errors: Vec<SyntaxError>,
 }
 
 impl Parser<'_> {
-    /// Runs `read`, which reads the code at the cursor to its end. If blocks do not match up, it keeps the reading with
-    /// the fewest faults, or of equal ones the reading that follows the indentation.
+    /// Runs `read`, which parses the code at the cursor to its end. If blocks do not match, further modes are tried:
+    /// the result with the fewest errors is kept; for equal numbers, the result by indentation.
     pub(crate) fn best_reading(&mut self, read: impl Fn(&mut Self)) {
         let start = (self.position(), self.events.len(), self.errors.len());
         read(self);

@@ -1,4 +1,4 @@
-//! How the grammar reports faults: one a statement, one for the end of the file.
+//! Error reporting of the grammar: one error for each statement, and one for a truncated file.
 
 use rowan::TextRange;
 
@@ -7,7 +7,7 @@ use crate::error::{Expected, SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind::EOF;
 
 impl Parser<'_> {
-    /// Reports `kind` at the current token, or after the last one at the end of a line.
+    /// Reports `kind` at the current token; at the end of a line, after the last token.
     pub(crate) fn error(&mut self, kind: SyntaxErrorKind) {
         let after = self.pos != self.statement && self.at_line_end();
         let range = if after { self.range_after() } else { self.range(self.pos) };
@@ -19,8 +19,8 @@ impl Parser<'_> {
         self.error(SyntaxErrorKind::Expected { expected, found });
     }
 
-    /// Reports a fault of the statement; only the first one of a statement is kept. Where the file breaks off, the
-    /// element that is not closed has the message.
+    /// Reports an error in the statement. Only the first error of a statement is kept. If the file is truncated, only
+    /// the unclosed element is reported.
     pub(crate) fn error_at(&mut self, kind: SyntaxErrorKind, range: TextRange, related: Option<TextRange>) {
         if !self.failed && !self.at(EOF) {
             self.structure_error(kind, range, related);
@@ -28,22 +28,22 @@ impl Parser<'_> {
         self.failed = true;
     }
 
-    /// Reports a fault of the structure around statements.
+    /// Reports an error in the structure around statements.
     pub(crate) fn structure_error(&mut self, kind: SyntaxErrorKind, range: TextRange, related: Option<TextRange>) {
         self.errors.push(SyntaxError { kind, range, related });
     }
 
-    /// The statement already has its message.
+    /// Whether an error was already reported for the statement.
     pub(crate) fn failed(&self) -> bool {
         self.failed
     }
 
-    /// The text ends too early, and it has been said.
+    /// Whether a truncated text was already reported.
     pub(crate) fn is_end_reported(&self) -> bool {
         self.is_end_reported
     }
 
-    /// The message just given is also the one for the end of the text.
+    /// Records that the last error also reports the end of the text.
     pub(crate) fn mark_end_reported(&mut self) {
         self.is_end_reported = true;
     }

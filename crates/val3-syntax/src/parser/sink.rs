@@ -1,4 +1,4 @@
-//! Events and tokens to the tree.
+//! Construction of the tree from events and tokens.
 
 use std::sync::Arc;
 
@@ -7,7 +7,8 @@ use crate::kind::SyntaxKind;
 use crate::lexer::Token;
 use crate::tree::{Entry, Tree, count};
 
-/// Builds the tree of `text`. Trivia goes between nodes, except that a `CODE` node holds all of its own.
+/// Builds the tree of `text`. Trivia is placed between nodes, except that a `CODE` node contains all trivia inside the
+/// code.
 pub(crate) fn build_tree(text: Arc<str>, tokens: &[Token], mut events: Vec<Event>) -> Tree {
     let nodes = events.iter().filter(|event| **event == Event::Finish).count();
     let mut sink = Sink::new(tokens, nodes);
@@ -27,7 +28,7 @@ pub(crate) fn build_tree(text: Arc<str>, tokens: &[Token], mut events: Vec<Event
     Tree::new(text, sink.entries)
 }
 
-/// The kinds of the nodes that start at `index`, innermost first. Their own `Start` events are spent.
+/// Collects the kinds of the nodes that start at `index`, innermost first. Their own `Start` events are consumed.
 fn collect_parents(events: &mut [Event], index: usize, kind: SyntaxKind, parent: u32, out: &mut Vec<SyntaxKind>) {
     out.push(kind);
     let (mut at, mut distance) = (index, parent);
@@ -40,24 +41,24 @@ fn collect_parents(events: &mut [Event], index: usize, kind: SyntaxKind, parent:
     }
 }
 
-/// Nodes that are open at the same time in most files.
+/// Typical maximum nesting of nodes.
 const DEPTH: usize = 32;
 
 struct Sink<'t> {
-    /// The tokens that are still to come.
+    /// Remaining tokens.
     tokens: &'t [Token],
-    /// Where the next token starts.
+    /// Offset of the next token.
     start: u32,
     entries: Vec<Entry>,
-    /// The nodes that are open.
+    /// Open nodes, innermost last.
     open: Vec<Open>,
 }
 
 /// A node that has not ended.
 struct Open {
-    /// The index of its entry.
+    /// Index of the node's entry.
     index: usize,
-    /// Where it starts in the text.
+    /// Start offset in the text.
     start: u32,
     is_code: bool,
 }
@@ -89,7 +90,7 @@ impl<'t> Sink<'t> {
         }
     }
 
-    /// Takes the trivia that comes next.
+    /// Adds the following trivia.
     fn trivia(&mut self) {
         while let Some((token, rest)) = self.tokens.split_first()
             && token.kind.is_trivia()
@@ -98,7 +99,7 @@ impl<'t> Sink<'t> {
         }
     }
 
-    /// Takes the next token that is no trivia, and the trivia before it.
+    /// Adds the next non-trivia token and the trivia before it.
     fn token(&mut self) {
         while let Some((token, rest)) = self.tokens.split_first() {
             self.take(*token, rest);

@@ -1,4 +1,4 @@
-//! The tree as rowan has it: nodes and tokens that several trees may share.
+//! The tree as a rowan tree: nodes and tokens that several trees may share.
 
 use rowan::{GreenNode, NodeOrToken};
 
@@ -8,13 +8,13 @@ use crate::edit::Change;
 use crate::kind::SyntaxKind;
 use crate::never::Part;
 
-/// The rowan tree of `node`.
+/// Builds the rowan tree of `node`.
 pub(super) fn build_green(node: Piece<'_>) -> GreenNode {
     let built = with_sharing(|sharing| build(sharing, node));
     built.into_node().unwrap_or_else(|| GreenNode::new(SyntaxKind::XML_FILE.into(), []))
 }
 
-/// The rowan tree of `new`, which shares all unchanged parts with `green`, the rowan tree of `old`.
+/// Builds the rowan tree of `new`, sharing all unchanged parts with `green`, the rowan tree of `old`.
 pub(super) fn renewed(new: &Tree, old: &Tree, green: &GreenNode) -> GreenNode {
     let change = Change::between(&old.text, &new.text);
     with_sharing(|sharing| TreeReuse { sharing, change }.node(new.root(), old.root(), green))
@@ -70,9 +70,9 @@ impl TreeReuse<'_> {
 /// A node whose children are not complete.
 struct Open {
     kind: SyntaxKind,
-    /// The index after its last entry.
+    /// Index after the last entry of the node.
     end: usize,
-    /// The index of its first child.
+    /// Index of the first child.
     first: usize,
 }
 

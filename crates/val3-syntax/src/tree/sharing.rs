@@ -1,8 +1,8 @@
-//! Green tokens and small nodes that repeat are built once and shared.
+//! Sharing of repeated green tokens and small nodes.
 //!
-//! In the tables a newcomer takes the place of what was there: sharing saves most of the memory, and a look-up takes
-//! the same time in a tree of any size and shape. Each thread has its tables for all the files it reads: what repeats
-//! in one program repeats in the next. They keep nothing large alive.
+//! A new item replaces the previous item in its table slot: this saves most of the memory, and a lookup takes constant
+//! time for trees of any size and shape. Each thread has its own tables for all files, because items repeat across
+//! programs. The tables keep no large item alive.
 
 use std::cell::RefCell;
 use std::hash::Hasher;
@@ -12,12 +12,12 @@ use rustc_hash::FxHasher;
 
 use crate::kind::SyntaxKind;
 
-/// A node or token of the tree without positions.
+/// A node or token of the green tree, without position.
 pub(super) type Element = NodeOrToken<GreenNode, GreenToken>;
 
-/// Recently built nodes.
+/// Recently built tokens and nodes.
 pub(super) struct Sharing {
-    /// Tokens of one byte, as every second token is, by their byte.
+    /// Tokens with one byte, by their byte. About half of all tokens have one byte.
     bytes: Box<[Option<GreenToken>]>,
     tokens: Box<[Option<GreenToken>]>,
     nodes: Box<[Option<GreenNode>]>,
@@ -27,13 +27,13 @@ thread_local! {
     static SHARING: RefCell<Sharing> = RefCell::new(Sharing::new());
 }
 
-/// Entries of a table, a power of two.
+/// Table size, a power of two.
 const TABLE: usize = 1 << 13;
-/// Longer tokens are comments and texts, which seldom repeat.
+/// Maximum length in bytes of shared tokens. Longer tokens are comments and texts, which rarely repeat.
 const LONGEST_TOKEN: usize = 32;
-/// Nodes with more children seldom repeat.
+/// Maximum number of children in shared nodes. Nodes with more children rarely repeat.
 const MOST_CHILDREN: usize = 3;
-/// Nor do longer ones, in bytes of text.
+/// Maximum text length in bytes of shared nodes. Longer nodes rarely repeat.
 const LONGEST_NODE: u32 = 64;
 
 /// Runs `build` with the tables of this thread.
@@ -69,7 +69,7 @@ impl Sharing {
         }
     }
 
-    /// A node with `children`, which leave their place.
+    /// Returns a node with `children`, which are moved into it.
     pub(super) fn node(&mut self, kind: SyntaxKind, children: std::vec::Drain<'_, Element>) -> GreenNode {
         if children.len() > MOST_CHILDREN || text_len(children.as_slice()) > LONGEST_NODE {
             return GreenNode::new(kind.into(), children);
@@ -92,7 +92,7 @@ fn token_slot(kind: SyntaxKind, text: &str) -> usize {
     hasher.finish() as usize
 }
 
-/// Equal children are shared, so their addresses identify them.
+/// Hashes a node. Equal children are shared, so their addresses identify them.
 fn node_hash(kind: SyntaxKind, children: &[Element]) -> usize {
     let mut hasher = FxHasher::default();
     hasher.write_u16(kind as u16);

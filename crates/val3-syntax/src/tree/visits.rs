@@ -1,4 +1,4 @@
-//! Count of visited nodes and tokens, for laws about the work that a query does.
+//! Count of visited nodes and tokens, for tests that limit the work of queries.
 
 use std::cell::Cell;
 
@@ -6,7 +6,7 @@ thread_local! {
     static VISITS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// Nodes and tokens that this thread has visited so far. Builds without debug assertions do not count.
+/// Returns the number of nodes and tokens that this thread has visited. Builds without debug assertions do not count.
 pub fn visits() -> u64 {
     VISITS.get()
 }

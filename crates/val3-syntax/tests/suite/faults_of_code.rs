@@ -1,4 +1,4 @@
-//! Every kind of fault of the code, with its exact place. Line 0 is the line with `begin`.
+//! All kinds of errors in code, with their exact ranges. Line 0 is the line with `begin`.
 
 use expect_test::{Expect, expect};
 

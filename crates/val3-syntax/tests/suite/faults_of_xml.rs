@@ -1,4 +1,4 @@
-//! Every kind of fault of the XML, with its exact place. Line 0 is the first line of the file.
+//! All kinds of errors in XML, with their exact ranges. Line 0 is the first line of the file.
 
 use expect_test::{Expect, expect};
 
@@ -316,7 +316,7 @@ fn an_end_tag_too_many() {
         2:1 "</Data" UnmatchedEndTag { name: "Data" }
     "#]],
     );
-    // The start tag is lost.
+    // The start tag is missing.
     check_file(
         "<Database>\n<Data/>\n</Datas>\n</Database>",
         expect![[r#"

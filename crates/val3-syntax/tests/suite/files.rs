@@ -1,4 +1,4 @@
-//! Whole files: dialects, writers, encodings, line ends.
+//! Entire files: dialects, writing tools, encodings, line ends.
 
 use expect_test::{Expect, expect};
 use val3_syntax::encoding::decode;
@@ -6,7 +6,7 @@ use val3_syntax::{SyntaxKind, SyntaxToken};
 
 use crate::show::{faults_in, parsed};
 
-/// The whole tree with trivia.
+/// Checks the entire tree with trivia.
 #[track_caller]
 fn check(text: &str, expected: Expect) {
     let parse = parsed(text);

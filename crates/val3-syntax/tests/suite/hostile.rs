@@ -1,13 +1,13 @@
-//! Texts made to hurt: they take neither the stack nor more than time in proportion to their length.
+//! Hostile texts, which must neither overflow the stack nor take more than linear time.
 
 use val3_syntax::parse;
 
 use crate::show::{body, line, parsed, program};
 
-/// The stack of a worker thread.
+/// Stack size of a worker thread in bytes.
 const STACK: usize = 2 << 20;
 
-/// Parses, walks and drops in a thread with a small stack; gives back the first faults.
+/// Parses, walks and drops a tree in a thread with a small stack. Returns the first errors.
 fn survive(text: String) -> Vec<String> {
     let work = move || {
         let parse = parsed(&text);

@@ -1,4 +1,4 @@
-//! Properties of every text.
+//! Properties of parsing that hold for every text.
 
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
@@ -6,7 +6,7 @@ use val3_syntax::{Edit, Parse, SyntaxKind, TextRange, TextSize, parse};
 
 use crate::show::parsed;
 
-/// Pieces of XML and of code, whole and broken.
+/// Pieces of XML and code, complete and broken.
 const PIECES: &[&str] = &[
     "<a>",
     "</a>",
@@ -124,7 +124,7 @@ fn expression() -> impl Strategy<Value = String> {
     })
 }
 
-/// Lines of a body, whole.
+/// Generates well-formed lines of a body.
 fn lines() -> impl Strategy<Value = String> {
     let simple = prop_oneof![
         expression().prop_map(|value| format!("x={value}\n")),
@@ -145,7 +145,7 @@ fn lines() -> impl Strategy<Value = String> {
     })
 }
 
-/// A file of either dialect with one program or several.
+/// Generates a file of either dialect with one or several programs.
 fn file() -> impl Strategy<Value = String> {
     let program = (lines(), any::<bool>(), select(vec!["", "\n  "])).prop_map(|(lines, escaped, gap)| {
         let code = format!("begin\n{lines}end");
@@ -163,14 +163,14 @@ fn file() -> impl Strategy<Value = String> {
     })
 }
 
-/// A replacement somewhere: a few characters, or one piece for another.
+/// Generates a replacement at a random position: a few characters or a piece.
 fn edit() -> impl Strategy<Value = (Index, usize, String)> {
     let insert =
         prop_oneof![Just(String::new()), select(PIECES).prop_map(str::to_owned), lines(), "[a-z0-9=()<>&\"/\n ]{0,4}",];
     (any::<Index>(), prop_oneof![Just(0_usize), 1..4_usize, 0..80_usize], insert)
 }
 
-/// Applies the edits one after the other. Parsing from scratch and parsing again must give the same tree.
+/// Applies the edits in turn. Complete and incremental parsing must yield the same tree.
 fn check_edits(mut text: String, edits: Vec<(Index, usize, String)>) -> Result<(), TestCaseError> {
     let mut before = parse(&text);
     for (at, len, insert) in edits {
@@ -178,7 +178,7 @@ fn check_edits(mut text: String, edits: Vec<(Index, usize, String)>) -> Result<(
         let start = at.index(text.len() + 1);
         let edit = Edit { range: TextRange::new(size(start), size(start + len)), insert };
         let new_text = edit.apply(&text);
-        // A tree that rowan has is one that the next tree shares nodes with.
+        // The next tree shares nodes with a tree that has its rowan tree.
         before.green();
         let (again, build_green) = (before.reparse(&edit), parse(&new_text));
         prop_assert_eq!(again.errors(), build_green.errors(), "{:?}\n{:?}", &text, &edit);
@@ -234,7 +234,7 @@ fn an_edit_of_a_body_keeps_the_rest_of_the_tree() {
     let text = crate::show::body("x=1");
     let before = parse(&text);
     let tag = |parse: &Parse| {
-        // The first tag is small: all trees share its node.
+        // The first tag is small, so all trees share its node.
         let mut tags = parse.root().descendants().filter(|node| node.kind() == SyntaxKind::START_TAG);
         let tag = tags.nth(1).unwrap();
         std::ptr::from_ref(&*tag.green()).addr()

@@ -1,4 +1,4 @@
-//! The parser from outside: its trees, its messages, its recovery, and the laws it keeps.
+//! Tests of the parser's public interface: trees, errors, recovery, and laws.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::disallowed_methods, reason = "tests")]
 
 mod faults_of_code;

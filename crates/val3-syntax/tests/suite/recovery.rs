@@ -1,10 +1,10 @@
-//! Blocks that do not match up: one slip, one message, where a person would correct it.
+//! Unbalanced blocks: one mistake causes one error, where a person would correct it.
 
 use expect_test::{Expect, expect};
 
 use crate::show::{broken_tree, faults};
 
-/// Every kind of block inside of others.
+/// All kinds of blocks, nested.
 const NESTED: &str = "\
   a=1
   while a
@@ -71,7 +71,7 @@ fn is_block_line(line: &str) -> bool {
     is_end(line) || ["if", "elseIf", "else", "while", "do", "for", "switch", "case", "default"].contains(&keyword(line))
 }
 
-/// The lines of the faults, counted from 1.
+/// Returns the lines of the errors, from 1.
 fn fault_lines(text: &str) -> Vec<usize> {
     faults(text).lines().map(|fault| fault.split(':').next().unwrap().parse().unwrap()).collect()
 }
@@ -97,7 +97,7 @@ fn a_missing_end_is_reported_where_it_was() {
 
 #[test]
 fn a_missing_block_line_causes_one_message() {
-    // Without its `elseIf` or `else` line a program is another program, and without a second `case` too.
+    // Without an `elseIf`, `else` or second `case` line, the program is different but correct.
     let needed = |line: &&str| is_block_line(line) && !["elseIf", "else"].contains(&keyword(line));
     for at in (0..lines().len()).filter(|&at| needed(&lines()[at])) {
         let mut rest = lines();
@@ -130,7 +130,7 @@ fn a_stray_end_causes_one_message() {
             let mut more = lines();
             more.insert(at, &stray);
             let text = more.join("\n");
-            // Some are no mistake in syntax: an `else` right in an `if`.
+            // Some insertions are no syntax error, for example an `else` directly in an `if`.
             let found = fault_lines(&text);
             assert!(found.len() <= 1, "{stray:?} before line {}\n{}", at + 1, faults(&text));
         }

@@ -1,4 +1,4 @@
-//! How the tests write programs, trees and faults down.
+//! Notation of programs, trees and errors in the tests.
 
 use std::fmt::Write;
 
@@ -7,17 +7,17 @@ use val3_syntax::error::SyntaxError;
 use val3_syntax::view::View;
 use val3_syntax::{Parse, SyntaxKind, SyntaxNode, TextRange, parse};
 
-/// A program file of the new dialect around `code`, which starts with `begin`.
+/// Returns a program file of the new dialect with `code`, which starts with `begin`.
 pub(crate) fn program(code: &str) -> String {
     format!("<Programs><Program name=\"p\"><Code><![CDATA[{code}]]></Code></Program></Programs>")
 }
 
-/// A program whose body is `lines`.
+/// Returns a program whose body is `lines`.
 pub(crate) fn body(lines: &str) -> String {
     program(&format!("begin\n{lines}\nend"))
 }
 
-/// The parse of a text, which must give the text back.
+/// Parses a text, whose tree must have the same text.
 pub(crate) fn parsed(text: &str) -> Parse {
     let parse = parse(text);
     assert_eq!(parse.root().text().to_string(), text);
@@ -30,7 +30,7 @@ pub(crate) fn parsed(text: &str) -> Parse {
     parse
 }
 
-/// rowan's tree and the views show the same nodes and tokens.
+/// Checks that the rowan tree and the views have the same nodes and tokens.
 fn assert_same(node: &SyntaxNode, view: View<'_>) {
     assert_eq!((node.kind(), node.text_range()), (view.kind(), view.range()));
     let (nodes, views): (Vec<_>, Vec<_>) =
@@ -48,7 +48,7 @@ fn assert_same(node: &SyntaxNode, view: View<'_>) {
     }
 }
 
-/// The body of a program as one expression a statement; trivia is left out.
+/// Shows the body of a program as nested expressions, without trivia.
 pub(crate) fn tree(lines: &str) -> String {
     let text = body(lines);
     let parse = parsed(&text);
@@ -56,7 +56,7 @@ pub(crate) fn tree(lines: &str) -> String {
     tree_of_body(&parse)
 }
 
-/// As [`tree`], of a program with faults.
+/// Like [`tree`], for a program with errors.
 pub(crate) fn broken_tree(lines: &str) -> String {
     tree_of_body(&parsed(&body(lines)))
 }
@@ -73,7 +73,7 @@ fn tree_of_body(parse: &Parse) -> String {
     out
 }
 
-/// `(KIND children)`: tokens by their text, the statements of a block and the clauses on lines of their own.
+/// Shows `(KIND children)`: tokens as text, statements and clauses on separate lines.
 fn show(node: &SyntaxNode, indent: usize, out: &mut String) {
     write!(out, "({:?}", node.kind()).unwrap();
     for child in node.children_with_tokens() {
@@ -103,12 +103,12 @@ fn show(node: &SyntaxNode, indent: usize, out: &mut String) {
     out.push(')');
 }
 
-/// The faults of a body, a line each; line 1 is the first line of the body.
+/// Shows the errors of a body, one on each line; line 1 is the first line of the body.
 pub(crate) fn faults(lines: &str) -> String {
     faults_in(&body(lines))
 }
 
-/// The faults of a file, a line each; the line with `begin` is line 0.
+/// Shows the errors of a file, one on each line; the line with `begin` is line 0.
 pub(crate) fn faults_in(text: &str) -> String {
     faults_of(text, &parsed(text))
 }
@@ -117,13 +117,13 @@ fn faults_of(text: &str, parse: &Parse) -> String {
     parse.errors().iter().map(|error| line(text, error)).collect()
 }
 
-/// A fault: its place, its kind, the place of the other side.
+/// Shows an error: its location, kind and related location.
 pub(crate) fn line(text: &str, error: &SyntaxError) -> String {
     let related = error.related.map(|range| format!(" <- {}", place(text, range))).unwrap_or_default();
     format!("{} {:?}{related}\n", place(text, error.range), error.kind)
 }
 
-/// `line:column "text"`, both counted from 1. Lines count from the one after `begin`, if the file has one.
+/// Formats `line:column "text"`, both from 1. Lines count from the line after `begin`, if the file has one.
 fn place(text: &str, range: TextRange) -> String {
     let start = usize::from(range.start());
     let line_start = text[..start].rfind('\n').map_or(0, |end| end + 1);

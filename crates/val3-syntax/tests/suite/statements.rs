@@ -1,4 +1,4 @@
-//! The tree of every statement, expression and special form.
+//! Trees of all statements, expressions and special forms.
 
 use expect_test::{Expect, expect};
 

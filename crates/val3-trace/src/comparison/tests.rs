@@ -13,13 +13,13 @@ fn compared(recorded: &[Row], present: &[Row]) -> Comparison {
     compare(recorded, present, TOLERANCES)
 }
 
-/// Rows moved in world.
+/// Moves a range of rows in world.
 fn moved(rows: &[Row], part: Range<usize>, way: [f64; 3]) -> Vec<Row> {
     let row = |(place, row): (usize, &Row)| if part.contains(&place) { at(row, way, [0.0; 3]) } else { *row };
     rows.iter().enumerate().map(row).collect()
 }
 
-/// The rows from 0 to `length` of the line at a speed in mm a cycle, with the ids of the places.
+/// Returns rows from 0 to `length` on the line, at a speed in mm for each cycle, with the ids of the points.
 fn at_speed(speed: f64, length: f64) -> Vec<Row> {
     let count = (length / speed).ceil() as u64;
     let row = |cycle: u64| {
@@ -67,7 +67,7 @@ fn the_first_move_and_the_largest_deviation_may_differ() {
     assert_eq!(found.first().unwrap().number, 1);
     let (largest, deviation) = found.largest().unwrap();
     assert_eq!((largest.number, deviation.distance.mm, deviation.excess), (3, 2.0, 4.0));
-    // Of two that are equal, the first one.
+    // The first of two equal deviations.
     let present = moved(&moved(&rows, 5..6, [0.0, 0.0, 1.0]), 25..26, [0.0, 0.0, 1.0]);
     assert_eq!(compared(&rows, &present).largest().unwrap().0.number, 1);
 }
@@ -118,7 +118,7 @@ fn another_speed_changes_times_alone() {
 
 #[test]
 fn one_slow_move_is_enough() {
-    // The last move of 100 takes 60 ms instead of 40.
+    // The last of 100 moves needs 60 ms instead of 40 ms.
     let rows = line(1001);
     let mut present = rows.clone();
     present.iter_mut().skip(991).zip(1..).for_each(|(row, cycle)| row.time += cycle * 2_000_000);
@@ -170,7 +170,7 @@ fn no_motion_at_all() {
     assert!(found.moves.iter().all(MoveComparison::is_additional) && found.largest().is_none());
 }
 
-/// A move of a cycle or two may lie between two rows of a faster trace.
+/// A move with one or two cycles may lie between two rows of a faster trace.
 #[test]
 fn a_move_without_a_row_is_no_difference() {
     let mut rows = line(21);
@@ -179,7 +179,7 @@ fn a_move_without_a_row_is_no_difference() {
     let mut present = rows.clone();
     present[11].id = 2.5;
     assert!(compared(&rows, &present).is_same() && compared(&present, &rows).is_same());
-    // Two cycles at most.
+    // At most two cycles.
     present[12].id = 2.6;
     assert!(compared(&rows, &present).is_same() && compared(&present, &rows).is_same());
     present[13].id = 2.7;
@@ -187,7 +187,7 @@ fn a_move_without_a_row_is_no_difference() {
     assert!(!found.is_same() && found.moves[1].is_additional() && found.first().unwrap().number == 2);
     let found = compared(&present, &rows);
     assert!(!found.is_same() && found.moves[1].is_missing() && found.first().unwrap().number == 2);
-    // Elsewhere it is a difference.
+    // At another place it is a difference.
     let mut present = rows.clone();
     present[11] = Row { id: 2.5, ..at(&rows[11], [0.0, 1.0, 0.0], [0.0; 3]) };
     let found = compared(&rows, &present);

@@ -1,4 +1,4 @@
-//! Distances of places to paths.
+//! Distances between points and paths.
 
 use val3_geometry::Trsf;
 
@@ -19,7 +19,7 @@ fn check(place: &Row, path: &[Row], mm: f64, degrees: f64, joints: f64) {
     assert!((found.joints - joints).abs() < 0.01, "{found:?}");
 }
 
-/// A row of the line between two cycles.
+/// Returns a row of the line between two cycles.
 fn between(share: f64) -> Row {
     let mut row = line(1)[0];
     row.pose.translation.vector.x = share;
@@ -56,7 +56,7 @@ fn displacement_and_rotation_are_measured_apart() {
     assert!((found.nearest - Vector3::new(3.3, 0.0, 0.0)).amax() < 1e-9, "{found:?}");
 }
 
-/// The tool turns while its centre point stays: the angle alone says where on the path a place is.
+/// The tool turns around its centre point, so that only the angle determines the point of the path.
 #[test]
 fn a_pure_rotation_is_a_path() {
     let turned = |angle: f64| {
@@ -69,7 +69,7 @@ fn a_pure_rotation_is_a_path() {
     check(&at(&turned(12.0), [0.0; 3], [0.0, 2.0, 0.0]), &path, 0.0, 2.0, 0.0);
 }
 
-/// Position and rotation change together; the place of the path follows from both.
+/// Position and rotation change together, and both determine the point of the path.
 #[test]
 fn tolerances_weigh_the_same() {
     let place = |x: f64, angle: f64| Row {
@@ -78,7 +78,7 @@ fn tolerances_weigh_the_same() {
         ..line(1)[0]
     };
     let path = [place(0.0, 0.0), place(10.0, 10.0)];
-    // With equal tolerances the nearest place is in the middle between x = 4 and rx = 6.
+    // With equal tolerances, the nearest point is halfway between x = 4 and rx = 6.
     let found = from_path(&place(4.0, 6.0), &path);
     assert!((found.nearest.x - 5.0).abs() < 1e-9 && (found.mm - 1.0).abs() < 1e-9, "{found:?}");
     let narrow = Tolerances { mm: 0.1, ..TOLERANCES };
@@ -90,7 +90,7 @@ fn tolerances_weigh_the_same() {
     assert!((found.nearest.x - 154.0 / 26.0).abs() < 1e-9, "{found:?}");
 }
 
-/// A path that comes back to a pose with another turn of axis 6.
+/// A path that returns to a pose with another turn of axis 6.
 #[test]
 fn of_two_places_with_one_pose_the_nearer_joints_count() {
     let turned = |turn: f64| Row { joints: [0.0, 0.0, 0.0, 0.0, 0.0, turn], ..line(1)[0] };
@@ -98,14 +98,14 @@ fn of_two_places_with_one_pose_the_nearer_joints_count() {
     check(&turned(360.0), &path, 0.0, 0.0, 0.0);
     check(&turned(200.0), &path, 0.0, 0.0, 0.0);
     check(&turned(400.0), &path, 0.0, 0.0, 40.0);
-    // Reached only at a place beyond the tolerance, joints do not count.
+    // Joints are not compared at a point beyond the tolerance.
     let elsewhere = at(&turned(400.0), [3.0, 0.0, 0.0], [0.0; 3]);
     let moved: Vec<Row> =
         path.iter().enumerate().map(|(step, row)| at(row, [-(step as f64), 0.0, 0.0], [0.0; 3])).collect();
     assert_eq!(from_path(&elsewhere, &moved).mm, 3.0);
 }
 
-/// The first of two places that are as near as each other counts.
+/// If two points are equally near, the first is selected.
 #[test]
 fn equal_distances_do_not_change_the_place() {
     let place = |y: f64| at(&Row { joints: [0.0; 6], ..line(1)[0] }, [0.0, y, 0.0], [0.0; 3]);

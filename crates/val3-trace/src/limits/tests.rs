@@ -14,7 +14,7 @@ fn violation(limit: Limit, rows: &[Row]) -> Option<Violation> {
     limit.violation(rows, 0..rows.len())
 }
 
-/// The line with a step of 8 mm a cycle, at 2 m/s.
+/// Returns the line with steps of 8 mm, at 2 m/s.
 fn fast() -> Vec<Row> {
     let row = |row: &Row| Row { speed: 2000.0, ..at(row, [7.0 * row.position().x, 0.0, 0.0], [0.0; 3]) };
     line(10).iter().map(row).collect()
@@ -72,13 +72,13 @@ fn a_distance_to_a_box_between_two_rows() {
     assert!(violation(clear(3.002), &fast()).is_some());
     let inside = Limit::Clear { zone: zone([0.0, 0.0, 0.0], [90.0, 1.0, 1.0]), least: 0.001 };
     assert_eq!(violation(inside, &fast()), None);
-    // The first of several that are as near.
+    // The first of several equally near points.
     let within = zone([10.0, -1.0, -1.0], [40.0, 1.0, 1.0]);
     let found = violation(Limit::Clear { zone: within, least: 5.0 }, &fast()).unwrap();
     assert_eq!((found.value, found.row, found.at.x), (0.0, 2, 10.0));
 }
 
-/// The tool was exchanged, or the arm was put elsewhere: there is no way between two rows.
+/// The tool was exchanged, or the arm was placed elsewhere: there is no path between the two rows.
 #[test]
 fn a_jump_is_no_way() {
     let rows = line(6);
@@ -89,7 +89,7 @@ fn a_jump_is_no_way() {
     };
     let clear = Limit::Clear { zone: zone([0.0, -1.0, 45.0], [10.0, 1.0, 55.0]), least: 1.0 };
     assert_eq!(violation(clear, &jump(&rows)), None);
-    // A way of 100 mm in a cycle takes 25 m/s.
+    // A path of 100 mm in a cycle means 25 m/s.
     let mut fast = jump(&rows);
     fast[3].speed = 25_005.0;
     assert_eq!(violation(clear, &fast).unwrap().row, 3);

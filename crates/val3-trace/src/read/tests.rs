@@ -1,4 +1,4 @@
-//! Traces as texts.
+//! Traces as text.
 
 use expect_test::expect;
 use proptest::prelude::*;
@@ -31,7 +31,7 @@ fn exact_rows_are_for_programs() {
     assert_eq!(row.line(4, crate::write::Precision::Exact), expected);
 }
 
-/// The heading of `val3 run --trace` names no arm.
+/// The heading of `val3 run --trace` contains no arm.
 #[test]
 fn comments_and_blank_lines_are_no_rows() {
     let text = format!("{}\n\n# later\n0,1.5,blend,1,2,3,4,10,20,30,0,0,90,5\r\n", head(4));
@@ -45,7 +45,7 @@ fn comments_and_blank_lines_are_no_rows() {
     );
 }
 
-/// `val3 run --trace` writes the limit of the speed, which is no part of the motion.
+/// `val3 run --trace` writes the speed limit, which is no part of the motion.
 #[test]
 fn the_limit_of_the_speed_is_checked_and_not_compared() {
     let row = "0,1.5,blend,1,2,3,4,10,20,30,0,0,90,5";

@@ -1,4 +1,4 @@
-//! Sentences about small traces.
+//! Descriptions of small traces.
 
 use expect_test::{Expect, expect};
 use val3_geometry::IsometryMatrix3;
@@ -12,7 +12,7 @@ use crate::zone::Zone;
 
 const TOLERANCES: Tolerances = Tolerances { mm: 0.5, degrees: 0.5, time: 5.0 };
 
-/// A recording whose moves come from consecutive lines.
+/// Returns a recording whose moves come from consecutive lines.
 fn recording(rows: &[Row]) -> Recording {
     let source = |number: i64| CodeSource {
         instruction: "movel",
@@ -34,7 +34,7 @@ fn check(recorded: &[Row], present: &[Row], expected: Expect) {
     expected.assert_eq(&findings.iter().map(line).collect::<String>());
 }
 
-/// Rows moved and turned.
+/// Moves and turns a range of rows.
 fn changed(rows: &[Row], part: std::ops::Range<usize>, way: [f64; 3], turn: [f64; 3]) -> Vec<Row> {
     let mut rows = rows.to_vec();
     rows[part].iter_mut().for_each(|row| *row = at(row, way, turn));
@@ -159,7 +159,7 @@ fn moves_that_differ() {
     );
 }
 
-/// The rows with the gaps after some of them prolonged by milliseconds.
+/// Extends the time before some rows by milliseconds.
 fn slowed(rows: &[Row], part: std::ops::Range<usize>, each: u64) -> Vec<Row> {
     let mut late = 0;
     let row = |(place, row): (usize, &Row)| {

@@ -1,4 +1,4 @@
-//! Expressions of the tree.
+//! Lowering of expressions.
 
 use rowan::{NodeOrToken, TextRange};
 use smallvec::smallvec;
@@ -12,7 +12,7 @@ use super::{Lowering, ShortList};
 use crate::body::{Expr, ExprId};
 
 impl Lowering {
-    /// The two operands of a node; a missing one is an expression nothing is known of.
+    /// Returns the two operands of a node; a missing operand becomes [`Expr::Missing`].
     fn pair(&mut self, view: View<'_>) -> (ExprId, ExprId) {
         let mut parts = view.children();
         let missing = TextRange::empty(view.range().end());
@@ -32,7 +32,7 @@ impl Lowering {
         id
     }
 
-    /// An expression; `None` for a node of another sort.
+    /// Lowers an expression; `None` if the node is no expression.
     pub(super) fn expr(&mut self, view: View<'_>) -> Option<ExprId> {
         let expr = match view.kind() {
             LITERAL => self.literal(view),
@@ -41,7 +41,7 @@ impl Lowering {
             PAREN_EXPR => Expr::Paren(self.only(view)),
             PREFIX_EXPR => {
                 let op = if view.token(BANG).is_some() { UnaryOp::Not } else { UnaryOp::Negate };
-                // `not x` was reported; its operand is the last expression.
+                // `not x` was reported as a syntax error; its operand is the last expression.
                 let operands = self.exprs_of(view);
                 let operand = operands.last().copied().unwrap_or_else(|| self.only(view));
                 Expr::Unary(op, operand)
@@ -98,7 +98,7 @@ impl Lowering {
         Expr::Call(callee, Box::from(&*args))
     }
 
-    /// Values between commas; `{}` has none.
+    /// Lowers comma-separated values; `{}` has none.
     fn structure(&mut self, view: View<'_>) -> Expr {
         let mut values: ShortList<Option<ExprId>> = smallvec![None];
         for child in view.children_with_tokens() {
@@ -120,7 +120,7 @@ impl Lowering {
     }
 }
 
-/// A node of this kind becomes an expression, except for names in paths and after dots.
+/// Whether a node of this kind becomes an expression; names in paths and after dots do not.
 pub(super) fn is_expr(kind: SyntaxKind) -> bool {
     matches!(
         kind,

@@ -1,4 +1,4 @@
-//! Instructions of add-ons, and names that are no instruction.
+//! Lookup of add-on instructions, and faults of unknown instructions.
 
 use smol_str::{SmolStr, format_smolstr};
 use val3_config::{AddOnStandIn, StandInValue};
@@ -15,7 +15,7 @@ use crate::items::project::items;
 use crate::problem::{NameKind, ProblemKind};
 
 impl<'db> Scope<'db> {
-    /// The forms that the tables of the cell declare for an instruction of an add-on.
+    /// Returns the forms that the cell's tables declare for an add-on instruction.
     pub(in crate::infer) fn add_on_forms(&self, name: &str, on_library: bool) -> Vec<&'db AddOnOverload> {
         let db = self.db;
         let tables = self.project.cell(db).map(|cell| cell.config(db).add_ons.as_slice()).unwrap_or_default();
@@ -23,7 +23,7 @@ impl<'db> Scope<'db> {
         functions.flat_map(|function| &function.overloads).filter(|form| form.on_library == on_library).collect()
     }
 
-    /// The fault of a name that is used as an instruction and is none.
+    /// Returns the fault of a name that is called as an instruction but is none.
     pub(in crate::infer) fn unknown_instruction(&self, name: &SmolStr, library: Option<&SmolStr>) -> ProblemKind {
         let is = match library {
             None if self.items.programs.contains_key(name) => Some(NameKind::Program),
@@ -40,7 +40,7 @@ impl<'db> Scope<'db> {
         ProblemKind::UnknownInstruction { name, near, is }
     }
 
-    /// The type of the constant that `run.add-ons` in `val3.toml` names for an instruction of an add-on.
+    /// Returns the type of the constant that `run.add-ons` in `val3.toml` sets for an add-on instruction.
     pub(in crate::infer) fn stand_in_type(&self, name: &str) -> Option<BaseType> {
         let AddOnStandIn::Value(value) = self.project.config(self.db)?.run.add_ons.get(name)? else { return None };
         Some(match value {
@@ -50,7 +50,7 @@ impl<'db> Scope<'db> {
         })
     }
 
-    /// The forms of an instruction of an add-on whose only description is the program that is called in its place.
+    /// Returns the forms that a stand-in program defines for an add-on instruction without another description.
     pub(in crate::infer) fn stand_in_forms(&self, name: &str, on_library: bool) -> Vec<&'db AddOnOverload> {
         let program = add_on_programs::program(self.db, self.project, name).filter(|_| !on_library);
         program.map_or_else(Vec::new, |program| {
@@ -58,7 +58,7 @@ impl<'db> Scope<'db> {
         })
     }
 
-    /// The fault of an instruction of an add-on whose table the cell does not have.
+    /// Returns the fault for an add-on instruction without a table in the cell.
     pub(in crate::infer) fn missing_add_on(&self, name: &SmolStr) -> ProblemKind {
         let add_on = instructions::find(name).and_then(|instruction| match instruction.availability {
             Availability::AddOn(add_on) => Some(SmolStr::new_static(add_on)),

@@ -1,4 +1,4 @@
-//! Items of libraries and fields of types.
+//! Lookup of library items and of fields.
 
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::suggest::nearest;
@@ -15,7 +15,7 @@ use crate::test_applications::sees_private_items;
 use crate::ty::Base;
 
 impl Scope<'_> {
-    /// The interface of a library identifier.
+    /// Returns the interface project of a library identifier.
     pub(in crate::infer) fn interface(&self, library: &SmolStr) -> Result<Project, Unresolved> {
         if let Some(found) = self.items.libraries.get(library) {
             return found.interface.ok_or(Unresolved::Incomplete);
@@ -27,12 +27,12 @@ impl Scope<'_> {
         Err(Unresolved::fault(ProblemKind::UnknownLibrary { alias: library.clone(), near }))
     }
 
-    /// The project declares this library identifier.
+    /// Whether the project declares this library identifier.
     pub(in crate::infer) fn has_library(&self, library: &SmolStr) -> bool {
         self.items.libraries.contains_key(library)
     }
 
-    /// `library:item` as a value.
+    /// Resolves `library:item` as a value.
     pub(in crate::infer) fn library_value(&self, library: &SmolStr, item: &SmolStr) -> Result<Value, Unresolved> {
         let interface = self.interface(library)?;
         let items = items(self.db, interface);
@@ -56,7 +56,7 @@ impl Scope<'_> {
         }
     }
 
-    /// `library:item` as a program.
+    /// Resolves `library:item` as a program.
     pub(in crate::infer) fn library_program(
         &self,
         library: &SmolStr,
@@ -91,7 +91,7 @@ impl Scope<'_> {
         Unresolved::fault_with(kind, Role::Interface, declared)
     }
 
-    /// A field of the user type that `project` declares.
+    /// Resolves a field of the user type that `project` declares.
     pub(in crate::infer) fn user_field(&self, project: Project, field: &SmolStr) -> Result<Value, Unresolved> {
         let fields = fields(self.db, project);
         if let Some(item) = fields.get(field) {
@@ -106,7 +106,7 @@ impl Scope<'_> {
         Err(self.unknown_field(Base::User(project), field, near, private))
     }
 
-    /// The type of a field of a built-in type.
+    /// Returns the type of a built-in type's field.
     pub(in crate::infer) fn builtin_field(
         &self,
         ty: BaseType,

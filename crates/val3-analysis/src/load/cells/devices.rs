@@ -1,4 +1,4 @@
-//! Inputs and outputs that the configuration files of a cell name.
+//! Inputs and outputs in the configuration files of a cell.
 
 mod fieldbus;
 mod modbus;
@@ -10,7 +10,7 @@ use val3_lang::types::BaseType;
 use crate::cell::{Device, Io};
 use crate::xml::{self, Element};
 
-/// The boards of a CS8: file in `usr/configs`, device of links, beginning of the elements of its digital signals.
+/// Boards of a CS8: file in `usr/configs`, device name in links, tag prefix of digital signals.
 const BOARDS: [(&str, &str, &str); 4] = [
     ("bio.cfx", "BasicIO-1", "bio"),
     ("bio2.cfx", "BasicIO-2", "bio2"),
@@ -18,7 +18,7 @@ const BOARDS: [(&str, &str, &str); 4] = [
     ("cio.cfx", "Can-Dio", "cio"),
 ];
 
-/// Reads the files that are there; `file` gives the text of a file in `usr/configs`.
+/// Reads the existing files; `file` returns the text of a file in `usr/configs`.
 pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> Io {
     let mut io = Io::default();
     for (name, device, prefix) in BOARDS {
@@ -36,18 +36,18 @@ pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> Io {
     io
 }
 
-/// Adds the tables of the Modbus server, from the text of `modbus.xml`.
+/// Adds the tables of the Modbus server from the text of `modbus.xml`.
 pub(super) fn add_modbus(text: &str, io: &mut Io) {
     insert_known(modbus::DEVICE, modbus::read(text).unwrap_or_default(), io);
 }
 
-/// `<bioDin index="3" name="bIn3" …/>` is `%I3`, `<bioDout index="3" …/>` is `%Q3`.
+/// Reads a board: `<bioDin index="3" name="bIn3" …/>` is `%I3`, `<bioDout index="3" …/>` is `%Q3`.
 fn board(text: &str, device: &str, prefix: &str, io: &mut Io) {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view());
     let mut signals = Device::default();
     for element in root.into_iter().flat_map(Element::elements) {
-        // The elements of the second board have the name of the first one in some versions.
+        // In some versions, the elements of the second board have the tag of the first board.
         let kind = element.name().strip_prefix(prefix).or_else(|| element.name().strip_prefix("bio"));
         let sign = match kind {
             Some("Din") => "%I",
@@ -65,8 +65,8 @@ fn board(text: &str, device: &str, prefix: &str, io: &mut Io) {
     insert_known(device, signals, io);
 }
 
-/// `<socketClt><String name="name" value="host" />…`: serial lines and sockets. A file without a socket means that there is
-/// none; serial ports and sockets for datagrams are not in the file of every version.
+/// Reads serial lines and sockets: `<socketClt><String name="name" value="host" />…`. A file without sockets means that
+/// the cell has none. Serial ports and UDP sockets are not in the file of every version.
 fn lines(text: &str, io: &mut Io) {
     let parse = val3_syntax::parse(text);
     let Some(root) = xml::root(parse.view()).filter(|root| root.name() == "sio") else { return };
@@ -86,7 +86,7 @@ fn lines(text: &str, io: &mut Io) {
     io.devices.insert("Socket".to_owned(), sockets);
 }
 
-/// Adds a device unless its file names no signal of it.
+/// Adds a device if its file lists signals.
 fn insert_known(device: &str, signals: Device, io: &mut Io) {
     if !signals.is_empty() {
         io.devices.insert(device.to_owned(), signals);

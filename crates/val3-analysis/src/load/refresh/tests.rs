@@ -13,7 +13,7 @@ use crate::system::Memory;
 const CELL: &str = "num nA\nlibrary part \"Disk://part/part.pjx\"\nnA=1\nprogram other()\nbegin\n  nA=2\nend\n\
                     --- part\npublic num nWeight\nprogram pick()\nbegin\n  nWeight=1\nend";
 
-/// A workspace over files that a test changes.
+/// A workspace with files that a test changes.
 struct Cell {
     files: Vec<(Utf8PathBuf, String)>,
     workspace: Workspace,
@@ -49,7 +49,7 @@ impl Cell {
         self.workspace.refresh(&memory(&self.files), &[ROOT.into()], &|path| path.ends_with(stale))
     }
 
-    /// Types of every program.
+    /// Infers all programs.
     fn ask(&self) {
         let db = &self.workspace.db;
         let projects: Vec<_> = Sources::get(db).projects(db).values().copied().collect();
@@ -58,7 +58,7 @@ impl Cell {
         }
     }
 
-    /// The queries of one name that ran since the last call.
+    /// Returns how many queries with this name ran since the last call.
     fn ran(&self, query: &str) -> usize {
         self.ask();
         self.take_ran().iter().filter(|name| name.starts_with(query)).count()
@@ -120,7 +120,7 @@ fn an_entry_of_the_project_file_affects_only_its_project() {
     cell.edit("main.pjx", "<Program file=\"other.pgx\" />", "");
     cell.refresh("main.pjx");
     assert!(!cell.paths().iter().any(|path| path.ends_with("other.pgx")));
-    // `start` is left in `main`; `part` is not looked at.
+    // Only `start` is left in `main`; `part` is not read.
     assert!(cell.ran("infer(") <= 1);
 }
 

@@ -1,4 +1,4 @@
-//! The programs of both versions of a project.
+//! Programs in both versions of a project.
 
 use camino::Utf8Path;
 use val3_analysis::paths::path_key;
@@ -15,17 +15,17 @@ use crate::read::code::Renames;
 use crate::read::program::Program;
 use crate::tree::text_of;
 
-/// Both versions of a file.
+/// Old and new version of a file.
 type Versions<'a, 't> = [Option<&'a SourceFile<'t>>; 2];
 
-/// Both versions of a program that differ, or a program that only one version has.
+/// Two versions of a program that differ, or a program that exists in only one version.
 pub(super) struct ProgramPair<'a, 't> {
     files: Versions<'a, 't>,
     programs: [Option<Program>; 2],
 }
 
 impl ProgramPair<'_, '_> {
-    /// Both versions of the program.
+    /// Returns the program in both versions.
     pub(super) fn programs(&self) -> [Option<&Program>; 2] {
         self.programs.each_ref().map(Option::as_ref)
     }
@@ -53,7 +53,7 @@ pub(super) fn read<'a, 't>(
         }
         let read = |file: Option<&SourceFile<'_>>| file.and_then(|file| Program::read(&text_of(file.bytes).ok()?));
         let programs = files.map(read);
-        // No project loads it, so it is no program.
+        // An unlisted file is not loaded, so it is no program.
         let is_unlisted = has_lists && files.into_iter().flatten().all(|file| !file.listed);
         let is_read = old.is_some() == programs[0].is_some() && new.is_some() == programs[1].is_some();
         if is_read && !is_unlisted {
@@ -70,7 +70,7 @@ pub(super) fn read<'a, 't>(
     pairs
 }
 
-/// Adds the programs that differ. Returns the public ones that other projects see in another way.
+/// Adds the programs that differ. Returns changes of the public interface.
 pub(super) fn compare(
     pair: &Matched<'_, '_>,
     pairs: Vec<ProgramPair<'_, '_>>,
@@ -103,7 +103,7 @@ fn has_lists(pair: &Matched<'_, '_>) -> bool {
     has_list(pair.old) && has_list(pair.new)
 }
 
-/// Both names of a renamed program as one pair.
+/// Joins the old and the new name of a renamed program to one pair.
 fn joined<'a, 't>(mut pairs: Vec<ProgramPair<'a, 't>>, renames: &Renames) -> Vec<ProgramPair<'a, 't>> {
     for (before, after) in renames {
         let position = |side: usize, name: &str| {
@@ -125,7 +125,7 @@ fn as_version<'t>(file: Option<&SourceFile<'t>>, is_readable: bool) -> Option<Ve
     file.map(|file| Version { bytes: file.bytes, is_readable })
 }
 
-/// A file that is in another folder of the application is the same file, if only one has its name.
+/// Matches a file that was moved to another folder of the application, if its file name is unique.
 fn moved_together<'a, 't>(files: Vec<Versions<'a, 't>>) -> Vec<Versions<'a, 't>> {
     let name = |file: &SourceFile<'_>| path_key(Utf8Path::new(&file.path).file_name().unwrap_or(""));
     let alone = |files: &[Versions<'a, 't>], at: usize| -> Vec<&'a SourceFile<'t>> {

@@ -1,4 +1,4 @@
-//! The files of both versions of a project, side by side.
+//! Files in both versions of a project.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,10 +7,10 @@ use crate::compare::text::Version;
 use crate::read::data::{self, Data};
 use crate::tree::text_of;
 
-/// Files by their path from the folder.
+/// Files by their path below the folder.
 type Files<'t> = BTreeMap<String, SourceFile<'t>>;
 
-/// The versions of each file, in the order of the paths.
+/// Returns the versions of every file, sorted by path.
 pub(super) fn versions<'a, 't>(
     old: Option<&'a Files<'t>>,
     new: Option<&'a Files<'t>>,
@@ -20,27 +20,27 @@ pub(super) fn versions<'a, 't>(
     keys.into_iter().map(|key| [get(old, key), get(new, key)]).collect()
 }
 
-/// The data of both versions, each in the order of its project.
+/// Data in both versions, in the order of the project files.
 #[derive(Default)]
 pub(super) struct DataSides {
     pub(super) old: Vec<Data>,
     pub(super) new: Vec<Data>,
 }
 
-/// The path of a file that is broken in a version, and both versions.
+/// Path and versions of a file that is broken in at least one version.
 type Broken<'t> = (String, [Option<Version<'t>>; 2]);
 
-/// A data file of one side.
+/// A data file in one version.
 struct DataFile<'a, 't> {
     key: &'a str,
     file: &'a SourceFile<'t>,
-    /// `None` if it is broken.
+    /// Data in the file; `None` if the file is broken.
     data: Option<Vec<Data>>,
 }
 
 impl DataSides {
-    /// Reads the files that count. If a version of a file is broken, neither counts, so that the data of the other are not
-    /// added or removed.
+    /// Reads the data files in use. If a file is broken in one version, both versions are omitted, so that its data are
+    /// not reported as added or removed.
     pub(super) fn read<'t>(
         old: &[(&str, &SourceFile<'t>)],
         new: &[(&str, &SourceFile<'t>)],
@@ -64,7 +64,7 @@ impl DataSides {
     }
 }
 
-/// The data of a file; `None` if it is broken.
+/// Reads the data in a file; `None` if the file is broken.
 fn read(bytes: &[u8]) -> Option<Vec<Data>> {
     let text = text_of(bytes).ok()?;
     let parse = val3_syntax::parse_shared(text);

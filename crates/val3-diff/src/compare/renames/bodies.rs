@@ -1,4 +1,4 @@
-//! Programs with another name and the same code.
+//! Renamed programs: programs with the same code under another name.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,17 +8,17 @@ use super::items::{Names, Renamed, Versions};
 use crate::read::code::Renames;
 use crate::read::program::Program;
 
-/// The part of the lines that a program has in common with the one whose calls follow the new name.
+/// Minimum ratio of equal lines between a program and its successor according to the calls.
 const LEAST_RATIO: f32 = 0.5;
 
-/// A mark in place of the name of a program in its own code.
+/// Placeholder for the program's own name in its code.
 const SELF: &str = "\0";
 
-/// Number of tokens of `begin` and `end`: many programs have no other code.
+/// Number of tokens in `begin` and `end`, which are the only code of many programs.
 const EMPTY: usize = 2;
 
-/// Adds the renamed programs: those with the same parameters, variables and statements, and those that calls follow, if
-/// their code is similar.
+/// Adds the renamed programs: programs with equal parameters, variables and statements, and programs whose calls use a
+/// new name, if their code is similar.
 pub(super) fn find(programs: &[Versions<'_>], names: &Names<'_>, followed: &Renames, renamed: &mut Renamed) {
     let removed = programs
         .iter()
@@ -48,12 +48,12 @@ pub(super) fn find(programs: &[Versions<'_>], names: &Names<'_>, followed: &Rena
     renamed.programs.extend(old.iter().filter_map(pair));
 }
 
-/// The names of programs by their parameters, variables and statements. Programs without statements are left out.
+/// Returns program names by parameters, variables and statements. Programs without statements are omitted.
 fn by_body<'p>(programs: impl Iterator<Item = &'p Program>, mut renames: Renames) -> BTreeMap<String, Vec<String>> {
     let mut found: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for program in programs {
         let name = program.header.name.to_string();
-        // A program that calls itself does so by its name.
+        // A recursive program calls itself by its own name.
         let before = renames.insert(name.clone(), SELF.to_owned());
         let statements: Vec<&str> = program.code.statements(&renames).collect();
         if statements.len() > EMPTY {
@@ -68,7 +68,7 @@ fn by_body<'p>(programs: impl Iterator<Item = &'p Program>, mut renames: Renames
     found
 }
 
-/// Whether at least half of the lines between `begin` and `end` are the same.
+/// Whether at least half of the lines between `begin` and `end` are equal.
 fn is_similar(old: &Program, new: &Program) -> bool {
     let [old, new] = [old, new].map(|program| {
         let lines = program.code.lines();

@@ -1,4 +1,4 @@
-//! Data with another name and the same content.
+//! Renamed data: data with the same content under another name.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,12 +6,12 @@ use super::items::Names;
 use crate::read::code::Renames;
 use crate::read::data::Data;
 
-/// Number of parts other than the default from which a content identifies data. Two counters with the value 1 are not the
+/// Minimum number of non-default parts for which content identifies data. Two counters with the value 1 are not the
 /// same counter.
 const FEWEST_PARTS: usize = 3;
 
-/// Adds the renamed data: those that programs follow if the types are the same, and those with the same content. With each
-/// renamed frame the content of its points may be the same, so the search is repeated.
+/// Adds the renamed data: data whose uses have a new name, if the types are equal, and data with equal content. The
+/// search is repeated, because points may have equal contents once their frame is renamed.
 pub(super) fn find([old, new]: [&[Data]; 2], names: &Names<'_>, followed: &Renames, renamed: &mut Renames) {
     let find_one = |list: &'_ [Data], name: &str| list.iter().position(|data| data.decl.name == name);
     for (before, after) in followed {
@@ -49,7 +49,7 @@ fn is_same_kind(old: &Data, new: &Data) -> bool {
     old.type_name() == new.type_name() && old.decl.container == new.decl.container
 }
 
-/// The names of data by their content. Data whose content identifies nothing are left out.
+/// Returns data names by content. Data with too little content are omitted.
 fn by_content<'d>(all: impl Iterator<Item = &'d Data>, renames: &Renames) -> BTreeMap<String, Vec<&'d str>> {
     let mut found: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for data in all {

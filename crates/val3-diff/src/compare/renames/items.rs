@@ -1,14 +1,14 @@
-//! Programs and names of both versions, and the pairs that were found.
+//! Programs and names in both versions, and renamed items.
 
 use std::collections::BTreeSet;
 
 use crate::read::code::Renames;
 use crate::read::program::Program;
 
-/// Both versions of a program.
+/// Old and new version of a program.
 pub(crate) type Versions<'p> = [Option<&'p Program>; 2];
 
-/// Renamed items, by their old names.
+/// Renamed items: new names by old names.
 #[derive(Debug, Default)]
 pub(crate) struct Renamed {
     pub(crate) data: Renames,
@@ -16,13 +16,13 @@ pub(crate) struct Renamed {
 }
 
 impl Renamed {
-    /// New names of programs and data.
+    /// Returns the new names of programs and data.
     pub(crate) fn names(&self) -> Renames {
         self.data.iter().chain(&self.programs).map(|(old, new)| (old.clone(), new.clone())).collect()
     }
 }
 
-/// Names that only one version has.
+/// Names that exist in only one version.
 #[derive(Debug)]
 pub(super) struct Names<'n> {
     pub(super) removed: BTreeSet<&'n str>,
@@ -35,7 +35,7 @@ impl<'n> Names<'n> {
         Self { removed: &old - &new, added: &new - &old }
     }
 
-    /// Whether there is no pair of an old and a new name.
+    /// Whether there is no pair with an old and a new name.
     pub(super) fn is_empty(&self) -> bool {
         self.removed.is_empty() || self.added.is_empty()
     }

@@ -1,4 +1,4 @@
-//! Names that programs use where they used another name before.
+//! Names that replaced another name in programs.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,7 +8,8 @@ use super::items::{Names, Versions};
 use crate::read::code::{CodeLine, Renames};
 use crate::read::program::Program;
 
-/// The names in which a removed name was replaced by one added name everywhere, and by no other.
+/// Returns the removed names that were replaced by one added name in all places, where the added name replaced no other
+/// name.
 pub(super) fn followed(programs: &[Versions<'_>], names: &[&Names<'_>]) -> Renames {
     let mut uses = Uses::default();
     for versions in programs {
@@ -27,7 +28,7 @@ pub(super) fn followed(programs: &[Versions<'_>], names: &[&Names<'_>]) -> Renam
     followed
 }
 
-/// Names at the same place of both versions.
+/// Names at corresponding places of both versions.
 #[derive(Default)]
 struct Uses<'p> {
     successors: BTreeMap<&'p str, BTreeSet<&'p str>>,
@@ -51,7 +52,7 @@ impl<'p> Uses<'p> {
         }
     }
 
-    /// The name that always takes the place of another, if it takes the place of no third one.
+    /// Returns the name that always replaced `name`, if it replaced no other name.
     fn only_successor(&self, name: &str) -> Option<&'p str> {
         let only = |names: &BTreeSet<&'p str>| names.first().copied().filter(|_| names.len() == 1);
         let successor = only(self.successors.get(name)?)?;

@@ -1,11 +1,11 @@
-//! The signals of a field bus of a CS9 (`usr/configs/hilscher/J207J208.xml`), whose links are bare GUIDs.
+//! Field bus signals of a CS9 (`usr/configs/hilscher/J207J208.xml`), whose links are bare GUIDs.
 
 use val3_lang::types::BaseType;
 
 use crate::cell::{Tags, guid};
 use crate::xml::{self, Element};
 
-/// The signals by their tags; `None` if a tag is no GUID, so that links may have another form.
+/// Reads the signals by tag; `None` if a tag is no GUID, because links may have another form then.
 pub(super) fn read(text: &str) -> Option<Tags> {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).filter(|root| root.name() == "ProcessData")?;
@@ -17,7 +17,7 @@ pub(super) fn read(text: &str) -> Option<Tags> {
     Some(tags).filter(|tags| !tags.is_empty())
 }
 
-/// Modules may be within modules.
+/// Adds the signals in an element and in nested modules.
 fn add(element: Element<'_>, tags: &mut Tags) -> Option<()> {
     for inner in element.elements() {
         if inner.name() == "Signal" {
@@ -31,7 +31,7 @@ fn add(element: Element<'_>, tags: &mut Tags) -> Option<()> {
     Some(())
 }
 
-/// The type of a signal; `None` for an array of bits, which could be read as a number.
+/// Returns the type of a signal; `None` for an array of bits, which could be read as a number.
 fn kind(signal: Element<'_>) -> Option<BaseType> {
     let elements = signal.value("arrayElements");
     let is_single = elements.is_none_or(|count| matches!(count.trim(), "" | "0" | "1"));

@@ -1,18 +1,18 @@
-//! The tables of `usr/applicom/Modbus/modbus.xml`, whose links are `ModbusSrv-0\<Topic>-Bit\<item>`.
+//! Tables in `usr/applicom/Modbus/modbus.xml`, with links of the form `ModbusSrv-0\<Topic>-Bit\<item>`.
 
 use val3_lang::types::BaseType;
 
 use crate::cell::Device;
 use crate::xml::{self, Element};
 
-/// The device of the links.
+/// Device name in the links.
 pub(super) const DEVICE: &str = "ModbusSrv-0";
 
-/// Elements of an item; a table has at most 65,536 addresses.
+/// Maximum number of item elements: a table has at most 65,536 addresses.
 const MOST_ELEMENTS: u32 = 0x1_0000;
 
-/// The items of all topics: `Modbus-Bit\bStart`, `Modbus-Word\nRecipe[1]`; `None` if the file does not determine all of
-/// them. An inactive topic counts too, because the file does not show why it is inactive.
+/// Reads the items of all topics, for example `Modbus-Bit\bStart` and `Modbus-Word\nRecipe[1]`; `None` if the file does
+/// not determine all items. Inactive topics are included, because the file does not show why they are inactive.
 pub(super) fn read(text: &str) -> Option<Device> {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).filter(|root| root.name() == "TOPICSLIST")?;
@@ -21,7 +21,7 @@ pub(super) fn read(text: &str) -> Option<Device> {
     }
     let mut device = Device::default();
     for topic in root.elements().filter(|element| element.name() == "TOPIC") {
-        // One of these is the number in the name of the device; which one is not known.
+        // One of these values is the number in the device name, but it is unknown which one.
         if ["Card", "Channel", "Equipment"].iter().any(|name| topic.value(name).is_some_and(|of| of.trim() != "0")) {
             return None;
         }
@@ -40,7 +40,7 @@ pub(super) fn read(text: &str) -> Option<Device> {
     Some(device)
 }
 
-/// The names of an item. Older files write the number of elements into the links: `N1_102:8[0]`.
+/// Adds the item's names. In older files, links contain the number of elements: `N1_102:8[0]`.
 fn add(item: Element<'_>, module: &str, base: BaseType, device: &mut Device) -> Option<()> {
     let (name, syntax) = (item.value("Name")?, item.value("Syntaxe")?);
     device.insert(format!("{module}\\{name}"), base);

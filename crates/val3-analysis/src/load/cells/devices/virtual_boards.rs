@@ -1,17 +1,17 @@
-//! The boards of `virtualIOBoards.cfx`, whose links are `VirtualIOBoards\<Board>\%I2`.
+//! Boards in `virtualIOBoards.cfx`, with links of the form `VirtualIOBoards\<Board>\%I2`.
 
 use val3_lang::types::BaseType;
 
 use crate::cell::Device;
 use crate::xml::{self, Element};
 
-/// The device of the links.
+/// Device name in the links.
 pub(super) const DEVICE: &str = "VirtualIOBoards";
 
-/// The letters between the direction and the channel of an analog signal: a float, 8, 16 and 32 bits.
+/// Letters of analog signals between direction and channel: float, 8, 16 and 32 bits.
 const ANALOG: [&str; 4] = ["F", "B", "W", "DW"];
 
-/// The signals of all boards: `Cell\%Q0`, `Cell\%IF8`.
+/// Reads the signals of all boards, for example `Cell\%Q0` and `Cell\%IF8`.
 pub(super) fn read(text: &str) -> Device {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view());
@@ -42,7 +42,7 @@ fn channels<'g>(board: Element<'g>, list: &'static str) -> impl Iterator<Item = 
     items.filter_map(|item| Some(item.value("channel")?.trim().to_owned()))
 }
 
-/// The letters of an analog signal. Where the format does not determine them, each of them may be right.
+/// Returns the possible letters for an analog signal: all of them if the format does not determine one.
 fn letters(item: Element<'_>) -> &'static [&'static str] {
     let value = |name: &str| item.value(name).map(|text| text.trim().to_ascii_lowercase());
     match (value("format").as_deref(), value("bitCount").as_deref()) {
