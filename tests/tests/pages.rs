@@ -1,4 +1,4 @@
-//! Every VAL 3 example of the pages is run through the check.
+//! Every VAL 3 example on the pages is checked.
 
 use val3_check::rules;
 use val3_check::settings::Selection;
@@ -7,7 +7,8 @@ use val3_lang::{glossary, instructions, page, statements};
 use val3_test::{Fixture, ROOT};
 use val3_tests::OF_WHOLE_PROJECTS;
 
-/// The findings in a listing; those of `asked` also where they are off until asked for, or need a whole project.
+/// Returns the findings in a listing. Findings of the rule `asked` are included even if it is off by default or needs a
+/// complete project.
 fn check_for(asked: Option<&'static str>, listing: &str) -> Vec<CheckedFinding> {
     let selection = Selection { named: asked.into_iter().collect(), ..Selection::default() };
     let fixture = Fixture::parse(listing);
@@ -17,7 +18,7 @@ fn check_for(asked: Option<&'static str>, listing: &str) -> Vec<CheckedFinding> 
     found
 }
 
-/// The VAL 3 listings below a heading of a page.
+/// Returns the VAL 3 listings below a heading of a page.
 fn listings_below(page: &str, heading: &str) -> Vec<String> {
     let text = page::text(page);
     let Some((_, section)) = text.split_once(heading) else { return Vec::new() };
@@ -54,7 +55,8 @@ fn the_good_example_of_a_rule_is_clean() {
     assert!(faults.is_empty(), "{} rules\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Rules whose fault no text can show: bytes in a wrong encoding, control characters, files that cannot be read, and files
+/// Rules whose fault a listing cannot show: bytes in a wrong encoding, control characters, and files that cannot be
+/// read, are outside the allowed folders, belong to no project, or are unread archives.
 const WITHOUT_LISTING: [&str; 6] = ["V0005", "V0007", "V0502", "V0509", "V0543", "V0544"];
 
 #[test]
