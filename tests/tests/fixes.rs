@@ -35,7 +35,7 @@ fn escaped(text: &str) -> String {
     whole
 }
 
-/// Runs `law` for every example and fix offered by the rule.
+/// Runs `law` for every `Bad` example and every fix that its rule offers.
 fn for_each_fix(law: impl Fn(&Files, &OfferedFix) -> Result<(), String>) {
     let mut tried = 0;
     let mut faults = Vec::new();

@@ -19,14 +19,14 @@ pub fn resolve(chain: &[Trsf]) -> IsometryMatrix3<f64> {
     chain.iter().fold(IsometryMatrix3::identity(), |inner, link| link.isometry() * inner)
 }
 
-/// Executes the instruction `position` (manual 9.4.4, 9.5.4, 9.6.3): computes the pose of `place` relative to
+/// Implements the instruction `position` (manual 9.4.4, 9.5.4, 9.6.3): computes the pose of `place` relative to
 /// `reference`.
 #[must_use]
 pub fn position(place: &[Trsf], reference: &[Trsf]) -> Trsf {
     between(reference, place).into()
 }
 
-/// Executes the instruction `distance` for two points (manual 9.6.3), in mm. The orientations have no effect.
+/// Implements the instruction `distance` for two points (manual 9.6.3), in mm. The orientations have no effect.
 #[must_use]
 pub fn distance(left: &[Trsf], right: &[Trsf]) -> f64 {
     let (left, right) = without_common_end(left, right);
@@ -39,7 +39,7 @@ fn origin(chain: &[Trsf]) -> Point3<f64> {
     fathers.iter().fold(Point3::from(place.translation()), |point, father| father.isometry() * point)
 }
 
-/// Executes the instruction `compose` (manual 9.6.3): moves `point` by a `transformation` relative to `reference`.
+/// Implements the instruction `compose` (manual 9.6.3): moves `point` by a `transformation` relative to `reference`.
 ///
 /// The result is relative to the father of the point, like the point's own transformation; `None` for an empty `point`.
 #[must_use]

@@ -66,8 +66,8 @@ impl fmt::Display for InterpolationError {
 
 impl Error for InterpolationError {}
 
-/// Executes the instruction `interpolateL` (manual 9.3.4): computes the pose at `fraction` of the path from `start` to
-/// `end`.
+/// Implements the instruction `interpolateL` (manual 9.3.4): computes the pose at `fraction` of the path from `start`
+/// to `end`.
 ///
 /// At 0 and 1 the result is exactly `start` and `end`.
 ///
@@ -77,7 +77,7 @@ pub fn interpolate_l(start: &Trsf, end: &Trsf, fraction: f64) -> Result<Trsf, In
     at_fraction(start, end, fraction, || Line::between(&start.isometry(), &end.isometry()).at(fraction))
 }
 
-/// Executes the instruction `interpolateC` (manual 9.3.4): computes the pose at `fraction` of the arc from `start`
+/// Implements the instruction `interpolateC` (manual 9.3.4): computes the pose at `fraction` of the arc from `start`
 /// through `intermediate` to `end`.
 ///
 /// At 0 and 1 the result is exactly `start` and `end`. The manual states the range of the fraction only for

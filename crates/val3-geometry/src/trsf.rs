@@ -61,8 +61,8 @@ impl Trsf {
         [self.rx, self.ry, self.rz]
     }
 
-    /// Executes the instruction `distance` for two transformations (manual 9.3.4), in mm. Both are relative to the same
-    /// frame.
+    /// Implements the instruction `distance` for two transformations (manual 9.3.4), in mm. Both are relative to the
+    /// same frame.
     #[must_use]
     pub fn distance(&self, other: &Self) -> f64 {
         (other.translation() - self.translation()).norm()
@@ -75,7 +75,7 @@ impl Trsf {
         IsometryMatrix3::from_parts(Translation3::from(self.translation()), rotation)
     }
 
-    /// Executes the operator `!` (manual 9.3.3): returns the inverse transformation.
+    /// Implements the operator `!` (manual 9.3.3): returns the inverse transformation.
     #[must_use]
     pub fn inverse(&self) -> Self {
         self.isometry().inverse().into()

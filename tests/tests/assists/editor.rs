@@ -113,7 +113,7 @@ impl Editor {
         Self::open(&self.after(&SourceChange { edits: vec![edit], ..SourceChange::default() }))
     }
 
-    /// Returns the range in this editor's file that has the path of another editor's file.
+    /// Returns the same range in this editor's file with the same path as in `other`.
     pub(crate) fn same_place(&self, other: &Self, place: FileRange) -> FileRange {
         let path = place.file.path(other.db());
         let file = self.files().into_iter().find(|file| file.path(self.db()) == path).unwrap();
