@@ -1,11 +1,11 @@
-//! The check of a large workspace: `cargo bench --bench check`.
+//! Check of a large workspace: `cargo bench --bench check`.
 //!
-//! To reach on two cores of an ordinary machine, with 100,000 code lines:
-//! - `cold`: reading and checking everything, 500,000 code lines/s;
-//! - `edited_body`: checking one program again after an edit of its code, under 1 ms;
-//! - `edited_body_everywhere`: asking for the findings of the whole workspace after such an edit.
+//! Targets on two cores of an ordinary machine, with 100,000 code lines:
+//! - `cold`: reading and checking all files, 500,000 code lines/s;
+//! - `edited_body`: checking one program after an edit in its code, under 1 ms;
+//! - `edited_body_everywhere`: computing the findings of the entire workspace after such an edit.
 //!
-//! Memory has to stay under 100 MB; `cargo xtask metrics` measures it on the command itself.
+//! Memory has to stay under 100 MB; `cargo xtask metrics` measures it for the command.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, reason = "a benchmark may fail loudly")]
@@ -29,7 +29,7 @@ fn main() {
     divan::main();
 }
 
-/// A generated workspace on the disk; it is removed at the end.
+/// A generated workspace on the disk, which is removed at the end.
 struct Written {
     folder: tempfile::TempDir,
     code_lines: usize,
@@ -50,7 +50,7 @@ impl Written {
     }
 }
 
-/// The number of findings, which is 0.
+/// Returns the number of findings, which is 0.
 fn check_all(db: &Database, units: &[Unit]) -> usize {
     let settings = WorkspaceSettings::default();
     units.par_iter().map_with(db.clone(), |db, unit| check_unit(db, *unit, &settings).findings.len()).sum()
@@ -63,12 +63,12 @@ fn cold(bencher: Bencher<'_, '_>) {
         let workspace = written.load();
         let units = units(&workspace.db, &workspace.projects);
         assert_eq!(check_all(&workspace.db, &units), 0, "the generated workspace has faults");
-        // Giving the memory back is not part of the work: the command ends here.
+        // Releasing the memory is not part of the work, because the command ends here.
         std::mem::forget(black_box(workspace));
     });
 }
 
-/// A checked workspace with one program that is edited again and again.
+/// A checked workspace with a program that is edited repeatedly.
 struct Edited {
     workspace: Workspace,
     units: Vec<Unit>,

@@ -1,7 +1,7 @@
-//! One cell of a table of 10,000 points, as an editor changes it: `cargo build --release -p val3 && cargo bench --bench
+//! Edit of a cell in a table of 10,000 points, as from an editor: `cargo build --release -p val3 && cargo bench --bench
 //! data`.
 //!
-//! Target: the edit, its text and the changed rows take less than 100 ms together.
+//! Target: the edit, its text and the changed rows need less than 100 ms together.
 
 #![allow(clippy::expect_used, clippy::indexing_slicing, reason = "a session that fails measures nothing")]
 #![allow(clippy::disallowed_methods, reason = "it measures the time of a process")]
@@ -18,7 +18,7 @@ const POINTS: usize = 10_000;
 
 const DATA: &str = "usrapp/main/main.dtx";
 
-/// The cells that are changed, of which the slowest counts.
+/// Number of edited cells, of which the slowest counts.
 const EDITS: i64 = 10;
 
 /// A client of `val3 lsp`.
@@ -31,7 +31,7 @@ struct Client {
 
 impl Client {
     fn start(root: &str) -> Self {
-        // Benches are in a folder next to the binaries of their profile.
+        // Benches are in a folder next to the profile's binaries.
         let mut binary = std::env::current_exe().expect("the bench has a path");
         binary.pop();
         binary.pop();
@@ -94,7 +94,7 @@ impl Drop for Client {
     }
 }
 
-/// Points that no program uses, points that programs use, or one array of points.
+/// Returns a listing with points that no program uses, points that programs use, or an array of points.
 fn listing(kind: &str) -> String {
     let mut listing = "mdesc mNom\n".to_owned();
     let mut code = String::new();
@@ -120,7 +120,7 @@ fn main() {
     }
 }
 
-/// The longest time from an edit of a cell to its new row.
+/// Returns the longest time from an edit of a cell to its new row.
 fn slowest(kind: &str) -> Duration {
     let folder = tempfile::tempdir().expect("a folder");
     for (path, text) in Fixture::parse(&listing(kind)).files {
@@ -156,7 +156,7 @@ fn slowest(kind: &str) -> Duration {
         let params = json!({ "uri": uri, "previousResultId": result, "withoutFindings": true });
         let mut changes = client.ask("val3/data", &params);
         assert_eq!(changes["data"]["items"].as_array().map(Vec::len), Some(1), "{changes}");
-        // One value, of whatever datum.
+        // One value of any datum.
         assert_eq!(changes["data"]["items"][0]["values"].as_array().map(Vec::len), Some(1), "{changes}");
         result = changes["resultId"].take();
         let time = started.elapsed();

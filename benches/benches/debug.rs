@@ -1,8 +1,8 @@
 //! Debugging: `cargo bench --bench debug`.
 //!
-//! Targets: a step in under 5 ms, a line back after 10 million lines in under 100 ms, and 1,000 breakpoints that no task
-//! reaches make a run of a million lines less than 5 % slower. A condition in a loop takes microseconds at each hit, and an
-//! expression is evaluated in under 5 ms.
+//! Targets: a step in under 5 ms, a step back after 10 million lines in under 100 ms, and 1,000 breakpoints that no
+//! task reaches slow a run of a million lines by less than 5 %. A condition in a loop costs microseconds per hit, and
+//! an expression is evaluated in under 5 ms.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, clippy::panic, reason = "an application that fails measures nothing")]
@@ -14,14 +14,14 @@ use val3_session::{FrameEvaluator, Purpose};
 use val3_tests::running::{Running, application};
 use val3_vm::FragmentContext;
 
-/// Lines of which a program never executes one.
+/// Lines that a program never executes.
 const UNUSED: &str = "  while nEnd<0\n    nEnd=nEnd+1\n  endWhile\n";
 
 fn main() {
     divan::main();
 }
 
-/// Counts for some millions of lines.
+/// Starts an application that counts for some millions of lines.
 fn counting() -> Debugger {
     Debugger::new(Running::start(&listing()).controller)
 }

@@ -1,8 +1,8 @@
-//! The comparison of two backups: `cargo bench --bench diff`.
+//! Comparison between two backups: `cargo bench --bench diff`.
 //!
-//! To reach on one core of an ordinary machine, with 10,000 points in 100 frames, which all differ because their frames and
-//! the points themselves have moved: under a second for the comparison, and for the report in each format. Files that are the
-//! same are not read.
+//! Target on one core of an ordinary machine: under one second for the comparison, and for the report in each format.
+//! The backups contain 10,000 points in 100 frames, which all differ because the frames and the points were moved.
+//! Equal files are not read.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, reason = "a benchmark may fail loudly")]
@@ -21,7 +21,7 @@ fn main() {
     divan::main();
 }
 
-/// A data file of which every frame is moved by `offset` mm, and every point by as much again.
+/// Returns a data file in which every frame is moved by `offset` mm, and every point by the same distance.
 fn backup(offset: f64) -> Tree {
     let mut data = String::from("<Database><Datas>");
     let declaration = |name: &str, ty: &str, size: usize| {

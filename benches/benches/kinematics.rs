@@ -1,6 +1,6 @@
-//! Kinematics of a TX60: `cargo bench --bench kinematics`. Aside: rs-opw-kinematics, which computes the same.
+//! Kinematics of a TX60: `cargo bench --bench kinematics`, in comparison with rs-opw-kinematics.
 //!
-//! Aim: a pose in less than 150 ns, all 8 branches of an inverse in less than 1 µs.
+//! Targets: a pose in less than 150 ns, all 8 branches of the inverse kinematics in less than 1 µs.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, reason = "an arm that cannot be loaded measures nothing")]

@@ -1,7 +1,7 @@
-//! Planning and executing moves: `cargo bench --bench motion`.
+//! Planning and execution of moves: `cargo bench --bench motion`.
 //!
-//! Targets: a line of 200 mm planned in under 30 µs, a move appended to a queue of 1,000 in under 100 µs, a cycle of 4 ms
-//! in under 2 µs.
+//! Targets: a line of 200 mm planned in under 30 µs, a move appended to a queue of 1,000 in under 100 µs, a cycle of 4
+//! ms in under 2 µs.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, reason = "a move that is refused measures nothing")]
@@ -28,7 +28,7 @@ fn arm() -> Arm {
     Arm::by_name("TX2-90").expect("the arm is known")
 }
 
-/// A line to a place `y` mm aside of the start and `z` mm above it.
+/// Returns a linear move to a position `y` mm to the side and `z` mm above the start.
 fn line(y: f64, z: f64, blend: Blend) -> Move {
     let arm = arm();
     let start = arm.forward(&START);
@@ -45,7 +45,7 @@ fn line(y: f64, z: f64, blend: Blend) -> Move {
     Move { path, tool: IsometryMatrix3::identity(), limits, blend, id: 0.0, manner: Manner::Rigid }
 }
 
-/// An arm with this many corners ahead.
+/// Returns an arm with this number of queued moves.
 fn queue(moves: usize) -> Motion {
     let mut motion = Motion::new(Arc::new(arm()), START);
     for index in 0..moves {
@@ -64,7 +64,7 @@ fn plan_a_line(bencher: Bencher<'_, '_>) {
 #[divan::bench(args = [1, 100, 1000])]
 fn append(bencher: Bencher<'_, '_>, moves: usize) {
     let (motion, request) = (queue(moves - 1), line(100.0, 200.0, CORNER));
-    // A copy has no room for another move, unlike a queue that grows.
+    // A copy has no capacity for another move, unlike a queue that grows.
     let with_room = || {
         let mut motion = motion.clone();
         motion.record(&line(150.0, 50.0, CORNER)).map(|()| motion).expect("the arm reaches it")

@@ -1,11 +1,11 @@
-//! Short programs as robots run them, against the same in Lua 5.4: `cargo bench --bench ordinary`, with the names of
-//! some programs after `--` for these alone.
+//! Typical short programs of robots in comparison with Lua 5.4: `cargo bench --bench ordinary`. Program names after
+//! `--` select programs.
 //!
-//! A program is a listing (the form that `val3-test` describes) and a Lua file of the same name in
-//! `benches/programs/ordinary`. Global data are globals in Lua, values of user types are tables. The table gives the
-//! milliseconds of both, without the time to compile, and the time relative to Lua; the fastest of several runs counts.
+//! A program is a listing (the format of `val3-test`) and a Lua file with the same name in `benches/programs/ordinary`.
+//! Global data are globals in Lua, values of user types are tables. The output contains the milliseconds of both,
+//! without the time to compile, and the time relative to Lua; the fastest of several runs counts.
 //!
-//! Aim: a geometric mean of 0.8, and no program above 1.5.
+//! Target: a geometric mean of 0.8, and no program above 1.5.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, clippy::panic, reason = "a program that fails measures nothing")]
@@ -29,10 +29,10 @@ use val3_machine::event::EventKind;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use val3_test::Fixture;
 
-/// The time of a line in nanoseconds: the default of `val3 run`.
+/// Duration of a line in ns: the default of `val3 run`.
 const LINE: u64 = 2000;
 
-/// Runs of each program, in turn with those of Lua.
+/// Number of runs per program, alternating with Lua.
 const RUNS: usize = 7;
 
 fn main() {
@@ -57,7 +57,7 @@ fn names() -> Vec<String> {
     names
 }
 
-/// Measures one program and prints its line of the table.
+/// Measures one program and prints its row.
 fn row(name: &str) -> f64 {
     let listing = std::fs::read_to_string(programs().join(name).with_extension("val3")).expect("a listing");
     let application = Application::load(&listing);
@@ -76,8 +76,8 @@ fn row(name: &str) -> f64 {
     factor
 }
 
-/// Seconds that this thread has run on a processor, so that other processes do not count. Elsewhere than on Linux, the
-/// time since the Unix epoch.
+/// Returns the processor time of this thread in s, so that other processes do not count. On other systems than Linux,
+/// returns the time since the Unix epoch.
 fn processor_time() -> f64 {
     let nanoseconds = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let running = nanoseconds.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
@@ -85,7 +85,7 @@ fn processor_time() -> f64 {
     running.map_or_else(now, |nanoseconds| nanoseconds / 1e9)
 }
 
-/// The output of a Lua program, and its run time in seconds without the start of the process.
+/// Returns the output of a Lua program, and its run time in s without the start of the process.
 fn run_lua(name: &str) -> (String, f64) {
     let program = programs().join(name).with_extension("lua");
     let timed = format!("local t=os.clock() dofile('{program}') print(os.clock()-t)");
@@ -96,7 +96,7 @@ fn run_lua(name: &str) -> (String, f64) {
     (result.to_owned(), seconds.parse().expect("seconds"))
 }
 
-/// An application and its libraries, on a disk of their own.
+/// An application and its libraries, on a temporary disk.
 struct Application {
     dir: TempDir,
     workspace: Workspace,
@@ -119,7 +119,7 @@ impl Application {
         Utf8Path::from_path(self.dir.path()).expect("a path of characters").join("usrapp")
     }
 
-    /// The images of all projects by their folders.
+    /// Returns the images of all projects by folder.
     fn compiled(&self) -> BTreeMap<String, Arc<Image>> {
         let db = &self.workspace.db;
         let image = |project: &Project| {
@@ -140,7 +140,7 @@ impl Libraries for Compiled {
     }
 }
 
-/// The line that an application prints.
+/// Runs the application, and returns the line that it prints.
 fn run(images: &BTreeMap<String, Arc<Image>>, application: &Application) -> String {
     let image = Arc::clone(images.get("main").expect("an application without faults"));
     let mut roots = Roots::default();

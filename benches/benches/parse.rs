@@ -1,7 +1,7 @@
-//! Parsing alone: `cargo bench --bench parse`.
+//! Parsing without analysis: `cargo bench --bench parse`.
 //!
-//! To reach on one core of an ordinary machine: 60 MB/s over the programs of a workspace. The time grows with the
-//! text alone: each row of `one_long_program` has ten times the text of the row above and shows the same MB/s.
+//! Target on one core of an ordinary machine: 60 MB/s over the programs of a workspace. The time is proportional to the
+//! text: each row of `one_long_program` has ten times the text of the previous row and shows the same MB/s.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 
@@ -24,7 +24,7 @@ fn workspace(bencher: Bencher<'_, '_>, ending: &str) {
     });
 }
 
-/// One program, ten times as long in each row.
+/// One program, ten times longer in each row.
 #[divan::bench(args = [10_000, 100_000, 1_000_000, 10_000_000], sample_count = 10)]
 fn one_long_program(bencher: Bencher<'_, '_>, bytes: usize) {
     let text = val3_benches::long_program(bytes);

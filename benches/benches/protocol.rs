@@ -1,7 +1,7 @@
-//! Debugging through the process, as a client sees it: `cargo build --release -p val3 && cargo bench --bench protocol`.
+//! Debugging through the process, as for a client: `cargo build --release -p val3 && cargo bench --bench protocol`.
 //!
-//! Targets: 95 of 100 steps are answered in under 5 ms, a line back after 10 million lines takes under 100 ms, and a page of
-//! an array of 100,000 elements under 5 ms.
+//! Targets: 95 of 100 steps are completed in under 5 ms, a step back after 10 million lines in under 100 ms, and a page
+//! from an array with 100,000 elements in under 5 ms.
 
 #![allow(
     clippy::expect_used,
@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 use val3_test::Fixture;
 
-/// Counts in a loop of three lines, each of which takes 2 µs on the controller.
+/// Counts in a loop of three lines, each of which has a duration of 2 µs on the controller.
 const LISTING: &str = "
 num nMany[100000]
 program start()
@@ -31,10 +31,10 @@ begin
 end
 ";
 
-/// The steps and pages of which the slowest twentieth is left out.
+/// Number of steps and pages, of which the slowest twentieth is ignored.
 const SAMPLES: usize = 400;
 
-/// The time after which the run goes back: longer than 10 million lines take.
+/// Time after which the run goes back: longer than the duration of 10 million lines.
 const RUN: Duration = Duration::from_secs(3);
 
 /// A client of `val3 dap`.
@@ -46,9 +46,9 @@ struct Client {
 }
 
 impl Client {
-    /// A session that has stopped before the first line.
+    /// Starts a session that has stopped before the first line.
     fn launch(program: &str) -> Self {
-        // Benches are in a folder next to the binaries of their profile.
+        // Benches are in a folder next to the profile's binaries.
         let mut binary = std::env::current_exe().expect("the bench has a path");
         binary.pop();
         binary.pop();
@@ -88,7 +88,7 @@ impl Client {
         serde_json::from_slice(&body).expect("a message")
     }
 
-    /// The body of a response.
+    /// Sends a request, and returns the body from its response.
     fn ask(&mut self, command: &str, arguments: &Value) -> Value {
         self.send(command, arguments);
         loop {
@@ -109,7 +109,7 @@ impl Client {
         }
     }
 
-    /// The time from a request that lets the run continue to the stop that follows.
+    /// Returns the time from a request that continues the run to the next stop.
     fn until_stopped(&mut self, command: &str, task: &Value) -> Duration {
         let started = Instant::now();
         self.send(command, &json!({ "threadId": task }));
@@ -121,14 +121,14 @@ impl Client {
         self.ask("stackTrace", &json!({ "threadId": task }))["stackFrames"][0]["id"].take()
     }
 
-    /// The loops that were executed.
+    /// Returns the number of executed loops.
     fn loops(&mut self, task: &Value) -> u64 {
         let frame = self.frame(task);
         let value = self.ask("evaluate", &json!({ "expression": "l_n", "frameId": frame, "context": "watch" }));
         value["result"].as_str().and_then(|number| number.parse().ok()).expect("a number")
     }
 
-    /// The reference of the global data.
+    /// Returns the reference of the global data.
     fn globals(&mut self, task: &Value) -> Value {
         let frame = self.frame(task);
         let scopes = self.ask("scopes", &json!({ "frameId": frame }));
@@ -169,7 +169,7 @@ fn main() {
     report("line back", back);
 }
 
-/// Pages of the array, each at another place.
+/// Requests pages of the array at different positions.
 fn pages(client: &mut Client, task: &Value) {
     let globals = client.globals(task);
     let variables = client.ask("variables", &json!({ "variablesReference": globals }));

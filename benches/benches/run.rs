@@ -1,8 +1,9 @@
-//! Running alone: `cargo bench --bench run`. Against Lua and CPython: `cargo xtask metrics --run`.
+//! Execution: `cargo bench --bench run`. In comparison with Lua and CPython: `cargo xtask metrics --run`.
 //!
-//! Aim: 0.8 times the run time of Lua 5.4 (geometric mean over the programs), none above 1.5 times, an hour of waiting in
-//! 0.2 s, an hour of motion in 5 s with its trace: `val3 run --arm TX2-90 --trace FILE benches/programs/moving`. Counting
-//! lines and branches for coverage costs under 30 % of each application's speed.
+//! Targets: 0.8 times the run time of Lua 5.4 (geometric mean over the programs), at most 1.5 times for each program,
+//! an hour of waiting in 0.2 s, and an hour of motion with its trace in 5 s:
+//! `val3 run --arm TX2-90 --trace FILE benches/programs/moving`.
+//! Counting lines and branches for coverage costs under 30 % of an application's speed.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, clippy::panic, reason = "an application that fails measures nothing")]
@@ -20,7 +21,7 @@ use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use val3_session::{Application, Pace};
 use xtask::metrics::running::PROGRAMS;
 
-/// Nanoseconds of controller time for each line, the default of `val3 run`.
+/// Controller time of a line in ns, the default of `val3 run`.
 const LINE: u64 = 2000;
 
 fn main() {
@@ -50,7 +51,7 @@ fn counted_application(bencher: Bencher<'_, '_>, name: &str) {
     bencher.with_inputs(|| Arc::clone(&image)).bench_local_values(run);
 }
 
-/// Moves for an hour without a rest, as `val3 run` does without a trace. A trace takes half as long again.
+/// Moves for an hour without a pause, like `val3 run` without a trace. A trace needs half as much time again.
 #[divan::bench(sample_count = 3, sample_size = 1)]
 fn an_hour_of_motion(bencher: Bencher<'_, '_>) {
     let image = compiled("moving");
@@ -66,7 +67,7 @@ fn application_of(name: &str) -> Application {
     Application::open(&Disk, &manifest, None).expect("the application can be read")
 }
 
-/// The line that the application has logged.
+/// Runs the application, and returns the line that it has logged.
 fn run(image: Arc<Image>) -> Option<String> {
     let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
     let mut controller =

@@ -1,6 +1,6 @@
 //! Speed of `libSave`: `cargo bench --bench save`.
 //!
-//! To reach: the time of a value does not depend on how many there are.
+//! Target: the time per value does not depend on the number of values.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 
@@ -15,21 +15,21 @@ fn main() {
     divan::main();
 }
 
-/// Every value is another than the file has.
+/// Every value differs from the file.
 #[divan::bench(args = COUNTS)]
 fn changed(bencher: Bencher<'_, '_>, count: u32) {
     let files = library(count, count);
     bencher.counter(ItemsCount::new(count)).bench_local(|| files.with_data(&[numbers(count)]));
 }
 
-/// Every other value is not in the file yet.
+/// Every second value is not in the file yet.
 #[divan::bench(args = COUNTS)]
 fn added(bencher: Bencher<'_, '_>, count: u32) {
     let files = library(count, count / 2);
     bencher.counter(ItemsCount::new(count)).bench_local(|| files.with_data(&[numbers(count)]));
 }
 
-/// The data file of an array of `count` numbers of which the first `written` have a value.
+/// Returns the data file for an array with `count` numbers, of which the first `written` have a value.
 fn library(count: u32, written: u32) -> LibraryFiles {
     let values: String =
         (0..written).map(|index| format!("      <Value key=\"{index}\" value=\"{}\" />\n", index + 1)).collect();

@@ -2,18 +2,18 @@
 
 use xtask::workspace::{self, Generated, GeneratedFile};
 
-/// A workspace of `lines` code lines.
+/// Generates a workspace with `lines` code lines.
 pub fn generated(lines: usize) -> Generated {
     workspace::generate(lines, 1)
 }
 
-/// All files of a workspace with one of these endings (`pgx`, `dtx`, `pjx`).
+/// Returns all files of a workspace with this ending (`pgx`, `dtx`, `pjx`).
 pub fn texts(workspace: &Generated, ending: &str) -> Vec<String> {
     let fits = |file: &&GeneratedFile| file.path.ends_with(ending);
     workspace.files.iter().filter(fits).map(|file| file.text.clone()).collect()
 }
 
-/// One program of at least `bytes` bytes: the statements of a generated program, repeated.
+/// Returns a program of at least `bytes` bytes: the statements of a generated program, repeated.
 pub fn long_program(bytes: usize) -> String {
     const HEAD: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
         <Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  \

@@ -1,11 +1,11 @@
-// Bundles each page into one file of `dist`, with script and style inside.
+// Bundles each page into one file of `dist`, including script and style.
 const { mkdirSync, readFileSync, writeFileSync } = require("node:fs");
 const { buildSync } = require("esbuild");
 
-/** The packages that every page contains. Their licences ask for their notices. */
+/** Packages that every page contains. Their licences require their notices. */
 const COMMON = ["preact", "@preact/signals", "@preact/signals-core"];
 
-/** Name in `dist`, title, entry, further packages. */
+/** Name in `dist`, title, entry point, additional packages. */
 const PAGES = [
   ["view", "VAL 3", "src/main.tsx", ["three"]],
   ["data", "VAL 3 data", "src/data/main.tsx", []],
@@ -33,7 +33,7 @@ function page([name, title, entry, packages]) {
     throw new Error(`the page ${name} contains packages whose licences it does not have: ${unnoticed.join(", ")}`);
   }
   const text = (ending) => outputFiles.find(({ path }) => path.endsWith(ending))?.text.trim() ?? "";
-  // A script ends at the first `</script`, even within a text.
+  // A script ends at the first `</script`, even within a string.
   const script = text(".js").replaceAll("</script", "<\\/script");
   const licence = (name) => `${name}\n${readFileSync(`node_modules/${name}/LICENSE`, "utf8").trim()}`;
   const notices = [...packages, ...COMMON].map(licence).join("\n\n").replaceAll("--", "- -");
@@ -57,7 +57,7 @@ ${notices}
 `);
 }
 
-/** The packages that the files of a bundle come from. */
+/** Returns the packages that a bundle contains. */
 function bundled({ inputs }) {
   const names = Object.keys(inputs).map((file) => /node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]);
   return [...new Set(names)].filter((name) => name !== undefined);

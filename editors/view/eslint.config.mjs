@@ -1,4 +1,4 @@
-// Strict rules that know the types: above all, no promise is left to itself.
+// Strict rules with type information: above all, every promise is handled.
 import { globalIgnores } from "eslint/config";
 import tseslint from "typescript-eslint";
 
@@ -8,10 +8,10 @@ export default tseslint.config(
   {
     languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
     rules: {
-      // Numbers say the same in a template as in `String()`.
+      // In a template, a number is formatted as by `String()`.
       "@typescript-eslint/restrict-template-expressions": ["error", { allowNumber: true }],
       "@typescript-eslint/no-confusing-void-expression": ["error", { ignoreArrowShorthand: true }],
-      // The runner waits for its tests itself.
+      // The test runner itself awaits its tests.
       "@typescript-eslint/no-floating-promises": ["error", { allowForKnownSafeCalls: [{ from: "package", name: "test", package: "node:test" }] }],
     },
   },

@@ -1,4 +1,4 @@
-// Bundles the extension, and copies the files of the project that it contains.
+// Bundles the extension, and copies the project files that it contains.
 const { cpSync, mkdirSync, readFileSync, readdirSync, writeFileSync } = require("node:fs");
 const { buildSync } = require("esbuild");
 
@@ -25,7 +25,7 @@ cpSync("../../CHANGELOG.md", "CHANGELOG.md");
 const licences = ["MIT", "APACHE"].map((name) => readFileSync(`../../LICENSE-${name}`, "utf8"));
 writeFileSync("LICENSE.txt", `MIT OR Apache-2.0, at your choice.\n\n${licences.join("\n\n")}`);
 
-/** The licence texts of the packages that the files of a bundle come from. */
+/** Returns the licence texts of the packages that a bundle contains. */
 function notices(inputs) {
   const folders = inputs.map((file) => /^(.*node_modules\/(?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]);
   return [...new Set(folders)].filter((folder) => folder !== undefined).sort().map(notice).join("");

@@ -1,4 +1,4 @@
-//! Any bytes as the description of an arm.
+//! Any bytes as an arm file.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! Any bytes as the files of a controller around an application.
+//! Any bytes as the controller files around an application.
 
 #![no_main]
 

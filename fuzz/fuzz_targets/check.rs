@@ -1,4 +1,4 @@
-//! Any bytes as a whole application.
+//! Any bytes as a complete application.
 
 #![no_main]
 

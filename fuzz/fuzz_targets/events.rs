@@ -1,4 +1,4 @@
-//! Any bytes as the events of a run that is repeated.
+//! Any bytes as the events of a replayed run.
 
 #![no_main]
 

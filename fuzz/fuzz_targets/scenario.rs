@@ -1,4 +1,4 @@
-//! Any bytes as a scenario of tests.
+//! Any bytes as a test scenario.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! Any bytes as the shape of a link.
+//! Any bytes as a link shape.
 
 #![no_main]
 

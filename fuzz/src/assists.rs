@@ -1,4 +1,4 @@
-//! Assists on programs that are executed: a program prints the same before and after.
+//! Assists on programs that are executed: a program prints the same before and after an assist.
 
 mod choices;
 mod program;
@@ -17,21 +17,21 @@ use val3_tests::running::Running;
 
 use choices::Choices;
 
-/// Assists that change what a program does, which is their purpose. A missing case takes its value from `default`, to be
-/// filled in.
+/// Assists whose purpose is to change the behaviour. A missing case gets its value from `default`, for the user to
+/// complete.
 const CHANGE_BEHAVIOUR: [&str; 5] =
     ["surround-while", "surround-for", "surround-if", "wait-for-arm", "add-missing-cases"];
 
-/// Places of one program at which all assists are tried.
+/// Number of ranges in a program at which all assists are applied.
 const PLACES: usize = 4;
 
-/// Seconds of the controller that a program may take; a program without a fault takes a hundredth.
+/// Largest duration of a program on the controller, in s; a program without a fault needs a hundredth.
 const SECONDS: u32 = 1;
 
-/// The files of a cell, by path in the folder of the fixture.
+/// Files of a cell, by path in the folder of the fixture.
 type Files = BTreeMap<Utf8PathBuf, String>;
 
-/// Writes a program as `bytes` choose, and applies every assist at some of its places.
+/// Writes a program according to `bytes`, and applies every assist at some ranges in it.
 pub fn assists(bytes: &[u8]) {
     let mut choices = Choices::new(bytes);
     let files: Files = Fixture::parse(&program::listing(&mut choices))
@@ -76,7 +76,8 @@ fn absolute(path: &Utf8Path) -> Utf8PathBuf {
     Utf8Path::new(ROOT).join(path)
 }
 
-/// What the application prints, with the numbers of run-time errors; the first fault of one that cannot run.
+/// Returns the application's output, with the numbers of run-time errors; the error is the first fault that prevents
+/// execution.
 fn printed(files: &Files) -> Result<String, String> {
     let raw = |(path, text): (&Utf8PathBuf, &String)| {
         format!("=== {}\n{}\n", path.as_str().trim_start_matches("usrapp/"), text.trim_end())
@@ -85,13 +86,13 @@ fn printed(files: &Files) -> Result<String, String> {
     Ok(running.for_seconds(SECONDS).printed())
 }
 
-/// The code of the programs.
+/// Returns the code of the programs.
 fn shown(files: &Files) -> String {
     let programs = files.iter().filter(|(path, _)| path.extension() == Some("pgx"));
     programs.map(|(path, text)| format!("--- {path}\n{text}\n")).collect()
 }
 
-/// Every statement and expression, every two neighbours, and every word of the programs.
+/// Returns the ranges of every statement and expression, every two neighbours, and every word of the programs.
 fn places(workspace: &Workspace) -> Vec<FileRange> {
     let db = &workspace.db;
     let mut files: Vec<_> = Sources::get(db).files(db).values().copied().collect();
@@ -117,7 +118,7 @@ fn words(code: &SyntaxNode) -> impl Iterator<Item = val3_syntax::TextSize> {
     tokens.filter(|token| !token.kind().is_trivia()).map(|token| token.text_range().start())
 }
 
-/// The files after a change. Edits have to be sorted, and must not overlap.
+/// Applies a change to the files. Edits have to be sorted, and must not overlap.
 fn changed(workspace: &Workspace, files: &Files, change: &SourceChange) -> Result<Files, String> {
     let relative = |path: &Utf8Path| path.strip_prefix(ROOT).map(Utf8Path::to_owned).map_err(|error| error.to_string());
     let mut changed = files.clone();

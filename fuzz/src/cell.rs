@@ -7,11 +7,11 @@ use val3_config::ConfigFile;
 use val3_machine::sio::channels;
 use val3_syntax::encoding::decode;
 
-/// The project, the data and the program of an application.
+/// Project file, data file and program file.
 const APPLICATION: [&str; 3] =
     ["/cell/usr/usrapp/main/main.pjx", "/cell/usr/usrapp/main/main.dtx", "/cell/usr/usrapp/main/start.pgx"];
 
-/// The files of the controller that have an effect on the check.
+/// Controller files that have an effect on the check.
 const CELL: [&str; 6] = [
     "/cell/usr/configs/arm.cfx",
     "/cell/usr/configs/cell.cfx",
@@ -23,13 +23,13 @@ const CELL: [&str; 6] = [
 
 const CONFIG: &str = "/cell/val3.toml";
 
-/// Checks an application: `bytes` hold its project, data and program, with a zero byte between them.
+/// Checks an application: `bytes` contain its project, data and program, separated by a zero byte.
 pub fn check(bytes: &[u8]) {
     let parts = bytes.splitn(APPLICATION.len(), |byte| *byte == 0);
     check_all(&APPLICATION.iter().zip(parts).map(|(path, part)| file(path, part)).collect::<Vec<_>>());
 }
 
-/// Checks an application in a cell: each file of the controller has these bytes.
+/// Checks an application in a cell in which each controller file has these bytes.
 pub fn cfx(bytes: &[u8]) {
     let cell = CELL.iter().map(|path| file(path, bytes));
     check_all(&application().chain(cell).collect::<Vec<_>>());
@@ -39,7 +39,7 @@ pub fn cfx(bytes: &[u8]) {
     }
 }
 
-/// Checks an application below a `val3.toml`. A fault of it lies inside the text.
+/// Checks an application below a `val3.toml`. The line of a fault in it must be inside the text.
 pub fn config(bytes: &[u8]) {
     if let Ok(text) = str::from_utf8(bytes)
         && let Err(error) = ConfigFile::parse(Utf8Path::new(CONFIG), text)
@@ -49,7 +49,7 @@ pub fn config(bytes: &[u8]) {
     check_all(&application().chain([file(CONFIG, bytes)]).collect::<Vec<_>>());
 }
 
-/// The application of a seed of [`check`], without faults.
+/// Returns the application in a seed of [`check`], without faults.
 fn application() -> impl Iterator<Item = (String, Vec<u8>)> {
     let parts = include_bytes!("../corpus/check/whole").splitn(APPLICATION.len(), |byte| *byte == 0);
     APPLICATION.iter().zip(parts).map(|(path, part)| file(path, part))
@@ -59,7 +59,7 @@ fn file(path: &str, bytes: &[u8]) -> (String, Vec<u8>) {
     (path.to_owned(), bytes.to_vec())
 }
 
-/// Each finding lies in its file. A `val3.toml` with a fault lets nothing be checked.
+/// Checks that each finding is inside its file. If a `val3.toml` has a fault, nothing is checked.
 fn check_all(files: &[(String, Vec<u8>)]) {
     let Ok(findings) = try_check(files, &Selection::default()) else { return };
     for finding in findings {

@@ -1,4 +1,4 @@
-//! The laws that hold for any input; a broken one is a panic. The tests of the project execute them with the corpus.
+//! Laws that hold for any input; a violation panics. The project's tests execute them with the corpus.
 
 mod assists;
 mod cell;
@@ -10,7 +10,7 @@ pub use cell::{cfx, check, config};
 pub use readers::{archive, arm, events, scenario, script, shape, trace};
 pub use trees::parse;
 
-/// A target: the name of its file and of its corpus, and its law.
+/// Target: its law, and the name for its file and corpus.
 pub struct FuzzTarget {
     pub name: &'static str,
     pub run: fn(&[u8]),

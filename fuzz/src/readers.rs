@@ -8,7 +8,7 @@ use val3_machine::sio::replay;
 use val3_suite::{Role, Scenario};
 use val3_trace::Trace;
 
-/// Bytes to which an archive unpacks at most.
+/// Largest unpacked size, in bytes.
 const MOST_UNPACKED: usize = 64 << 20;
 
 /// Reads a script of `val3 run --script`.
@@ -29,15 +29,15 @@ pub fn scenario(bytes: &[u8]) {
     }
 }
 
-/// Reads the data that lines have received from the events of a run.
+/// Reads the data that channels have received from the events of a run.
 pub fn events(bytes: &[u8]) {
     if let Ok(text) = str::from_utf8(bytes) {
-        // An error is the result that most inputs have.
+        // Most inputs cause an error.
         _ = replay(text);
     }
 }
 
-/// Reads recorded motion, in which time does not go back.
+/// Reads recorded motion, in which time must not decrease.
 pub fn trace(bytes: &[u8]) {
     let Ok(text) = str::from_utf8(bytes) else { return };
     match Trace::parse(text) {
@@ -46,7 +46,7 @@ pub fn trace(bytes: &[u8]) {
     }
 }
 
-/// Reads the description of an arm, and computes the pose of its flange.
+/// Reads an arm file, and computes the pose of the flange.
 pub fn arm(bytes: &[u8]) {
     let Ok(text) = str::from_utf8(bytes) else { return };
     match Arm::from_toml(text) {
@@ -57,13 +57,13 @@ pub fn arm(bytes: &[u8]) {
     }
 }
 
-/// Recognises the form of a shape, which has a head of at least four bytes.
+/// Recognises the format of a shape, which has a header of at least four bytes.
 pub fn shape(bytes: &[u8]) {
     let has_form = [ShapeFormat::Glb, ShapeFormat::Stl].into_iter().any(|format| format.matches(bytes));
     assert!(!has_form || bytes.len() >= 4, "a form without a head");
 }
 
-/// Unpacks an encrypted library. The size is limited, and no name leads out of its folder.
+/// Unpacks an encrypted library. The size is limited, and no name refers to a path outside its folder.
 pub fn archive(bytes: &[u8]) {
     let Ok(files) = unpack(bytes, "password") else { return };
     assert!(files.iter().map(|file| file.bytes.len()).sum::<usize>() <= MOST_UNPACKED);

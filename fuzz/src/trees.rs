@@ -3,7 +3,7 @@
 use val3_syntax::encoding::decode;
 use val3_syntax::{SyntaxNode, TextSize};
 
-/// Parses `bytes` as a file: nothing is lost, and every fault lies inside the text.
+/// Parses `bytes` as a file: no text is lost, and every fault is inside the text.
 pub fn parse(bytes: &[u8]) {
     let text = decode(bytes.to_vec()).text;
     let parse = val3_syntax::parse(&text);
@@ -17,7 +17,7 @@ pub fn parse(bytes: &[u8]) {
     touching(&root);
 }
 
-/// Neighbours touch: no byte is between two elements of a node.
+/// Checks that siblings touch: no byte is between two elements of a node.
 fn touching(root: &SyntaxNode) {
     for node in root.descendants() {
         let mut at = node.text_range().start();

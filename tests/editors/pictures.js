@@ -1,4 +1,5 @@
-// Takes the pictures of the README: `node tests/editors/pictures.js` after `tests/editors/run debug`, with the variables of `run`.
+// Creates the pictures in the README: `node tests/editors/pictures.js` after `tests/editors/run debug`, with the
+// variables of `run`.
 const { readdirSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");

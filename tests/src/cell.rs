@@ -1,18 +1,18 @@
-//! The cells in `examples/`.
+//! Cells in `examples/`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The files of a cell: path relative to the controller's folder (`usr/usrapp/…`, `/` as separator) and bytes.
+/// Files of a cell: path relative to the controller's folder (`usr/usrapp/…`, `/` as separator) and bytes.
 pub type Cell = Vec<(String, Vec<u8>)>;
 
-/// The folder that a cell's applications lie in.
+/// Folder with the applications of a cell.
 pub const APPLICATIONS: &str = "usr/usrapp/";
 
-/// The files of the controller in `examples/NAME/usr`, sorted by path.
+/// Reads the files of the controller in `examples/NAME/usr`, sorted by path.
 ///
 /// # Panics
-/// If the cell or one of its files cannot be read.
+/// The cell or one of its files cannot be read.
 #[track_caller]
 pub fn files(name: &str) -> Cell {
     let root = examples().join(name);
@@ -22,10 +22,11 @@ pub fn files(name: &str) -> Cell {
     files
 }
 
-/// The place of the one line of `file` (below [`APPLICATIONS`]) that contains `text`: path and line, from 1.
+/// Returns the location of the only line in `file` (below [`APPLICATIONS`]) that contains `text`: path and line, from
+/// 1.
 ///
 /// # Errors
-/// If there is no such file or line, or more than one such line.
+/// There is no such file or line, or more than one such line.
 pub fn place_of(cell: &Cell, file: &str, text: &str) -> Result<(String, usize), String> {
     let path = format!("{APPLICATIONS}{file}");
     let content = text_of(cell, &path)?;
@@ -37,16 +38,16 @@ pub fn place_of(cell: &Cell, file: &str, text: &str) -> Result<(String, usize), 
     }
 }
 
-/// The text of the file at `path`, with its byte order mark.
+/// Returns the text of the file at `path`, with its byte order mark.
 ///
 /// # Errors
-/// If there is no such file, or it is not in UTF-8.
+/// There is no such file, or it is not in UTF-8.
 pub fn text_of(cell: &Cell, path: &str) -> Result<String, String> {
     let (_, bytes) = cell.iter().find(|(known, _)| known == path).ok_or_else(|| format!("no file {path}"))?;
     String::from_utf8(bytes.clone()).map_err(|error| error.to_string())
 }
 
-/// The folder of the example cells.
+/// Returns the folder of the example cells.
 pub fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")
 }

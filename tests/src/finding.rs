@@ -1,20 +1,20 @@
-//! A finding, as far as a suite judges it.
+//! Properties of a finding that tests compare.
 
 /// A finding of a check.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
-    /// The code of the rule.
+    /// Rule code.
     pub code: String,
     /// Path relative to the controller's folder.
     pub file: String,
-    /// The line it begins on, from 1.
+    /// First line, from 1.
     pub line: usize,
-    /// The message.
+    /// Message.
     pub message: String,
 }
 
 impl Finding {
-    /// Whether `other` says the same about the same file, perhaps on another line.
+    /// Whether `other` has the same message for the same file, possibly on another line.
     pub fn is_like(&self, other: &Finding) -> bool {
         (&self.code, &self.file, &self.message) == (&other.code, &other.file, &other.message)
     }

@@ -1,4 +1,4 @@
-//! The law of fixes: they add no error.
+//! Law of fixes: they add no error.
 
 use std::collections::BTreeMap;
 
@@ -7,15 +7,15 @@ use val3_check::testing::{OfferedFix, check_files, fixed_files};
 
 use crate::cell::Cell;
 
-/// The errors that are there once all fixes are applied, safe or not, and were not there before.
+/// Applies all fixes, safe or not, and returns the added errors.
 pub fn errors_of_fixes(files: &Cell) -> Vec<String> {
     added_errors(files, &fixed_files(files))
 }
 
-/// The errors that are there once one fix is applied, and were not there before.
+/// Applies one fix, and returns the added errors.
 ///
 /// # Panics
-/// If the fix edits a file that is missing or not in UTF-8.
+/// The fix edits a file that does not exist or is not in UTF-8.
 pub fn errors_of_fix(files: &Cell, fix: &OfferedFix) -> Vec<String> {
     added_errors(files, &with_fix(files, fix))
 }
@@ -23,7 +23,7 @@ pub fn errors_of_fix(files: &Cell, fix: &OfferedFix) -> Vec<String> {
 fn with_fix(files: &Cell, fix: &OfferedFix) -> Cell {
     let mut fixed = files.clone();
     let mut edits = fix.edits.clone();
-    // From the end of a file to its start, so that the ranges of the others stay valid.
+    // From the end of a file to its start, so that the ranges of other edits stay valid.
     edits.sort_by_key(|(_, range, _)| std::cmp::Reverse(range.start));
     for (file, range, text) in edits {
         let (_, bytes) = fixed.iter_mut().find(|(path, _)| *path == file).expect("a fix edits a known file");
@@ -42,7 +42,7 @@ fn added_errors(before: &Cell, after: &Cell) -> Vec<String> {
     after.into_iter().filter(|(error, count)| before.get(error).is_none_or(|it| it < count)).map(|(it, _)| it).collect()
 }
 
-/// Each error with how often it is there. Lines are left out: fixes move them.
+/// Counts equal errors. Line numbers are omitted, because fixes move lines.
 fn errors(files: &Cell) -> BTreeMap<String, usize> {
     let mut errors = BTreeMap::new();
     for found in check_files(files).into_iter().filter(|found| found.severity == Severity::Error) {

@@ -1,4 +1,4 @@
-//! Shared by the suites in `tests/`: the example cells as files in memory, and findings.
+//! Shared by the tests in `tests/`: the example cells as files in memory, and findings.
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a missing or broken example is a fault of the test")]
 

@@ -14,21 +14,21 @@ use val3_motion::Sample;
 use val3_session::{Application, Pace};
 use val3_test::{Fixture, ROOT};
 
-/// Microseconds that a line takes here, in nanoseconds.
+/// Duration of a line, in ns.
 const LINE: Time = 2000;
 
-/// The longest run: an hour.
+/// Longest run: one hour.
 const LIMIT: Time = 3600 * SECOND;
 
-/// An application on a controller, and what has happened.
+/// An application on a controller, with its events.
 pub struct Running {
-    /// The controller.
+    /// Controller.
     pub controller: Controller,
-    /// The events so far.
+    /// Events so far.
     pub events: Vec<Event>,
 }
 
-/// No media: what is loaded while an application runs is not there.
+/// No media: libraries cannot be loaded while an application runs.
 struct NoLibraries;
 
 impl Libraries for NoLibraries {
@@ -38,19 +38,19 @@ impl Libraries for NoLibraries {
 }
 
 impl Running {
-    /// The application of a listing, about to begin.
+    /// Creates a controller with the application of a listing at its beginning.
     ///
     /// # Panics
-    /// If it has faults.
+    /// The listing has faults.
     #[track_caller]
     pub fn start(listing: &str) -> Self {
         Self::on(Devices::new(Roots::default(), Box::new(NoLibraries)), listing)
     }
 
-    /// The application of a listing, about to begin.
+    /// Creates a controller with the application of a listing at its beginning.
     ///
     /// # Errors
-    /// Its first faults, in a text, if it has some.
+    /// The first faults of the listing, as one text.
     pub fn try_start(listing: &str) -> Result<Self, String> {
         let image = application(listing).compile().map_err(|error| error.to_string())?;
         let mut controller = Controller::new(Self::devices(), image, "Disk://main".to_owned(), LINE)
@@ -59,10 +59,10 @@ impl Running {
         Ok(Self { controller, events: Vec::new() })
     }
 
-    /// The application of a listing on a controller with these signals of the device `Io`.
+    /// Creates a controller with the application of a listing, on these devices.
     ///
     /// # Panics
-    /// If it has faults.
+    /// The listing has faults.
     #[track_caller]
     pub fn on(devices: Devices, listing: &str) -> Self {
         let mut controller = Controller::new(devices, image(listing), "Disk://main".to_owned(), LINE)
@@ -72,15 +72,15 @@ impl Running {
         Self { controller, events: Vec::new() }
     }
 
-    /// Devices without media.
+    /// Creates devices without media.
     pub fn devices() -> Devices {
         Devices::new(Roots::default(), Box::new(NoLibraries))
     }
 
-    /// Runs until the application has ended, or nothing can happen any more.
+    /// Runs until the application has ended or cannot continue.
     ///
     /// # Panics
-    /// If it does not end within an hour.
+    /// The application does not end within an hour.
     #[track_caller]
     pub fn to_the_end(mut self) -> Self {
         while self.step() {
@@ -89,10 +89,10 @@ impl Running {
         self
     }
 
-    /// As [`Running::to_the_end`]; gives the state of the arm after each cycle.
+    /// Like [`Running::to_the_end`]; also returns the state of the arm after each cycle.
     ///
     /// # Panics
-    /// If it does not end within an hour.
+    /// The application does not end within an hour.
     #[track_caller]
     pub fn sampled(mut self) -> (Self, Vec<Sample>) {
         let mut samples = Vec::new();
@@ -112,7 +112,7 @@ impl Running {
         self
     }
 
-    /// A cycle, and the time that nothing happens in. Whether something can still happen.
+    /// Runs a cycle, and skips the time without activity. Returns whether the application can continue.
     fn step(&mut self) -> bool {
         let outcome = self.controller.step();
         self.events.append(&mut self.controller.devices.take_events());
@@ -123,7 +123,7 @@ impl Running {
         }
     }
 
-    /// The output of `?`, one line each, and the numbers of run-time errors.
+    /// Returns the output of `?` in lines, and the numbers of run-time errors.
     #[must_use]
     pub fn printed(&self) -> String {
         let line = |event: &Event| match &event.kind {
@@ -135,10 +135,10 @@ impl Running {
         self.events.iter().filter_map(line).collect()
     }
 
-    /// The record without what tasks do and `?` prints, a line an event.
+    /// Returns the record without events of tasks and `?`, in lines.
     ///
     /// # Panics
-    /// If an event cannot be written.
+    /// An event cannot be written.
     #[must_use]
     pub fn record(&self) -> String {
         let told =
@@ -147,7 +147,7 @@ impl Running {
         told.map(|event| line(event) + "\n").collect()
     }
 
-    /// The lines of the page that the pendant shows, without those that are empty at its end.
+    /// Returns the lines of the page on the pendant, without empty lines at the end.
     #[must_use]
     pub fn page(&self) -> String {
         let pendant = &self.controller.devices.state.pendant;
@@ -156,10 +156,10 @@ impl Running {
     }
 }
 
-/// The application of a listing.
+/// Opens the application of a listing.
 ///
 /// # Panics
-/// If it cannot be opened.
+/// The application cannot be opened.
 #[track_caller]
 pub fn application(listing: &str) -> Application {
     let fixture = Fixture::parse(listing);

@@ -1,4 +1,4 @@
-//! Code actions at many places of the example cells, which keep the laws of refactorings.
+//! Code actions at many places of the example cells, which must keep the laws of refactorings.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 
@@ -21,14 +21,14 @@ use val3_ide::{SourceChange, assists, resolve_assist};
 use val3_syntax::TextRange;
 use val3_tests::cell;
 
-/// Assists that the palletiser offers somewhere.
+/// Assists that are offered at some place in the palletiser.
 const ALWAYS_OFFERED: [&str; 6] =
     ["extract-program", "inline-program", "switch-to-if", "surround-for", "extract-constant", "toggle-access"];
 
-/// Number of positions that are tested, at equal distances.
+/// Number of tested positions, at equal distances.
 const PLACES: usize = 80;
 
-/// The places of all files of a cell.
+/// Returns the ranges to test in all files of a cell.
 fn places(editor: &Editor) -> Vec<FileRange> {
     editor.files().into_iter().flat_map(|file| places::places(file, &editor.tree(file))).collect()
 }
@@ -98,7 +98,7 @@ fn created_items_are_found() {
     assert!(created > 10, "only {created} were created");
 }
 
-/// V0101 and V0102: an unknown name, an unknown program.
+/// Whether the error is V0101 or V0102: an unknown name or program.
 fn is_unknown(error: &str) -> bool {
     error.contains("V0101") || error.contains("V0102")
 }
@@ -118,7 +118,7 @@ fn layout_changes_no_finding() {
     }
 }
 
-/// Pieces that break a program in one way or another.
+/// Pieces that break a program in different ways.
 const SLIPS: [&str; 12] = ["", "endIf\n", "if a\n", "\"", "(", "[", "=", ".", "]]>", "<", "call ", "switch"];
 
 #[test]
@@ -138,7 +138,7 @@ fn broken_programs_are_no_trouble() {
         let places: Vec<FileRange> = places(&editor).into_iter().filter(|place| place.file == file).collect();
         for place in sample(&places, 30) {
             for assist in assists(editor.db(), *place, None) {
-                // Edits that overlap, or lie outside of their file, fail here.
+                // Edits that overlap, or are outside their file, fail here.
                 let change = resolve_assist(editor.db(), assist.id, *place).unwrap_or_default();
                 editor.after(&change);
             }

@@ -1,4 +1,4 @@
-//! The book can be built, its links have targets, and its examples give the findings they name.
+//! The book can be built, its links have targets, and its examples have the findings that they name.
 
 #![allow(
     clippy::disallowed_methods,
@@ -17,7 +17,7 @@ fn root() -> Utf8PathBuf {
     Utf8Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// Every page written by hand: file name and text.
+/// Returns every hand-written page: file name and text.
 fn pages() -> Vec<(String, String)> {
     let entries = root().join("docs/src").read_dir_utf8().unwrap();
     let pages = entries.map(|entry| entry.unwrap()).filter(|entry| entry.path().extension() == Some("md"));
@@ -36,7 +36,7 @@ fn the_book_can_be_built() {
     check_search(&html);
 }
 
-/// The pages of the built book: path relative to the book, and text.
+/// Returns the pages of the built book: path relative to the book, and text.
 fn html_pages(html: &Utf8Path) -> BTreeMap<String, String> {
     let mut pages = BTreeMap::new();
     let mut folders = vec![html.to_owned()];
@@ -53,7 +53,7 @@ fn html_pages(html: &Utf8Path) -> BTreeMap<String, String> {
     pages
 }
 
-/// Every address within the book has its file, and its part of the page.
+/// Checks that every address in the book has its file and anchor.
 fn check_links(html: &Utf8Path, pages: &BTreeMap<String, String>) {
     let mut dead = Vec::new();
     let mut count = 0;
@@ -62,7 +62,7 @@ fn check_links(html: &Utf8Path, pages: &BTreeMap<String, String>) {
             text.split([' ', '<']).filter_map(|part| part.strip_prefix("href=\"").or(part.strip_prefix("src=\"")))
         {
             let address = address.split('"').next().unwrap();
-            // The page for missing addresses leads to the root of the site.
+            // The page for missing addresses links to the root of the site.
             if address.contains("://") || address.starts_with("mailto:") || address == "/" {
                 continue;
             }
@@ -93,7 +93,7 @@ fn check_links(html: &Utf8Path, pages: &BTreeMap<String, String>) {
     }
 }
 
-/// The path of an address on a page.
+/// Returns the path of an address on a page.
 fn joined(page: &str, address: &str) -> String {
     let mut parts: Vec<&str> = page.split('/').collect();
     parts.pop();
@@ -106,7 +106,7 @@ fn joined(page: &str, address: &str) -> String {
     parts.join("/")
 }
 
-/// Titles and descriptions say which page it is.
+/// Checks that titles and descriptions identify their page.
 fn check_titles(pages: &BTreeMap<String, String>) {
     let between =
         |text: &str, start: &str, end: &str| text.split_once(start).unwrap().1.split_once(end).unwrap().0.to_owned();
@@ -131,7 +131,7 @@ fn check_titles(pages: &BTreeMap<String, String>) {
     );
 }
 
-/// The index of the search has the pages and their words.
+/// Checks that the search index contains the pages and their words.
 fn check_search(html: &Utf8Path) {
     let files = html.read_dir_utf8().unwrap().map(|entry| entry.unwrap());
     let index = files.into_iter().find(|entry| entry.file_name().starts_with("searchindex")).unwrap();
@@ -152,7 +152,7 @@ fn the_book_names_the_address_of_the_workspace() {
     assert!(read("src/running.md").contains(&format!("({repository}/blob/main/SECURITY.md)")));
 }
 
-/// GitHub shows these pages too, and fills in nothing.
+/// GitHub shows these pages too, and replaces no placeholders.
 #[test]
 fn pages_have_no_placeholders() {
     for (page, text) in pages() {
@@ -181,7 +181,7 @@ fn links_between_pages_have_targets() {
     for (page, text) in pages() {
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
             let file = link.split('#').next().unwrap();
-            // Releases exist on GitHub alone, and other files of the repository outside the book.
+            // Releases exist only on GitHub, and other files of the repository are outside the book.
             let is_outside = link.starts_with("../../../../releases")
                 || link.starts_with("../../") && root().join("docs/src").join(file).exists();
             let is_page = !link.contains("://") && !is_outside;
@@ -204,7 +204,7 @@ fn every_page_is_in_the_table_of_contents() {
     assert!(lacking.is_empty(), "{lacking:?}");
 }
 
-/// A block marked `val3` shows no finding; one marked `val3 V0101 V0201` shows these and no others.
+/// A block marked `val3` has no finding; a block marked `val3 V0101 V0201` has exactly these findings.
 #[test]
 fn examples_have_the_findings_they_name() {
     for (page, text) in pages() {

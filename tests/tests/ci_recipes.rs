@@ -1,4 +1,4 @@
-//! The recipes of docs/src/ci.md for services without an action install a release from a mirror, and run it.
+//! The recipes in docs/src/ci.md for services without an action install a release from a mirror, and run it.
 #![cfg(target_os = "linux")]
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "scripts run on real files, and a test may stop")]
 
@@ -8,17 +8,17 @@ use std::process::Output;
 use crate::scratch::{Scratch, TAG, error, text};
 use camino::Utf8Path;
 
-/// The archive that all recipes name.
+/// Archive that all recipes download.
 const ARCHIVE: &str = "val3-1.2.3-x86_64-unknown-linux-musl";
 
-/// The first block of code below a heading of the page.
+/// Returns the first code block below a heading of the page.
 fn recipe(heading: &str) -> String {
     let page = fs::read_to_string(Utf8Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/src/ci.md")).unwrap();
     let (_, section) = page.split_once(&format!("## {heading}\n")).unwrap();
     section.split("```").nth(1).unwrap().split_once('\n').unwrap().1.to_owned()
 }
 
-/// The commands of the entries `before_script` and `script` of GitLab.
+/// Returns the commands in the entries `before_script` and `script` of GitLab.
 fn gitlab() -> String {
     let recipe = recipe("GitLab");
     let mut is_script = false;
@@ -33,19 +33,19 @@ fn gitlab() -> String {
     commands
 }
 
-/// The block of the first step of Azure Pipelines.
+/// Returns the block in the first step of Azure Pipelines.
 fn azure() -> String {
     let recipe = recipe("Azure Pipelines");
     let (_, block) = recipe.split_once("- bash: |\n").unwrap();
     block.lines().take_while(|line| line.starts_with("      ")).map(|line| format!("{}\n", line.trim())).collect()
 }
 
-/// The first script of Jenkins.
+/// Returns the first script of Jenkins.
 fn jenkins() -> String {
     recipe("Jenkins").split("'''").nth(1).unwrap().to_owned()
 }
 
-/// Runs a script as a service does, in a folder of its own.
+/// Runs a script like a service, in a temporary folder.
 fn run(scratch: &Scratch, script: &str, environment: &[(&str, &str)]) -> Output {
     let project = scratch.path("project");
     fs::create_dir_all(&project).unwrap();

@@ -21,7 +21,7 @@ fn open() -> Database {
     load(&system, &[Utf8PathBuf::from("/")]).unwrap().db
 }
 
-/// The names in the code, with their places.
+/// Returns the names in the code, with their locations.
 fn names(db: &Database) -> Vec<(File, TextRange, String)> {
     let mut files: Vec<File> = Sources::get(db).files(db).values().copied().collect();
     files.sort_by_key(|file| file.path(db).clone());
@@ -42,7 +42,8 @@ fn names(db: &Database) -> Vec<(File, TextRange, String)> {
     names
 }
 
-/// How many names are among the first `top` completions when `letters` of each are written, and those that are not.
+/// Returns the number of names among the first `top` completions after `letters` letters, and the names that are not
+/// among them.
 fn found(letters: usize, top: usize) -> (usize, Vec<String>) {
     let mut db = open();
     let (mut hits, mut misses) = (0, Vec::new());

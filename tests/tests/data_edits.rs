@@ -1,4 +1,5 @@
-//! Changes of data files through their tables: each keeps the bytes outside of it, adds no error, and can be taken back.
+//! Changes of data files through their tables: each change keeps all bytes outside its range, adds no error, and can be
+//! undone.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 
@@ -12,10 +13,10 @@ use desk::Desk;
 use val3_ide::{DataEdit, DataTables, Dialect};
 use val3_tests::cell;
 
-/// Of so many changes of a kind one is checked for errors.
+/// One of this number of changes of the same kind is checked for errors.
 const CHECKED: usize = 6;
 
-/// A file of s6 with data of every type that can be declared in it.
+/// Opens an s6 file with data of every type that can be declared in it.
 fn old_desk() -> Desk {
     let sections = [
         "aio", "bool", "dio", "frame", "jointRs", "joint", "mdesc", "num", "pointRs", "point", "sio", "string", "tool",
@@ -80,7 +81,8 @@ fn all_cells_of_a_file_change_at_once() {
     }
 }
 
-/// The examples spell few defaults. Where none is left, nothing shows that the file spells them.
+/// Whether the edit writes an explicit default. The examples contain few explicit defaults, and after the last one is
+/// removed nothing shows that the file uses them.
 fn is_spelt_default(edit: &DataEdit) -> bool {
     let defaults = ["0", "false", "", "50", "100", "99999", "joint", "ssame", "esame", "wsame"];
     let is_default = |text: &Option<String>| text.as_deref().is_some_and(|text| defaults.contains(&text));
@@ -93,7 +95,7 @@ fn declarations_sizes_and_keys_change_and_back() {
     for desk in desks() {
         for (kind, there, back) in pairs(&desk.tables()) {
             desk.keeps_others(&there);
-            // To check a file takes much longer than to change it.
+            // Checking a file is much slower than changing it.
             let count: &mut usize = kinds.entry(kind).or_default();
             if count.is_multiple_of(CHECKED) {
                 desk.adds_no_error(std::slice::from_ref(&there));

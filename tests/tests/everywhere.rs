@@ -1,4 +1,5 @@
-//! Every editor feature at every place of whole and of broken files: nothing panics, and every range lies in its file.
+//! Every editor feature at every position of complete and of broken files: nothing panics, and every range is inside
+//! its file.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail loudly")]
 
@@ -65,7 +66,7 @@ fn position(db: &dyn Db, at: FilePosition) {
     assert!(selections.windows(2).all(|pair| matches!(pair, [inner, outer] if outer.contains_range(*inner))));
 }
 
-/// The features that look at the whole workspace, at a name.
+/// Calls the features that search the entire workspace, at a name.
 fn name(db: &dyn Db, at: FilePosition) {
     references(db, at, true).iter().for_each(|place| assert_inside(db, place.file, place.range));
     if prepare_rename(db, at).is_ok() {
@@ -89,7 +90,7 @@ fn every_request_works_at_every_position_of_the_sorter() {
     }
 }
 
-/// A file that breaks off anywhere, and one with a piece missing.
+/// A file that ends at any position, and a file with a missing piece.
 #[test]
 fn every_request_works_in_broken_files() {
     let mut db = open("palletiser");

@@ -1,8 +1,8 @@
-//! The example cells: `palletiser` is clean, `faulty` has the faults that its comments name.
+//! The example cells: `palletiser` has no faults, `faulty` has the faults that its comments describe.
 
 use val3_tests::cell;
 
-/// The faults of `examples/faulty`: code, file below `usr/usrapp`, text of the line.
+/// Faults of `examples/faulty`: code, file below `usr/usrapp`, text of the line.
 const FAULTS: &[(&str, &str, &str)] = &[
     ("V0014", "sorter/sort.pgx", "call feeder:advance"),
     ("V0101", "sorter/count.pgx", "nSortd"),
@@ -18,7 +18,7 @@ const FAULTS: &[(&str, &str, &str)] = &[
     ("V0701", "sorter/stop.pgx", "  endif"),
 ];
 
-/// The words that introduce the comment on a fault, one for each family.
+/// Words that introduce the comment on a fault, one for each family.
 const FAMILIES: &[&str] =
     &["Syntax: ", "Names: ", "Types: ", "Flow: ", "Tasks: ", "Motion: ", "Project: ", "Data: ", "Library: ", "Style: "];
 

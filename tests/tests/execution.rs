@@ -1,4 +1,4 @@
-//! Programs as they run: statements, data and parameters (chapter 2), tasks (chapter 5), and the run-time errors that
+//! Execution of programs: statements, data and parameters (chapter 2), tasks (chapter 5), and the run-time errors that
 //! need no arm.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a fault of a test may stop it")]
@@ -24,8 +24,8 @@ mod turns;
 mod user_types;
 mod waiting;
 
-/// The output of an application until its end, and the numbers of the errors of its tasks. A second run must give the
-/// same events.
+/// Returns an application's output until its end, and the numbers of its tasks' errors. A second run must have the same
+/// events.
 #[track_caller]
 fn run(listing: &str) -> String {
     let [first, second] = [(), ()].map(|()| Running::start(listing).to_the_end());
@@ -33,18 +33,18 @@ fn run(listing: &str) -> String {
     first.printed()
 }
 
-/// As [`run`].
+/// Like [`run`], with a comparison.
 #[track_caller]
 fn check(listing: &str, expected: Expect) {
     let printed = run(listing);
-    // Blanks at the end of a line cannot be seen.
+    // Spaces at the end of a line are invisible.
     expected.assert_eq(&printed.lines().map(|line| format!("{}\n", line.trim_end())).collect::<String>());
 }
 
 /// Declarations for each line.
 const LOCALS: &str = "  num l_nValue\n  bool l_bFlag\n  string l_sText\n  point l_pPart\n  frame l_fPart\n  tool l_tPart\n  trsf l_trPart\n";
 
-/// `taskStatus` after each of the lines, which are executed by tasks of their own: -1 without an error.
+/// Checks `taskStatus` after each of the lines, which are executed by separate tasks: -1 without an error.
 ///
 /// A line can use `LOCALS` and the programs `work`, `take` and `takeAll`.
 #[track_caller]

@@ -1,4 +1,4 @@
-//! The laws of fixes, over the `Bad` example of every rule that has one, in both dialects.
+//! Laws of fixes, for the `Bad` example of every rule that has a fix, in both dialects.
 
 use val3_check::fix::{FixSafety, fix_offer};
 use val3_check::rule::Rule;
@@ -11,7 +11,7 @@ use val3_tests::fixing::{errors_of_fix, errors_of_fixes};
 
 type Files = Vec<(String, Vec<u8>)>;
 
-/// The files of the listings below `## Bad`: unchanged, and with the code escaped as in the old dialect.
+/// Returns the files of the listings below `## Bad`: unchanged, and with the code escaped as in the old dialect.
 fn bad_examples(rule: &Rule) -> Vec<Files> {
     let section = format!("{}\n", page::section(rule.page, "Bad"));
     let listings = page::examples(&section);
@@ -23,7 +23,7 @@ fn files(listing: &str, change: fn(&str) -> String) -> Files {
     fixture.files.iter().map(|(path, text)| (format!("{ROOT}/{path}"), change(text).into_bytes())).collect()
 }
 
-/// The text with what its CDATA sections hold as escaped text.
+/// Returns the text with all CDATA content as escaped text.
 fn escaped(text: &str) -> String {
     let mut parts = text.split("<![CDATA[");
     let mut whole = parts.next().unwrap_or_default().to_owned();
@@ -35,7 +35,7 @@ fn escaped(text: &str) -> String {
     whole
 }
 
-/// Runs `law` over every example with a fix of its rule.
+/// Runs `law` for every `Bad` example and every fix that its rule offers.
 fn for_each_fix(law: impl Fn(&Files, &OfferedFix) -> Result<(), String>) {
     let mut tried = 0;
     let mut faults = Vec::new();
@@ -51,7 +51,7 @@ fn for_each_fix(law: impl Fn(&Files, &OfferedFix) -> Result<(), String>) {
     assert!(faults.is_empty(), "{} faults\n{}", faults.len(), faults.join("\n"));
 }
 
-/// How many faults of the text the files have: those of the family V00.
+/// Returns the number of syntax faults in the files: findings of the family V00.
 fn syntax_faults(files: &Files) -> usize {
     check_files(files).iter().filter(|finding| finding.code.starts_with("V00")).count()
 }
@@ -186,7 +186,7 @@ fn bytes_outside_the_edits_stay() {
 fn fixing_reaches_an_end() {
     for_each_fix(|files, _| {
         let mut fixed = fixed_files(files);
-        // A second fix may repair a finding that follows from the first fix.
+        // A second fix may repair a finding that results from the first fix.
         for _ in 0..4 {
             let again = fixed_files(&fixed);
             if again == fixed {

@@ -1,4 +1,5 @@
-//! The targets of `fuzz` with the seeds of their corpus: no panic, and the laws hold. Fuzzing itself needs another compiler.
+//! The targets of `fuzz` with the seeds of their corpus: no panic, and the laws hold. Fuzzing itself needs another
+//! compiler.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
@@ -39,7 +40,7 @@ fn every_seed_keeps_the_laws() {
     }
 }
 
-/// Cut seeds and seeds with another byte at the end are the first inputs of a fuzzer.
+/// Truncated seeds and seeds with another byte at the end are the first inputs of a fuzzer.
 #[test]
 fn parts_of_seeds_keep_the_laws() {
     for target in TARGETS {
@@ -54,13 +55,13 @@ fn parts_of_seeds_keep_the_laws() {
     }
 }
 
-/// Random programs, a kilobyte of choices each.
+/// Random programs, with a kilobyte of choices each.
 #[test]
 fn assists_of_random_programs_keep_the_law() {
     random_choices(0..40).for_each(|choices| fuzz::assists(&choices));
 }
 
-/// As above, for minutes: a run after changes of assists.
+/// The same for minutes: to be run after changes of assists.
 #[test]
 #[ignore = "it takes minutes"]
 fn assists_of_many_random_programs_keep_the_law() {
@@ -69,7 +70,7 @@ fn assists_of_many_random_programs_keep_the_law() {
     assert_eq!(failures.count(), 0, "programs failed");
 }
 
-/// A kilobyte of choices for each seed.
+/// Returns a kilobyte of choices for each seed.
 fn random_choices(seeds: std::ops::Range<u64>) -> impl Iterator<Item = Vec<u8>> {
     seeds.map(|seed| {
         println!("seed {seed}");

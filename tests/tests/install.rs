@@ -1,4 +1,4 @@
-//! The scripts that the GitHub action and the hooks of pre-commit install `val3` with.
+//! Scripts with which the GitHub action and the pre-commit hooks install `val3`.
 #![cfg(unix)]
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "scripts run on real files, and a test may stop")]
 
@@ -10,7 +10,7 @@ use std::thread;
 
 use crate::scratch::{Scratch, TAG, archive, error, text};
 
-/// Starts a server on this machine that gives every request this answer, and returns its address.
+/// Starts a server on this machine that sends this response to every request, and returns its address.
 fn server(status: &'static str) -> String {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let address = format!("http://{}", listener.local_addr().unwrap());
@@ -49,7 +49,7 @@ fn assert_refused(scratch: &Scratch, output: &Output, reason: &str) {
 fn the_released_source_installs_the_archive() {
     let scratch = Scratch::new();
     let commit = scratch.shell("git -C source rev-parse HEAD");
-    // The tag, its commit, a branch at it, and the clone itself.
+    // The tag, its commit, a branch at the commit, and the clone itself.
     for revision in [TAG, commit.trim(), "main", ""] {
         assert_released(&scratch, &scratch.install().arg(revision).output().unwrap());
         fs::remove_dir_all(scratch.path("installed")).unwrap();
@@ -75,7 +75,7 @@ fn a_shallow_clone_finds_its_release() {
     assert_eq!(scratch.shell("git -C clone tag"), "");
     let hook = || {
         let mut hook = scratch.command(clone.join("tools/pre-commit").as_str());
-        // git sets these for a hook of the repository that is checked.
+        // git sets these variables for a hook of the checked repository.
         hook.args(["check", "cell"]).env("GIT_DIR", "/nowhere").env("GIT_INDEX_FILE", "/nowhere/index");
         hook.output().unwrap()
     };

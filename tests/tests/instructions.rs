@@ -1,4 +1,4 @@
-//! Instructions as programs use them: the examples and results of the manual, run on a controller.
+//! Instructions in programs: the examples and results in the manual, executed on a controller.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 

@@ -1,4 +1,4 @@
-//! Tests over whole cells. They are one binary, because each binary contains the whole analysis and runtime.
+//! Tests with complete cells. They are one binary, because each binary contains the entire analysis and runtime.
 
 mod assists;
 mod book;

@@ -1,4 +1,4 @@
-//! Faults that people make: single edits of the palletiser cell, each of which deserves one finding.
+//! Typical faults of users: single edits in the palletiser cell, each of which must cause one finding.
 
 #![allow(
     clippy::unwrap_used,
@@ -27,7 +27,7 @@ use val3_tests::cell::{self, Cell};
 use val3_tests::fixing::errors_of_fixes;
 use verdict::{Verdict, judge, report};
 
-/// Every slip, by family.
+/// All slips, by family.
 const ALL: &[&[Mutation]] = &[
     syntax::BLOCKS,
     syntax::LINES,
@@ -59,7 +59,7 @@ fn all() -> impl Iterator<Item = &'static Mutation> {
     ALL.iter().copied().flatten()
 }
 
-/// The results of the check for every mistake.
+/// Returns the results of the check for every slip.
 fn judge_all(check: impl Fn(&Cell) -> Vec<Finding>) -> Vec<Verdict> {
     let cell = cell::files(CELL);
     let known = check(&cell);
@@ -124,7 +124,7 @@ fn fixes_of_mistakes_add_no_error() {
         let errors = errors_of_fixes(&edit::apply(mutation, &cell).unwrap().cell);
         errors.into_iter().map(|error| format!("{}: {error}", mutation.name)).collect::<Vec<_>>()
     };
-    // By far the longest of these tests.
+    // By far the slowest of these tests.
     let added: Vec<String> = all().par_bridge().flat_map_iter(|mutation| added(&mutation)).collect();
     assert!(added.is_empty(), "{}", added.join("\n"));
 }

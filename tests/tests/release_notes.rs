@@ -1,4 +1,4 @@
-//! The script that compares a tag with the version and prints the notes of a release.
+//! Script that compares a tag with the version and prints the notes of a release.
 #![cfg(unix)]
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "scripts run on real files, and a test may stop")]
 
@@ -9,7 +9,7 @@ use camino::Utf8Path;
 
 const CHANGES: &str = "# Changes\n\n## Unreleased\n\n- later\n\n## 1.2.3\n\n- now\n- too\n\n## 1.2.2\n\n- before\n";
 
-/// The notes of a tag in a project with the version 1.2.3, or the message of the script.
+/// Returns the notes of a tag in a project with the version 1.2.3, or the message of the script.
 fn notes(changes: &str, tag: &str) -> Result<String, String> {
     let folder = tempfile::tempdir().unwrap();
     let folder = Utf8Path::from_path(folder.path()).unwrap();

@@ -1,5 +1,5 @@
-//! Every name of the example cell gets another name: nothing changes for the programs, and the way back restores
-//! every byte.
+//! Every name in the example cell is renamed: nothing changes for the programs, and the inverse rename restores every
+//! byte.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail loudly")]
 
@@ -20,7 +20,7 @@ use val3_tests::cell;
 
 type Files = BTreeMap<Utf8PathBuf, Vec<u8>>;
 
-/// A cell as an editor holds it, with the files that are no part of any project.
+/// A cell as in an editor, with the files that belong to no project.
 struct Editor {
     workspace: Workspace,
     others: Files,
@@ -48,7 +48,7 @@ impl Editor {
         *self.opened().iter().find(|file| file.path(self.db()) == path).unwrap()
     }
 
-    /// Every file with its bytes.
+    /// Returns every file with its bytes.
     fn files(&self) -> Files {
         let db = self.db();
         let mut files = self.others.clone();
@@ -81,7 +81,7 @@ impl Editor {
         }
     }
 
-    /// A finding of `val3 check`: code, file, start of the line, message.
+    /// Returns the findings of `val3 check`: code, file, start of the line, message.
     fn findings(&self) -> Vec<String> {
         let db = self.db();
         let projects = &self.workspace.projects;
@@ -98,7 +98,7 @@ impl Editor {
         findings
     }
 
-    /// Every name that is declared somewhere, once, with the place of its declaration.
+    /// Returns every declared name once, with the declaration's location.
     fn names(&self) -> Vec<(Utf8PathBuf, TextSize, Symbol)> {
         let db = self.db();
         let mut names = Vec::new();
@@ -118,7 +118,7 @@ fn example(name: &str) -> Editor {
     Editor::open(files.map(|(path, bytes)| (Utf8PathBuf::from("/").join(path), bytes)).collect())
 }
 
-/// Renames each name there and back; gives how many there were and how many could not be renamed.
+/// Renames each name to a new name and back. Returns the number of names, and the names that could not be renamed.
 fn there_and_back(name: &str) -> (usize, Vec<String>) {
     let mut editor = example(name);
     let before = editor.files();
@@ -138,7 +138,7 @@ fn there_and_back(name: &str) -> (usize, Vec<String>) {
         editor.apply(&change);
         let now: Vec<String> = editor.findings().iter().map(|finding| finding.replace(&new, &old)).collect();
         assert_eq!(now, findings, "{path} {old}");
-        // The program whose file moved is declared in the file of the new name.
+        // A program whose file was moved is declared in the file with the new name.
         let moved = change.moves.iter().find(|(from, _)| *from == path).map_or(&path, |(_, to)| to);
         let at = FilePosition { file: editor.file(moved), offset: there };
         let back = rename(editor.db(), at, &old).unwrap_or_else(|error| panic!("{path} {new}: {}", error.0));
@@ -152,7 +152,7 @@ fn there_and_back(name: &str) -> (usize, Vec<String>) {
     (renamed, refused)
 }
 
-/// The offset of a position after a change of other texts in its file.
+/// Returns the offset of a position after a change of other text in its file.
 fn offset_after(change: &SourceChange, at: FilePosition) -> TextSize {
     let before = change.edits.iter().filter(|edit| edit.file == at.file && edit.range.end() <= at.offset);
     before.fold(at.offset, |offset, edit| offset + TextSize::of(&edit.text) - edit.range.len())

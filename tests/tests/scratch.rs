@@ -1,4 +1,5 @@
-//! A scratch folder with a repository that has the scripts and one tag, a release of it, and a `cargo` that only records.
+//! A scratch folder with a repository that contains the scripts and one tag, a release of it, and a `cargo` that only
+//! records.
 
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "scripts run on real files, and a test may stop")]
 
@@ -11,10 +12,10 @@ use tempfile::TempDir;
 /// The only tag of the repository.
 pub(crate) const TAG: &str = "v1.2.3";
 
-/// A place without releases, as `Cargo.toml` has it until the repository has its place.
+/// A repository address without releases, as in `Cargo.toml` until the repository has an address.
 const CARGO: &str = "[workspace.package]\nversion = \"1.2.3\"\nrepository = \"https://git.invalid/owner/val3\"\n";
 
-/// Prints its arguments, so that a test sees which command ran.
+/// Prints its arguments, so that a test can determine the executed command.
 const RELEASED: &str = "echo released \"$@\"";
 
 /// Records its arguments, and installs a command.
@@ -24,7 +25,7 @@ const BUILDER: &str = "echo \"$@\" >>\"$SCRATCH/cargo.txt\"; while [ \"$1\" != -
 pub(crate) struct Scratch(TempDir);
 
 impl Scratch {
-    /// A repository at the tag, and a release with an archive for this system.
+    /// Creates a repository at the tag, and a release with an archive for this system.
     pub(crate) fn new() -> Self {
         let scratch = Self(tempfile::tempdir().unwrap());
         scratch.program("programs/cargo", BUILDER);
@@ -41,7 +42,7 @@ impl Scratch {
         scratch
     }
 
-    /// A clone of the tag alone, without names of tags, as pre-commit makes it.
+    /// Creates a clone with only the tag's commit, without tag names, like pre-commit.
     pub(crate) fn shallow_clone(&self) -> Utf8PathBuf {
         self.shell(&format!(
             "git init --quiet clone && cd clone && git remote add origin {} && git fetch --quiet origin {TAG} --depth=1 \
@@ -51,7 +52,7 @@ impl Scratch {
         self.path("clone")
     }
 
-    /// The address of the repository.
+    /// Returns the address of the repository.
     pub(crate) fn address(&self) -> String {
         format!("file://{}", self.path("source"))
     }
@@ -60,34 +61,35 @@ impl Scratch {
         Utf8Path::from_path(self.0.path()).unwrap().join(path)
     }
 
-    /// Makes an executable script. A process of its own writes it: while this process had it open, a thread could not
-    /// execute it.
+    /// Creates an executable script, in a separate process: while this process had it open for writing, a thread could
+    /// not execute it.
     pub(crate) fn program(&self, path: &str, line: &str) {
         let path = self.path(path);
         let folder = path.parent().unwrap();
         self.shell(&format!("mkdir -p {folder} && printf '#!/bin/sh\\n%s\\n' '{line}' >{path} && chmod +x {path}"));
     }
 
-    /// Makes the release with an archive for this system, in which `val3` has this line, and its checksum.
+    /// Creates the release with an archive for this system, in which `val3` consists of this line, and its checksum.
     pub(crate) fn release(&self, line: &str) {
         self.release_as(&archive(), line);
     }
 
-    /// Makes the release with the archive `name`.
+    /// Creates the release with the archive `name`.
     pub(crate) fn release_as(&self, name: &str, line: &str) {
         self.program(&format!("{name}/val3"), line);
         self.shell(&format!("mkdir -p releases/{TAG} && tar -czf releases/{TAG}/{name}.tar.gz {name}"));
         self.shell(&format!("cd releases/{TAG} && (sha256sum *.gz || shasum -a 256 *.gz) >SHA256SUMS"));
     }
 
-    /// Runs a line in the scratch folder and returns what it prints.
+    /// Runs a line in the scratch folder and returns its output.
     pub(crate) fn shell(&self, line: &str) -> String {
         let output = self.command("sh").args(["-c", line]).output().unwrap();
         assert!(output.status.success(), "{line}: {output:?}");
         text(&output.stdout)
     }
 
-    /// A program in the scratch folder, with the repository, the releases and the `cargo` of this folder.
+    /// Returns a command for a program in the scratch folder, with the repository, the releases and the `cargo` of this
+    /// folder.
     pub(crate) fn command(&self, program: &str) -> Command {
         let mut command = Command::new(program);
         command
@@ -100,20 +102,20 @@ impl Scratch {
         command
     }
 
-    /// The script of the repository, which installs into `installed`.
+    /// Returns a command for the repository's script, which installs into `installed`.
     pub(crate) fn install(&self) -> Command {
         let mut command = self.command("source/tools/install");
         command.arg(self.path("installed")).env("VAL3_REPOSITORY", self.address());
         command
     }
 
-    /// Arguments of the `cargo` that was started; empty if none was.
+    /// Returns the arguments of the started `cargo`; empty if it was not started.
     pub(crate) fn built(&self) -> String {
         fs::read_to_string(self.path("cargo.txt")).unwrap_or_default()
     }
 }
 
-/// The name of the archive for this system.
+/// Returns the archive name for this system.
 pub(crate) fn archive() -> String {
     let system = match (std::env::consts::OS, std::env::consts::ARCH) {
         ("macos", processor) => format!("{processor}-apple-darwin"),

@@ -1,7 +1,8 @@
-//! Other signatures for programs: nothing changes for the programs of a cell, and the way back restores every byte.
+//! Changes of program signatures: nothing changes for the programs of a cell, and the inverse change restores every
+//! byte.
 //!
-//! `VAL3_PROGRAMS=FOLDER cargo test -p val3-tests --test it signature::public -- --ignored --nocapture` does the same at random
-//! places of programs that are not part of this repository, for each folder below `FOLDER`, and prints a table.
+//! `VAL3_PROGRAMS=FOLDER cargo test -p val3-tests --test it signature::public -- --ignored --nocapture` does the same
+//! at random locations in programs outside this repository, for each folder below `FOLDER`, and prints a table.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail loudly")]
 #![allow(clippy::disallowed_methods, reason = "the public programs are named by the environment")]
@@ -18,13 +19,13 @@ use val3_analysis::items::program::header;
 use val3_ide::{NewParameter, NewVariables, Variables, change_signature};
 use val3_lang::types::Container;
 
-/// Places for each kind of change.
+/// Number of locations for each kind of change.
 const PLACES: usize = 50;
 
 /// A name that no program has.
 const NEW: &str = "zq_new";
 
-/// Numbers without a pattern, the same in every run.
+/// Pseudo-random numbers, the same in every run.
 struct Chance(u64);
 
 impl Chance {
@@ -34,7 +35,7 @@ impl Chance {
     }
 }
 
-/// A change with its inverse. The number is the index of the parameter.
+/// A kind of change with its inverse. The number is the index of the parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Add,
@@ -46,7 +47,7 @@ enum Kind {
 const KINDS: [Kind; 4] = [Kind::Add, Kind::Rename, Kind::Reorder, Kind::Remove];
 
 impl Kind {
-    /// The parameters at which a program can change so.
+    /// Returns the parameters at which the program can be changed in this way.
     fn places(self, found: &Variables) -> Vec<usize> {
         let count = found.parameters.len();
         match self {
@@ -69,7 +70,7 @@ impl Kind {
         }
     }
 
-    /// Undoes it on the changed program; `None` if there is no way back.
+    /// Applies the inverse to the changed program; `None` if there is no inverse.
     fn back(self, index: usize, old: &str, new: &mut NewVariables) -> Option<()> {
         match self {
             Self::Add => drop(new.parameters.remove(index)),
@@ -95,7 +96,7 @@ fn added() -> NewParameter {
     }
 }
 
-/// The outcomes of one kind of change.
+/// Results by kind of change.
 #[derive(Debug, Default)]
 struct Outcomes {
     done: usize,
@@ -106,11 +107,11 @@ struct Outcomes {
 }
 
 impl Outcomes {
-    /// Changes the program in a file there and back.
+    /// Changes the program in a file, and applies the inverse.
     fn check(&mut self, cell: &mut ChangedCell, kind: Kind, (file, index): (File, usize)) {
         let mut wanted = NewVariables::of(header(cell.db(), file));
         let old = wanted.parameters.get(index).map_or(NEW.to_owned(), |old| old.name.clone());
-        // What is said about a parameter that comes or goes does so as well.
+        // Findings about a parameter are added or removed with the parameter.
         let (gone, come, renamed) = match kind {
             Kind::Add => (NEW, NEW, None),
             Kind::Remove => (old.as_str(), old.as_str(), None),
@@ -150,12 +151,12 @@ impl Outcomes {
     }
 }
 
-/// A reason without the names in it.
+/// Returns a reason without the names in it.
 fn anonymous(reason: &str) -> String {
     (0..).zip(reason.split('`')).map(|(place, part)| if place % 2 == 0 { part } else { "…" }).collect()
 }
 
-/// Each kind of change at some places, or at all of them.
+/// Applies each kind of change at some locations, or at all of them.
 fn outcomes(cell: &mut ChangedCell, count: Option<usize>) -> BTreeMap<Kind, Outcomes> {
     let programs = cell.programs();
     let mut chance = Chance(1);
@@ -215,7 +216,7 @@ fn signatures_of_public_programs_change_there_and_back() {
     assert_eq!(failed, 0, "failures");
 }
 
-/// The files of projects below a folder.
+/// Collects the files of projects below a folder.
 fn collect(root: &Path, folder: &Path, files: &mut Vec<(Utf8PathBuf, Vec<u8>)>) {
     for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
         let extension = path.extension().and_then(|it| it.to_str()).unwrap_or("").to_ascii_lowercase();

@@ -1,4 +1,4 @@
-//! Builds `val3` for the packages, for this system or another one.
+//! Builds `val3` for the packages, for this or another system.
 
 use anyhow::bail;
 use camino::{Utf8Path, Utf8PathBuf};
@@ -21,23 +21,23 @@ pub struct Arguments {
     pub glibc: Option<String>,
 }
 
-/// What is built, and where.
+/// Target and profile of a build.
 pub struct Build {
-    /// Target of the compiler.
+    /// Compiler target.
     pub target: String,
-    /// Oldest supported version of glibc; `None` for that of the linker.
+    /// Oldest supported version of glibc; `None` for the version of the linker.
     pub glibc: Option<String>,
-    /// Whether the build is that of the tests.
+    /// Whether this is the build of the tests.
     pub is_debug: bool,
-    /// Whether the target is named on the command line, so that cargo uses a folder for it.
+    /// Whether the target is given on the command line, so that cargo uses a separate folder for it.
     is_named: bool,
 }
 
 impl Build {
-    /// The build of the command line.
+    /// Creates the build that the command line describes.
     ///
     /// # Errors
-    /// If the host is unknown, or a version of glibc is given for a target without glibc.
+    /// The host is unknown, or a version of glibc is given for a target without glibc.
     pub fn new(arguments: &Arguments) -> anyhow::Result<Self> {
         let target = arguments.target.clone().map_or_else(project::host, Ok)?;
         if arguments.glibc.is_some() && !target.ends_with("-linux-gnu") {
@@ -53,23 +53,23 @@ impl Build {
         self.target.contains("windows")
     }
 
-    /// File name of the command.
+    /// Returns the file name of the command.
     #[must_use]
     pub fn command(&self) -> &'static str {
         if self.is_for_windows() { "val3.exe" } else { "val3" }
     }
 
-    /// Builds `val3`, splits the debug information off it, and returns both.
+    /// Builds `val3`, splits off the debug information, and returns both.
     ///
     /// # Errors
-    /// If the build or the split fails.
+    /// The build or the split fails.
     pub fn parts(&self) -> anyhow::Result<Parts> {
         let binary = self.binary()?;
         let folder = binary.parent().unwrap_or(&binary).join("parts");
         debug_info::split(&binary, &self.target, &folder)
     }
 
-    /// Arguments of cargo for this build, without the command.
+    /// Returns the arguments of cargo for this build, without the command.
     pub fn cargo_arguments(&self) -> Vec<String> {
         let mut arguments: Vec<String> =
             ["--locked", "--package", "val3", "--profile", project::DIST].map(str::to_owned).into();

@@ -1,6 +1,6 @@
 //! `dap`: generates the types of the Debug Adapter Protocol from its JSON schema.
 //!
-//! `typify` was not used: it does not know the schema's open enumerations (`_enum`), copies every description of the
+//! `typify` was not used: it does not support the schema's open enumerations (`_enum`), copies every description in the
 //! specification into the code, and writes six times as many lines.
 
 mod code;
@@ -19,16 +19,16 @@ const FOLDER: &str = "crates/val3-dap/src/protocol";
 
 /// A generated file.
 pub struct GeneratedFile {
-    /// Relative to the project's folder.
+    /// Path relative to the project's folder.
     pub path: String,
-    /// The formatted source.
+    /// Formatted source.
     pub text: String,
 }
 
 /// Writes the types to `crates/val3-dap/src/protocol`.
 ///
 /// # Errors
-/// If the schema uses a form that the generator does not know, or a file cannot be written.
+/// The schema uses a form that the generator does not support, or a file cannot be written.
 pub fn run() -> anyhow::Result<()> {
     for GeneratedFile { path, text } in files()? {
         std::fs::write(project::root().join(&path), text).with_context(|| format!("cannot write {path}"))?;
@@ -37,10 +37,10 @@ pub fn run() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// All generated files, one for each kind of type.
+/// Returns all generated files, one for each kind of type.
 ///
 /// # Errors
-/// If the schema uses a form that the generator does not know, or rustfmt fails.
+/// The schema uses a form that the generator does not support, or rustfmt fails.
 pub fn files() -> anyhow::Result<Vec<GeneratedFile>> {
     let protocol = Protocol::read(&project::read(SCHEMA)?)?;
     let sources = code::sources(&protocol).into_iter();
@@ -54,7 +54,7 @@ fn format_source(source: &str) -> anyhow::Result<String> {
     rustfmt.current_dir(project::root()).args(["--edition", "2024"]);
     rustfmt.stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut child = rustfmt.spawn().context("cannot start rustfmt")?;
-    // rustfmt reads all of its input before it writes.
+    // rustfmt reads the entire input before it writes.
     child.stdin.take().context("rustfmt has no input")?.write_all(source.as_bytes())?;
     let output = child.wait_with_output()?;
     if !output.status.success() {

@@ -1,4 +1,4 @@
-//! Splits the debug information off a binary: it is not part of the download, but kept for debugging.
+//! Splits the debug information off a binary. It is not part of the download, but stored for debugging.
 
 use std::fs;
 use std::process::Command;
@@ -8,19 +8,19 @@ use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::project;
 
-/// A binary and what was taken out of it.
+/// A binary and its debug information.
 pub struct Parts {
-    /// The binary without line tables. Backtraces name functions.
+    /// Binary without line tables. Backtraces contain function names.
     pub binary: Utf8PathBuf,
-    /// The line tables. Backtraces and debuggers find the file next to the binary. `None` if the linker separates
-    /// them anyway (macOS, Windows).
+    /// Line tables. Backtraces and debuggers find the file next to the binary. `None` if the linker already separates
+    /// them (macOS, Windows).
     pub debug: Option<Utf8PathBuf>,
 }
 
 /// Splits the binary of a target into `folder`. The original file is not changed.
 ///
 /// # Errors
-/// When the toolchain's `rust-objcopy` is missing or fails, or a file cannot be written.
+/// The toolchain's `rust-objcopy` is missing or fails, or a file cannot be written.
 pub fn split(binary: &Utf8Path, target: &str, folder: &Utf8Path) -> anyhow::Result<Parts> {
     if !target.contains("linux") {
         return Ok(Parts { binary: binary.to_owned(), debug: None });

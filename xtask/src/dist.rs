@@ -18,15 +18,15 @@ use crate::project;
 use crate::vsix;
 use archive::{Form, PackedFile};
 
-/// Builds `val3` and packs it into `target/packages`; with `--debug` the output folder is `target/editors`:
+/// Builds `val3` and packs it into `target/packages`, or with `--debug` into `target/editors`:
 /// `val3-VERSION-TARGET.tar.gz` (`.zip` for Windows), a wheel, and an extension. Line tables get a separate archive,
 /// `…-debug.tar.gz` (docs/adr/0011-debug-information.md).
 ///
 /// # Errors
-/// When the build fails or a package cannot be written.
+/// The build fails or a package cannot be written.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let build = Build::new(arguments)?;
-    // Before the build, which takes minutes.
+    // Before the build, which needs minutes.
     Node::find_or_install()?;
     let folder = project::target_folder()?.join(if build.is_debug { "editors" } else { "packages" });
     fs::create_dir_all(&folder).with_context(|| format!("cannot make {folder}"))?;

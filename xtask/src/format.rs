@@ -1,4 +1,4 @@
-//! `fmt`: formats every Rust file, also those that a macro declares, which `cargo fmt` does not see.
+//! `fmt`: formats every Rust file, including files that a macro declares, which `cargo fmt` does not find.
 
 use std::process::Command;
 
@@ -13,10 +13,10 @@ pub struct Arguments {
     check: bool,
 }
 
-/// Formats the files, or checks that they are.
+/// Formats the files, or checks that they are formatted.
 ///
 /// # Errors
-/// When rustfmt cannot be started, or a file is not formatted.
+/// rustfmt cannot be started, or a file is not formatted.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let root = project::root();
     let sources = files::all(&root)?;

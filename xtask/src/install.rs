@@ -1,4 +1,4 @@
-//! `install`: the command `val3` for this user, and the extension for their VS Code.
+//! `install`: the command `val3` for the user, and the extension for the user's VS Code.
 
 use std::process::Command;
 
@@ -16,7 +16,7 @@ const EDITORS: &[&str] = &["code", "codium", "code-server"];
 /// Builds and installs the binary where cargo installs binaries, and the extension in each editor that is found.
 ///
 /// # Errors
-/// When a build or an installation fails, or an editor was found and there is no npm.
+/// A build or an installation fails, or an editor was found and there is no npm.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if arguments.target.is_some() || arguments.glibc.is_some() {
         bail!("`install` is for this system: `--target` and `--glibc` are options of `dist` and `vsix`");
@@ -24,7 +24,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let editors: Vec<String> =
         EDITORS.iter().map(|editor| project::script(editor)).filter(|editor| project::is_command(editor)).collect();
     if !editors.is_empty() {
-        // Before the build, which takes minutes.
+        // Before the build, which needs minutes.
         Node::find_or_install()?;
     }
     let install = ["install", "--path", "crates/val3", "--locked"];

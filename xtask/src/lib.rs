@@ -1,6 +1,6 @@
-//! The project's own tasks, one in each module. The benchmarks use [`workspace`] for their input.
+//! Tasks of the project, one per module. The benchmarks use [`workspace`] for their input.
 //!
-//! The crate depends on no crate of the toolchain, so that it builds while one of them does not.
+//! The crate depends on no crate of the toolchain, so that it can be built while such a crate cannot.
 #![allow(clippy::disallowed_methods, reason = "a build tool reads the clock and the environment")]
 
 pub mod build;

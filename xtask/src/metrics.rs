@@ -1,4 +1,4 @@
-//! `metrics`: how large the project is, how fast `val3 check` judges a large workspace, and how fast applications run.
+//! `metrics`: size of the project, speed of `val3 check` on a large workspace, and speed of applications.
 
 mod editor;
 mod latency;
@@ -34,7 +34,7 @@ pub struct Arguments {
 /// Prints the sizes, then the speed of the check and of the language server.
 ///
 /// # Errors
-/// When a file cannot be read, or the build or the check fails.
+/// A file cannot be read, or the build or the check fails.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if !arguments.no_speed && !arguments.no_build {
         project::succeed(&mut project::cargo(&["build", "--profile", project::DIST, "--locked", "--package", "val3"]))?;
@@ -53,7 +53,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     latency::measure(arguments.lines)
 }
 
-/// Lines of Rust that people wrote.
+/// Hand-written lines of Rust.
 #[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
 struct Size {
     files: usize,
@@ -77,7 +77,7 @@ fn print_sizes(files: &[TextFile]) {
     }
 }
 
-/// The crate a file belongs to.
+/// Returns the crate to which a file belongs.
 fn owner(file: &TextFile) -> String {
     let path = file.path.strip_prefix("crates").unwrap_or(&file.path);
     path.iter().next().unwrap_or_default().to_owned()

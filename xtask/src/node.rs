@@ -1,4 +1,4 @@
-//! Node and npm, which build the extension and test editors: those of the machine, otherwise those of a Python wheel.
+//! Node and npm, which build the extension and test editors: from the machine, otherwise from a Python wheel.
 
 use std::env;
 use std::ffi::OsString;
@@ -10,7 +10,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::project;
 
-/// The oldest version of Node that the extension is built with.
+/// Oldest version of Node that can build the extension.
 const OLDEST: u32 = 20;
 
 /// The pinned wheel.
@@ -19,12 +19,12 @@ const WHEEL: &str = "tests/tools/node.txt";
 /// An installation of Node.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Node {
-    /// The folder with `node` and `npm`; `None` for those on the `PATH`.
+    /// Folder with `node` and `npm`; `None` if they are on the `PATH`.
     pub folder: Option<Utf8PathBuf>,
 }
 
 impl Node {
-    /// The Node of this machine. Without one, its wheel is installed below `target/node`, which needs Python.
+    /// Returns the Node of this machine. If it has none, installs the wheel below `target/node`, which needs Python.
     ///
     /// # Errors
     /// The machine has neither Node nor Python, or the wheel cannot be installed.
@@ -47,7 +47,7 @@ impl Node {
         Ok(Self { folder: Some(if cfg!(windows) { package(&folder)? } else { folder.join("path") }) })
     }
 
-    /// `PATH` with the folder in front.
+    /// Returns the `PATH` with the folder in front.
     ///
     /// # Errors
     /// The folder has a name that `PATH` cannot contain.
@@ -57,15 +57,15 @@ impl Node {
         Ok(env::join_paths(own.chain(env::split_paths(&path)))?)
     }
 
-    /// `npm`, whose scripts find this Node.
+    /// Returns the command `npm`, whose scripts find this Node.
     ///
     /// # Errors
-    /// As [`path`](Self::path).
+    /// See [`path`](Self::path).
     pub fn npm(&self) -> anyhow::Result<Command> {
         let name = if cfg!(windows) { "npm.cmd" } else { "npm" };
         let mut npm = match &self.folder {
             None => Command::new(name),
-            // The wheel for Windows has no `npm.cmd` beside its Node.
+            // The wheel for Windows contains no `npm.cmd` next to its Node.
             Some(folder) if cfg!(windows) => {
                 let mut node = Command::new(folder.join("node.exe"));
                 node.arg(folder.join("node_modules/npm/bin/npm-cli.js"));
@@ -86,13 +86,13 @@ fn is_on_path() -> bool {
     version.is_ok_and(|output| is_new_enough(&String::from_utf8_lossy(&output.stdout))) && has_npm()
 }
 
-/// Whether Node prints a version such as `v20.18.0` that is new enough.
+/// Whether the version that Node prints, for example `v20.18.0`, is new enough.
 fn is_new_enough(version: &str) -> bool {
     let major = version.trim().strip_prefix('v').and_then(|version| version.split('.').next()?.parse::<u32>().ok());
     major.is_some_and(|major| major >= OLDEST)
 }
 
-/// The command of a Python that can make environments.
+/// Returns the command of a Python that can create environments.
 #[must_use]
 pub fn python() -> Option<&'static str> {
     let works = |name: &&str| {
@@ -113,7 +113,7 @@ fn install(python: &str, folder: &Utf8Path) -> anyhow::Result<()> {
     link_commands(&package(folder)?, &folder.join("path"))
 }
 
-/// The folder of the installed wheel.
+/// Returns the folder of the installed wheel.
 fn package(folder: &Utf8Path) -> anyhow::Result<Utf8PathBuf> {
     let libraries = if cfg!(windows) { folder.join("Lib") } else { folder.join("lib") };
     let mut candidates = vec![libraries.join("site-packages")];
@@ -123,8 +123,8 @@ fn package(folder: &Utf8Path) -> anyhow::Result<Utf8PathBuf> {
     package.with_context(|| format!("the wheel of Node is not in {folder}"))
 }
 
-/// Commands that find their parts in the wheel. Wheels contain no links, so that `bin/npm` is missing in it. Native modules
-/// are built with the headers of the wheel.
+/// Creates commands that find their parts in the wheel. Wheels contain no links, so `bin/npm` is missing there. Native
+/// modules are built with the headers in the wheel.
 #[cfg(unix)]
 fn link_commands(package: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> {
     fs::create_dir_all(folder)?;
@@ -148,7 +148,7 @@ fn make_executable(path: &Utf8Path) -> anyhow::Result<()> {
     fs::set_permissions(path, fs::Permissions::from_mode(0o755)).with_context(|| format!("cannot change {path}"))
 }
 
-/// Windows starts the parts of the wheel themselves.
+/// Windows starts the parts of the wheel directly.
 #[cfg(not(unix))]
 fn link_commands(_package: &Utf8Path, _folder: &Utf8Path) -> anyhow::Result<()> {
     Ok(())

@@ -1,4 +1,4 @@
-//! Third-party notices: the licence texts of everything foreign in the binary.
+//! Third-party notices: the licence texts of third-party code in the binary.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -9,13 +9,13 @@ use cargo_metadata::{MetadataCommand, Package};
 
 use crate::project;
 
-/// Beginnings of the names of licence files, in lower case.
+/// Beginnings of licence file names, in lower case.
 const FILE_NAMES: &[&str] = &["license", "licence", "copying", "notice", "copyright", "unlicense"];
 
-/// The standard text of the Apache licence, which names no owner.
+/// The standard text of the Apache licence, which contains no owner.
 const APACHE: &str = "LICENSE-APACHE";
 
-/// The page of the toolchain with the notices of the standard library, below its folder.
+/// Page with the notices of the standard library, below the folder of the toolchain.
 const STANDARD_LIBRARY: &str = "share/doc/rust/COPYRIGHT-library.html";
 
 const HEAD: &str = "\
@@ -26,10 +26,10 @@ val3 contains the software below. Its own licences are in LICENSE-MIT and LICENS
 library are in THIRD-PARTY-RUST.html.
 ";
 
-/// The notices of the binary for a target.
+/// Returns the notices of the binary for a target.
 ///
 /// # Errors
-/// If the packages cannot be listed, or one of them has no licence text.
+/// The packages cannot be listed, or a package has no licence text.
 pub fn of_binary(target: &str) -> anyhow::Result<String> {
     let mut notices = Notices::default();
     let mut missing = Vec::new();
@@ -55,10 +55,10 @@ pub fn of_binary(target: &str) -> anyhow::Result<String> {
     Ok(notices.text())
 }
 
-/// The page with the notices of the standard library of Rust, which every binary contains.
+/// Returns the page with the notices of Rust's standard library, which every binary contains.
 ///
 /// # Errors
-/// If the toolchain has no such page.
+/// The toolchain contains no such page.
 pub fn of_standard_library() -> anyhow::Result<Utf8PathBuf> {
     let page = project::sysroot()?.join(STANDARD_LIBRARY);
     if !page.is_file() {
@@ -67,7 +67,8 @@ pub fn of_standard_library() -> anyhow::Result<Utf8PathBuf> {
     Ok(page)
 }
 
-/// The foreign packages that are linked into the binary for a target. Procedural macros and build scripts are not part of it.
+/// Returns the third-party packages that are linked into the binary for a target. Procedural macros and build scripts
+/// are not part of it.
 fn packages(target: &str) -> anyhow::Result<Vec<Package>> {
     let tree = ["tree", "--locked", "--package", "val3", "--target", target, "--edges", "normal,no-proc-macro"];
     let form = ["--prefix", "none", "--no-dedupe", "--format", "{p}"];
@@ -86,7 +87,7 @@ fn packages(target: &str) -> anyhow::Result<Vec<Package>> {
     Ok(packages)
 }
 
-/// Names and versions in the output of `cargo tree`, for example `salsa v0.28.5`.
+/// Returns names and versions in the output of `cargo tree`, for example `salsa v0.28.5`.
 fn linked(tree: &str) -> BTreeSet<(String, String)> {
     let words = tree.lines().filter_map(|line| {
         let mut words = line.split_whitespace();
@@ -95,7 +96,7 @@ fn linked(tree: &str) -> BTreeSet<(String, String)> {
     words.collect()
 }
 
-/// The licence texts of a package: its files or, if it has none, the standard text of the Apache licence.
+/// Returns the licence texts of a package: its files or, if it has none, the standard text of the Apache licence.
 fn texts(package: &Package) -> anyhow::Result<Vec<String>> {
     let folder = package.manifest_path.parent().context("a manifest lies in a folder")?;
     let mut files: Vec<Utf8PathBuf> = Vec::new();
@@ -113,7 +114,7 @@ fn texts(package: &Package) -> anyhow::Result<Vec<String>> {
     files.iter().map(|file| fs::read_to_string(file).with_context(|| format!("cannot read {file}"))).collect()
 }
 
-/// The pages that the binary contains.
+/// Returns the pages that the binary contains.
 fn pages() -> anyhow::Result<Vec<Utf8PathBuf>> {
     let folder = project::root().join("editors/view/dist");
     let mut pages = Vec::new();
@@ -127,14 +128,15 @@ fn pages() -> anyhow::Result<Vec<Utf8PathBuf>> {
     Ok(pages)
 }
 
-/// The comment at the beginning of a page, which has the notices of the packages within its script.
+/// Returns the comment at the beginning of a page, which contains the notices of the packages in its script.
 fn page_notices(page: &str, path: &Utf8Path) -> anyhow::Result<String> {
     let comment = page.split_once("<!--").and_then(|(_, rest)| rest.split_once("-->"));
     let (comment, _) = comment.with_context(|| format!("{path} has no notices"))?;
     Ok(comment.to_owned())
 }
 
-/// Licence texts with the names of the software that they are for. A text that several have is written once.
+/// Licence texts with the names of the software to which they apply. A text that several packages share is written
+/// once.
 #[derive(Default)]
 struct Notices {
     names: BTreeMap<String, Vec<String>>,
@@ -146,7 +148,7 @@ impl Notices {
         self.names.entry(text.trim_matches('\n').to_owned()).or_default().push(name.to_owned());
     }
 
-    /// All texts, in the order of their first names.
+    /// Formats all texts, in the order of first names.
     fn text(&self) -> String {
         let mut sections: Vec<_> = self.names.iter().map(|(text, names)| (names.join(", "), text)).collect();
         sections.sort();

@@ -1,5 +1,5 @@
-//! Python packages that pack: each list in `packaging` has an environment in `target/packaging`, which is made once for each
-//! content of the list.
+//! Python packages for packaging: each list in `packaging` has an environment in `target/packaging`, which is created
+//! once per content of the list.
 
 use std::fs;
 use std::process::Command;
@@ -10,7 +10,7 @@ use camino::Utf8PathBuf;
 use crate::node;
 use crate::project;
 
-/// Folder of the programs of a Python environment.
+/// Folder with the programs of a Python environment.
 const PROGRAMS: &str = if cfg!(windows) { "Scripts" } else { "bin" };
 
 /// A list of packages.
@@ -18,7 +18,7 @@ const PROGRAMS: &str = if cfg!(windows) { "Scripts" } else { "bin" };
 pub enum Packages {
     /// Tools for wheels: `packaging/wheel.txt`.
     Wheel,
-    /// The linker for older systems: `packaging/zig.txt`.
+    /// Linker for older systems: `packaging/zig.txt`.
     Zig,
 }
 
@@ -31,10 +31,10 @@ impl Packages {
     }
 }
 
-/// Program `name` of an environment, to be run in the project's folder.
+/// Returns the command for program `name` in an environment, to be run in the project's folder.
 ///
 /// # Errors
-/// If Python is missing or the packages cannot be installed.
+/// Python is missing or the packages cannot be installed.
 pub fn command(packages: Packages, name: &str) -> anyhow::Result<Command> {
     let programs = environment(packages)?.join(PROGRAMS);
     let mut search = vec![programs.clone().into_std_path_buf()];
@@ -45,7 +45,7 @@ pub fn command(packages: Packages, name: &str) -> anyhow::Result<Command> {
     Ok(command)
 }
 
-/// The folder of an environment, in which the packages are installed.
+/// Returns an environment's folder, in which the packages are installed.
 fn environment(packages: Packages) -> anyhow::Result<Utf8PathBuf> {
     let folder = project::target_folder()?.join("packaging").join(packages.name());
     let requirements = project::root().join(format!("packaging/{}.txt", packages.name()));

@@ -1,4 +1,4 @@
-//! Commands of the machine that steps of `test` start, and their installation on Debian and Ubuntu.
+//! System commands that steps of `test` start, and their installation on Debian and Ubuntu.
 
 use std::process::{Command, Stdio};
 
@@ -7,11 +7,11 @@ use anyhow::bail;
 use crate::node;
 use crate::project;
 
-/// Something that steps of `test` need from the system.
+/// A requirement of steps on the system.
 struct Requirement {
     steps: &'static [&'static str],
     purpose: &'static str,
-    /// The packages of Debian that contain it.
+    /// Debian packages that contain it.
     packages: &'static [&'static str],
     is_met: fn(&'static [&'static str]) -> bool,
 }
@@ -58,7 +58,7 @@ const REQUIREMENTS: &[Requirement] = &[
     },
 ];
 
-/// The packages that the named steps need and the machine does not have, with a line on each group.
+/// Returns the packages that the named steps need and the machine does not have. Prints a line on each group.
 ///
 /// # Errors
 /// Packages are missing, and this user or system cannot install them with apt-get.
@@ -78,7 +78,7 @@ pub fn missing(steps: &[&str]) -> anyhow::Result<Vec<&'static str>> {
     Ok(packages)
 }
 
-/// Installs packages of Debian.
+/// Installs Debian packages.
 ///
 /// # Errors
 /// `apt-get` fails.
@@ -95,13 +95,13 @@ pub fn install(packages: &[&str]) -> anyhow::Result<()> {
     apt(&[&["install", "-qq", "-y", "--no-install-recommends"], packages].concat())
 }
 
-/// A requirement with its packages and the steps that have it.
+/// Formats a requirement with its packages and the steps that need it.
 fn line(requirement: &Requirement, steps: &[&str]) -> String {
     let needing: Vec<&str> = requirement.steps.iter().filter(|step| steps.contains(step)).copied().collect();
     format!("  {} ({}), for: {}\n", requirement.packages.join(" "), requirement.purpose, needing.join(", "))
 }
 
-/// The steps that need something missing.
+/// Returns the steps that need a missing requirement.
 fn affected<'s>(missing: &[&Requirement], steps: &[&'s str]) -> Vec<&'s str> {
     let is_affected = |step: &&&str| missing.iter().any(|requirement| requirement.steps.contains(step));
     steps.iter().filter(is_affected).copied().collect()
@@ -117,7 +117,7 @@ fn refusal(listed: &str, packages: &[&str], steps: &[&str]) -> String {
     )
 }
 
-/// Whether this user can install packages of Debian.
+/// Whether this user can install Debian packages.
 fn can_install() -> bool {
     let user = Command::new("id").arg("-u").output();
     user.is_ok_and(|output| output.stdout.trim_ascii() == b"0") && starts("apt-get") && starts("dpkg-query")

@@ -1,4 +1,4 @@
-//! `setup`: the tools of steps of `test`, for scripts that are started alone.
+//! `setup`: the tools for steps of `test`, for scripts that are started separately.
 
 use crate::node::Node;
 use crate::requirements;
@@ -11,7 +11,7 @@ pub struct Arguments {
     steps: Vec<String>,
 }
 
-/// Installs the packages and the Node of the steps. Prints the folder with Node, for the `PATH`, if it is not there.
+/// Installs the packages and the Node of the steps. Prints the folder with Node if it is not on the `PATH`.
 ///
 /// # Errors
 /// The tools cannot be installed.

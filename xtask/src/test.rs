@@ -30,7 +30,7 @@ pub struct Arguments {
     without: Vec<String>,
 }
 
-/// One check. Every step runs, also after one that failed.
+/// A check. Every step runs, also after a step that failed.
 struct Step {
     name: &'static str,
     run: StepCommand,
@@ -87,17 +87,17 @@ const STEPS: &[Step] = &[
     Step { name: EDITORS, run: StepCommand::Script("tests/editors/run", &[]) },
 ];
 
-/// How many checks and tests passed and failed.
+/// Numbers of passed and failed checks and tests.
 #[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
 struct Tally {
     passed: usize,
     failed: usize,
 }
 
-/// Runs the steps and prints the number of checks and tests as the last line. The process ends with 1 if one failed.
+/// Runs the steps and prints the number of checks and tests as the last line. The exit code is 1 if one failed.
 ///
 /// # Errors
-/// If the machine has no tools for a step, or a step cannot be started.
+/// The machine has no tools for a step, or a step cannot be started.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut total = Tally::default();
     let mut failed = Vec::new();
@@ -137,7 +137,7 @@ impl Arguments {
     }
 }
 
-/// Runs a step. It counts as the tests it reports, or as one check if it reports none.
+/// Runs a step. It counts as the tests that it reports, or as one check if it reports none.
 fn run_step(step: &Step, tools: &mut Tools) -> anyhow::Result<Tally> {
     let mut command = match step.run {
         StepCommand::Cargo(arguments) => {
@@ -169,7 +169,7 @@ fn run_step(step: &Step, tools: &mut Tools) -> anyhow::Result<Tally> {
     Ok(tally)
 }
 
-/// Adds `test result: ok. 12 passed; 0 failed; …`.
+/// Adds the numbers in `test result: ok. 12 passed; 0 failed; …`.
 fn count(line: &str, tally: &mut Tally) {
     let Some(result) = line.strip_prefix("test result: ") else { return };
     let number = |word: &str| {

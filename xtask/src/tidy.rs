@@ -9,13 +9,13 @@ use anyhow::bail;
 use self::files::TextFile;
 use crate::project;
 
-/// Number of files and functions that are listed.
+/// Number of listed files and functions.
 const SHOWN: usize = 10;
 
-/// Lists the largest files and functions, then everything untidy.
+/// Lists the largest files and functions, then all faults.
 ///
 /// # Errors
-/// When something is untidy or a file cannot be read.
+/// There is a fault, or a file cannot be read.
 pub fn run() -> anyhow::Result<()> {
     let files = files::all(&project::root())?;
     list_largest_files(&files);

@@ -10,29 +10,28 @@ use crate::node::Node;
 use crate::notices;
 use crate::project;
 
-/// Folder of extensions below the target folder, except those of `dist`.
+/// Folder of extensions below the target folder, except the extensions of `dist`.
 pub const FOLDER: &str = "extension";
 
-/// Folder of the pages of the repository that the readme of the extension links to, in the web address of a version.
+/// Folder of the repository pages to which the extension's readme links, in the web address of a version.
 const README_FOLDER: &str = "editors/vscode/";
 
 /// Builds the server and packs it with the extension.
 ///
 /// # Errors
-/// When a build fails or there is no npm.
+/// A build fails or there is no npm.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let build = Build::new(arguments)?;
-    // Before the build, which takes minutes.
+    // Before the build, which needs minutes.
     Node::find_or_install()?;
     println!("{}", extension(&build, &build.parts()?.binary, FOLDER)?);
     Ok(())
 }
 
-/// Packs the extension with `binary` as its server into `val3-VERSION-PLATFORM.vsix` in a folder of the target folder, for
-/// tests into `editors/val3.vsix`.
+/// Packs the extension with `binary` as its server into `val3-VERSION-PLATFORM.vsix` in a folder of the target folder,
+/// for tests into `editors/val3.vsix`.
 ///
-/// # Errors
-/// When there is no npm or a step of its build fails.
+/// There is no npm, or a build step fails.
 pub fn extension(build: &Build, binary: &Utf8Path, folder: &str) -> anyhow::Result<Utf8PathBuf> {
     let name = match build.is_debug {
         true => "editors/val3.vsix".to_owned(),
@@ -56,7 +55,7 @@ fn pack(build: &Build, binary: &Utf8Path, vsix: &Utf8Path) -> anyhow::Result<()>
     let (page, target) = (notices::of_standard_library()?, extension.join("THIRD-PARTY-RUST.html"));
     fs::copy(&page, &target).with_context(|| format!("cannot copy {page} to {target}"))?;
     fs::create_dir_all(vsix.parent().context("a file lies in a folder")?)?;
-    // Links and pictures of the readme are relative to its folder in the repository.
+    // Links and pictures in the readme are relative to its folder in the repository.
     let repository = env!("CARGO_PKG_REPOSITORY");
     let version = env!("CARGO_PKG_VERSION");
     let links = format!("{repository}/blob/v{version}/{README_FOLDER}");
@@ -70,7 +69,8 @@ fn pack(build: &Build, binary: &Utf8Path, vsix: &Utf8Path) -> anyhow::Result<()>
 }
 
 fn place_server(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> {
-    // The folder may have the server of another system. A running server cannot be overwritten, but its file can be removed.
+    // The folder may contain the server for another system. A running server cannot be overwritten, but its file can be
+    // removed.
     if folder.exists() {
         fs::remove_dir_all(folder).with_context(|| format!("cannot clear {folder}"))?;
     }
@@ -80,7 +80,7 @@ fn place_server(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Installs what the lock file names, unless that was done already.
+/// Installs the packages in the lock file, unless they are already installed.
 fn install_packages(extension: &Utf8Path) -> anyhow::Result<()> {
     let changed = |file: &str| fs::metadata(extension.join(file)).and_then(|file| file.modified());
     let installed = changed("node_modules/.package-lock.json");
@@ -93,12 +93,12 @@ fn install_packages(extension: &Utf8Path) -> anyhow::Result<()> {
 
 fn npm(folder: &Utf8Path, arguments: &[&str]) -> anyhow::Result<()> {
     let mut npm = Node::find_or_install()?.npm()?;
-    // Standard output belongs to the task: it names the file that was made.
+    // Standard output belongs to the task, which prints the created file.
     npm.args(arguments).current_dir(folder).stdout(std::io::stderr());
     project::succeed(&mut npm)
 }
 
-/// VS Code's name of the platform that the compiler calls `target`. A static binary runs on every Linux that VS Code supports.
+/// Returns VS Code's name of a compiler target. A static binary runs on every Linux that VS Code supports.
 fn platform(target: &str) -> anyhow::Result<&'static str> {
     let arm = target.starts_with("aarch64");
     Ok(match target {

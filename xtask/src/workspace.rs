@@ -1,8 +1,8 @@
-//! `workspace`: a large VAL 3 workspace for measurements, without a single fault.
+//! `workspace`: a large VAL 3 workspace for measurements, without any fault.
 //!
-//! The programs are meaningless, but their shape is that of real ones: the mixture of statements, the depth of
-//! blocks, comments, names, data, user types and libraries follow counts over public programs. The same plan gives
-//! the same bytes.
+//! The programs are meaningless, but have the structure of real ones: the mixture of statements, the depth of blocks,
+//! comments, names, data, user types and libraries follow statistics of public programs. The same arguments yield the
+//! same bytes.
 
 mod application;
 mod body;
@@ -49,11 +49,11 @@ pub struct GeneratedFile {
 pub struct Generated {
     /// All files.
     pub files: Vec<GeneratedFile>,
-    /// Lines of code, without blank lines and comments.
+    /// Number of code lines, without blank lines and comments.
     pub code_lines: usize,
 }
 
-/// Generates a workspace of `lines` code lines, or a few more so that the last program is complete.
+/// Generates a workspace of `lines` code lines, or slightly more so that the last program is complete.
 pub fn generate(lines: usize, seed: u64) -> Generated {
     let mut projects = shared::projects();
     let mut code_lines: usize = projects.iter().map(model::Project::code_lines).sum();
@@ -71,10 +71,10 @@ pub fn generate(lines: usize, seed: u64) -> Generated {
     Generated { files, code_lines }
 }
 
-/// Writes a workspace to a folder and returns its code lines.
+/// Writes a workspace to a folder and returns its number of code lines.
 ///
 /// # Errors
-/// When a file cannot be written.
+/// A file cannot be written.
 pub fn write(folder: &Utf8Path, workspace: &Generated) -> anyhow::Result<usize> {
     for file in &workspace.files {
         let path = folder.join(&file.path);
@@ -85,10 +85,10 @@ pub fn write(folder: &Utf8Path, workspace: &Generated) -> anyhow::Result<usize> 
     Ok(workspace.code_lines)
 }
 
-/// Generates and writes what the arguments ask for.
+/// Generates and writes the workspace that the arguments describe.
 ///
 /// # Errors
-/// When a file cannot be written.
+/// A file cannot be written.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let workspace = generate(arguments.lines, arguments.seed);
     write(&arguments.folder, &workspace)?;

@@ -1,4 +1,5 @@
-//! Only `Cargo.toml` spells the address of the repository and the publisher of the extension, because both are placeholders.
+//! Only `Cargo.toml` contains the address of the repository and the publisher of the extension, because both are
+//! placeholders.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 
@@ -6,13 +7,13 @@ use std::fs;
 
 use camino::{Utf8Path, Utf8PathBuf};
 
-/// Where the addresses are declared, and the manifest that is generated from them.
+/// The file that declares the addresses, and the manifest that is generated from it.
 const SPELLED: &[&str] = &["Cargo.toml", "editors/vscode/package.json"];
 
-/// Folders of files that a build makes.
+/// Folders with build output.
 const BUILT: &[&str] = &[".git", "target", "node_modules", "dist", "server"];
 
-/// The owner of the repository, which is a part of both addresses.
+/// Returns the owner of the repository, which is a part of both addresses.
 fn owner() -> &'static str {
     env!("CARGO_PKG_REPOSITORY").rsplit('/').nth(1).unwrap()
 }

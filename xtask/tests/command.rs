@@ -1,4 +1,4 @@
-//! `cargo install --git ADDRESS val3` finds one package, and one command in it.
+//! `cargo install --git ADDRESS val3` finds one package with one command.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 

@@ -1,4 +1,4 @@
-//! The checked-in types of the Debug Adapter Protocol are those that the generator writes.
+//! The checked-in types of the Debug Adapter Protocol are up to date with the generator.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 

@@ -1,10 +1,10 @@
-//! The list of decisions has every page, in order and under its title.
+//! The list of decisions contains every page, in order and under its title.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 
 use std::fs;
 
-/// The numbers, files and titles of all pages.
+/// Returns the numbers, files and titles of all pages.
 fn pages() -> Vec<(usize, String, String)> {
     let folder = xtask::project::root().join("docs/adr");
     let names = folder.read_dir_utf8().unwrap().map(|entry| entry.unwrap().file_name().to_owned());

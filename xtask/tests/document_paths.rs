@@ -1,4 +1,4 @@
-//! Files and folders that the documents name exist.
+//! Files and folders in the documents exist.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 
@@ -7,10 +7,10 @@ use camino::Utf8Path;
 const DOCUMENTS: &[&str] =
     &["ARCHITECTURE.md", "CONTRIBUTING.md", "README.md", "docs/releasing.md", "docs/src/wrong-run.md"];
 
-/// The folders of the project in which a path may begin. Crates are also named without `crates/`.
+/// Folders of the project in which a path may begin. Crates also appear without `crates/`.
 const FOLDERS: &[&str] = &[".github/", "crates/", "docs/", "editors/", "tests/", "tools/", "xtask/", "val3-"];
 
-/// The paths in code spans and links; patterns and examples aside.
+/// Returns the paths in code spans and links, without patterns and examples.
 fn paths(text: &str) -> impl Iterator<Item = &str> {
     let spans = text.split('`').skip(1).step_by(2);
     let links = text.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next());
@@ -31,7 +31,7 @@ fn paths_exist() {
     let mut missing = Vec::new();
     for document in DOCUMENTS {
         let text = xtask::project::read(document).unwrap();
-        // Blocks of code contain examples of users' files.
+        // Code blocks contain examples of users' files.
         let prose: String = text.split("```").step_by(2).collect();
         assert!(paths(&prose).count() > 0, "{document}");
         missing.extend(paths(&prose).filter(|path| !exists(&root, path)).map(|path| format!("{document}: {path}")));

@@ -1,7 +1,7 @@
-//! Only `val3-files` reads and writes files, so that each file has a limit and is replaced as a whole.
+//! Only `val3-files` reads and writes files, so that each file has a size limit and is replaced completely.
 //!
-//! clippy's list of forbidden functions cannot check this: `val3` and `val3-lsp`, which read most files, are allowed the
-//! clock and threads of the same list, and the tests of all crates prepare files.
+//! clippy's list of forbidden functions cannot check this: `val3` and `val3-lsp`, which read most files, may use the
+//! clock and threads in the same list, and the tests of all crates prepare files.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 
@@ -62,7 +62,7 @@ fn words_are_not_parts_of_others() {
     assert!(!has_word("fs::read_dir(path)", "fs::read") && !has_word("LogFile::open(path)", "File::open"));
 }
 
-/// The sources of all crates, without their tests.
+/// Returns the sources of all crates, without their tests.
 fn sources(folder: &Utf8Path) -> Vec<Utf8PathBuf> {
     let entries = folder.read_dir_utf8().unwrap().map(|entry| entry.unwrap().into_path());
     let entries = entries.filter(|path| !matches!(path.file_stem(), Some("tests" | "benches")));

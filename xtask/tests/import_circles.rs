@@ -1,4 +1,4 @@
-//! No more than three files of a crate depend on each other in a circle.
+//! At most three files of a crate depend on each other in a circle.
 //!
 //! A file depends on the file that defines an item which it names. Re-exports are followed to the definition.
 
@@ -11,17 +11,17 @@ mod modules;
 use camino::{Utf8Path, Utf8PathBuf};
 use cargo_metadata::{Metadata, MetadataCommand, TargetKind};
 
-/// The most files that may form a circle, such as a module and its parts.
+/// Largest number of files in a circle, for example a module and its parts.
 const MOST: usize = 3;
 
-/// The roots of all crates: libraries and binaries.
+/// Returns the roots of all crates: libraries and binaries.
 fn roots(metadata: &Metadata) -> impl Iterator<Item = &Utf8Path> {
     let targets = metadata.workspace_packages().into_iter().flat_map(|package| &package.targets);
     let built = |kind: &TargetKind| matches!(kind, TargetKind::Lib | TargetKind::Bin);
     targets.filter(move |target| target.kind.iter().any(built)).map(|target| target.src_path.as_path())
 }
 
-/// Descriptions of the circles of more than `most` files in the crate whose root is `file`.
+/// Describes the circles of more than `most` files in the crate with the root `file`.
 fn circles(file: &Utf8Path, folder: &Utf8Path, most: usize) -> Vec<String> {
     let edges = edges::edges(&modules::read(file));
     circles::circles(&edges, most).iter().map(|circle| circles::describe(&edges, circle, folder)).collect()
@@ -34,7 +34,7 @@ fn no_circle_has_more_than_three_files() {
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
-/// The circles of a crate that consists of `files`: path and text, the root first.
+/// Returns the circles of a crate that consists of `files`: path and text, the root first.
 fn circles_of(files: &[(&str, &str)], most: usize) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     let folder = Utf8PathBuf::try_from(folder.path().to_owned()).unwrap();

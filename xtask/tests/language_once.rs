@@ -1,4 +1,4 @@
-//! Only `val3-lang` spells the names of instructions.
+//! Only `val3-lang` contains the names of instructions.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 
@@ -9,13 +9,14 @@ use camino::{Utf8Path, Utf8PathBuf};
 const CRATES: &[&str] =
     &["val3-syntax", "val3-analysis", "val3-check", "val3-diff", "val3-ide", "val3-compile", "val3"];
 
-/// Names of instructions that are also an attribute in the files or a type; and `libLoad`, by which the loader finds
-/// libraries before anything is analysed; `open` and `watch`, options of the command line; `close`, a word of HTTP; `help`, a
-/// command; `round`, a side of a `for` in the coverage; `replace`, a key of tests; and `power`, a key of scripts.
+/// Names of instructions that have another meaning too: attributes in files and types; `libLoad`, by which the loader
+/// finds libraries before the analysis; `open` and `watch`, options of the command line; `close`, a word of HTTP;
+/// `help`, a command; `round`, a side of a `for` in the coverage; `replace`, a key of tests; and `power`, a key of
+/// scripts.
 const SHARED: &[&str] =
     &["size", "config", "link", "position", "libLoad", "open", "close", "round", "help", "replace", "power", "watch"];
 
-/// The names in the manual's signatures: the word before the first bracket.
+/// Returns the names in the manual's signatures: the word before the first bracket.
 fn instructions(root: &Utf8Path) -> BTreeSet<String> {
     let table = std::fs::read_to_string(root.join("crates/val3-lang/tests/instructions.tsv")).unwrap();
     let signatures = table.lines().filter(|line| !line.starts_with('#')).filter_map(|line| line.split('\t').nth(1));
@@ -24,7 +25,7 @@ fn instructions(root: &Utf8Path) -> BTreeSet<String> {
     names.filter(|name| !SHARED.contains(name)).map(str::to_owned).collect()
 }
 
-/// The texts in quotes of the code, tests and comments aside.
+/// Returns the strings in the code, without tests and comments.
 fn texts(source: &str) -> impl Iterator<Item = &str> {
     let code = source.split("#[cfg(test)]").next().unwrap_or_default();
     let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));

@@ -1,7 +1,7 @@
-//! The layers of the house: which crate may know which.
+//! Layers of the project: the crates that each crate may use.
 //!
-//! ARCHITECTURE.md explains them. Crates that do not exist yet are named here already, so that the first version of
-//! each keeps the rules.
+//! ARCHITECTURE.md explains them. Planned crates are already listed here, so that they follow the rules from their
+//! first version.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 
@@ -10,24 +10,24 @@ use std::collections::{BTreeMap, BTreeSet};
 use camino::{Utf8Path, Utf8PathBuf};
 use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 
-/// The crates that understand programs.
+/// Crates that analyse programs.
 const ANALYSIS: &[&str] =
     &["val3-fmt", "val3-analysis", "val3-check", "val3-diff", "val3-merge", "val3-ide", "val3-lsp"];
 
-/// The crates that run programs.
+/// Crates that run programs.
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-machine", "val3-debug", "val3-trace", "val3-view"];
 
-/// The crates that put both together.
+/// Crates that connect both.
 const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-suite", "val3-dap", "val3"];
 
-/// Packages that speak a protocol or serve connections.
+/// Packages that implement a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] =
     &["tower-lsp", "lsp-types", "lsp-server", "dap", "dapts", "tokio", "axum", "hyper", "hyper-util"];
 
-/// Packages that serve the page of a run. Its messages are those of the view, so no other crate has to know a protocol.
+/// Packages that serve the page of a run. Its messages are defined in val3-view, so no other crate needs a protocol.
 const PAGE_PACKAGES: &[&str] = &["tokio", "axum", "hyper", "hyper-util"];
 
-/// The direct dependencies of each crate of the workspace, without those of tests.
+/// Returns the direct dependencies of each crate in the workspace, without dependencies of tests.
 fn dependencies(metadata: &Metadata) -> BTreeMap<&str, BTreeSet<&str>> {
     let own = |package: &'_ Package| metadata.workspace_members.contains(&package.id);
     metadata
@@ -43,7 +43,7 @@ fn normal(package: &Package) -> BTreeSet<&str> {
     kept.map(|dependency| dependency.name.as_str()).collect()
 }
 
-/// The crates of the workspace that `name` reaches.
+/// Returns the crates of the workspace that `name` reaches.
 fn reached<'a>(name: &'a str, all: &BTreeMap<&'a str, BTreeSet<&'a str>>) -> BTreeSet<&'a str> {
     let mut reached = BTreeSet::new();
     let mut open = vec![name];
@@ -63,7 +63,7 @@ fn assert_none(found: BTreeSet<&str>, rule: &str) {
     assert!(found.is_empty(), "{rule}: {found:?}");
 }
 
-/// `name` may depend on `allowed` and on packages for which `foreign` holds.
+/// Checks that `name` depends only on `allowed` crates, and on no forbidden package.
 fn check_only(name: &str, allowed: &[&str], forbidden_packages: &[&str]) {
     let metadata = metadata();
     let all = dependencies(&metadata);
@@ -152,7 +152,7 @@ fn tests_know_controllers_and_no_threads() {
     check_only("val3-suite", &below, &["salsa", "rowan", "clap", "rayon", "tokio", "camino"]);
 }
 
-/// Configurations, arms, assembled texts and scenarios have lines because their errors are shown as they are.
+/// Configurations, arms, assembled texts and scenarios have lines, because their errors are shown unchanged.
 #[test]
 fn below_the_editor_features_there_are_no_columns() {
     let metadata = metadata();

@@ -4,14 +4,14 @@
 
 use std::process::Command;
 
-/// What is wrong with a line of `git ls-files --eol`: line ends in the repository, in the clone, attributes, path.
+/// Returns the fault in a line of `git ls-files --eol`: line ends in the repository, in the clone, attributes, path.
 fn fault(line: &str) -> Option<String> {
     let (states, path) = line.split_once('\t')?;
     let mut states = states.split_whitespace();
     let (stored, present) = (states.next()?, states.next()?);
     let attributes = states.collect::<Vec<_>>().join(" ");
     let is_declared = attributes == "attr/-text" || attributes == "attr/text=auto eol=lf";
-    // Binary files are recognised by their content, and empty files have no line.
+    // Binary files are recognised by their content, and empty files contain no line.
     let is_kept = attributes == "attr/-text"
         || [("i/lf", "w/lf"), ("i/-text", "w/-text"), ("i/none", "w/none")].contains(&(stored, present));
     (!is_declared || !is_kept).then(|| format!("{path}: {stored} {present} {attributes}"))
@@ -22,7 +22,7 @@ fn every_file_has_the_declared_line_ends() {
     let root = xtask::project::root();
     let output = Command::new("git").args(["ls-files", "--eol"]).current_dir(root).output().unwrap();
     let listed = String::from_utf8(output.stdout).unwrap();
-    // A source archive has no repository.
+    // A source archive contains no repository.
     let is_clone = xtask::project::root().join(".git").exists();
     assert!(!is_clone || listed.lines().count() > 1000, "{}", String::from_utf8_lossy(&output.stderr));
     // Files that were removed in the clone have no state there.

@@ -1,4 +1,5 @@
-//! The structure of the sources and documents: what each crate may use, and what is written in one place only.
+//! Structure of the sources and documents: the dependencies of each crate, and things that may be written in only one
+//! place.
 
 mod address_once;
 mod command;

@@ -1,6 +1,6 @@
-//! The compiler that all tests run with is the oldest one that is supported.
+//! The compiler of all tests is the oldest supported one.
 //!
-//! A newer feature therefore fails to compile here. Newer compilers are tested by `.github/workflows/scheduled.yml`.
+//! A newer feature therefore fails to compile here. `.github/workflows/scheduled.yml` tests newer compilers.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 

@@ -1,4 +1,4 @@
-//! The origin of everything that is downloaded: packages of npm, and the actions of workflows.
+//! Origin of all downloads: npm packages, and the actions of workflows.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
@@ -7,13 +7,13 @@ use std::fs;
 use camino::{Utf8Path, Utf8PathBuf};
 use serde_json::Value;
 
-/// The registry from which `npm ci` downloads a package without an address of its own.
+/// Registry from which `npm ci` downloads a package without an address.
 const REGISTRY: &str = "https://registry.npmjs.org/";
 
-/// Folders of files that a build makes or downloads.
+/// Folders with build output or downloads.
 const BUILT: &[&str] = &[".git", "target", "node_modules"];
 
-/// The files below a folder whose names are wanted.
+/// Returns the files below a folder with matching names.
 fn files(folder: &Utf8Path, is_named: &dyn Fn(&str) -> bool) -> Vec<Utf8PathBuf> {
     let entries = folder.read_dir_utf8().unwrap().map(|entry| entry.unwrap().into_path());
     let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
@@ -22,7 +22,7 @@ fn files(folder: &Utf8Path, is_named: &dyn Fn(&str) -> bool) -> Vec<Utf8PathBuf>
     written.flat_map(|folder| self::files(folder, is_named)).chain(files).collect()
 }
 
-/// The packages of a lock file that npm would take from elsewhere, or without a checksum.
+/// Returns the packages in a lock file that npm would download from elsewhere, or without a checksum.
 fn unknown_packages(lock: &str) -> Vec<String> {
     let lock: Value = serde_json::from_str(lock).unwrap();
     let packages = lock["packages"].as_object().unwrap();
@@ -32,7 +32,7 @@ fn unknown_packages(lock: &str) -> Vec<String> {
             .is_none_or(|address| address.as_str().is_some_and(|address| address.starts_with(REGISTRY)));
         is_address_known && package["integrity"].as_str().is_some_and(|sum| sum.starts_with("sha512-"))
     };
-    // The package with the empty name is the one that the lock file belongs to.
+    // The package with the empty name is the owner of the lock file.
     packages
         .iter()
         .filter(|(name, package)| !name.is_empty() && !is_known(package))
@@ -40,13 +40,13 @@ fn unknown_packages(lock: &str) -> Vec<String> {
         .collect()
 }
 
-/// The actions that a workflow uses by a name that its owner can move to another commit.
+/// Returns the actions in a workflow whose version the owner can move to another commit.
 fn movable_actions(workflow: &str) -> Vec<&str> {
     let used = workflow.lines().filter_map(|line| line.trim().trim_start_matches("- ").strip_prefix("uses: "));
     used.filter(|action| !action.starts_with("./") && !is_pinned(action)).collect()
 }
 
-/// `owner/name@` with a commit, and its version in a comment.
+/// Whether the action is `owner/name@` with a commit, and its version in a comment.
 fn is_pinned(action: &str) -> bool {
     let Some((commit, version)) = action.split_once('@').and_then(|(_, rest)| rest.split_once(" # v")) else {
         return false;
@@ -55,7 +55,7 @@ fn is_pinned(action: &str) -> bool {
     is_commit && version.split('.').count() == 3 && version.split('.').all(|number| number.parse::<u16>().is_ok())
 }
 
-/// The images of containers that a workflow uses by a name that their owner can move to another image.
+/// Returns the container images in a workflow whose version the owner can move to another image.
 fn movable_images(workflow: &str) -> Vec<&str> {
     let images = workflow.lines().filter_map(|line| {
         let line = line.trim();

@@ -1,4 +1,4 @@
-//! The page of the shipped arms.
+//! Page about the shipped arms.
 
 use std::fmt::Write as _;
 
@@ -7,7 +7,7 @@ use val3_kinematics::Arm;
 
 use crate::page::Page;
 
-/// The path of the page.
+/// Path of the page.
 const PATH: &str = "arm-list.md";
 
 const HEAD: &str = "\
@@ -21,7 +21,7 @@ of an arm, and [Arms and their times](arms.md) describes how to measure those of
 |---|---|---|---|---|---|
 ";
 
-/// A table with a row for each arm.
+/// Returns the page: a table with a row for each arm.
 pub(crate) fn page() -> Result<Page> {
     let mut text = HEAD.to_owned();
     for name in Arm::names() {

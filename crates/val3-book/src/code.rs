@@ -1,4 +1,4 @@
-//! Colours of VAL 3 code, by the project's own lexer, and links from its instructions and types.
+//! Colours of VAL 3 code, by the project's lexer, and links from instructions and types in the code.
 
 use std::fmt::Write as _;
 
@@ -12,7 +12,7 @@ use crate::links::{options, replaced};
 use crate::names::Names;
 use crate::page::Page;
 
-/// The text of a page with its blocks of VAL 3 as HTML. Blocks in lists keep their form.
+/// Replaces blocks of VAL 3 code in a page by HTML. Blocks in lists remain unchanged.
 pub(crate) fn coloured(page: &Page, names: &Names) -> String {
     let mut edits = Vec::new();
     let mut lists = 0_usize;
@@ -38,7 +38,7 @@ pub(crate) fn coloured(page: &Page, names: &Names) -> String {
     replaced(&page.text, edits)
 }
 
-/// Whether a block is VAL 3: it says so, or it has the forms of an instruction.
+/// Whether a block is VAL 3 code: it is marked as such, or it contains the forms of an instruction.
 fn is_val3(page: &Page, language: &str) -> bool {
     let first = language.split_whitespace().next().unwrap_or_default();
     first == "val3" || first.is_empty() && page.kind() == Some(Kind::Instruction)
@@ -65,11 +65,11 @@ fn html(page: &Page, names: &Names, code: &str) -> String {
     html
 }
 
-/// A program file around code, so that the code becomes tokens.
+/// Program file around the code, so that the lexer reads it as code.
 const BEFORE: &str = "<Programs><Program name=\"a\"><Code><![CDATA[";
 const AFTER: &str = "]]></Code></Program></Programs>";
 
-/// Writes lines of code or of declarations.
+/// Writes lines of code or declarations.
 fn tokens(page: &Page, names: &Names, code: &str, html: &mut String) {
     let text = format!("{BEFORE}{code}{AFTER}");
     let range = TextRange::at(TextSize::of(BEFORE), TextSize::of(code));
@@ -95,7 +95,7 @@ fn write_token(page: &Page, names: &Names, token: &SyntaxToken, html: &mut Strin
     }
 }
 
-/// The colour of a token, and whether it has a page.
+/// Colour of a token, with the kind of page to which it links.
 enum Class {
     Plain(&'static str),
     Page(Kind, &'static str),
@@ -113,7 +113,7 @@ fn class(token: &SyntaxToken) -> Option<Class> {
     }
 }
 
-/// Words of listings, at the beginning of a declaration.
+/// Words at the beginning of a declaration in a listing.
 const LISTING: [&str; 6] = ["public", "private", "program", "library", "type", "version"];
 
 fn word(token: &SyntaxToken, text: &str) -> Option<Class> {

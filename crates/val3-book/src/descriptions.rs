@@ -1,4 +1,4 @@
-//! A description of its own for each page, which search engines show.
+//! Page descriptions, which search engines show.
 
 use anyhow::{Result, bail};
 use camino::Utf8Path;
@@ -8,13 +8,13 @@ use crate::links::options;
 use crate::page::Page;
 use crate::read;
 
-/// The longest description, in characters.
+/// Largest length of a description, in characters.
 const LONGEST: usize = 160;
 
-/// Beginning of the element that has the description of the book on each page.
+/// Beginning of the element with the book's description, which every page contains.
 const META: &str = "<meta name=\"description\" content=\"";
 
-/// Writes the first paragraph of each page as its description.
+/// Sets the first paragraph as description in all pages.
 pub(crate) fn write(html: &Utf8Path, pages: &[Page]) -> Result<()> {
     for page in pages.iter().filter(|page| page.path != "SUMMARY.md") {
         let file = html.join(page.path.replace(".md", ".html"));
@@ -27,7 +27,7 @@ pub(crate) fn write(html: &Utf8Path, pages: &[Page]) -> Result<()> {
     Ok(())
 }
 
-/// The plain text of the first paragraph, cut between two words.
+/// Returns the plain text of the first paragraph, cut between two words.
 fn description(markdown: &str) -> String {
     let mut text = String::new();
     let mut inside = false;

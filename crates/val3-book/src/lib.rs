@@ -23,7 +23,7 @@ use page::Page;
 /// Builds the book of the project at `root` as HTML in `target/book/html` and returns the folder.
 ///
 /// # Errors
-/// If a page cannot be read or written, or the book is not sound.
+/// A page cannot be read or written, or the book is not sound.
 pub fn build(root: &Utf8Path) -> Result<Utf8PathBuf> {
     let folder = root.join("target/book");
     let pages = write_pages(&root.join("docs"), &folder)?;
@@ -37,7 +37,7 @@ pub fn build(root: &Utf8Path) -> Result<Utf8PathBuf> {
 /// Writes all pages of the book below `folder`, replacing the previous ones.
 ///
 /// # Errors
-/// If a file cannot be read or written.
+/// A file cannot be read or written.
 pub fn write_sources(docs: &Utf8Path, folder: &Utf8Path) -> Result<()> {
     write_pages(docs, folder).map(|_| ())
 }
@@ -57,13 +57,13 @@ fn write_pages(docs: &Utf8Path, folder: &Utf8Path) -> Result<Vec<Page>> {
     Ok(pages)
 }
 
-/// Copies the settings of the book, with the values that `Cargo.toml` declares filled in.
+/// Copies the book's settings and inserts the values from `Cargo.toml`.
 fn copy(from: &Utf8Path, to: &Utf8Path) -> Result<()> {
     write(to, &filled(&read(from)?))
 }
 
-/// A text of the book from one that GitHub shows as well: links of GitHub lead to the repository, and the recipes name its owner
-/// once the repository has its place.
+/// Converts a text that GitHub shows too to a text of the book: GitHub's relative links become links to the repository,
+/// and recipes name the repository's owner, once the repository has an address.
 fn filled(text: &str) -> String {
     let repository = env!("CARGO_PKG_REPOSITORY");
     let text = text
@@ -76,13 +76,13 @@ fn filled(text: &str) -> String {
     }
 }
 
-/// A link to the releases, as a page of `docs/src` has it on GitHub, where the folder of the branch is below that of the repository.
+/// A link to the releases in a page of `docs/src`. On GitHub the address of a page is below the folder of the branch.
 const RELEASES: &str = "](../../../../releases";
 
 /// Beginning of a link to a file of the repository outside the book.
 const ROOT: &str = "](../../";
 
-/// Beginning of the address of a repository whose owner is known.
+/// Beginning of a repository address with a known owner.
 const GITHUB: &str = "https://github.com/";
 
 fn read(path: &Utf8Path) -> Result<String> {

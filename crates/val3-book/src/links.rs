@@ -1,4 +1,4 @@
-//! Links of documents that are read in the repository as well: they lead to the pages of the book.
+//! Links in documents that are also read in the repository: in the book they lead to its pages.
 
 use std::ops::Range;
 
@@ -6,14 +6,14 @@ use pulldown_cmark::{Event, Options, Parser, Tag};
 
 use crate::page::Page;
 
-/// The path of `docs/fidelity.md` in the book.
+/// Path of `docs/fidelity.md` in the book.
 pub(crate) const FIDELITY: &str = "fidelity.md";
-/// The path of `CHANGELOG.md` in the book.
+/// Path of `CHANGELOG.md` in the book.
 pub(crate) const CHANGELOG: &str = "changelog.md";
-/// The path of `ARCHITECTURE.md` in the book.
+/// Path of `ARCHITECTURE.md` in the book.
 pub(crate) const ARCHITECTURE: &str = "architecture.md";
 
-/// Where files of the repository are in the book: the beginning of the path and its replacement.
+/// Location of repository files in the book: beginning of the path and its replacement.
 const MOVED: [(&str, &str); 7] = [
     ("docs/adr/README.md", "adr/index.md"),
     ("docs/src/", ""),
@@ -24,7 +24,7 @@ const MOVED: [(&str, &str); 7] = [
     ("ARCHITECTURE.md", ARCHITECTURE),
 ];
 
-/// The text of a page with links to pages of the book. A link to another file of the repository is reduced to its text.
+/// Replaces links by links to pages of the book. A link to another file of the repository is reduced to its text.
 pub(crate) fn within_book(page: &Page, paths: &[String]) -> String {
     let mut edits = Vec::new();
     for (event, range) in Parser::new_ext(&page.text, options()).into_offset_iter() {
@@ -38,12 +38,12 @@ pub(crate) fn within_book(page: &Page, paths: &[String]) -> String {
     replaced(&page.text, edits)
 }
 
-/// The extensions of Markdown that pages use.
+/// Markdown extensions that the pages use.
 pub(crate) fn options() -> Options {
     Options::ENABLE_TABLES
 }
 
-/// The text with ranges replaced, which do not overlap.
+/// Replaces ranges of a text, which must not overlap.
 pub(crate) fn replaced(text: &str, mut edits: Vec<(Range<usize>, String)>) -> String {
     edits.sort_by_key(|(range, _)| range.start);
     let mut result = text.to_owned();
@@ -57,7 +57,7 @@ fn is_relative(address: &str) -> bool {
     !address.contains("://") && !address.starts_with('#') && !address.starts_with("mailto:")
 }
 
-/// The new source of a link or picture, if its target is not at that path.
+/// Returns the new source of a link or picture, if its target has another path in the book.
 fn edit(page: &Page, paths: &[String], address: &str, source: &str) -> Option<String> {
     let (file, anchor) =
         address.split_once('#').map_or((address, ""), |(file, _)| (file, address.split_at(file.len()).1));
@@ -73,7 +73,7 @@ fn edit(page: &Page, paths: &[String], address: &str, source: &str) -> Option<St
     }
 }
 
-/// The folder of a page's source in the repository.
+/// Returns the folder of a page's source in the repository.
 fn repository_folder(page: &Page) -> String {
     match page.path.as_str() {
         CHANGELOG | ARCHITECTURE => String::new(),
@@ -83,13 +83,13 @@ fn repository_folder(page: &Page) -> String {
     }
 }
 
-/// The path in the book of a file of the repository.
+/// Returns the path in the book for a file of the repository.
 fn moved(path: &str) -> String {
     let row = MOVED.iter().find_map(|(from, to)| path.strip_prefix(from).map(|rest| format!("{to}{rest}")));
     row.unwrap_or_else(|| path.to_owned())
 }
 
-/// A relative path below a folder, without `.` and `..`.
+/// Resolves a relative path in a folder, without `.` and `..`.
 fn joined(folder: &str, file: &str) -> String {
     let mut parts: Vec<&str> = folder.split('/').filter(|part| !part.is_empty()).collect();
     for part in file.split('/') {

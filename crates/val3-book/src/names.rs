@@ -1,4 +1,4 @@
-//! Names that lead to pages of the reference.
+//! Names that link to pages of the reference.
 
 use std::collections::BTreeMap;
 
@@ -9,25 +9,25 @@ use val3_lang::types::{Arm, BaseType, attributes, fields};
 use crate::page::Page;
 use crate::reference;
 
-/// The pages by name.
+/// Pages by name.
 pub(crate) struct Names {
     pages: BTreeMap<String, Vec<(Kind, String)>>,
-    /// The paths of the pages of commands, by what is typed: `val3 arm list`.
+    /// Paths of command pages, by command: `val3 arm list`.
     commands: BTreeMap<String, String>,
 }
 
-/// The kinds in the order in which they are meant where a name has several pages.
+/// Order of preference among several pages with the same name.
 const ORDER: [Kind; 7] =
     [Kind::Type, Kind::Instruction, Kind::Statement, Kind::Operator, Kind::Field, Kind::Word, Kind::Finding];
 
-/// Names without a capital, digit or sign that mean nothing else on hand-written pages.
+/// Names without a capital, digit or sign that have no other meaning on hand-written pages.
 const UNMISTAKABLE: [&str; 10] = ["movej", "movel", "movec", "herej", "putln", "mdesc", "trsf", "dio", "aio", "sio"];
 
 /// Words that are names in code.
 const BUILT_IN: [&str; 3] = ["world", "flange", "Disk://"];
 
 impl Names {
-    /// The names of all topics but those of errors, which are numbers, and the commands with a page among `paths`.
+    /// Collects the names of all topics except errors, which are numbers, and the commands with a page among `paths`.
     pub(crate) fn new(paths: &[String]) -> Self {
         let mut pages: BTreeMap<String, Vec<(Kind, String)>> = BTreeMap::new();
         for topic in topics::all().iter().filter(|topic| ORDER.contains(&topic.kind)) {
@@ -42,7 +42,7 @@ impl Names {
         Self { pages, commands: paths.iter().filter_map(command).collect() }
     }
 
-    /// The page that a code span of `page` means, if it is the name of one.
+    /// Returns the page that a code span on `page` names, if any.
     pub(crate) fn meant_on(&self, page: &Page, span: &str) -> Option<&str> {
         if let Some(path) = guide(page, span).or_else(|| self.command(span)) {
             return Some(path).filter(|path| *path != page.path);
@@ -59,41 +59,41 @@ impl Names {
         Some(&found.1)
     }
 
-    /// The page of the command with which a code span begins.
+    /// Returns the page of the command with which a code span begins.
     fn command(&self, span: &str) -> Option<&str> {
         let words: Vec<&str> = span.split_whitespace().collect();
         let found = [3, 2].into_iter().find_map(|count| self.commands.get(&words.get(..count)?.join(" ")))?;
         Some(found)
     }
 
-    /// The page of a kind with this name.
+    /// Returns the page of a kind with this name.
     pub(crate) fn of_kind(&self, kind: Kind, name: &str) -> Option<&str> {
         let found = self.pages.get(name)?.iter().find(|(other, _)| *other == kind)?;
         Some(&found.1)
     }
 }
 
-/// The folder of the pages of commands.
+/// Folder of command pages.
 const COMMANDS: &str = "commands/";
 
-/// Beginnings of code spans on generated pages, and the hand-written pages that they mean.
+/// Beginnings of code spans on generated pages, with the hand-written pages to which they link.
 const GUIDES: [(&str, &str); 3] =
     [("val3.toml", "configuration.md"), ("//val3: allow", "silence.md"), ("val3 check --fix", "fixes.md")];
 
-/// The hand-written page that a code span on a generated page means.
+/// Returns the hand-written page to which a code span on a generated page links.
 fn guide(page: &Page, span: &str) -> Option<&'static str> {
     let found = GUIDES.iter().find(|(start, _)| page.subject.is_some() && span.starts_with(start));
     found.map(|(_, path)| *path)
 }
 
-/// The page of a run-time error.
+/// Returns the page of a run-time error.
 pub(crate) fn runtime_error(number: &str) -> Option<String> {
     runtime_errors::find(number.parse().ok()?)?;
     Some(format!("{}/{number}.md", Kind::RuntimeError.folder()))
 }
 
-/// Whether a name can mean a page of this kind. Hand-written pages use many words of the language for something else, such
-/// as the settings `limit` and `parameters`, and so do pages about findings and instructions with the words of the field.
+/// Whether a name can link to a page of this kind. Hand-written pages use many words of the language in another sense,
+/// for example for the settings `limit` and `parameters`, and so do pages about findings and instructions.
 fn may_mean(page: &Page, kind: Kind, name: &str) -> bool {
     let is_marked = |name: &str| name.chars().any(|letter| !letter.is_ascii_lowercase() && letter != '_');
     match (page.kind(), kind) {

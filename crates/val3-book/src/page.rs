@@ -1,4 +1,4 @@
-//! A page of the book.
+//! Pages of the book.
 
 use val3_check::topics::Kind;
 
@@ -7,33 +7,33 @@ use val3_check::topics::Kind;
 pub(crate) struct Page {
     /// Path relative to `src`.
     pub(crate) path: String,
-    /// The subject of a generated page.
+    /// Subject of a generated page.
     pub(crate) subject: Option<Subject>,
     /// Markdown.
     pub(crate) text: String,
 }
 
-/// The subject of a page of the reference.
+/// Subject of a reference page.
 #[derive(Debug, Clone)]
 pub(crate) struct Subject {
-    /// Its kind.
+    /// Kind.
     pub(crate) kind: Kind,
-    /// The first word that finds it.
+    /// First word that finds the page.
     pub(crate) name: String,
 }
 
 impl Page {
-    /// A page that is no topic.
+    /// Creates a page that is not a topic.
     pub(crate) fn plain(path: impl Into<String>, text: impl Into<String>) -> Self {
         Self { path: path.into(), subject: None, text: text.into() }
     }
 
-    /// The kind of its subject.
+    /// Returns the kind of the subject.
     pub(crate) fn kind(&self) -> Option<Kind> {
         self.subject.as_ref().map(|subject| subject.kind)
     }
 
-    /// The relative address of another page.
+    /// Returns the relative address for a link to the page at path `other`.
     pub(crate) fn link_to(&self, other: &str) -> String {
         format!("{}{other}", "../".repeat(self.path.matches('/').count()))
     }

@@ -1,4 +1,4 @@
-//! Where pages come from: `docs/src`, other documents of the repository, and the code.
+//! Sources of pages: `docs/src`, other documents of the repository, and the code.
 
 use std::fs;
 
@@ -9,16 +9,16 @@ use crate::names::Names;
 use crate::page::Page;
 use crate::{arms, code, filled, links, read, reference, spans};
 
-/// The line of `SUMMARY.md` that the entries of generated pages replace.
+/// Line of `SUMMARY.md` that the entries of generated pages replace.
 const GENERATED: &str = "<!-- generated pages -->\n";
 
-/// The line of `SUMMARY.md` that the entries of the decisions replace.
+/// Line of `SUMMARY.md` that the entries of decisions replace.
 const DECISIONS: &str = "<!-- decisions -->\n";
 
-/// The line of `SUMMARY.md` that the entries of the commands replace.
+/// Line of `SUMMARY.md` that the entries of commands replace.
 const COMMANDS: &str = "<!-- commands -->\n";
 
-/// Every page, with links and coloured code, and the table of contents.
+/// Returns all pages, with links and coloured code, including the table of contents.
 pub(crate) fn all(docs: &Utf8Path) -> Result<Vec<Page>> {
     let mut pages = Vec::new();
     written(&docs.join("src"), "", &mut pages)?;
@@ -46,7 +46,7 @@ pub(crate) fn all(docs: &Utf8Path) -> Result<Vec<Page>> {
     Ok(pages)
 }
 
-/// The documents of the repository that are pages as well: the file and the path in the book.
+/// Returns the repository documents that are pages too: file, and path in the book.
 fn documents(docs: &Utf8Path) -> Result<Vec<(camino::Utf8PathBuf, &'static str)>> {
     let root = docs.parent().context("the folder of the documents has no parent")?;
     Ok(vec![
@@ -56,7 +56,7 @@ fn documents(docs: &Utf8Path) -> Result<Vec<(camino::Utf8PathBuf, &'static str)>
     ])
 }
 
-/// The entries of the pages in a folder other than its index, with their titles.
+/// Returns the table of contents for a folder without its index, with the pages' titles.
 fn entries(pages: &[Page], folder: &str) -> String {
     let entry = |page: &Page| {
         let title = page.text.lines().next().and_then(|line| line.strip_prefix("# ")).unwrap_or_default();
@@ -66,7 +66,7 @@ fn entries(pages: &[Page], folder: &str) -> String {
     pages.iter().filter(is_entry).map(entry).collect()
 }
 
-/// The Markdown pages below a folder.
+/// Collects the Markdown pages below a folder.
 fn written(folder: &Utf8Path, prefix: &str, pages: &mut Vec<Page>) -> Result<()> {
     let entries = folder.read_dir_utf8().with_context(|| format!("listing {folder}"))?;
     let mut entries = entries.collect::<Result<Vec<_>, _>>().with_context(|| format!("listing {folder}"))?;
@@ -82,7 +82,7 @@ fn written(folder: &Utf8Path, prefix: &str, pages: &mut Vec<Page>) -> Result<()>
     Ok(())
 }
 
-/// Copies the files of a folder that are no pages, such as pictures.
+/// Copies the files in a folder that are not pages, for example pictures.
 pub(crate) fn copy_files(from: &Utf8Path, to: &Utf8Path) -> Result<()> {
     fs::create_dir_all(to).with_context(|| format!("creating {to}"))?;
     for name in files(from)? {
@@ -91,7 +91,7 @@ pub(crate) fn copy_files(from: &Utf8Path, to: &Utf8Path) -> Result<()> {
     Ok(())
 }
 
-/// The names of the files in a folder that are no pages.
+/// Returns the names of the files in a folder that are not pages.
 fn files(folder: &Utf8Path) -> Result<Vec<String>> {
     let mut names = Vec::new();
     for entry in folder.read_dir_utf8().with_context(|| format!("listing {folder}"))? {

@@ -1,18 +1,18 @@
-//! The pages that are generated from the pages of `val3 explain`.
+//! Pages that are generated from the pages of `val3 explain`.
 
 use val3_check::topics::{self, Kind, Topic};
 
 use crate::page::{Page, Subject};
 
-/// The pages of one kind.
+/// Pages of a kind.
 pub(crate) struct Section {
-    /// The page with the list, those of its groups, and those of its topics.
+    /// Page with the list, pages of groups, and pages of topics.
     pub(crate) pages: Vec<Page>,
-    /// The lines of the table of contents.
+    /// Lines for the table of contents.
     pub(crate) summary: String,
 }
 
-/// One section for each kind of page.
+/// Returns the sections, one for each kind of page.
 pub(crate) fn sections() -> Vec<Section> {
     let topics = topics::all();
     Kind::ALL.into_iter().map(|kind| section(kind, &topics)).collect()
@@ -44,7 +44,7 @@ fn section(kind: Kind, topics: &[Topic]) -> Section {
     Section { pages, summary }
 }
 
-/// The title of a section. The words are the glossary of the book.
+/// Returns the title of a section. The words are the book's glossary.
 fn heading(kind: Kind) -> &'static str {
     if kind == Kind::Word { "Glossary" } else { kind.heading() }
 }
@@ -54,12 +54,12 @@ fn page(topic: &Topic) -> Page {
     Page { path: path(topic), subject: Some(subject), text: topic.page.clone() }
 }
 
-/// The path of the page of a topic.
+/// Returns the path of a topic's page.
 pub(crate) fn path(topic: &Topic) -> String {
     format!("{}/{}.md", topic.kind.folder(), topic.stem)
 }
 
-/// The file of a group, such as `motion-instructions.md`.
+/// Returns the file of a group, for example `motion-instructions.md`.
 fn group_file(kind: Kind, group: &str) -> String {
     let words: Vec<String> = group
         .split(|letter: char| !letter.is_ascii_alphanumeric())
@@ -69,7 +69,7 @@ fn group_file(kind: Kind, group: &str) -> String {
     format!("{}-{}.md", words.join("-"), kind.folder())
 }
 
-/// A table of pages in one folder.
+/// Returns a table of pages in the same folder.
 fn table(topics: &[&Topic]) -> String {
     let row = |topic: &&Topic| {
         format!("| [{}]({}.md) | {} |\n", escaped(&topic.title), topic.stem, topic.summary.replace('|', "\\|"))
@@ -77,7 +77,7 @@ fn table(topics: &[&Topic]) -> String {
     format!("\n| | |\n|---|---|\n{}", topics.iter().map(row).collect::<String>())
 }
 
-/// A title as Markdown.
+/// Escapes a title for Markdown.
 fn escaped(title: &str) -> String {
     title.replace('<', "&lt;").replace('*', "\\*").replace('|', "\\|")
 }

@@ -1,4 +1,4 @@
-//! Links from code spans and numbers of errors to their pages.
+//! Links from code spans and error numbers to their pages.
 
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use val3_check::topics::Kind;
@@ -8,10 +8,10 @@ use crate::links::{options, replaced};
 use crate::names::{Names, runtime_error};
 use crate::page::Page;
 
-/// The text of a page, in which names of other pages are links.
+/// Adds links to a page where it names other pages.
 pub(crate) fn linked(page: &Page, names: &Names) -> String {
     let mut edits = Vec::new();
-    // Headings, links, and the HTML of coloured code stay as they are.
+    // Headings, links, and the HTML of coloured code remain unchanged.
     let mut inside = 0_usize;
     let mut numbers = ErrorNumbers::new(page);
     for (event, range) in Parser::new_ext(&page.text, options()).into_offset_iter() {
@@ -46,9 +46,9 @@ pub(crate) fn linked(page: &Page, names: &Names) -> String {
     replaced(&page.text, edits)
 }
 
-/// Finds numbers of run-time errors: after the word "error", and in the item `Errors:` of an instruction.
+/// Finds run-time error numbers: after the word "error", and in the item `Errors:` of an instruction.
 struct ErrorNumbers {
-    /// The errors of the instruction that the page is about.
+    /// Errors of the instruction that is the page's subject.
     of_instruction: &'static [u16],
     state: State,
 }
@@ -57,7 +57,7 @@ struct ErrorNumbers {
 enum State {
     /// No number is expected.
     Text,
-    /// After "error", or after such a number and "to", "and", "or".
+    /// After "error", or after such a number and "to", "and" or "or".
     Number,
     /// In the item `Errors:`.
     Item,
@@ -80,7 +80,7 @@ impl ErrorNumbers {
         }
     }
 
-    /// The numbers in a text: their places, their digits, and the pages of the errors.
+    /// Returns the error numbers in a text: offset, digits, and path of the error's page.
     fn read<'t>(&mut self, text: &'t str) -> Vec<(usize, &'t str, String)> {
         let mut found = Vec::new();
         let mut at = 0;

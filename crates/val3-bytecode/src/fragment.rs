@@ -1,4 +1,4 @@
-//! Code that is executed in the frame of a program.
+//! Code that is executed in the stack frame of a program.
 
 use std::sync::Arc;
 
@@ -6,26 +6,26 @@ use val3_lang::memory::Kind;
 
 use crate::{ArgumentSite, LineMark, Op, Operand, Program};
 
-/// An expression or statements that see the parameters and locals of a program.
+/// An expression or statements that can use the parameters and locals of a program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fragment {
-    /// The code. Its variables are those of the other program, in the same order, each by reference.
+    /// Code. Its variables are the variables of the other program, in the same order, all by reference.
     pub program: Arc<Program>,
-    /// The value of an expression; `None` for statements.
+    /// Value if the fragment is an expression; `None` for statements.
     pub value: Option<FragmentValue>,
 }
 
-/// The value of an expression. It can be read while the code is at its last operation.
+/// An expression's value. It can be read while the code is at the last operation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FragmentValue {
-    /// Where it is.
+    /// Operand with the value.
     pub site: ArgumentSite,
-    /// Its type.
+    /// Type.
     pub kind: Arc<Kind>,
 }
 
 impl FragmentValue {
-    /// Whether it is computed into the frame of the fragment. All variables are references to other places.
+    /// Whether the value is computed into the fragment's frame. All variables are references to other places.
     #[must_use]
     pub fn is_result(&self) -> bool {
         matches!(self.site, ArgumentSite::Value(Operand::Frame(_), _))
@@ -33,13 +33,13 @@ impl FragmentValue {
 }
 
 impl Fragment {
-    /// Statements.
+    /// Creates a fragment of statements.
     #[must_use]
     pub fn statements(program: Program) -> Self {
         Self { program: Arc::new(program), value: None }
     }
 
-    /// An expression. The task stops before the last operation, where the value can be read.
+    /// Creates a fragment for an expression. The task stops before the last operation, where the value can be read.
     #[must_use]
     pub fn expression(mut program: Program, value: FragmentValue) -> Self {
         if let Some(last) = program.code.last_mut().filter(|last| last.op == Op::Return) {
@@ -48,7 +48,7 @@ impl Fragment {
         Self { program: Arc::new(program), value: Some(value) }
     }
 
-    /// The last operation.
+    /// Returns the last operation.
     #[must_use]
     pub fn end(&self) -> u32 {
         u32::try_from(self.program.code.len()).unwrap_or(u32::MAX).saturating_sub(1)

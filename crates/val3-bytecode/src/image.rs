@@ -1,4 +1,4 @@
-//! The loadable form of an application or library.
+//! Loadable form of applications and libraries.
 
 use std::sync::Arc;
 
@@ -9,129 +9,129 @@ use val3_lang::versions::Version;
 
 use crate::{Operation, Program};
 
-/// Everything of an application or library that the run time needs.
+/// An application or library as the virtual machine executes it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Image {
-    /// Its name: that of its folder.
+    /// Name: the name of the folder.
     pub name: String,
-    /// The path of its project file.
+    /// Path of the project file.
     pub path: String,
-    /// Its files; programs refer to them by number.
+    /// Files; programs refer to them by number.
     pub files: Vec<String>,
-    /// The version it is written for.
+    /// VAL 3 version for which it is written.
     pub version: Version,
-    /// The unit of its lengths.
+    /// Unit of lengths.
     pub unit: LengthUnit,
-    /// The kind of arm that its positions are for, if they are for one.
+    /// Kind of arm that positions are for; `None` if they fit both kinds.
     pub arm: Option<Arm>,
-    /// Bytes of stack of each task.
+    /// Stack size per task, in bytes.
     pub stack_size: u32,
-    /// It uses private items of its libraries as well: it tests them.
+    /// Whether private items in libraries can be used too, as tests do.
     pub sees_private_items: bool,
     /// Global data.
     pub data: Vec<DataDef>,
-    /// Links between data, and to inputs and outputs, to be made when the data exist.
+    /// Links between data, and to inputs and outputs, which are set after the data are created.
     pub links: Vec<LinkInit>,
     /// Programs.
     pub programs: Vec<Program>,
     /// Library identifiers.
     pub libraries: Vec<LibraryDef>,
-    /// The items of libraries that it uses or that their interfaces promise.
+    /// Library items that programs use or that the interfaces declare.
     pub imports: Vec<Import>,
 }
 
-/// Global data.
+/// Definition of global data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataDef {
-    /// The name.
+    /// Name.
     pub name: String,
     /// Whether other applications may use it.
     pub public: bool,
-    /// Type, container and values at the start.
+    /// Type, container and initial values.
     pub init: PartInit,
 }
 
-/// A link of one value at the start.
+/// Initial link in one value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkInit {
-    /// The data, by number.
+    /// Number of the data.
     pub data: u32,
-    /// The way from a value of the data through fields of user types: number of the value, then of the field.
+    /// Path from an element of the data through fields of user types: number of the element, then of the field.
     pub path: Vec<(u32, u32)>,
-    /// The number of the value in the innermost container.
+    /// Number of the value in the innermost container.
     pub value: u32,
-    /// The number of the link among those of the value.
+    /// Number of the link within the value.
     pub link: u32,
-    /// The target of the link.
+    /// Target of the link.
     pub target: LinkTarget,
 }
 
-/// The target of a link.
+/// Target of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LinkTarget {
-    /// An input, output or line, by type and path as the file writes it (`BasicIO-1\%I0`).
+    /// An input, output or channel, by type and by path as in the data file (`BasicIO-1\%I0`).
     Port(BaseType, String),
     /// A frame or tool.
     Father(FatherLink),
-    /// The input or output that a `dio` is linked to; without a link, the one of the same name (the gripper of s5 and
-    /// s6).
+    /// The input or output that a `dio` is linked to; if it has no link, the signal with the `dio`'s name (the gripper
+    /// of s5 and s6).
     Signal(FatherLink),
 }
 
-/// Data that a value refers to, as a file names it: `fTray[0]`, `tSlot["a"].fIn[0]`, `lib:fTray`.
+/// Reference to data, as in a data file: `fTray[0]`, `tSlot["a"].fIn[0]`, `lib:fTray`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct FatherLink {
-    /// The library identifier, if it is data of a library.
+    /// Library identifier for data of a library.
     pub library: Option<String>,
-    /// The name of the data; `world` and `flange` too.
+    /// Name of the data, or `world` or `flange`.
     pub name: String,
-    /// Which of its values: an index (`2`, `1,3`), or a key.
+    /// Index (`2`, `1,3`) or key of the element.
     pub at: String,
-    /// Names of fields of user types, each with the index of its value.
+    /// Fields of user types, each with its element's index.
     pub fields: Vec<(String, String)>,
 }
 
-/// A library identifier.
+/// Declaration of a library identifier.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LibraryDef {
-    /// The identifier.
+    /// Identifier.
     pub alias: String,
-    /// The path of the interface as the project writes it.
+    /// Path of the interface, as in the project file.
     pub path: String,
-    /// Whether it is loaded with the application.
+    /// Whether the library is loaded with the application.
     pub autoload: bool,
 }
 
-/// An item that an application expects of a library.
+/// Item that an application expects from a library.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Import {
-    /// The library identifier, by number.
+    /// Number of the library identifier.
     pub library: u16,
-    /// The name of the data or program.
+    /// Name of the data or program.
     pub name: String,
-    /// The required kind of item.
+    /// Expected kind of item.
     pub kind: ImportKind,
 }
 
-/// The required kind of an imported item.
+/// Expected kind of imported item.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ImportKind {
-    /// Data of this type.
+    /// Data with this type.
     Data(Arc<Kind>, Container),
-    /// A program with these parameters: type, container, by reference.
+    /// A program with these parameters: type, container, whether by reference.
     Program(Vec<(Arc<Kind>, Container, bool)>),
-    /// The interface lacks the item, so no library has it.
+    /// The interface does not declare the item, so no library has it.
     Missing,
 }
 
 impl Image {
-    /// The number of a program.
+    /// Returns the number of a program.
     #[must_use]
     pub fn program(&self, name: &str) -> Option<u16> {
         self.programs.iter().position(|program| program.name == name).and_then(|at| u16::try_from(at).ok())
     }
 
-    /// Bytes of its programs in memory, as far as they depend on the size of the code.
+    /// Returns the size of the programs in memory, in bytes: only the parts that depend on the size of the code.
     #[must_use]
     pub fn code_bytes(&self) -> u64 {
         let bytes =
@@ -139,7 +139,7 @@ impl Image {
         self.programs.iter().map(bytes).sum()
     }
 
-    /// The number of global data.
+    /// Returns the number of global data.
     #[must_use]
     pub fn data(&self, name: &str) -> Option<u16> {
         self.data.iter().position(|data| data.name == name).and_then(|at| u16::try_from(at).ok())

@@ -1,8 +1,8 @@
-//! The instruction set of the virtual controller: applications as images, with the way back to their source.
+//! Instruction set of the virtual controller: applications as images, with source maps.
 //!
-//! An image is what an application or library is compiled to. Its code is for a register machine: the frame of a
-//! program has lanes of numbers, texts, links and containers (see [`val3_lang::memory`]), and operations name the
-//! lanes of the current frame. Parameters come first, then locals, then constants and temporaries.
+//! An image is the compiled form of an application or library. Its code is for a register machine: a program's stack
+//! frame has lanes of numbers, texts, links and containers (see [`val3_lang::memory`]), and operations refer to lanes
+//! of the current frame. Parameters come first, then locals, then constants and temporaries.
 
 mod counters;
 mod fragment;

@@ -1,34 +1,35 @@
-//! The operations.
+//! Operations.
 
 use val3_lang::number_functions::NumberFunction;
 
 use crate::{ContainerRef, TextOperand};
 
-/// A lane of the current frame, by its number among those of its sort.
+/// Number of a lane in the current frame, within the lanes of the same kind.
 pub type Register = u16;
 
 /// An operation in the code of a program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Operation {
-    /// The operation.
+    /// Operation.
     pub op: Op,
-    /// Whether an instruction line begins with it.
+    /// Whether an instruction line begins here.
     pub mark: LineMark,
 }
 
-/// Whether an instruction line begins with an operation. The scheduler counts lines, and a turn ends between two of them.
+/// Whether an instruction line begins with an operation. The scheduler counts lines, and a turn ends between two lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LineMark {
-    /// It belongs to the line before it.
+    /// The operation belongs to the previous line.
     #[default]
     Within,
-    /// A line begins with it.
+    /// The operation begins a line.
     Line,
-    /// A line begins with it, before which a task stops.
+    /// The operation begins a line before which tasks stop.
     Stop,
-    /// The operation begins a line, which the counter of the program with this number counts.
+    /// The operation begins a line, which is counted by the program's counter with this number.
     CountedLine(u16),
-    /// The operation belongs to the line before it. It begins a side of a branch, which the counter with this number counts.
+    /// The operation belongs to the previous line and begins a branch side, which is counted by the counter with this
+    /// number.
     CountedSide(u16),
 }
 
@@ -39,7 +40,7 @@ impl LineMark {
         !matches!(self, Self::Within | Self::CountedSide(_))
     }
 
-    /// The counter of the operation, by its number among those of the program.
+    /// Returns the number of the operation's counter in the program.
     #[must_use]
     pub const fn counter(self) -> Option<u16> {
         match self {
@@ -49,7 +50,7 @@ impl LineMark {
     }
 }
 
-/// One operation. Targets of jumps are indexes into the code of the program.
+/// An operation. Jump targets are indexes into the program's code.
 #[allow(missing_docs, reason = "the comment of each operation names its operands")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Op {
@@ -65,9 +66,9 @@ pub enum Op {
     IfLess { a: Register, b: Register, to: u32 },
     /// Jumps if `a <= b`.
     IfLessEqual { a: Register, b: Register, to: u32 },
-    /// Jumps unless `a < b`, thus also if one of them is not a number.
+    /// Jumps unless `a < b`, thus also if one operand is not a number.
     UnlessLess { a: Register, b: Register, to: u32 },
-    /// Jumps unless `a <= b`, thus also if one of them is not a number.
+    /// Jumps unless `a <= b`, thus also if one operand is not a number.
     UnlessLessEqual { a: Register, b: Register, to: u32 },
     /// Jumps unless `a == b`.
     UnlessEqual { a: Register, b: Register, to: u32 },
@@ -96,10 +97,10 @@ pub enum Op {
     LessEqual { to: Register, a: Register, b: Register },
     /// `to = a == b`
     Equal { to: Register, a: Register, b: Register },
-    /// `to = a != b`, on truth values also `a xor b`
+    /// `to = a != b`; for truth values also `a xor b`
     NotEqual { to: Register, a: Register, b: Register },
 
-    /// `to = function(a,b,c)` with the errors of the instruction. Operands that the function lacks are ignored.
+    /// `to = function(a,b,c)`, with the errors of the instruction. Surplus operands are ignored.
     Function { function: NumberFunction, to: Register, a: Register, b: Register, c: Register },
 
     /// `to = from`
@@ -113,44 +114,44 @@ pub enum Op {
     /// Jumps unless `a == b`.
     UnlessTextEqual { a: TextOperand, b: TextOperand, to: u32 },
 
-    /// A number of the first value of a container.
+    /// Loads a number from the first value of a container.
     LoadFirst { to: Register, container: ContainerRef, lane: u16 },
-    /// Writes a number of the first value of a container.
+    /// Stores a number in the first value of a container.
     StoreFirst { container: ContainerRef, lane: u16, from: Register },
-    /// A number of an array.
+    /// Loads a number from an array.
     LoadElement { to: Register, container: ContainerRef, index: Register },
-    /// Writes a number of an array.
+    /// Stores a number in an array.
     StoreElement { container: ContainerRef, index: Register, from: Register },
-    /// A number of an array of two dimensions.
+    /// Loads a number from a two-dimensional array.
     LoadElement2 { to: Register, container: ContainerRef, i: Register, j: Register },
-    /// Writes a number of an array of two dimensions.
+    /// Stores a number in a two-dimensional array.
     StoreElement2 { container: ContainerRef, i: Register, j: Register, from: Register },
 
-    /// A number of a collection of numbers.
+    /// Loads a number from a collection of numbers, by key.
     LoadKey { to: Register, container: ContainerRef, key: TextOperand },
-    /// Writes a number of a collection of numbers.
+    /// Stores a number in a collection of numbers, by key.
     StoreKey { container: ContainerRef, key: TextOperand, from: Register },
 
-    /// The container of a field of the first value of a container, as a view.
+    /// Creates a view of a field's container, for the first value of a container.
     FirstField { to: Register, container: ContainerRef, field: u16 },
-    /// The container of a field of a value of an array, as a view.
+    /// Creates a view of a field's container, for an array element.
     ElementField { to: Register, container: ContainerRef, index: Register, field: u16 },
-    /// The container of a field of a value at a place, as a view.
+    /// Creates a view of a field's container, for the value at a place.
     Field { to: Register, place: Register, field: u16 },
 
     /// Looks up the first value of a container.
     LocateFirst { to: Register, container: ContainerRef },
-    /// Looks up a value of an array.
+    /// Looks up an array element.
     Locate { to: Register, container: ContainerRef, index: Register },
-    /// Looks up a value of an array of two dimensions.
+    /// Looks up an element in a two-dimensional array.
     Locate2 { to: Register, container: ContainerRef, i: Register, j: Register },
-    /// Looks up a value of an array of three dimensions. The indexes are in three registers from `i` on.
+    /// Looks up an element in a three-dimensional array. The indexes are in three registers from `i` on.
     Locate3 { to: Register, container: ContainerRef, i: Register },
     /// Looks up the value under a key.
     LocateKey { to: Register, container: ContainerRef, key: TextOperand },
-    /// A number at a place.
+    /// Loads a number from a place.
     Load { to: Register, place: Register, lane: u16 },
-    /// Writes a number at a place.
+    /// Stores a number at a place.
     Store { place: Register, lane: u16, from: Register },
 
     /// Copies a value: [`CopySite`](crate::CopySite).
@@ -166,23 +167,23 @@ pub enum Op {
     /// Creates a task: [`TaskSite`](crate::TaskSite).
     CreateTask { site: u32 },
 
-    /// The task waits unless `condition` is true. It resumes at `retry`, where the condition is computed again.
+    /// Lets the task wait unless `condition` is true. It resumes at `retry`, where the condition is computed again.
     WaitUntil { condition: Register, retry: u32 },
-    /// `to` becomes true when `condition` is, and false when `seconds` have passed. Until then the task waits and
-    /// resumes at `retry`.
+    /// Sets `to` to true if `condition` is true, or to false after `seconds`. Before that the task waits and resumes at
+    /// `retry`.
     Watch { to: Register, condition: Register, seconds: Register, retry: u32 },
 
-    /// Begins a `for`: goes to `exit` if the counter is beyond `limit`; the step is in the register after `limit`.
+    /// Begins a `for`: jumps to `exit` if the counter is beyond `limit`. The step is in the register after `limit`.
     ForTest { counter: Register, limit: Register, exit: u32 },
-    /// The next round of a `for`, which begins a line: adds the step and goes to `body` unless the counter is beyond
-    /// `limit`.
+    /// Begins the next iteration of a `for`, which is also the beginning of a line: adds the step, and jumps to `body`
+    /// unless the counter is beyond `limit`.
     ForNext { counter: Register, limit: Register, body: u32 },
-    /// As `ForNext`, for a step that is known to be above 0.
+    /// Like `ForNext`, for a step that is known to be positive.
     ForNextUp { counter: Register, limit: Register, body: u32 },
 }
 
 impl Op {
-    /// The target of a jump.
+    /// Returns the target of a jump.
     pub fn target_mut(&mut self) -> Option<&mut u32> {
         match self {
             Self::Jump { to }

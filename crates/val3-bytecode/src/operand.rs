@@ -1,19 +1,19 @@
-//! Operands: containers, texts and values, by their locations.
+//! Operands: locations of containers, strings and values.
 
 use val3_lang::memory::{self, Lanes};
 
 use crate::Register;
 
-/// A container, packed: its kind in the upper bits, its number in the others.
+/// Packed location of a container: its kind in the upper bits, its number in the lower bits.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct ContainerRef(u16);
 
-/// Where a container is found.
+/// Location of a container.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContainerKind {
     /// Global data of the application.
     Data(u16),
-    /// A container of the frame: a local array or local of a user type.
+    /// A container of the frame: a local array or a local of a user type.
     Part(u16),
     /// A container by reference.
     View(u16),
@@ -23,11 +23,11 @@ pub enum ContainerKind {
     Builtin(u16),
 }
 
-/// A text, packed in the same way.
+/// Packed location of a string.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct TextOperand(u16);
 
-/// Where a text is found.
+/// Location of a string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TextSource {
     /// The first value of a container that is not built in.
@@ -36,21 +36,21 @@ pub enum TextSource {
     Register(Register),
     /// A value that was looked up, or a parameter by reference.
     Place(Register),
-    /// A constant of the program. It is read only.
+    /// A read-only constant of the program.
     Constant(u16),
 }
 
-/// Bits of the number in a packed reference.
+/// Bits of the number in a packed location.
 const BITS: u16 = 13;
 const MASK: u16 = (1 << BITS) - 1;
 
-/// Packs a reference; `None` where its number is beyond 8,191.
+/// Packs a location; `None` if the number exceeds 8,191.
 fn pack(tag: u16, number: u16) -> Option<u16> {
     (number <= MASK).then_some(tag << BITS | number)
 }
 
 impl ContainerRef {
-    /// Packs a container; `None` where its number is beyond 8,191.
+    /// Packs a location; `None` if the number exceeds 8,191.
     #[must_use]
     pub fn new(kind: ContainerKind) -> Option<Self> {
         let (tag, number) = match kind {
@@ -63,7 +63,7 @@ impl ContainerRef {
         pack(tag, number).map(Self)
     }
 
-    /// Its number if it is global data of the application, which is the most frequent kind.
+    /// Returns the number if this is global data of the application, the most frequent kind.
     #[inline]
     #[must_use]
     pub fn data(self) -> Option<u16> {
@@ -71,7 +71,7 @@ impl ContainerRef {
         (self.0 <= MASK).then_some(self.0)
     }
 
-    /// Where it is found.
+    /// Unpacks the location.
     #[inline]
     #[must_use]
     pub fn kind(self) -> ContainerKind {
@@ -87,7 +87,7 @@ impl ContainerRef {
 }
 
 impl TextOperand {
-    /// Packs a text; `None` where its number is beyond 8,191, or its container is built in.
+    /// Packs a location; `None` if the number exceeds 8,191, or the container is built in.
     #[must_use]
     pub fn new(source: TextSource) -> Option<Self> {
         match source {
@@ -99,7 +99,7 @@ impl TextOperand {
         }
     }
 
-    /// Where it is found.
+    /// Unpacks the location.
     #[inline]
     #[must_use]
     pub fn source(self) -> TextSource {
@@ -125,18 +125,18 @@ impl std::fmt::Debug for TextOperand {
     }
 }
 
-/// Where a value of any type is.
+/// Location of a value with any type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operand {
     /// On the frame.
     Frame(Lanes),
-    /// In the first value of a container, from these lanes of it on.
+    /// In the first value of a container, from these lanes on.
     First(ContainerRef, Lanes),
-    /// In a value that was looked up or is a parameter by reference, from these lanes of it on.
+    /// In a value that was looked up or is a parameter by reference, from these lanes on.
     Place(Register, Lanes),
 }
 
-/// Selects a value of a container, with the registers that hold its indexes or its key.
+/// Selection of a container element; registers contain the indexes or the key.
 pub type Subscript = memory::Subscript<Register, TextOperand>;
 
 #[cfg(test)]

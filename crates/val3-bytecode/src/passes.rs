@@ -1,4 +1,4 @@
-//! The fast form of calls between programs of a project, once the frames of all of them are known.
+//! Fast passing of arguments between programs of a project, after all their frames are known.
 
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
@@ -7,7 +7,7 @@ use crate::{
     ArgumentSite, CallSite, Operand, Param, Pass, Program, ProgramRef, Register, Storage, TextOperand, TextSource,
 };
 
-/// Gives calls the fast form of their arguments if they have one.
+/// Sets the fast form for the arguments in all calls that allow it.
 pub fn plan_passes(programs: &mut [Program]) {
     let plain: Vec<_> = programs.iter().map(|program| program.is_plain().then(|| program.params.clone())).collect();
     for site in programs.iter_mut().flat_map(|program| &mut program.calls) {
@@ -40,7 +40,7 @@ fn pass(param: &Param, argument: ArgumentSite) -> Option<Pass> {
     }
 }
 
-/// A text that is passed by value.
+/// Returns the operand of a string that is passed by value.
 fn text(operand: Operand) -> Option<TextOperand> {
     TextOperand::new(match operand {
         Operand::Frame(lanes) => TextSource::Register(narrow(lanes.text)),
@@ -50,7 +50,7 @@ fn text(operand: Operand) -> Option<TextOperand> {
     })
 }
 
-/// The number of a register; frames have no higher ones.
+/// Converts a lane to a register number; frames have no higher lanes.
 fn narrow(lane: u32) -> Register {
     Register::try_from(lane).unwrap_or(Register::MAX)
 }

@@ -1,4 +1,4 @@
-//! The code of one program.
+//! Compiled programs.
 
 use std::sync::Arc;
 
@@ -8,33 +8,33 @@ use val3_lang::values::Text;
 
 use crate::{CallSite, CopySite, Counters, InstructionSite, Op, Operation, TaskSite};
 
-/// A program, ready to run.
+/// A compiled program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Program {
-    /// Its name.
+    /// Name.
     pub name: String,
     /// Whether other applications may call it.
     pub public: bool,
-    /// Its file, by its number in [`Image::files`](crate::Image::files).
+    /// Number of the source file in [`Image::files`](crate::Image::files).
     pub file: u32,
-    /// Its parameters.
+    /// Parameters.
     pub params: Vec<Param>,
-    /// The names of its parameters and locals with their places, for debuggers.
+    /// Names and locations of parameters and locals, for debuggers.
     pub variables: Vec<Variable>,
-    /// The lanes of a frame.
+    /// Number of lanes in a stack frame.
     pub frame: FrameSize,
-    /// Bytes that a call takes from the stack that the project declares (2.1.4.2): the return, the parameters and the
+    /// Size of a call on the stack that the project declares (2.1.4.2), in bytes: return address, parameters and
     /// locals.
     pub stack_bytes: u32,
-    /// The numbers of a new frame: defaults of locals, constants, and 0 for all others.
+    /// Numbers of a new frame: defaults of locals, constants, and 0 for all others.
     pub nums: Vec<f64>,
-    /// The containers of a new frame: local arrays, and values of user types.
+    /// Containers of a new frame: local arrays, and values of user types.
     pub parts: Vec<PartInit>,
-    /// Its operations.
+    /// Operations.
     pub code: Vec<Operation>,
-    /// Instruction lines in the order of the text.
+    /// Instruction lines in source order.
     pub lines: Vec<SourceLine>,
-    /// Text constants.
+    /// String constants.
     pub texts: Vec<Text>,
     /// Copies and comparisons.
     pub copies: Vec<CopySite>,
@@ -44,11 +44,11 @@ pub struct Program {
     pub calls: Vec<CallSite>,
     /// Creations of tasks.
     pub tasks: Vec<TaskSite>,
-    /// Counters of executed lines and sides of branches, if the program was compiled with them.
+    /// Counters of executed lines and branch sides, if the program was compiled with counters.
     pub counters: Counters,
 }
 
-/// How many lanes a frame has.
+/// Number of lanes in a stack frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FrameSize {
     /// Numbers, texts, links and containers.
@@ -62,20 +62,20 @@ pub struct FrameSize {
 /// A parameter or local.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its type.
+    /// Type.
     pub kind: Arc<Kind>,
-    /// An element, array or collection.
+    /// Element, array or collection.
     pub container: Container,
-    /// Where it is in the frame.
+    /// Location in the frame.
     pub storage: Storage,
 }
 
-/// Where a parameter or local is in the frame.
+/// Location of a parameter or local in the frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Storage {
-    /// One value of a built-in type, whose lanes begin here.
+    /// One value of a built-in type, which begins at these lanes.
     Value(Lanes),
     /// The container with this number.
     Part(u16),
@@ -88,60 +88,63 @@ pub enum Storage {
 /// A parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Param {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its type.
+    /// Type.
     pub kind: Arc<Kind>,
-    /// An element, array or collection.
+    /// Element, array or collection.
     pub container: Container,
-    /// Where it is in the frame.
+    /// Location in the frame.
     pub storage: Storage,
 }
 
-/// Bytes of a file.
+/// Byte range in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct SourceRange {
-    /// The first byte.
+    /// First byte.
     pub start: u32,
-    /// The byte after the last.
+    /// Byte after the last one.
     pub end: u32,
 }
 
 /// An instruction line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SourceLine {
-    /// Its first operation.
+    /// First operation.
     pub op: u32,
-    /// Its range in the file.
+    /// Range in the file.
     pub range: SourceRange,
-    /// The line of the file, from 1.
+    /// Line of the file, from 1.
     pub row: u32,
 }
 
 impl Program {
-    /// Whether its frame has neither links nor containers, so that nothing has to be dropped when the program ends.
+    /// Whether the frame contains neither links nor containers, so that nothing has to be removed when the program
+    /// ends.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         let Lanes { link, part, .. } = self.frame.lanes;
         [link, part] == [0; 2]
     }
 
-    /// The first line at a row of the file or after it, by its number in [`lines`](Self::lines).
+    /// Returns the first line at or after a row of the file, as an index into [`lines`](Self::lines).
     #[must_use]
     pub fn line_from(&self, row: u32) -> Option<usize> {
         let lines = self.lines.iter().enumerate().filter(|(_, line)| line.row >= row);
         lines.min_by_key(|(_, line)| (line.row, line.op)).map(|(number, _)| number)
     }
 
-    /// The operation that begins the first line to be executed. In a program that begins with a loop, a jump leads there.
+    /// Returns the operation that begins the first executed line. If the program begins with a loop, this may be a
+    /// jump's target.
     #[must_use]
     pub fn entry(&self) -> Option<u32> {
         self.lines.first().map(|line| line.op)
     }
 
-    /// The line that an operation belongs to, by its number in [`lines`](Self::lines).
+    /// Returns the line of an operation, as an index into [`lines`](Self::lines).
     ///
-    /// The next round of a `for` belongs to the line with its head. An operation before all lines belongs to the first one.
+    /// The next iteration of a `for` belongs to the line of the `for`. An operation before all lines belongs to the
+    /// first line.
     #[must_use]
     pub fn line_of(&self, op: u32) -> Option<usize> {
         let op = match self.code.get(op as usize).map(|step| &step.op) {

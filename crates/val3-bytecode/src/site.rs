@@ -1,4 +1,4 @@
-//! Operands of operations that have many: instructions, calls, copies.
+//! Operands of operations with many operands: instructions, calls, copies.
 
 use std::sync::Arc;
 
@@ -11,68 +11,68 @@ use val3_lang::types::{Arm, BaseType};
 
 use crate::{ContainerRef, Operand, Register, Subscript, TextOperand};
 
-/// A value is copied, or compared with another.
+/// Operands of a copy or comparison.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CopySite {
-    /// The type of both.
+    /// Type of both values.
     pub kind: Arc<Kind>,
-    /// The one that is read.
+    /// Value that is read.
     pub from: Operand,
-    /// The one that is written or compared with.
+    /// Value that is written or compared.
     pub to: Operand,
 }
 
-/// An argument of an instruction or program.
+/// An argument to an instruction or program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ArgumentSite {
     /// A value of a built-in type.
     Value(Operand, BaseType),
     /// A value of a user type.
     UserValue(Operand),
-    /// A container, an array from an index on where there is one.
+    /// A container, or an array from an index on.
     View(ContainerRef, Option<Register>),
-    /// A value that need not exist.
+    /// A value that may not exist.
     Slot(ContainerRef, Subscript),
-    /// The library identifier.
+    /// A library identifier.
     Library(u16),
 }
 
 /// An instruction or operator with its arguments.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InstructionSite {
-    /// The instruction or operator.
+    /// Instruction or operator.
     pub callee: Callee,
-    /// Its function; `None` where the controller does not have it.
+    /// Handler; `None` if the controller does not support the instruction.
     pub run: Option<Handler>,
-    /// Its arguments.
+    /// Arguments.
     pub arguments: Vec<ArgumentSite>,
-    /// Where its value goes, and its type.
+    /// Location and type of the result.
     pub result: Option<(Operand, BaseType)>,
 }
 
-/// The instruction or operator of a site. Its function follows from it.
+/// Instruction or operator of a site. It determines the handler.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Callee {
-    /// A form of an instruction.
+    /// An instruction form.
     Form(&'static Instruction, &'static Overload),
-    /// An operator between two values of a structured type, for an arm.
+    /// A binary operator on a structured type, for an arm.
     Binary(BinaryOp, BaseType, Option<Arm>),
-    /// An operator before a value of a structured type.
+    /// A unary operator on a structured type.
     Unary(UnaryOp, BaseType),
-    /// `to = from` with an input, an output or a line; first the type of `to`.
+    /// `to = from` with an input, an output or a channel; the first type is the type of `to`.
     Assignment(BaseType, BaseType),
     /// `?`, for an arm.
     Print(Option<Arm>),
-    /// The use of an item, `library:item`, that no interface declares: error 80.
+    /// A used item, `library:item`, that no interface declares: error 80.
     MissingItem(String),
     /// A line that is accepted but has no meaning: error 61.
     Invalid,
-    /// An instruction that only an add-on has, by its name.
+    /// An instruction that only an add-on provides, by name.
     Lacking(String),
 }
 
 impl Callee {
-    /// Its name, for messages.
+    /// Returns the name, for messages.
     #[must_use]
     pub fn name(&self) -> &str {
         match self {
@@ -100,11 +100,11 @@ impl Callee {
     }
 }
 
-/// The function that executes a [`Callee`].
+/// Handler of a [`Callee`].
 #[derive(Debug, Clone, Copy)]
 pub struct Handler(pub InstructionFn);
 
-/// Functions have no identity that could be compared. Handlers of equal callees are equal.
+/// Always equal, because functions cannot be compared, and equal callees have equal handlers.
 impl PartialEq for Handler {
     fn eq(&self, _: &Self) -> bool {
         true
@@ -112,7 +112,7 @@ impl PartialEq for Handler {
 }
 
 impl InstructionSite {
-    /// The call of an instruction or operator, without arguments.
+    /// Creates an instruction or operator call without arguments.
     #[must_use]
     pub fn new(callee: Callee) -> Self {
         let run = callee.run().map(Handler);
@@ -123,46 +123,46 @@ impl InstructionSite {
 /// A program of this application or of a library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProgramRef {
-    /// One of this application.
+    /// A program in this application, by number.
     Own(u16),
-    /// An import.
+    /// An import, by number.
     Import(u16),
 }
 
-/// The call of a program.
+/// Call of a program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CallSite {
-    /// The program.
+    /// Program.
     pub program: ProgramRef,
-    /// One argument for each parameter.
+    /// Arguments, one for each parameter.
     pub arguments: Vec<ArgumentSite>,
-    /// The same in a faster form, for a program of this application with a [plain](crate::Program::is_plain) frame and
-    /// without arguments that are structures or of a user type.
+    /// Fast form of the arguments. It exists for a program of this application with a [plain](crate::Program::is_plain)
+    /// frame, if no argument is a structure or of a user type.
     pub passes: Option<Vec<Pass>>,
 }
 
-/// The transfer of one argument to its parameter.
+/// Passes one argument to its parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pass {
-    /// Copies a number from the frame of the caller to that of the program.
+    /// Copies a number from the caller's frame to the program's frame.
     Number(Register, Register),
-    /// Copies a text to the frame of the program.
+    /// Copies a string to the program's frame.
     Text(TextOperand, Register),
-    /// Lets the place with this number refer to a value of the caller.
+    /// Makes the place with this number refer to a value of the caller.
     Reference(Operand, Register),
-    /// Lets the view with this number refer to a container of the caller, an array from an index on.
+    /// Makes the view with this number refer to a container of the caller, or to an array from an index on.
     Container(ContainerRef, Option<Register>, Register),
 }
 
-/// The creation of a task (5.10).
+/// Creation of a task (5.10).
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaskSite {
-    /// Its name.
+    /// Task name.
     pub name: TextOperand,
-    /// The number with its priority, or its period in seconds.
+    /// Register with the priority, or with the period in s.
     pub rate: Register,
-    /// For a synchronous task, the variable that reports overruns.
+    /// Variable that reports overruns of a synchronous task.
     pub overrun: Option<Operand>,
-    /// The program that it executes.
+    /// Program of the task.
     pub call: CallSite,
 }

@@ -1,6 +1,6 @@
-//! Images as text: [`disassemble`] writes it, [`assemble`] reads it back to an equal image.
+//! Text form of images: [`disassemble`] writes it, [`assemble`] reads it back to an equal image.
 //!
-//! Tests of the run time are written in it, and it shows what the compiler has made of a program.
+//! Tests of the virtual machine are written in it, and it shows the compiler's output for a program.
 //!
 //! ```
 //! let text = r#"
@@ -30,24 +30,25 @@
 //! # Ok::<(), val3_bytecode::AssemblyError>(())
 //! ```
 //!
-//! Line breaks mean nothing. A comment begins with `;`. A name that is no identifier is quoted.
+//! Line breaks have no meaning. A comment begins with `;`. A name that is not an identifier is quoted.
 //!
 //! | text | meaning |
 //! |---|---|
-//! | `n3`, `t0`, `l1` | a number, text or link of the frame; `n3/l1`: a value with both |
-//! | `p2`, `p2+n6` | a place of the frame; lanes of a value there |
-//! | `c0`, `v1` | a container of the frame; a container by reference |
-//! | `$nSum`, `i0`, `world` | global data; an import by its number; built-in data |
-//! | `"text"`, `#2` | a text constant; the same by its number |
-//! | `num`, `joint arm Rs`, `@Slot` | a built-in type, with its arm; a user type |
-//! | `num[3]`, `num["a"]` | a container with its sizes or keys |
-//! | `num[]`, `num[,]`, `num[""]` | a parameter or local that is an array or a collection |
-//! | `{1, (1 2 "x"), _}` | values at the start; `_` is the default |
-//! | `line 5 counter 0`, `side 1` | a line or a side of a branch with its counter |
-//! | `branch 5 "true" 0 "false" 1` | a branch with the counters of its sides |
+//! | `n3`, `t0`, `l1` | number, text or link of the frame; `n3/l1`: value with both |
+//! | `p2`, `p2+n6` | place of the frame; lanes of a value at this place |
+//! | `c0`, `v1` | container of the frame; container by reference |
+//! | `$nSum`, `i0`, `world` | global data; import by number; built-in data |
+//! | `"text"`, `#2` | string constant; string constant by number |
+//! | `num`, `joint arm Rs`, `@Slot` | built-in type, optionally with an arm; user type |
+//! | `num[3]`, `num["a"]` | container with sizes or keys |
+//! | `num[]`, `num[,]`, `num[""]` | parameter or local that is an array or collection |
+//! | `{1, (1 2 "x"), _}` | initial values; `_` is the default |
+//! | `line 5 counter 0`, `side 1` | line or branch side with its counter |
+//! | `branch 5 "true" 0 "false" 1` | branch and its sides' counters |
 //!
-//! Each operation has the name and the operands of its [`Op`](crate::Op), with the entry of the table in place of its
-//! number. Data, types and libraries are declared before their use. Programs call each other in any order.
+//! An operation is written as the name and the operands in its [`Op`](crate::Op). Instead of a table entry's number,
+//! the text contains the entry. Data, types and libraries are declared before their use. Programs may call each other
+//! in any order.
 
 mod counters;
 mod error;
@@ -68,7 +69,7 @@ use writer::Writer;
 
 pub use error::AssemblyError;
 
-/// A part of an image that the text spells in one way, in both directions.
+/// Text form for a part of an image, in both directions.
 trait Form {
     type Value;
 
@@ -77,15 +78,15 @@ trait Form {
     fn read(from: &mut Reader<'_>) -> Result<Self::Value>;
 }
 
-/// The image that a text describes. An example and the form of the text are in the [module](self).
+/// Assembles an image. The [module](self) describes the text form, with an example.
 ///
 /// # Errors
-/// The first fault of the text.
+/// The first fault in the text.
 pub fn assemble(text: &str) -> std::result::Result<Image, AssemblyError> {
     Reader::new(text)?.image()
 }
 
-/// The whole image as text.
+/// Writes an entire image as text.
 #[must_use]
 pub fn disassemble(image: &Image) -> String {
     let mut writer = Writer::new(image);
@@ -93,7 +94,7 @@ pub fn disassemble(image: &Image) -> String {
     writer.text
 }
 
-/// One program of an image as text, without the types that it uses.
+/// Writes one of an image's programs as text, without the types that it uses.
 #[must_use]
 pub fn disassemble_program(image: &Image, program: &Program) -> String {
     let mut writer = Writer::new(image);

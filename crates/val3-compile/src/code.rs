@@ -1,4 +1,4 @@
-//! The code that grows: operations, jumps to places that are not known yet, tables.
+//! Code under construction: operations, jumps to labels, tables.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -13,17 +13,16 @@ use val3_syntax::TextRange;
 use crate::counting::{BranchId, Counting};
 use crate::error::{Limit, Result};
 
-/// The operations of a program and the tables that they refer to. Until [`finish`](Self::finish) the targets of jumps
-/// are labels.
+/// Operations of a program and the tables to which they refer. Until [`finish`](Self::finish) jump targets are labels.
 #[derive(Debug, Default)]
 pub(crate) struct Code {
     steps: Vec<Operation>,
-    /// The mark of the next operation.
+    /// Mark for the next operation.
     pending: LineMark,
     counting: Counting,
     labels: Vec<u32>,
     constants: FxHashMap<Text, Register>,
-    /// The lines of the file.
+    /// Lines of the file.
     file_lines: LineIndex,
     pub(crate) lines: Vec<SourceLine>,
     pub(crate) texts: Vec<Text>,
@@ -43,19 +42,19 @@ pub(crate) struct Mark {
     instructions: usize,
 }
 
-/// A target of jumps.
+/// Target of jumps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Label(pub(crate) u32);
 
 impl Code {
-    /// Code of a program in a file with this text.
+    /// Creates the code for a program in a file with this source.
     pub(crate) fn new(text: &str, counting: Counting) -> Self {
         Self { file_lines: LineIndex::new(text), counting, ..Self::default() }
     }
 
     /// Adds an operation.
     ///
-    /// An operation that a waiting task returns to does not begin its line, so that the line counts once.
+    /// If a waiting task returns to the operation, a separate operation begins the line, so that the line counts once.
     pub(crate) fn emit(&mut self, op: Op) {
         if matches!(op, Op::Instruction { .. }) {
             self.begin();
@@ -64,20 +63,20 @@ impl Code {
         self.steps.push(Operation { op, mark });
     }
 
-    /// Begins the pending line or side, if there is one, with an operation of its own.
+    /// Begins the pending line or side, if any, with a separate operation.
     pub(crate) fn begin(&mut self) {
         if self.pending != LineMark::Within {
             self.steps.push(Operation { op: Op::Line, mark: std::mem::take(&mut self.pending) });
         }
     }
 
-    /// The current end of the code.
+    /// Returns the present end of the code.
     pub(crate) fn mark(&self) -> Mark {
         let (copies, instructions) = (self.copies.len(), self.instructions.len());
         Mark { steps: self.steps.len(), pending: self.pending, copies, instructions }
     }
 
-    /// Removes the operations since, with their entries in the tables. Calls of programs are never removed.
+    /// Removes the operations after `mark`, with their table entries. Program calls are never removed.
     pub(crate) fn take_back(&mut self, mark: Mark) {
         self.steps.truncate(mark.steps);
         self.pending = mark.pending;
@@ -85,13 +84,13 @@ impl Code {
         self.instructions.truncate(mark.instructions);
     }
 
-    /// A label that gets its place later.
+    /// Creates a label, which is placed later.
     pub(crate) fn label(&mut self) -> Label {
         self.labels.push(0);
         Label(count(&self.labels) - 1)
     }
 
-    /// Sets the label to the current end of the code.
+    /// Places the label at the present end of the code.
     pub(crate) fn place(&mut self, label: Label) {
         self.begin();
         let here = count(&self.steps);
@@ -100,7 +99,7 @@ impl Code {
         }
     }
 
-    /// A label at the current end of the code.
+    /// Creates a label at the present end of the code.
     pub(crate) fn here(&mut self) -> Label {
         let label = self.label();
         self.place(label);
@@ -113,14 +112,14 @@ impl Code {
         self.begin_line(line);
     }
 
-    /// Declares a line here in the order of the text, which [begins](Self::begin_line) later in the code. Returns its
+    /// Declares a line here in source order, which [begins](Self::begin_line) later in the code. Returns the line's
     /// number.
     pub(crate) fn later_line(&mut self, range: TextRange) -> usize {
         self.lines.push(SourceLine { op: 0, range: source_range(range), row: self.row(range) });
         self.lines.len() - 1
     }
 
-    /// Begins the line with this number. A side that it begins has the counter of the line.
+    /// Begins the line with this number. A branch side that begins with the line shares its counter.
     pub(crate) fn begin_line(&mut self, line: usize) {
         let range = self.lines.get(line).map(|line| line.range).unwrap_or_default();
         let mark = match (self.counting.counts(range.start), self.pending) {
@@ -137,14 +136,14 @@ impl Code {
         self.pending = mark;
     }
 
-    /// A branch at the condition with this range. `None` if it is not counted.
+    /// Declares a branch at the condition with this range. `None` if the branch is not counted.
     pub(crate) fn branch(&mut self, condition: TextRange) -> Option<BranchId> {
         let row = self.row(condition);
         self.counting.branch(condition, row)
     }
 
-    /// Begins a side of a branch with the next operation, which is reached on this way alone. `block` has the
-    /// statements of the side.
+    /// Begins a branch side with the next operation, which must not be reachable in any other way. `block` contains the
+    /// side's statements.
     pub(crate) fn side(&mut self, branch: Option<BranchId>, name: &str, block: &[Stmt]) {
         if let Some(branch) = branch
             && let Some(counter) = self.counting.side(branch, name, block)
@@ -154,18 +153,18 @@ impl Code {
         }
     }
 
-    /// The next round of a `for`, which counts as its line.
+    /// Adds the operation for the next iteration of a `for`, which counts as a line.
     pub(crate) fn next_round(&mut self, op: Op) {
         self.begin();
         self.steps.push(Operation { op, mark: LineMark::Line });
     }
 
-    /// The line of the file in which a range begins, from 1.
+    /// Returns the line of the file in which a range begins, from 1.
     pub(crate) fn row(&self, range: TextRange) -> u32 {
         u32::try_from(self.file_lines.line(range.start().into()) + 1).unwrap_or(u32::MAX)
     }
 
-    /// The number of a text in the table.
+    /// Returns the number of a string in the table.
     pub(crate) fn text(&mut self, text: &SmolStr) -> Result<Register> {
         let text = Text::from(text.as_str());
         if let Some(known) = self.constants.get(&text) {
@@ -182,25 +181,25 @@ impl Code {
         add(&mut self.copies, site)
     }
 
-    /// Calls an instruction.
+    /// Adds an instruction.
     pub(crate) fn instruction(&mut self, site: InstructionSite) {
         let site = add(&mut self.instructions, site);
         self.emit(Op::Instruction { site });
     }
 
-    /// Calls a program.
+    /// Adds a program call.
     pub(crate) fn call(&mut self, site: CallSite) {
         let site = add(&mut self.calls, site);
         self.emit(Op::Call { site });
     }
 
-    /// Creates a task.
+    /// Adds the creation of a task.
     pub(crate) fn task(&mut self, site: TaskSite) {
         let site = add(&mut self.tasks, site);
         self.emit(Op::CreateTask { site });
     }
 
-    /// The operations, with the indexes of labels in their jumps.
+    /// Returns the operations, with resolved jump targets.
     pub(crate) fn finish(&mut self) -> Result<Vec<Operation>> {
         self.counters = std::mem::take(&mut self.counting).finish()?;
         u32::try_from(self.steps.len()).map_err(|_| Limit::Operations)?;
@@ -212,7 +211,7 @@ impl Code {
     }
 }
 
-/// The bytes of a file.
+/// Converts a range.
 pub(crate) fn source_range(range: TextRange) -> SourceRange {
     SourceRange { start: range.start().into(), end: range.end().into() }
 }

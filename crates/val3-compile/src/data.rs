@@ -1,4 +1,4 @@
-//! The values of data at the start, as files of either dialect write them (formats: s5 to s8).
+//! Initial values of data, in both file dialects (s5 to s8).
 
 mod fathers;
 mod loaded;
@@ -70,7 +70,7 @@ impl Kinds<'_> {
         }
     }
 
-    /// The fields that a value writes, matched by name. The others have the values of the type.
+    /// Reads the fields that a value contains, matched by name. Other fields have the type's initial values.
     fn user_value(
         &mut self,
         value: Xml<'_>,
@@ -96,7 +96,7 @@ impl Kinds<'_> {
         Ok(Element { parts, ..Element::default() })
     }
 
-    /// Values that are not written have the links of their type.
+    /// Adds the type's links for values that the file does not contain.
     fn inherit(&mut self, base: Base, overridden: &[bool], links: &mut Vec<Found>) -> Result<()> {
         let inherited = self.links(base)?;
         for (number, _) in (0u32..).zip(overridden).filter(|(_, overridden)| !**overridden) {
@@ -106,12 +106,12 @@ impl Kinds<'_> {
     }
 }
 
-/// Checks that data of this size can be in memory.
+/// Checks that data with this size can be in memory.
 pub(crate) fn fits(bytes: u64) -> Result<()> {
     if bytes > MEMORY { Err(Limit::Memory) } else { Ok(()) }
 }
 
-/// The shape of a container, and the elements of its values with their numbers.
+/// Returns the container's shape, and the elements of the values with their numbers.
 fn placed<'g>(element: Xml<'g>, container: Container, sizes: &[u32]) -> (Shape, Vec<(u32, Xml<'g>)>) {
     let key = |value: &Xml<'g>| value.value("key").or_else(|| value.value("index"));
     let values = element.elements().filter(|value| value.name().to_ascii_lowercase().starts_with("value"));
@@ -130,7 +130,7 @@ fn placed<'g>(element: Xml<'g>, container: Container, sizes: &[u32]) -> (Shape, 
     (shape, written)
 }
 
-/// The number of the value under an index as files write it: `7`, `2,1`.
+/// Returns the number of the value with an index as in data files: `7`, `2,1`.
 fn number(shape: &Shape, key: Cow<'_, str>) -> Option<u32> {
     let Shape::Array { dims, sizes } = shape else { return None };
     let indexes: Vec<u32> = key.split(',').map(|index| index.trim().parse().ok()).collect::<Option<_>>()?;

@@ -1,4 +1,4 @@
-//! What the compiler of a program writes to: its frame, its code and the tables of the project.
+//! Output of the program compiler: frame, code and the project's tables.
 
 mod lookups;
 mod moves;
@@ -20,23 +20,23 @@ use crate::unit::Unit;
 
 pub(crate) use moves::text_register;
 
-/// Writes operations that move values. It knows no expressions.
+/// Emits operations that move values. It is independent of expressions.
 pub(crate) struct Emitter<'u, 'db> {
-    /// The state that all programs of the project share.
+    /// State that all programs of the project share.
     unit: &'u mut Unit<'db>,
-    /// The text of the file.
+    /// Source of the file.
     text: &'db str,
     frame: Frame,
     code: Code,
 }
 
 impl<'u, 'db> Emitter<'u, 'db> {
-    /// The emitter of a program in a file with this text.
+    /// Creates an emitter for a program in a file with this source.
     pub(crate) fn new(unit: &'u mut Unit<'db>, text: &'db str, counting: Counting) -> Self {
         Self { unit, text, frame: Frame::default(), code: Code::new(text, counting) }
     }
 
-    /// The code in a range of the file.
+    /// Returns the source in a range of the file, with decoded entities.
     pub(crate) fn source(&self, range: TextRange) -> Cow<'db, str> {
         decode_entities(self.text.part(range.start().into()..range.end().into()))
     }
@@ -61,7 +61,7 @@ impl<'u, 'db> Emitter<'u, 'db> {
         &mut self.code
     }
 
-    /// Ends the program: its operations, its tables and its frame.
+    /// Ends the program, and returns the operations, tables and frame.
     pub(crate) fn finish(&mut self) -> Result<(Vec<Operation>, Code, Finished)> {
         self.code.begin();
         self.emit(Op::Return);
@@ -69,17 +69,17 @@ impl<'u, 'db> Emitter<'u, 'db> {
         Ok((operations, std::mem::take(&mut self.code), std::mem::take(&mut self.frame).finish()))
     }
 
-    /// A type at run time.
+    /// Returns a type's run-time form.
     pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<Kind>> {
         self.unit.kinds.kind(base)
     }
 
-    /// A built-in type at run time, of the project's arm.
+    /// Returns a built-in type's run-time form, for the project's arm.
     pub(crate) fn builtin_kind(&mut self, base: BaseType) -> Result<Arc<Kind>> {
         self.kind(Base::of(base))
     }
 
-    /// Lanes for a result of a built-in type: those that are wanted, else new ones.
+    /// Returns lanes for a result of a built-in type: the wanted lanes, or new ones.
     pub(crate) fn result(&mut self, base: BaseType, want: Option<Lanes>) -> Result<Lanes> {
         match want {
             Some(lanes) => Ok(lanes),
@@ -90,7 +90,7 @@ impl<'u, 'db> Emitter<'u, 'db> {
         }
     }
 
-    /// A register for a number: the one that is wanted, else a new one.
+    /// Returns a register for a number: the wanted one, or a new one.
     pub(crate) fn num_result(&mut self, want: Option<Lanes>) -> Result<Register> {
         match want {
             Some(lanes) => Ok(crate::frame::narrow(lanes.num)),
@@ -98,7 +98,7 @@ impl<'u, 'db> Emitter<'u, 'db> {
         }
     }
 
-    /// A register for a text: the one that is wanted, else a new one.
+    /// Returns a register for a string: the wanted one, or a new one.
     pub(crate) fn text_result(&mut self, want: Option<Lanes>) -> Result<Register> {
         match want {
             Some(lanes) => Ok(crate::frame::narrow(lanes.text)),

@@ -5,31 +5,31 @@ use std::fmt;
 use smol_str::SmolStr;
 use val3_analysis::db::FileRange;
 
-/// A limit of the virtual controller that a project exceeds.
+/// Error: a project exceeds a limit of the virtual controller.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CompileError {
-    /// The path of the file.
+    /// Path of the file.
     pub file: String,
-    /// The line of the statement, from 1; 1 if the whole file is meant.
+    /// Line of the statement, from 1; 1 for the entire file.
     pub row: u32,
-    /// The limit.
+    /// Limit.
     pub limit: Limit,
-    /// The variable that exceeds it, if it is one.
+    /// Variable that exceeds the limit; `None` if it is not a variable.
     pub variable: Option<String>,
 }
 
 impl CompileError {
-    /// An error at a line of a file.
+    /// Creates an error at a line of a file.
     pub(crate) fn at(file: &str, row: u32, limit: Limit) -> Self {
         Self { file: file.to_string(), row, limit, variable: None }
     }
 }
 
-/// A limit that global data exceed, with the declaration.
+/// Error: global data exceed a limit.
 #[derive(Debug)]
 pub(crate) struct DataError {
     pub(crate) limit: Limit,
-    /// The name, and where it is.
+    /// Name, and location of the declaration.
     pub(crate) datum: Option<(SmolStr, FileRange)>,
 }
 
@@ -39,26 +39,26 @@ impl From<Limit> for DataError {
     }
 }
 
-/// The kinds of limits.
+/// Limits of compilation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Limit {
-    /// Values that one program holds at a time: 65,535 of each sort.
+    /// Values that a program holds at the same time: 65,535 of each kind.
     Registers,
-    /// Containers of one program, of the global data, or used of libraries: 8,191.
+    /// Containers in a program, in the global data, or used from libraries: 8,191.
     Containers,
-    /// Programs, library identifiers, texts or fields of a type: 65,535.
+    /// Programs, library identifiers, strings, or fields of a type: 65,535.
     Items,
-    /// Counters of one program that is compiled with counters: 65,536 lines and sides of branches.
+    /// Counters in a program that is compiled with counters: 65,536 lines and branch sides.
     Counters,
-    /// Operations of one program: 4,294,967,295.
+    /// Operations in a program: 4,294,967,295.
     Operations,
-    /// Bytes of global data: as many as a controller has memory.
+    /// Size of the global data: the memory of a controller.
     Memory,
-    /// The analysis does not know the meaning of the code. A project with errors cannot be compiled.
+    /// The analysis has not resolved the code. A project with errors cannot be compiled.
     Unclear,
 }
 
-/// Turns [`Limit::Unclear`] into `None`: something is missing.
+/// Converts [`Limit::Unclear`] to `None`: the line uses something unresolved.
 pub(crate) fn there<T>(made: Result<T>) -> Result<Option<T>> {
     match made {
         Err(Limit::Unclear) => Ok(None),
@@ -66,7 +66,7 @@ pub(crate) fn there<T>(made: Result<T>) -> Result<Option<T>> {
     }
 }
 
-/// The result of a part of the compiler. The program adds the place of the error.
+/// Result from a part of the compiler. The program adds the error's location.
 pub(crate) type Result<T> = std::result::Result<T, Limit>;
 
 impl fmt::Display for Limit {
@@ -84,7 +84,7 @@ impl fmt::Display for Limit {
 }
 
 impl Limit {
-    /// The remedy.
+    /// Returns the remedy, for users.
     #[must_use]
     pub fn help(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! Expressions. Each yields a value, computed into the wanted lanes if it is computed at all.
+//! Expressions. The result is computed into the wanted lanes, if it has to be computed.
 
 pub(crate) mod arguments;
 mod assignments;
@@ -21,23 +21,23 @@ use crate::error::{Limit, Result};
 use crate::location::{Location, Value, is_number};
 use crate::unit::Unit;
 
-/// Compiles the expressions of one program.
+/// Compiles the expressions of a program.
 pub(crate) struct Expressions<'u, 'db> {
-    /// What they write to.
+    /// Output.
     out: Emitter<'u, 'db>,
     body: &'db Body,
     types: &'db Inference,
-    /// Whether the current part of a statement neither changes variables before its end nor waits.
+    /// Whether the present part of a statement neither changes variables before its end nor waits.
     is_pure: bool,
 }
 
 impl<'u, 'db> Expressions<'u, 'db> {
-    /// The expressions of this body with these types.
+    /// Creates the compiler for the expressions in this body with these types.
     pub(crate) fn new(out: Emitter<'u, 'db>, body: &'db Body, types: &'db Inference) -> Self {
         Self { out, body, types, is_pure: false }
     }
 
-    /// The frame, the code and the tables that the program is written to.
+    /// Returns the program's output: frame, code and tables.
     pub(crate) fn out(&mut self) -> &mut Emitter<'u, 'db> {
         &mut self.out
     }
@@ -55,22 +55,22 @@ impl<'u, 'db> Expressions<'u, 'db> {
         self.is_pure = ids.iter().all(|id| self.is_pure(*id));
     }
 
-    /// Whether the analysis has found the instruction or the program that an expression calls.
+    /// Whether the analysis has resolved the instruction or program that an expression calls.
     pub(crate) fn is_known_call(&self, call: ExprId) -> bool {
         self.types.call(call).is_some() || self.types.add_on_call(call).is_some() || self.stand_in(call).is_some()
     }
 
-    /// The type of an expression.
+    /// Returns an expression's type.
     pub(crate) fn base(&self, id: ExprId) -> Base {
         self.types.ty(id).base
     }
 
-    /// The type of an expression, which is a built-in one.
+    /// Returns an expression's type, which must be built in.
     pub(crate) fn builtin(&self, id: ExprId) -> Result<BaseType> {
         self.base(id).builtin().ok_or(Limit::Unclear)
     }
 
-    /// The value of an expression. A variable stays where it is; a result may go to `want`.
+    /// Compiles an expression. The value of a variable remains at its location; a result may be computed into `want`.
     pub(crate) fn value(&mut self, id: ExprId, want: Option<Lanes>) -> Result<Value> {
         if let Some((base, number)) = self.constant(id) {
             return Ok(Value::num(base, self.out.frame_mut().constant(number)?));
@@ -93,7 +93,7 @@ impl<'u, 'db> Expressions<'u, 'db> {
         }
     }
 
-    /// The value of an expression as an argument, a variable by its place and a container as a whole, and its type.
+    /// Compiles an expression to an argument and its type. Variables are passed by place, and containers entirely.
     pub(crate) fn watched(&mut self, id: ExprId) -> Result<(ArgumentSite, Base)> {
         if self.constant(id).is_none() {
             if let Some(container) = self.container(id)? {
@@ -107,7 +107,7 @@ impl<'u, 'db> Expressions<'u, 'db> {
         Ok((self.out.argument_of(value)?, value.base))
     }
 
-    /// The value of a constant expression or enumerator.
+    /// Returns the value of a constant expression or enumerator.
     pub(crate) fn constant(&self, id: ExprId) -> Option<(BaseType, f64)> {
         if let Expr::Name(name) = self.body.expr(id) {
             return Some((self.base(id).builtin()?, self.enumerator(name)?));
@@ -119,7 +119,7 @@ impl<'u, 'db> Expressions<'u, 'db> {
         }
     }
 
-    /// The register with the number, truth value or enumerator of an expression.
+    /// Compiles a number, truth value or enumerator, and returns its register.
     pub(crate) fn num(&mut self, id: ExprId) -> Result<Register> {
         let value = self.value(id, None)?;
         self.out.load(value, None)
@@ -134,20 +134,20 @@ impl<'u, 'db> Expressions<'u, 'db> {
         Ok(())
     }
 
-    /// The text of an expression.
+    /// Compiles a string.
     pub(crate) fn text(&mut self, id: ExprId) -> Result<TextOperand> {
         let value = self.value(id, None)?;
         self.out.text_operand(value.location)
     }
 
-    /// The numbers of two operands. The left one is read first: a variable that the right side may write to is copied.
+    /// Compiles two numbers. The left one is read first: a variable that the right side may change is copied.
     pub(crate) fn nums(&mut self, left: ExprId, right: ExprId) -> Result<(Register, Register)> {
         let a = self.num(left)?;
         let a = if self.may_write(right) { self.out.kept(a)? } else { a };
         Ok((a, self.num(right)?))
     }
 
-    /// The texts of two operands, as [`nums`](Self::nums).
+    /// Compiles two strings like [`nums`](Self::nums).
     pub(crate) fn texts(&mut self, left: ExprId, right: ExprId) -> Result<(TextOperand, TextOperand)> {
         let a = self.text(left)?;
         let is_constant = matches!(a.source(), TextSource::Constant(_));
@@ -156,13 +156,12 @@ impl<'u, 'db> Expressions<'u, 'db> {
         Ok((a, self.text(right)?))
     }
 
-    /// Whether the rest of the statement leaves this text unchanged. Texts in registers are as stable as numbers there.
+    /// Whether the rest of the statement cannot change this string. Registers for strings are as stable as for numbers.
     pub(crate) fn is_stable(&self, text: TextOperand) -> bool {
         self.is_pure || matches!(text.source(), TextSource::Register(_) | TextSource::Constant(_))
     }
 
-    /// Whether the expression is computed without anything else happening: it calls no instruction, assigns nothing,
-    /// and reads no input.
+    /// Whether the expression has no effect and depends on no input: it calls no instruction and assigns nothing.
     pub(crate) fn is_pure(&self, id: ExprId) -> bool {
         self.body.within(id).all(|id| {
             let is_port = matches!(self.base(id).builtin(), Some(BaseType::Dio | BaseType::Sio));
@@ -170,7 +169,7 @@ impl<'u, 'db> Expressions<'u, 'db> {
         })
     }
 
-    /// Whether the expression may change variables: it calls an instruction that takes some of them by reference.
+    /// Whether the expression may change variables: it calls an instruction that has parameters by reference.
     pub(crate) fn may_write(&self, id: ExprId) -> bool {
         self.body.within(id).any(|id| match self.body.expr(id) {
             Expr::Call(..) => match self.types.call(id).and_then(|call| call.form) {

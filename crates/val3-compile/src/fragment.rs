@@ -1,4 +1,4 @@
-//! Fragments: code that a debugger executes in the frame of a program that is in memory.
+//! Fragments: code that a debugger executes in the stack frame of a program in memory.
 
 use smol_str::SmolStr;
 use val3_analysis::body::{ExprId, Stmt, StmtKind, body};
@@ -19,13 +19,13 @@ use crate::kinds::Kinds;
 use crate::statements::Statements;
 use crate::unit::Unit;
 
-/// The image of a project in memory, and the variables of one of its programs.
+/// Image of a project in memory, and the program's variables.
 pub type FragmentScope<'i> = (&'i Image, &'i [Variable]);
 
-/// Compiles the statements in `file`, which see the variables of a program.
+/// Compiles the statements in `file`, which can use a program's variables.
 ///
 /// # Errors
-/// A limit that they exceed.
+/// A limit that the statements exceed.
 pub fn compile_statements(
     db: &dyn Db,
     project: Project,
@@ -38,10 +38,10 @@ pub fn compile_statements(
     })
 }
 
-/// Compiles the expression in `file`, which consists of `? expression`, for its value to be read.
+/// Compiles the expression in `file`, which consists of `? expression`, so that its value can be read.
 ///
 /// # Errors
-/// A limit that it exceeds, or other code in the file.
+/// A limit that the expression exceeds, or other code in the file.
 pub fn compile_expression(
     db: &dyn Db,
     project: Project,
@@ -78,7 +78,7 @@ fn compile(
     })
 }
 
-/// Gives each variable a reference: what is one value in the frame is reached by its place, every other by a view.
+/// Declares a reference for each variable: a place for a single value on the frame, otherwise a view.
 fn declare(statements: &mut Statements<'_, '_>, variables: &[Variable]) -> Result<Vec<Variable>> {
     let frame = statements.out().frame_mut();
     frame.is_fragment = true;
@@ -115,7 +115,7 @@ fn finished(statements: &mut Statements<'_, '_>, variables: Vec<Variable>) -> Re
 }
 
 impl Statements<'_, '_> {
-    /// The value of an expression, a container as a whole.
+    /// Compiles an expression whose value can be read; containers are passed entirely.
     fn watched(&mut self, range: TextRange, id: ExprId) -> Result<FragmentValue> {
         self.out().code().line(range);
         let found = self.or_stop(&[id], |statements| statements.values().watched(id))?;

@@ -1,7 +1,7 @@
-//! The frame of a program: where its variables are, its constants, and registers for what lines compute.
+//! Stack frame of a program: locations of variables, constants, and registers for temporary values.
 //!
-//! A parameter or local that is one value of a built-in type lies in lanes; local arrays and values of user types are
-//! containers. Temporaries of a statement are released when the statement ends.
+//! A parameter or local that is a single value of a built-in type is stored in lanes; local arrays and values of user
+//! types are containers. Temporaries of a statement are released when the statement ends.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use val3_lang::memory::{Kind, Lanes, PartInit, Shape};
 use crate::error::{Limit, Result};
 use crate::pool::Pool;
 
-/// The frame of one program.
+/// Frame under construction.
 #[derive(Debug, Default)]
 pub(crate) struct Frame {
     scope: FxHashMap<SmolStr, Storage>,
@@ -22,22 +22,22 @@ pub(crate) struct Frame {
     constants: FxHashMap<u64, Register>,
     pairs: FxHashMap<[u64; 2], Register>,
     nums: Vec<f64>,
-    /// It is the frame of a fragment, whose variables are those of a program.
+    /// Whether the frame belongs to a fragment, which uses the variables of a program.
     pub(crate) is_fragment: bool,
-    /// The containers of a new frame.
+    /// Initial containers.
     pub(crate) parts: Vec<PartInit>,
 }
 
-/// A frame that is complete.
+/// A complete frame.
 pub(crate) struct Finished {
     pub(crate) size: FrameSize,
-    /// The numbers of a new frame.
+    /// Initial numbers.
     pub(crate) nums: Vec<f64>,
-    /// The containers of a new frame.
+    /// Initial containers.
     pub(crate) parts: Vec<PartInit>,
 }
 
-/// A sort of registers.
+/// Kind of register.
 #[derive(Debug, Clone, Copy)]
 enum Sort {
     Num,
@@ -47,17 +47,17 @@ enum Sort {
     View,
 }
 
-/// The number of temporaries at the beginning of a statement.
+/// Number of temporaries at the beginning of a statement.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mark(usize);
 
 impl Frame {
-    /// Where a parameter or local is.
+    /// Returns the location of a parameter or local.
     pub(crate) fn find(&self, name: &str) -> Option<Storage> {
         self.scope.get(name).copied()
     }
 
-    /// Makes a parameter or local known. Where a name is declared twice, the last declaration counts.
+    /// Declares a parameter or local. If a name is declared twice, the last declaration counts.
     pub(crate) fn declare(&mut self, name: SmolStr, storage: Storage) {
         self.scope.insert(name, storage);
     }
@@ -73,7 +73,7 @@ impl Frame {
         }
     }
 
-    /// Permanent lanes that hold a default value: a variable, or a value whose links stay empty.
+    /// Reserves permanent lanes with a default value, for a variable or for a value whose links stay empty.
     pub(crate) fn lasting(&mut self, kind: &Kind) -> Result<Lanes> {
         let num = self.pool(Sort::Num).grow(kind.size.num)?;
         for (at, value) in (num..).zip(&kind.default.nums) {
@@ -84,17 +84,17 @@ impl Frame {
         Ok(Lanes { num, text, link, part: 0 })
     }
 
-    /// A permanent place: a parameter by reference.
+    /// Reserves a permanent place: a parameter by reference.
     pub(crate) fn lasting_place(&mut self) -> Result<Register> {
         self.pool(Sort::Place).grow(1).map(narrow)
     }
 
-    /// A permanent view: a container by reference.
+    /// Reserves a permanent view: a container by reference.
     pub(crate) fn lasting_view(&mut self) -> Result<Register> {
         self.pool(Sort::View).grow(1).map(narrow)
     }
 
-    /// A container of the frame.
+    /// Adds a container to the frame.
     pub(crate) fn part(&mut self, kind: Arc<Kind>, shape: Shape) -> Result<u16> {
         let number = u16::try_from(self.parts.len()).map_err(|_| Limit::Containers)?;
         ContainerRef::new(ContainerKind::Part(number)).ok_or(Limit::Containers)?;
@@ -102,7 +102,7 @@ impl Frame {
         Ok(number)
     }
 
-    /// The register that holds a constant number.
+    /// Returns the register with a constant number.
     pub(crate) fn constant(&mut self, value: f64) -> Result<Register> {
         if let Some(known) = self.constants.get(&value.to_bits()) {
             return Ok(*known);
@@ -113,7 +113,7 @@ impl Frame {
         Ok(narrow(at))
     }
 
-    /// The first of two consecutive registers that hold constant numbers.
+    /// Returns the first of the two consecutive registers with these constant numbers.
     pub(crate) fn constant_pair(&mut self, values: [f64; 2]) -> Result<Register> {
         let key = values.map(f64::to_bits);
         if let Some(known) = self.pairs.get(&key) {
@@ -125,9 +125,9 @@ impl Frame {
         Ok(narrow(at))
     }
 
-    /// Bytes that a call takes from the stack that a project declares. The result is right only while the frame holds
-    /// just parameters and locals. The manual does not give the size of a value. Assumed are 8 bytes for a number, 132
-    /// for a text, and 16 for a reference, a container or the return to the caller.
+    /// Returns the size of a call on the stack that a project declares, in bytes. Valid only while the frame contains
+    /// nothing but parameters and locals. The manual does not specify the size of a value. Assumed are 8 bytes for a
+    /// number, 132 for a string, and 16 for a reference, a container or the return address.
     pub(crate) fn bytes(&self) -> u32 {
         let [num, text, link, place, view] = &self.pools;
         let references = link.size() + place.size() + view.size();
@@ -152,32 +152,32 @@ impl Frame {
         Ok(start)
     }
 
-    /// A temporary number.
+    /// Reserves a temporary number.
     pub(crate) fn num(&mut self) -> Result<Register> {
         self.nums(1)
     }
 
-    /// Consecutive temporary numbers.
+    /// Reserves consecutive temporary numbers.
     pub(crate) fn nums(&mut self, count: u32) -> Result<Register> {
         self.take(Sort::Num, count).map(narrow)
     }
 
-    /// A temporary text.
+    /// Reserves a temporary string.
     pub(crate) fn text(&mut self) -> Result<Register> {
         self.take(Sort::Text, 1).map(narrow)
     }
 
-    /// A temporary place.
+    /// Reserves a temporary place.
     pub(crate) fn place(&mut self) -> Result<Register> {
         self.take(Sort::Place, 1).map(narrow)
     }
 
-    /// A temporary view.
+    /// Reserves a temporary view.
     pub(crate) fn view(&mut self) -> Result<Register> {
         self.take(Sort::View, 1).map(narrow)
     }
 
-    /// A temporary value of a built-in type. Its initial content is undefined.
+    /// Reserves a temporary value of a built-in type, with undefined content.
     pub(crate) fn value(&mut self, size: Lanes) -> Result<Lanes> {
         let num = self.take(Sort::Num, size.num)?;
         let text = self.take(Sort::Text, size.text)?;
@@ -185,19 +185,19 @@ impl Frame {
         Ok(Lanes { num, text, link, part: 0 })
     }
 
-    /// The current number of temporaries, for [`release`](Self::release).
+    /// Returns the present number of temporaries, for [`release`](Self::release).
     pub(crate) fn mark(&self) -> Mark {
         Mark(self.taken.len())
     }
 
-    /// Releases the temporaries since.
+    /// Releases the temporaries after `mark`.
     pub(crate) fn release(&mut self, mark: Mark) {
         for (sort, start, count) in self.taken.split_off(mark.0.min(self.taken.len())) {
             self.pool(sort).give(start, count);
         }
     }
 
-    /// The size and the initial values of the frame.
+    /// Returns the frame's size and initial values.
     pub(crate) fn finish(mut self) -> Finished {
         let [num, text, link, place, view] = self.pools.map(|pool| pool.size());
         let part = u32::try_from(self.parts.len()).unwrap_or(u32::MAX);
@@ -215,14 +215,14 @@ fn lane_bytes(lanes: Lanes) -> u32 {
     lanes.num.saturating_mul(8).saturating_add(texts).saturating_add(references)
 }
 
-/// The bytes of a container with its values, and of the containers in them.
+/// Returns the size of a container with its values and nested containers, in bytes.
 fn part_bytes(part: &PartInit) -> u32 {
     let inner = part.kind.fields.iter().map(|field| part_bytes(&field.init)).fold(0u32, u32::saturating_add);
     let value = lane_bytes(part.kind.size).saturating_add(inner);
     REFERENCE_BYTES.saturating_add(value.saturating_mul(part.shape.len()))
 }
 
-/// The number of a register; pools hand out no higher ones.
+/// Converts a register number; pools return no higher numbers.
 pub(crate) fn narrow(register: u32) -> Register {
     Register::try_from(register).unwrap_or(Register::MAX)
 }

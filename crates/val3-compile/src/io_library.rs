@@ -1,4 +1,4 @@
-//! The library `io` of s5 and s6: the controller writes it, and its data are the signals and channels of the cell.
+//! The library `io` of s5 and s6. The controller writes it, and its data are the signals and channels of the cell.
 
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::{folder, items, program_files};
@@ -14,8 +14,8 @@ pub(crate) fn is_io_library(db: &dyn Db, project: Project) -> bool {
     is_named && items(db, project).version.major < 7 && program_files(db, project).is_empty()
 }
 
-/// The link of data without a link in the file: the signal or channel of the same name. A signal that no file of the cell
-/// names is simulated.
+/// Returns the link of data without a link in the file: the signal or channel with the same name. A signal that no file
+/// in the cell declares is simulated.
 pub(crate) fn link(db: &dyn Db, project: Project, name: &str, base: Base) -> Option<Found> {
     let Base::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) = base else { return None };
     let is_serial = || {

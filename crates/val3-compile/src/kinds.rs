@@ -1,4 +1,4 @@
-//! Types at run time, each made once and shared.
+//! Run-time types, created once and shared.
 
 use std::sync::Arc;
 
@@ -15,13 +15,13 @@ use val3_lang::types::Arm;
 use crate::data::{Found, Loaded, detach_fathers, fits};
 use crate::error::{DataError, Limit, Result, there};
 
-/// The types of a project.
+/// Types of a project.
 pub(crate) struct Kinds<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) arm: Option<Arm>,
     builtin: FxHashMap<Base, Arc<Kind>>,
     user: FxHashMap<Project, UserKind>,
-    /// User types that are being made. A type that holds itself is an error of the project.
+    /// User types in creation. A type that contains itself is an error of the project.
     open: Vec<Project>,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct Kinds<'db> {
 struct UserKind {
     kind: Arc<Kind>,
     bases: Vec<Base>,
-    /// Links that each new value has: number of the field, and the link in it.
+    /// Initial links in each new value: number of the field, and link within it.
     links: Arc<[(u32, Found)]>,
 }
 
@@ -39,7 +39,7 @@ impl<'db> Kinds<'db> {
         Self { db, arm, builtin: FxHashMap::default(), user: FxHashMap::default(), open: Vec::new() }
     }
 
-    /// A type. Positions without an arm of their own have that of the project.
+    /// Returns a run-time type. Positions without an arm get the project's arm.
     pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<Kind>> {
         match base.on_arm(self.arm) {
             Base::Builtin(builtin, arm) => {
@@ -51,7 +51,7 @@ impl<'db> Kinds<'db> {
         }
     }
 
-    /// The types of the fields of a user type, in order.
+    /// Returns the field types of a user type, in order.
     pub(crate) fn field_bases(&mut self, base: Base) -> Result<Vec<Base>> {
         match base {
             Base::User(project) => Ok(self.user(project)?.bases),
@@ -59,7 +59,7 @@ impl<'db> Kinds<'db> {
         }
     }
 
-    /// The links that each new value of a type has.
+    /// Returns the initial links in each new value of a type.
     pub(crate) fn links(&mut self, base: Base) -> Result<Arc<[(u32, Found)]>> {
         match base {
             Base::User(project) => Ok(self.user(project)?.links),
@@ -82,8 +82,8 @@ impl<'db> Kinds<'db> {
         Ok(made)
     }
 
-    /// The public data of the type's project are its fields, with their values at the start (7.1). Fathers do not
-    /// count: fields have no reference before a program or the file of a variable gives them one (7.3).
+    /// Creates a user type: its fields are the public data of its project, with their initial values (7.1). Initial
+    /// fathers are ignored, because fields have no reference until a program or a variable's file sets one (7.3).
     fn make(&mut self, project: Project) -> Result<UserKind> {
         let (mut fields, mut bases, mut links) = (Vec::new(), Vec::new(), Vec::new());
         for (decl, base, Loaded { mut init, links: found }) in
@@ -100,11 +100,11 @@ impl<'db> Kinds<'db> {
         Ok(UserKind { kind: Arc::new(Kind::user(name, fields)), bases, links: links.into() })
     }
 
-    /// The selected data of a project, in the order of its files. Where a name is declared twice, the first declaration
-    /// counts. Data of a missing type are left out.
+    /// Loads the selected data of a project, in file order. If a name is declared twice, the first declaration counts.
+    /// Data with a missing type are omitted.
     ///
     /// # Errors
-    /// A limit that one of them exceeds, or all of them together up to it.
+    /// A limit that one of the data or their total size exceeds.
     pub(crate) fn data_of(
         &mut self,
         project: Project,

@@ -1,8 +1,8 @@
-//! From the typed body of a program to its image: the bridge between analysis and run time.
+//! Compiler from typed programs to images: the bridge between analysis and run time.
 //!
-//! The analysis hands over its results (items, bodies, types, the form of each call), and nothing is inferred again.
-//! Each part of a program has a module: its frame, names and places, expressions, conditions, assignments, statements
-//! and calls. The data of a project come from its files with their initial values.
+//! The analysis provides its results (items, bodies, types, the form of each call), and nothing is inferred again. Each
+//! part of a program has a module: its frame, names and places, expressions, conditions, assignments, statements and
+//! calls. The data of a project are read from its files with their initial values.
 
 mod code;
 mod counting;

@@ -1,4 +1,4 @@
-//! Where values are.
+//! Locations of values.
 
 use val3_analysis::ty::Base;
 use val3_bytecode::{ContainerRef, Register, Subscript};
@@ -7,56 +7,56 @@ use val3_lang::types::BaseType;
 
 use crate::frame::narrow;
 
-/// A value: a variable that is read when it is needed, or a result.
+/// A value: a variable that is read when it is used, or a result.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Value {
-    /// Where it is.
+    /// Location.
     pub(crate) location: Location,
-    /// Its type.
+    /// Type.
     pub(crate) base: Base,
 }
 
-/// The location of a value, or the way to it.
+/// Location of a value, or the lookup that it requires.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Location {
     /// On the frame.
     Frame(Lanes),
-    /// In the first value of a container, from these lanes of it on.
+    /// In the first value of a container, from these lanes on.
     First(ContainerRef, Lanes),
-    /// A value of a container.
+    /// A container element.
     Element {
-        /// The container.
+        /// Container.
         container: ContainerRef,
-        /// Which of its values.
+        /// Index or key.
         at: Subscript,
-        /// It is a number or truth value, which is read and written without looking it up.
+        /// Whether it is a number or truth value, which is read and written without a lookup.
         plain: bool,
     },
-    /// In a value that was looked up, from these lanes of it on.
+    /// In a value that was looked up, from these lanes on.
     Place(Register, Lanes),
-    /// A text constant of the program.
+    /// A string constant of the program.
     Constant(u16),
 }
 
 impl Value {
-    /// A value of a built-in type on the frame.
+    /// Creates a value with a built-in type on the frame.
     pub(crate) fn on_frame(base: BaseType, lanes: Lanes) -> Self {
         Self { location: Location::Frame(lanes), base: Base::of(base) }
     }
 
-    /// A number, truth value or enumerator in a register.
+    /// Creates a number, truth value or enumerator in a register.
     pub(crate) fn num(base: BaseType, register: Register) -> Self {
         Self::on_frame(base, Lanes::nums(register.into()))
     }
 
-    /// A text in a register.
+    /// Creates a string in a register.
     pub(crate) fn text(register: Register) -> Self {
         Self::on_frame(BaseType::String, Lanes { text: register.into(), ..Lanes::default() })
     }
 }
 
 impl Location {
-    /// The lanes, where it is on the frame.
+    /// Returns the lanes if the location is on the frame.
     pub(crate) fn lanes(self) -> Option<Lanes> {
         match self {
             Self::Frame(lanes) => Some(lanes),
@@ -65,12 +65,12 @@ impl Location {
     }
 }
 
-/// A type whose values are one number: numbers, truth values and enumerators.
+/// Whether values of the type are one number: numbers, truth values and enumerators.
 pub(crate) fn is_number(base: BaseType) -> bool {
     matches!(base, BaseType::Num | BaseType::Bool) || base.is_enumeration()
 }
 
-/// The register of a number that lies on the frame.
+/// Returns the register of a number on the frame.
 pub(crate) fn num_register(lanes: Lanes) -> Register {
     narrow(lanes.num)
 }

@@ -1,23 +1,23 @@
-//! Registers of one sort: runs that are taken and given back.
+//! Registers of the same kind, reserved and released in runs.
 
 use crate::error::{Limit, Result};
 
-/// The registers of one sort.
+/// Registers of the same kind.
 #[derive(Debug, Default)]
 pub(crate) struct Pool {
-    /// The number of registers.
+    /// Number of registers.
     size: u32,
-    /// Free runs: start and length, in ascending order, no two of them adjacent.
+    /// Free runs: start and length, in ascending order and not adjacent.
     free: Vec<(u32, u32)>,
 }
 
 impl Pool {
-    /// The number of registers.
+    /// Returns the number of registers.
     pub(crate) fn size(&self) -> u32 {
         self.size
     }
 
-    /// Takes a run of `count` consecutive registers and returns its start.
+    /// Reserves `count` consecutive registers, and returns the first one.
     pub(crate) fn take(&mut self, count: u32) -> Result<u32> {
         if count == 0 {
             return Ok(0);
@@ -30,14 +30,14 @@ impl Pool {
         Ok(start)
     }
 
-    /// Takes a run of `count` registers that were never taken before.
+    /// Reserves `count` consecutive registers that were never reserved before.
     pub(crate) fn grow(&mut self, count: u32) -> Result<u32> {
         let start = self.size;
         self.size = start + count;
         if self.size > u32::from(u16::MAX) { Err(Limit::Registers) } else { Ok(start) }
     }
 
-    /// Makes a run of registers free.
+    /// Releases a run of registers.
     pub(crate) fn give(&mut self, start: u32, count: u32) {
         if count == 0 {
             return;

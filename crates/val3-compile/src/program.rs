@@ -1,4 +1,4 @@
-//! One program.
+//! Compilation of a program.
 
 use val3_analysis::body::{Body, body};
 use val3_analysis::db::File;
@@ -18,7 +18,7 @@ use crate::statements::Statements;
 use crate::unit::Unit;
 use crate::variables::Declarations;
 
-/// Compiles the program in a file, which has this number among the files of the image.
+/// Compiles the program in a file, which has this number among the image's files.
 pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::result::Result<Program, CompileError> {
     let (db, project) = (unit.db, unit.project);
     let (header, body, types) = (header(db, file), body(db, file), infer(db, project, file));

@@ -1,4 +1,4 @@
-//! A whole project.
+//! Compilation of a project.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -19,21 +19,21 @@ use crate::kinds::Kinds;
 use crate::program;
 use crate::unit::Unit;
 
-/// Bytes of stack of a task where the project does not say (2.1.4.2).
+/// Default stack size per task, in bytes (2.1.4.2).
 const STACK_SIZE: u32 = 5000;
 
-/// The image of an application or library without errors of the analysis.
+/// Compiles an application or library without analysis errors to an image.
 ///
 /// # Errors
-/// A limit that it exceeds.
+/// A limit that the project exceeds.
 pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
     image(db, project, false)
 }
 
-/// As [`compile`]. The virtual machine counts how often lines and sides of branches are executed.
+/// Like [`compile`], with counters: the virtual machine counts the executions of lines and branch sides.
 ///
 /// # Errors
-/// A limit that it exceeds.
+/// A limit that the project exceeds.
 pub fn compile_counted(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
     let mut image = image(db, project, true)?;
     image.number_counters();
@@ -70,14 +70,14 @@ fn image(db: &dyn Db, project: Project, is_counted: bool) -> Result<Image, Compi
     })
 }
 
-/// The programs with their files, in the project's order. Where two have one name, the first counts.
+/// Returns the programs with their files, in project order. If two programs have the same name, the first one counts.
 fn programs(db: &dyn Db, project: Project) -> Vec<(SmolStr, File)> {
     let mut known = FxHashSet::default();
     let named = program_files(db, project).iter().map(|file| (header(db, *file).name.clone(), *file));
     named.filter(|(name, _)| !name.is_empty() && known.insert(name.clone())).collect()
 }
 
-/// The error of a limit with the line of the data; the limit alone if it is not that of a variable.
+/// Adds the declaration's line to the error. If it is not about a variable, returns only the limit.
 fn placed(db: &dyn Db, DataError { limit, datum }: DataError) -> Result<CompileError, Limit> {
     let (name, FileRange { file, range }) = datum.ok_or(limit)?;
     let row = LineIndex::new(file.text(db)).line(range.start().into());
@@ -85,7 +85,7 @@ fn placed(db: &dyn Db, DataError { limit, datum }: DataError) -> Result<CompileE
     Ok(CompileError { variable: Some(name.to_string()), ..CompileError::at(file.path(db).as_str(), row, limit) })
 }
 
-/// Global data with their links. Built-in variables are left out, although files of s5 and s6 declare them.
+/// Returns global data with their links. Built-in variables are omitted, although files of s5 and s6 declare them.
 fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<LinkInit>), DataError> {
     let is_builtin = |name: &str| builtins::find(name).is_some_and(|builtin| builtin.is_variable);
     let (mut data, mut links) = (Vec::new(), Vec::new());
@@ -107,7 +107,7 @@ fn link(data: u32, found: Found) -> LinkInit {
     LinkInit { data, path, value, link, target }
 }
 
-/// The libraries of a project file, then those with programs that are called in place of instructions.
+/// Returns the libraries in the project file, then the libraries of programs that replace instructions.
 fn libraries(db: &dyn Db, project: Project) -> Vec<LibraryDef> {
     let declared = manifest(db, project.manifest(db)).libraries.iter().map(|entry| LibraryDef {
         alias: entry.alias.to_string(),

@@ -1,11 +1,11 @@
-//! The shapes of declared containers.
+//! Shapes of declared containers.
 
 use std::collections::BTreeMap;
 
 use val3_lang::memory::Shape;
 use val3_lang::types::Container;
 
-/// A container with these sizes; a collection without keys.
+/// Returns the shape of a container with these sizes, or of a collection without keys.
 pub(crate) fn shape(container: Container, sizes: &[u32]) -> Shape {
     if container == Container::Collection {
         return Shape::Collection(BTreeMap::new());

@@ -1,4 +1,4 @@
-//! Statements. Each simple one is an instruction line, and so is each condition (5.4).
+//! Statements. Each simple statement and each condition is an instruction line (5.4).
 
 pub(crate) mod calls;
 mod conditions;
@@ -18,38 +18,38 @@ use crate::expressions::Expressions;
 
 use missing::{Missing, unknown_meaning};
 
-/// Compiles the statements of one program.
+/// Compiles the statements of a program.
 pub(crate) struct Statements<'u, 'db> {
-    /// The expressions in them.
+    /// Compiler for expressions.
     values: Expressions<'u, 'db>,
     header: &'db Header,
-    /// The current statement.
+    /// Range of the present statement.
     range: TextRange,
 }
 
 impl<'u, 'db> Statements<'u, 'db> {
-    /// The statements of a program with this header.
+    /// Creates the compiler for the statements of a program with this header.
     pub(crate) fn new(values: Expressions<'u, 'db>, header: &'db Header) -> Self {
         Self { values, header, range: TextRange::default() }
     }
 
-    /// The frame, the code and the tables that the program is written to.
+    /// Returns the program's output: frame, code and tables.
     pub(crate) fn out(&mut self) -> &mut Emitter<'u, 'db> {
         self.values.out()
     }
 
-    /// The expressions.
+    /// Returns the compiler for expressions.
     pub(crate) fn values(&mut self) -> &mut Expressions<'u, 'db> {
         &mut self.values
     }
 
-    /// The row of the current statement.
+    /// Returns the row of the present statement.
     pub(crate) fn row(&mut self) -> u32 {
         let range = self.range;
         self.out().code().row(range)
     }
 
-    /// Compiles statements in sequence. The temporaries of each are released after it.
+    /// Compiles a sequence of statements. The temporaries are released after each statement.
     pub(crate) fn block(&mut self, block: &[Stmt]) -> Result<()> {
         for stmt in block {
             self.range = stmt.range;
@@ -115,7 +115,7 @@ impl<'u, 'db> Statements<'u, 'db> {
         Ok(())
     }
 
-    /// The branch of a condition. One that is known to the compiler is none.
+    /// Declares the branch of a condition. A constant condition has no branch.
     pub(crate) fn branch_at(&mut self, condition: ExprId) -> Option<BranchId> {
         let range = self.values.body().range(condition);
         match self.values.body().constant(condition) {
@@ -124,7 +124,7 @@ impl<'u, 'db> Statements<'u, 'db> {
         }
     }
 
-    /// A jump on a condition, whose temporaries are released.
+    /// Compiles a jump on a condition, and releases the temporaries.
     pub(crate) fn condition(&mut self, id: ExprId, when: bool, label: crate::code::Label) -> Result<()> {
         let mark = self.out().frame_mut().mark();
         self.or_stop(&[id], |statements| statements.branch(id, when, label))?;
@@ -132,7 +132,7 @@ impl<'u, 'db> Statements<'u, 'db> {
         Ok(())
     }
 
-    /// `? value`
+    /// Compiles `? value`.
     fn print(&mut self, id: ExprId) -> Result<()> {
         let value = self.values.value(id, None)?;
         let mut site = InstructionSite::new(Callee::Print(self.values.unit().items.arm));
@@ -142,8 +142,8 @@ impl<'u, 'db> Statements<'u, 'db> {
         Ok(())
     }
 
-    /// Compiles a line that uses these expressions. If something is missing, the line stops its task instead, and the
-    /// result is `None`.
+    /// Compiles a line that uses these expressions. If something is unresolved, the line stops its task instead, and
+    /// the result is `None`.
     pub(crate) fn or_stop<T>(
         &mut self,
         ids: &[ExprId],
@@ -163,7 +163,7 @@ impl<'u, 'db> Statements<'u, 'db> {
         }
     }
 
-    /// The callee and the arguments of the call of a program.
+    /// Returns the callee and the arguments of a program call.
     pub(crate) fn call_parts(&self, call: ExprId) -> Vec<ExprId> {
         match self.values.body().expr(call) {
             Expr::Call(callee, args) => std::iter::once(*callee).chain(args.iter().copied()).collect(),
@@ -172,7 +172,7 @@ impl<'u, 'db> Statements<'u, 'db> {
     }
 }
 
-/// A statement up to the end of its condition.
+/// Returns the range of a statement up to the end of its condition.
 pub(crate) fn head(stmt: &Stmt, condition: TextRange) -> TextRange {
     TextRange::new(stmt.range.start(), condition.end().max(stmt.range.start()))
 }

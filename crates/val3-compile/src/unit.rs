@@ -1,4 +1,4 @@
-//! The project that is compiled: numbers of its data and programs, and what it uses of libraries.
+//! The compiled project: numbers of its data and programs, and imported library items.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -12,7 +12,7 @@ use val3_bytecode::{Image, Import, ImportKind};
 use crate::error::{Limit, Result, there};
 use crate::kinds::Kinds;
 
-/// The state that all programs of a project share.
+/// State that all programs of a project share.
 pub(crate) struct Unit<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
@@ -21,15 +21,15 @@ pub(crate) struct Unit<'db> {
     data: FxHashMap<SmolStr, u16>,
     programs: FxHashMap<SmolStr, u16>,
     libraries: FxHashMap<SmolStr, u16>,
-    /// Whether the programs count their lines and branches.
+    /// Whether lines and branches are counted.
     pub(crate) is_counted: bool,
-    /// The items of libraries that were used so far.
+    /// Library items in use.
     pub(crate) imports: Vec<Import>,
     imported: FxHashMap<(u16, SmolStr), u16>,
 }
 
 impl<'db> Unit<'db> {
-    /// A project whose data and programs have these names, in order.
+    /// Creates the state of a project whose data and programs have these names, in order.
     pub(crate) fn new<'n>(
         kinds: Kinds<'db>,
         project: Project,
@@ -55,7 +55,7 @@ impl<'db> Unit<'db> {
         })
     }
 
-    /// Gives the items of libraries the numbers that they have in an image of the project.
+    /// Assigns to library items the numbers that they have in an image of the project.
     pub(crate) fn adopt_imports(&mut self, image: &Image) {
         for (number, import) in (0u16..).zip(&image.imports) {
             let name = match import.kind {
@@ -68,27 +68,27 @@ impl<'db> Unit<'db> {
         self.imports.clone_from(&image.imports);
     }
 
-    /// The number of global data.
+    /// Returns the number of global data.
     pub(crate) fn data(&self, name: &str) -> Option<u16> {
         self.data.get(name).copied()
     }
 
-    /// The number of a program of the project.
+    /// Returns the number of a program in the project.
     pub(crate) fn program(&self, name: &str) -> Result<u16> {
         self.programs.get(name).copied().ok_or(Limit::Unclear)
     }
 
-    /// The number of a library identifier.
+    /// Returns the number of a library identifier.
     pub(crate) fn library(&self, alias: &str) -> Result<u16> {
         self.libraries.get(alias).copied().ok_or(Limit::Unclear)
     }
 
-    /// The project that gives the interface of a library identifier.
+    /// Returns the project with the interface of a library identifier.
     pub(crate) fn interface(&self, alias: &str) -> Result<Project> {
         self.items.libraries.get(alias).and_then(|item| item.interface).ok_or(Limit::Unclear)
     }
 
-    /// The program that an expression names.
+    /// Returns the program that an expression names.
     pub(crate) fn callee(&self, callee: &Expr) -> Option<(Project, File)> {
         match callee {
             Expr::Name(name) => self.items.programs.get(name).map(|file| (self.project, *file)),
@@ -100,7 +100,7 @@ impl<'db> Unit<'db> {
         }
     }
 
-    /// The number under which the project uses data of a library.
+    /// Returns the import number of a library's data.
     pub(crate) fn import_data(&mut self, alias: &str, name: &SmolStr) -> Result<u16> {
         let library = self.library(alias)?;
         if let Some(known) = self.imported.get(&(library, name.clone())) {
@@ -112,13 +112,13 @@ impl<'db> Unit<'db> {
         self.import(library, name, ImportKind::Data(kind, item.decl.container))
     }
 
-    /// The number under which the project asks for data that the interface of a library does not have.
+    /// Returns the import number of data that the library's interface does not contain.
     pub(crate) fn import_missing(&mut self, alias: &str, name: &SmolStr) -> Result<u16> {
         let library = self.library(alias)?;
         self.import(library, name, ImportKind::Missing)
     }
 
-    /// The number under which the project uses a program of a library.
+    /// Returns the import number of a library's program.
     pub(crate) fn import_program(
         &mut self,
         alias: &str,
@@ -138,7 +138,7 @@ impl<'db> Unit<'db> {
         Ok(number)
     }
 
-    /// Imports all items that the interfaces of the libraries promise: a loaded library must have them (6.6).
+    /// Imports all items in the libraries' interfaces, because a loaded library must contain them (6.6).
     pub(crate) fn import_interfaces(&mut self) -> Result<()> {
         let aliases = manifest(self.db, self.project.manifest(self.db)).libraries.iter().map(|entry| &entry.alias);
         for alias in aliases {
@@ -157,7 +157,7 @@ impl<'db> Unit<'db> {
         self.import_add_on_programs()
     }
 
-    /// Imports the programs that are called in place of instructions, also those that only a debugger calls.
+    /// Imports the programs that replace instructions, including programs that only a debugger calls.
     fn import_add_on_programs(&mut self) -> Result<()> {
         for AddOnProgram { library, name, file } in add_on_programs::programs(self.db, self.project) {
             if library.project != self.project {
@@ -183,7 +183,7 @@ impl<'db> Unit<'db> {
         Ok(number)
     }
 
-    /// Whether the interface of a library identifier exists and has this item.
+    /// Whether the interface of a library identifier exists and contains this item.
     pub(crate) fn has_item(&self, library: &str, item: &str) -> bool {
         self.interface(library).is_ok_and(|interface| {
             let items = items(self.db, interface);
@@ -192,19 +192,19 @@ impl<'db> Unit<'db> {
     }
 }
 
-/// The key of a program of a library. Data and a program may have one name.
+/// Returns the key of a library's program, which may have the same name as data.
 fn program_key(name: &str) -> SmolStr {
     SmolStr::from(format!("{name}()"))
 }
 
-/// Names in alphabetical order, independent of the order in hash tables.
+/// Sorts names alphabetically, because the order in hash tables varies.
 fn sorted<'n>(names: impl Iterator<Item = &'n SmolStr>) -> Vec<&'n SmolStr> {
     let mut names: Vec<_> = names.collect();
     names.sort_unstable();
     names
 }
 
-/// Names with their numbers. Where a name comes twice, the first counts.
+/// Numbers names. If a name occurs twice, the first one counts.
 fn numbered<'n>(names: impl Iterator<Item = &'n SmolStr>) -> Result<FxHashMap<SmolStr, u16>> {
     let mut numbers = FxHashMap::default();
     for (number, name) in names.enumerate() {

@@ -1,4 +1,4 @@
-//! Where parameters and locals are in the frame (2.6).
+//! Locations of parameters and locals in the frame (2.6).
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -16,7 +16,7 @@ use crate::emitter::Emitter;
 use crate::error::{Limit, Result, there};
 use crate::shape::shape;
 
-/// Gives the parameters and locals of a program their places.
+/// Assigns locations to the parameters and locals of a program.
 pub(crate) struct Declarations<'a, 'u, 'db> {
     pub(crate) out: &'a mut Emitter<'u, 'db>,
     pub(crate) header: &'db Header,
@@ -25,7 +25,7 @@ pub(crate) struct Declarations<'a, 'u, 'db> {
 }
 
 impl Declarations<'_, '_, '_> {
-    /// The parameters, and the names and places of all variables for debuggers.
+    /// Declares all variables. Returns the parameters, and the names and locations of all variables for debuggers.
     pub(crate) fn declare(&mut self, params: &[Declared]) -> Result<(Vec<Param>, Vec<Variable>)> {
         let params = self.params(params)?;
         self.locals()?;
@@ -33,8 +33,8 @@ impl Declarations<'_, '_, '_> {
         Ok((params, variables))
     }
 
-    /// Gives the parameters their places, in order. A parameter of a missing type needs none: a caller stops before the
-    /// call.
+    /// Assigns locations to the parameters, in order. A parameter with a missing type needs none, because a caller
+    /// stops before the call.
     fn params(&mut self, params: &[Declared]) -> Result<Vec<Param>> {
         params.iter().filter_map(|param| there(self.param(param)).transpose()).collect()
     }
@@ -51,14 +51,15 @@ impl Declarations<'_, '_, '_> {
         Ok(Param { name: param.name.to_string(), kind, container: param.container, storage })
     }
 
-    /// Gives the locals their places. One value of a built-in type lies in lanes, unless the code uses it as an array.
+    /// Assigns locations to the locals. A single value of a built-in type is stored in lanes, unless the code uses it
+    /// as an array.
     fn locals(&mut self) -> Result<()> {
         let arrays = self.used_as_arrays();
         self.header.locals.iter().try_for_each(|local| there(self.local(local, &arrays)).map(drop))
     }
 
     fn local(&mut self, local: &LocalDecl, arrays: &FxHashSet<SmolStr>) -> Result<()> {
-        // A parameter of the same name hides it.
+        // A parameter with the same name hides the local.
         if self.out.frame().find(&local.name).is_some() {
             return Ok(());
         }
@@ -74,7 +75,7 @@ impl Declarations<'_, '_, '_> {
         Ok(())
     }
 
-    /// The names that the code uses with an index, or passes as a container.
+    /// Returns the names that the code uses with an index or passes as a container.
     fn used_as_arrays(&self) -> FxHashSet<SmolStr> {
         let mut names = FxHashSet::default();
         for (id, expr, _) in self.body.exprs() {
@@ -126,7 +127,7 @@ impl Declarations<'_, '_, '_> {
         signature(self.out.unit().db, project, file).params.iter().map(|param| param.shape()).collect()
     }
 
-    /// Names and places for debuggers.
+    /// Returns the names and locations of variables for debuggers.
     fn variables(&mut self, params: &[Param]) -> Result<Vec<Variable>> {
         let mut variables = Vec::new();
         for param in params {
@@ -135,7 +136,7 @@ impl Declarations<'_, '_, '_> {
             variables.push(Variable { name: param.name.clone(), kind, container, storage });
         }
         for local in self.header.locals.iter().filter(|local| params.iter().all(|param| param.name != local.name)) {
-            // A local of a missing type has no place.
+            // A local with a missing type has no location.
             let Some(storage) = self.out.frame().find(&local.name) else { continue };
             let base = resolve_type(&self.out.unit().items.types, &local.type_name).unwrap_or(Base::Unknown);
             let (kind, name) = (self.out.kind(base)?, local.name.to_string());

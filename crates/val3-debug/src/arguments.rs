@@ -1,4 +1,4 @@
-//! The arguments of a program on the stack of a task, as plain numbers and texts.
+//! Arguments of a program on a task's stack, as plain numbers and strings.
 
 use val3_bytecode::{Param, Storage};
 use val3_lang::memory::{KindBase, Lanes, Stack};
@@ -6,23 +6,23 @@ use val3_lang::ports::TaskNumber;
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_vm::{Frame, Vm};
 
-/// An argument of a built-in type that was passed by value.
+/// Argument of a built-in type, passed by value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrameArgument {
-    /// The name of its parameter.
+    /// Parameter name.
     pub name: String,
-    /// Its type.
+    /// Parameter type.
     pub base: BaseType,
-    /// The kind of arm that a position is for, if its type names one.
+    /// Kind of arm that a position is for; `None` if the type names no kind.
     pub arm: Option<Arm>,
-    /// Its numbers in the order of its fields; 0 or 1 for a truth value.
+    /// Numbers in the order of the type's fields; a `bool` is 0 or 1.
     pub nums: Vec<f64>,
-    /// The text of a string; empty for other types.
+    /// Value of a `string`; empty for other types.
     pub text: String,
 }
 
-/// The arguments by value of a program on the stack, in the order of its parameters; 0 is the innermost program. Arguments
-/// by reference, arrays and values of user types are omitted.
+/// Returns the arguments that a program on the stack received by value, in parameter order. `depth` 0 is the innermost
+/// program. Arguments by reference, arrays and values of user types are omitted.
 #[must_use]
 pub fn arguments(vm: &Vm, task: TaskNumber, depth: usize) -> Vec<FrameArgument> {
     let Some(task) = vm.tasks().iter().find(|known| known.id == task) else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! Going back: to the previous line of a task, to the previous breakpoint.
+//! Reverse execution: to a task's previous line, or to the previous breakpoint.
 
 use std::ops::ControlFlow;
 
@@ -10,60 +10,61 @@ use crate::debugger::{Debugger, Stop};
 use crate::history::{Cause, History, Moment, PastLimits, Reach};
 use crate::step::{Step, StepKind};
 
-/// Where a search in the past leads.
+/// Destination of a search in the history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Goal {
-    /// The line that a task began before this one.
+    /// The previous line of the task, by the kind of step.
     Line(TaskNumber, StepKind),
-    /// The last stop at a breakpoint or change of watched data.
+    /// The previous stop at a breakpoint or change of watched data.
     Breakpoint,
 }
 
-/// What has happened in a replay up to a moment.
+/// Result of [`Debugger::replay`].
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Replayed {
     pub(crate) outcome: Outcome,
-    /// Whether the arm has come to rest before a path that it cannot follow, at which the run stops.
+    /// Whether the arm came to rest before a path that it cannot follow, which stops the run.
     is_path_fault: bool,
 }
 
-/// Learns during a search which part of the past is searched, from 0 to 1, and can give it up. It is called for each cycle
-/// that is executed again.
+/// Callback of a reverse search, called for each replayed cycle with the searched part of the history, from 0 to 1.
+/// Returning `Break` cancels the search.
 pub type Watcher<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 
 impl Debugger {
-    /// Keeps the past from now on, within limits. Without it the run cannot go back.
+    /// Starts recording the history within `limits`. Without recording, the run cannot go back.
     pub fn record(&mut self, limits: PastLimits) {
         self.history = Some(History::new(&mut self.controller, &self.breakpoints.hits, limits));
     }
 
-    /// Forgets the past, which begins here if it is kept.
+    /// Discards the recorded history. If recording is on, it continues from the present moment.
     pub fn forget_past(&mut self) {
         if let Some(limits) = self.history.as_ref().map(History::limits) {
             self.record(limits);
         }
     }
 
-    /// How far the run can go back; `None` if it is not recorded.
+    /// Returns the extent of the recorded history; `None` if the run is not recorded.
     #[must_use]
     pub fn reach(&self) -> Option<Reach> {
         self.history.as_ref()?.reach(Moment::of(&self.controller))
     }
 
-    /// The earliest moment to which the run can go back.
+    /// Returns the earliest moment to which the run can go back.
     #[must_use]
     pub fn first_moment(&self) -> Option<Moment> {
         self.history.as_ref().and_then(History::first)
     }
 
-    /// A cycle is over.
+    /// Records the end of a cycle.
     pub(crate) fn pass_cycle(&mut self) {
         if let Some(history) = &mut self.history {
             history.pass_cycle(&mut self.controller, &self.breakpoints.hits);
         }
     }
 
-    /// The caller has changed something: data, an input, the next line of a task. A new future begins here.
+    /// Discards the recorded future and adds a snapshot. Must be called after each change from outside the run: to
+    /// data, an input, or a task's next line.
     pub fn begin_new_future(&mut self) {
         self.change_future(Cause::Change);
     }
@@ -75,20 +76,20 @@ impl Debugger {
         }
     }
 
-    /// Goes back to the line that a task began before this one. `Over` leaves out the lines of programs that were called,
+    /// Goes back to the line that the task began before the present one. `Over` skips the lines of called programs,
     /// `Out` goes to the call of the present program.
     pub fn step_back(&mut self, task: TaskNumber, kind: StepKind) -> Stop {
         self.search_back(Goal::Line(task, kind), &mut |_| ControlFlow::Continue(())).unwrap_or(Stop::Beginning)
     }
 
-    /// Goes back to where a task was last before a line with a breakpoint, or right after the last change of watched data,
-    /// whatever the conditions on hits, or to where the arm came to rest before a path that it cannot follow.
+    /// Goes back to the last moment at which a task was before a line with a breakpoint, a watched value had just
+    /// changed, or the arm had come to rest before a path that it cannot follow. Hit conditions are ignored.
     pub fn run_back(&mut self) -> Stop {
         self.search_back(Goal::Breakpoint, &mut |_| ControlFlow::Continue(())).unwrap_or(Stop::Beginning)
     }
 
-    /// Goes back as [`step_back`](Self::step_back) or [`run_back`](Self::run_back). None if the watcher has given it up: the
-    /// run is where it was.
+    /// Goes back like [`step_back`](Self::step_back) or [`run_back`](Self::run_back). Returns `None` if the watcher
+    /// cancels the search; the run then stays at its present moment.
     pub fn search_back(&mut self, goal: Goal, watcher: Watcher<'_>) -> Option<Stop> {
         let Goal::Line(task, kind) = goal else {
             return self.back_to_last(self.watch_of_data(), watcher, |debugger, replayed| match replayed.outcome {
@@ -105,18 +106,19 @@ impl Debugger {
         })
     }
 
-    /// The stop at a path that the arm cannot follow, if it has just come to rest before it.
+    /// Returns the stop for a path that the arm cannot follow, if the arm has just come to rest before it.
     fn stop_at_path_fault(&self, replayed: Replayed) -> Option<Stop> {
         let fault = self.controller.motion_fault().filter(|_| replayed.is_path_fault)?;
         Some(Stop::PathFault(Box::new(fault)))
     }
 
-    /// How closely a run is executed again so that changes of watched data are seen.
+    /// Returns how finely a replay has to stop so that no change of watched data is missed.
     fn watch_of_data(&self) -> Watch {
         if self.data.is_empty() { Watch::Nothing } else { Watch::Lines }
     }
 
-    /// Goes back to the last moment before this one that `is_wanted`. None if the watcher has given the search up.
+    /// Goes back to the last earlier moment for which `is_wanted` returns a stop. Returns `None` if the watcher cancels
+    /// the search.
     pub(crate) fn back_to_last(
         &mut self,
         watch: Watch,
@@ -144,13 +146,14 @@ impl Debugger {
                 }
             }
             if let Some((outcomes, over, stop)) = last {
-                // The end of a wait takes no time: a moment alone does not say on which side of it the run was.
+                // A wait ends without time passing, so the moment does not tell whether the run was before or after the
+                // end.
                 self.replay_outcomes(start, outcomes, |debugger| debugger.replay(watch, end));
                 if over > Moment::of(&self.controller) {
                     self.go_to(over);
                 }
                 if let Stop::Breakpoints { task, .. } | Stop::Step { task } = stop {
-                    // The task has arrived there, which was its hit.
+                    // The arrival was already counted as a hit.
                     self.hit_again(task);
                     self.controller.vm.pass_stop(task);
                 }
@@ -164,8 +167,8 @@ impl Debugger {
         Some(self.back_to_the_beginning())
     }
 
-    /// Goes to a moment if the run was changed there where a task had arrived at a line that `is_wanted`. A replay ends
-    /// before it reports the arrival.
+    /// Goes to a moment at which the caller changed the run while a task was before a line, if `is_wanted` returns a
+    /// stop for that line. Such a stop is checked separately, because a replay ends before it reports the arrival.
     fn stop_at_change(
         &mut self,
         moment: Moment,
@@ -185,13 +188,14 @@ impl Debugger {
         Stop::Beginning
     }
 
-    /// Whether the run has gone back, so that a [new future](Self::begin_new_future) replaces what has followed.
+    /// Whether the run has gone back, so that [`begin_new_future`](Self::begin_new_future) would discard recorded
+    /// moments.
     #[must_use]
     pub fn is_in_past(&self) -> bool {
         self.history.as_ref().is_some_and(|history| history.is_past(Moment::of(&self.controller)))
     }
 
-    /// The run leaves its present moment to go back.
+    /// Records the present moment in the history before the run goes back.
     fn leave_present(&mut self) {
         let present = Moment::of(&self.controller);
         if let Some(history) = &mut self.history {
@@ -199,13 +203,13 @@ impl Debugger {
         }
     }
 
-    /// Goes to a moment of the past, or of a future that was already seen.
+    /// Goes to a recorded moment, in the past or in the recorded future.
     pub fn go_to(&mut self, moment: Moment) {
         let watch = self.watch_of_data();
         self.replay_outcomes(moment, u64::MAX, |debugger| debugger.replay(watch, moment));
     }
 
-    /// Executes a number of outcomes again, from the last snapshot at a moment or before it.
+    /// Restores the last snapshot at or before `from`, and replays `count` outcomes.
     fn replay_outcomes(&mut self, from: Moment, count: u64, mut next: impl FnMut(&mut Self) -> Option<Replayed>) {
         self.leave_present();
         let Some(point) = self.history.as_ref().and_then(|history| history.before(from)) else { return };
@@ -225,7 +229,7 @@ impl Debugger {
         self.settle_motion();
     }
 
-    /// Returns to the last snapshot before a moment, and gives its moment.
+    /// Restores the last snapshot before a moment, and returns the snapshot's moment.
     fn restore_earlier(&mut self, moment: Moment) -> Option<Moment> {
         self.leave_present();
         let point = self.history.as_ref()?.earlier(moment)?;
@@ -236,7 +240,8 @@ impl Debugger {
         Some(start)
     }
 
-    /// Executes again what has happened up to a moment, at most a cycle at once; `None` there. Its events are known.
+    /// Replays the run towards `end`, by at most one cycle, and discards the events, which were already reported.
+    /// Returns `None` at `end`.
     fn replay(&mut self, watch: Watch, end: Moment) -> Option<Replayed> {
         if Moment::of(&self.controller) >= end {
             return None;
@@ -258,8 +263,8 @@ impl Debugger {
         Some(Replayed { outcome, is_path_fault })
     }
 
-    /// Leaves out the time in which nothing happens. While a line may hear something, cycles follow one another as in the
-    /// recorded run.
+    /// Skips the time without any activity. If a waiting line may receive external input, no time is skipped, so that
+    /// the cycles are the recorded ones.
     fn pass_idle_time(&mut self, wake: Option<Time>, end: Time) {
         let next = wake.into_iter().chain(self.controller.next_due()).fold(end, Time::min);
         if !self.controller.hears_outside() {
@@ -268,7 +273,7 @@ impl Debugger {
     }
 }
 
-/// A part of a time, from 0 to 1.
+/// Returns `part / whole`, from 0 to 1.
 #[expect(clippy::cast_precision_loss, reason = "people see per cent")]
 fn fraction(part: Time, whole: Time) -> f64 {
     (part as f64 / whole.max(1) as f64).min(1.0)

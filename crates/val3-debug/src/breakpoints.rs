@@ -1,4 +1,4 @@
-//! Breakpoints at lines of files, and the hits of all breakpoints.
+//! Breakpoints on lines of files, and the hit counts of all breakpoints.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
@@ -15,27 +15,27 @@ use val3_vm::{FragmentContext, InstanceId, Space};
 use crate::conditions::{CompiledExpression, LogMessage};
 use crate::program_breakpoints::{ProgramBreakpoint, ProgramBreakpoints, file_of};
 
-/// The identity of a breakpoint.
+/// Identity of a breakpoint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BreakpointId(pub u32);
 
-/// A breakpoint at a line of a file.
+/// Breakpoint on a line of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Breakpoint {
-    /// Its identity.
+    /// Identity, unique among all breakpoints.
     pub id: BreakpointId,
-    /// The line of the file that was asked for, from 1.
+    /// Requested line of the file, from 1.
     pub row: u32,
-    /// A hit counts only if this holds.
+    /// Condition for a hit to count.
     pub condition: Option<CompiledExpression>,
-    /// At which of its hits tasks stop; at each without one.
+    /// Hits at which tasks stop; `None` for every hit.
     pub hits: Option<HitCondition>,
-    /// The message that it writes in place of a stop.
+    /// Message that is logged instead of a stop.
     pub log: Option<LogMessage>,
 }
 
 impl Breakpoint {
-    /// A breakpoint without conditions.
+    /// Creates a breakpoint without conditions.
     #[must_use]
     pub fn new(id: BreakpointId, row: u32) -> Self {
         Self { id, row, condition: None, hits: None, log: None }
@@ -45,45 +45,45 @@ impl Breakpoint {
 /// A condition that cannot be evaluated.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConditionFault {
-    /// Its breakpoint.
+    /// Breakpoint of the condition.
     pub id: BreakpointId,
-    /// The reason.
+    /// Reason, for users.
     pub message: String,
 }
 
-/// A message that a log point has written.
+/// Message of a log point that a task has passed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LoggedMessage {
-    /// The log point.
+    /// Log point.
     pub id: BreakpointId,
-    /// The task.
+    /// Task that passed the log point.
     pub task: TaskNumber,
-    /// The message.
+    /// Message text.
     pub text: String,
 }
 
-/// The effects of the breakpoints at a line on a task that arrives there.
+/// Effects of the breakpoints on a line when a task arrives there.
 #[derive(Debug, Default)]
 pub(crate) struct Arrival {
-    /// The breakpoints that stop it.
+    /// Breakpoints at which the task stops.
     pub(crate) ids: Vec<BreakpointId>,
-    /// The conditions that cannot be evaluated. Their breakpoints stop it too.
+    /// Conditions that cannot be evaluated. Their breakpoints stop the task too.
     pub(crate) faults: Vec<ConditionFault>,
     pub(crate) logged: Vec<LoggedMessage>,
 }
 
-/// At which hits of a breakpoint a task stops, the first hit being 1.
+/// Hits of a breakpoint at which a task stops, counted from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HitCondition {
-    /// `5`: at this hit alone.
+    /// `5`: only the fifth hit.
     Exactly(u64),
-    /// `>=5`: from this hit on.
+    /// `>=5`: the fifth hit and all later hits.
     From(u64),
-    /// `%5`: at each multiple.
+    /// `%5`: every fifth hit.
     Every(u64),
 }
 
-/// A text that is no [`HitCondition`].
+/// Error for a text that is no [`HitCondition`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct InvalidHitCondition;
 
@@ -122,32 +122,32 @@ impl HitCondition {
     }
 }
 
-/// Where a breakpoint is.
+/// Resolved line of a breakpoint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Placed {
-    /// The breakpoint.
+    /// Identity of the breakpoint.
     pub id: BreakpointId,
-    /// The row of the line at which tasks stop: that of the breakpoint, or the next one with an instruction. `None` where
-    /// no application or library in memory has such a line.
+    /// Row of the line at which tasks stop: the requested line, or the next line with an instruction. `None` if no
+    /// application or library in memory has such a line.
     pub row: Option<u32>,
 }
 
-/// Numbers of hits.
+/// Hit counts by breakpoint.
 pub(crate) type Hits = BTreeMap<BreakpointId, u64>;
 
-/// The breakpoints of a run.
+/// All breakpoints of a run on lines and programs.
 #[derive(Debug, Default)]
 pub(crate) struct Breakpoints {
-    /// By the path of the file.
+    /// Line breakpoints by the path of their file.
     files: BTreeMap<String, Vec<Breakpoint>>,
-    /// At the beginning of programs.
+    /// Breakpoints on the first line of programs.
     pub(crate) programs: ProgramBreakpoints,
-    /// How often tasks have arrived at each.
+    /// Number of arrivals at each breakpoint.
     pub(crate) hits: Hits,
 }
 
 impl Breakpoints {
-    /// Replaces the breakpoints of a file. Those that stay keep their number of hits.
+    /// Replaces the breakpoints of a file. A breakpoint whose identity already existed keeps its hit count.
     pub(crate) fn set(&mut self, file: &str, breakpoints: Vec<Breakpoint>) {
         let ids: BTreeSet<_> = breakpoints.iter().map(|breakpoint| breakpoint.id).collect();
         let before = self.files.insert(file.to_owned(), breakpoints).unwrap_or_default();
@@ -156,12 +156,12 @@ impl Breakpoints {
         }
     }
 
-    /// The rows of a file with breakpoints.
+    /// Returns the rows of the file that have breakpoints.
     pub(crate) fn rows(&self, file: &str) -> BTreeSet<u32> {
         self.files.get(file).into_iter().flatten().map(|breakpoint| breakpoint.row).collect()
     }
 
-    /// Where the breakpoints of a file are.
+    /// Returns the resolved lines of the file's breakpoints.
     pub(crate) fn placed(&self, file: &str, space: &Space) -> Vec<Placed> {
         let images = || space.loaded().map(|(_, instance)| &instance.image);
         let programs = || images().flat_map(|image| image.programs.iter().map(move |program| (image, program)));
@@ -173,19 +173,19 @@ impl Breakpoints {
         breakpoints.map(|breakpoint| Placed { id: breakpoint.id, row: row(breakpoint) }).collect()
     }
 
-    /// The files that have or had breakpoints.
+    /// Returns the files that have breakpoints or had some earlier.
     pub(crate) fn files(&self) -> impl Iterator<Item = &str> {
         self.files.keys().map(String::as_str)
     }
 
-    /// Replaces the breakpoints at the beginning of programs. Those that stay keep their number of hits.
+    /// Replaces the breakpoints on programs. A breakpoint whose identity already existed keeps its hit count.
     pub(crate) fn set_programs(&mut self, breakpoints: Vec<ProgramBreakpoint>) {
         for removed in self.programs.set(breakpoints) {
             self.hits.remove(&removed);
         }
     }
 
-    /// The breakpoints at a line of a program that stop a task there if the number of hits does not matter.
+    /// Returns the breakpoints that stop the task at its next line if hit conditions are ignored.
     pub(crate) fn at(&self, controller: &mut Controller, task: TaskNumber) -> Arrival {
         let mut arrival = Arrival::default();
         let Some(next) = NextLine::of(controller, task) else { return arrival };
@@ -197,7 +197,7 @@ impl Breakpoints {
         arrival
     }
 
-    /// A task has arrived at a line: counts the hits of the breakpoints there.
+    /// Counts the hits of the breakpoints on the line at which the task has arrived.
     pub(crate) fn hit(&mut self, controller: &mut Controller, task: TaskNumber) -> Arrival {
         let mut arrival = Arrival::default();
         let Some(next) = NextLine::of(controller, task) else { return arrival };
@@ -223,7 +223,8 @@ impl Breakpoints {
         arrival
     }
 
-    /// The breakpoints at a line: those of its file, and those of its program if the task has just entered it.
+    /// Returns the breakpoints on a line: the file's breakpoints, and the program's breakpoints if the task has just
+    /// entered it.
     fn rules<'a>(&'a self, space: &Space, next: &'a NextLine) -> Vec<Rule<'a>> {
         let Some(program) = next.image.programs.get(usize::from(next.program)) else { return Vec::new() };
         let in_file = here(&self.files, (&next.image, program), next.line).map(|breakpoint| Rule {
@@ -246,7 +247,7 @@ impl Breakpoints {
     }
 }
 
-/// The effect of a breakpoint on a task that arrives.
+/// The parts of a line or program breakpoint that decide about a stop.
 struct Rule<'a> {
     id: BreakpointId,
     condition: Option<&'a CompiledExpression>,
@@ -255,7 +256,8 @@ struct Rule<'a> {
 }
 
 impl Rule<'_> {
-    /// Whether its condition holds for a task that is before its line. One that cannot be evaluated stops the task.
+    /// Whether the condition holds for a task before the line. If it cannot be evaluated, the task stops, and `arrival`
+    /// gets the fault.
     fn counts(&self, controller: &mut Controller, task: TaskNumber, arrival: &mut Arrival) -> bool {
         let Some(condition) = self.condition else { return true };
         condition.holds(controller, FragmentContext::Frame(task, 0)).unwrap_or_else(|message| {
@@ -266,13 +268,13 @@ impl Rule<'_> {
     }
 }
 
-/// The line that a task begins next.
+/// Next line of a task.
 struct NextLine {
     instance: InstanceId,
     image: Arc<Image>,
     program: u16,
     line: usize,
-    /// The task has just entered the program.
+    /// Whether the task has just entered the program.
     is_entry: bool,
 }
 
@@ -287,7 +289,7 @@ impl NextLine {
     }
 }
 
-/// The breakpoints at a line of a program.
+/// Returns the breakpoints on a line of a program.
 fn here<'a>(
     files: &'a BTreeMap<String, Vec<Breakpoint>>,
     (image, program): (&Image, &'a Program),
@@ -298,7 +300,7 @@ fn here<'a>(
     own.filter(move |breakpoint| rows.contains(&breakpoint.row))
 }
 
-/// The rows from which [`Program::line_from`] leads to a line.
+/// Returns the rows that [`Program::line_from`] resolves to the line.
 fn rows_of(program: &Program, line: usize) -> Range<u32> {
     let Some(own) = program.lines.get(line) else { return 0..0 };
     let is_first = program.lines.iter().all(|other| other.row != own.row || other.op >= own.op);

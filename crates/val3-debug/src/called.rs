@@ -1,9 +1,9 @@
-//! The programs that lines call.
+//! Resolution of the programs that lines call.
 
 use val3_bytecode::{CallSite, ProgramRef};
 use val3_vm::{Imported, InstanceId, Vm};
 
-/// The program that a line of an application or library calls; none while a library is not loaded.
+/// Returns the program that a call site calls; `None` while its library is not loaded.
 pub(crate) fn called_program(vm: &Vm, caller: InstanceId, site: &CallSite) -> Option<(InstanceId, u16)> {
     match site.program {
         ProgramRef::Own(number) => Some((caller, number)),

@@ -1,4 +1,4 @@
-//! Conditions and messages of breakpoints: compiled once, evaluated at each hit.
+//! Conditions and log messages of breakpoints: compiled once, evaluated at each hit.
 
 use val3_bytecode::Fragment;
 use val3_lang::call::Argument;
@@ -11,33 +11,33 @@ use val3_vm::{FragmentContext, FragmentEnd};
 use crate::evaluate::{end_message, evaluate, expression_grant};
 use crate::values::Format;
 
-/// An expression, compiled for the program that a breakpoint is in.
+/// Expression that is compiled for the program of a breakpoint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompiledExpression {
-    /// The expression.
+    /// Source of the expression.
     pub text: String,
-    /// Its code. The value of a condition is a `bool`.
+    /// Compiled code. The value of a condition is a `bool`.
     pub fragment: Fragment,
 }
 
-/// The message of a log point.
+/// Message of a log point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogMessage {
-    /// Its parts in order.
+    /// Parts in order.
     pub parts: Vec<LogPart>,
 }
 
-/// A part of the message of a log point.
+/// Part of a log point's message.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LogPart {
-    /// Plain text.
+    /// Literal text.
     Text(String),
-    /// The value of an expression.
+    /// Expression to evaluate.
     Value(CompiledExpression),
 }
 
 impl CompiledExpression {
-    /// Whether it holds in a frame; otherwise the reason why it has no value.
+    /// Whether the condition is true in the context; the error is the reason why it has no value.
     pub(crate) fn holds(
         &self,
         controller: &mut Controller,
@@ -52,7 +52,7 @@ impl CompiledExpression {
     }
 }
 
-/// Where a value of a built-in type is. A variable without an index is its first value.
+/// Returns the place of a built-in value. A variable without an index is its first element.
 fn place(memory: &Memory, argument: Argument) -> Result<Place> {
     match argument {
         Argument::Value(place, _) => Ok(place),
@@ -65,7 +65,7 @@ fn truth(memory: &Memory, argument: Argument) -> Result<bool> {
     Ok(memory.num(place(memory, argument)?, 0)? != 0.0)
 }
 
-/// A string without quotation marks; `None` for the values of an array.
+/// Returns a string without quotation marks; `None` for an array of several values.
 fn plain_text(memory: &Memory, argument: Argument) -> Result<Option<String>> {
     if let Argument::View(view) = argument
         && memory.len(view)? != 1
@@ -76,7 +76,7 @@ fn plain_text(memory: &Memory, argument: Argument) -> Result<Option<String>> {
 }
 
 impl LogMessage {
-    /// The message in a frame. An expression without a value is replaced by the reason.
+    /// Returns the message in the context. An expression without a value is replaced by the reason.
     pub(crate) fn text(&self, controller: &mut Controller, context: FragmentContext) -> String {
         let part = |part: &LogPart| match part {
             LogPart::Text(text) => text.clone(),

@@ -1,9 +1,9 @@
-//! Data breakpoints: the run stops after a line that has changed or read a value, and when something outside has changed it.
+//! Data breakpoints: the run stops after a line that has changed or read a value, and when a value was changed from
+//! outside.
 //!
-//! While one is set, tasks execute one line at a time, and the watched values are compared bit by bit after each. A line
-//! that writes the value that is there already is no change. Reads are found in the operations of the line
-//! ([`reads`](crate::reads)); those of signals are noted by the controller. A line that waits reads once, when the wait
-//! begins.
+//! While a data breakpoint is set, tasks execute one line at a time, and the watched values are compared bit by bit
+//! after each line. Writing the present value is no change. Reads are found in the operations of the line
+//! ([`reads`](crate::reads)); the controller records reads of signals. A waiting line reads once, when the wait begins.
 
 use std::collections::BTreeMap;
 
@@ -17,69 +17,70 @@ use crate::frames::{TaskFrame, task_frame};
 use crate::history::Moment;
 use crate::watched::{Digest, WatchedData};
 
-/// The accesses at which a data breakpoint stops the run.
+/// Accesses at which a data breakpoint stops the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DataAccess {
-    /// The value changes.
+    /// A change of the value.
     Write,
-    /// A line reads it.
+    /// A line that reads the value.
     Read,
-    /// Both.
+    /// Changes and reads.
     ReadWrite,
 }
 
-/// A breakpoint that stops the run when a value changes or is read.
+/// Breakpoint on a value that changes or is read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataBreakpoint {
-    /// Its identity, unique among all breakpoints.
+    /// Identity, unique among all breakpoints.
     pub id: BreakpointId,
-    /// The watched data.
+    /// Watched data.
     pub data: WatchedData,
-    /// The accesses that count.
+    /// Accesses that count as hits.
     pub access: DataAccess,
-    /// At which of these accesses the run stops; at each without one.
+    /// Hits at which the run stops; `None` for every hit.
     pub hits: Option<HitCondition>,
 }
 
 /// A change of watched data, or a line that reads them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataChange {
-    /// The breakpoint.
+    /// Breakpoint that was hit.
     pub id: BreakpointId,
-    /// Whether the value has changed; otherwise it was read.
+    /// Whether the value was changed; otherwise it was read.
     pub is_write: bool,
-    /// The value before.
+    /// Previous value.
     pub old: String,
-    /// The value now. Data that are no longer in memory are shown as such.
+    /// Present value, or a text for data that are no longer in memory.
     pub new: String,
 }
 
 /// A stop at data breakpoints.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DataStop {
-    /// The task whose line has made the changes; `None` for a change from outside, such as that of an input.
+    /// Task whose line accessed the data; `None` for a change from outside, for example when an input changes.
     pub task: Option<TaskNumber>,
-    /// The line. The task is before the next one.
+    /// The line that accessed the data. The task is already before its next line.
     pub line: Option<TaskFrame>,
-    /// The changes.
+    /// Changes and reads at this stop.
     pub changes: Vec<DataChange>,
 }
 
-/// The data breakpoints of a run, and the values that they have seen.
+/// Data breakpoints of a run, with the last compared values.
 #[derive(Debug, Default)]
 pub(crate) struct DataBreakpoints {
     all: Vec<Watch>,
-    /// The line that each task begins next.
+    /// Next line by task.
     next: BTreeMap<TaskNumber, (Frame, u32)>,
 }
 
 #[derive(Debug)]
 struct Watch {
     breakpoint: DataBreakpoint,
-    /// `None` where it is not in memory.
+    /// Last compared value; `None` if it was not in memory.
     seen: Option<Digest>,
     text: String,
-    /// When the program of a local variable has ended. The same place may hold the variable of a later call then.
+    /// Moment at which the program of a local variable ended. From then on the same place may contain the variable of a
+    /// later call.
     over: Option<Moment>,
 }
 
@@ -90,7 +91,7 @@ impl DataBreakpoints {
 }
 
 impl Debugger {
-    /// Replaces the data breakpoints. Those that stay keep their number of hits.
+    /// Replaces the data breakpoints. A breakpoint whose identity already existed keeps its hit count.
     pub fn set_data_breakpoints(&mut self, breakpoints: Vec<DataBreakpoint>) {
         for before in &self.data.all {
             if breakpoints.iter().all(|breakpoint| breakpoint.id != before.breakpoint.id) {
@@ -106,7 +107,8 @@ impl Debugger {
         self.settle_data();
     }
 
-    /// Takes the present values as known: the caller has changed something, or the run is at another moment.
+    /// Compares later values with the present ones. Called after changes by the caller, and after the run has gone to
+    /// another moment.
     pub(crate) fn settle_data(&mut self) {
         let now = Moment::of(&self.controller);
         for watch in &mut self.data.all {
@@ -121,7 +123,7 @@ impl Debugger {
         self.keep_lines();
     }
 
-    /// Keeps the lines of tasks that are not known.
+    /// Stores the next line for each task without a stored line.
     fn keep_lines(&mut self) {
         if self.data.is_empty() {
             return;
@@ -133,8 +135,8 @@ impl Debugger {
         }
     }
 
-    /// The changes since the last call, which a task has made or something outside. They count as hits. The stop is that at
-    /// the breakpoints whose number of hits is reached, or at all of them.
+    /// Returns the stop for the accesses since the last call, by a line of `task` or from outside, and counts them as
+    /// hits. The stop contains the breakpoints whose hit condition holds, or all hit breakpoints with `at_each_hit`.
     pub(crate) fn follow_data(&mut self, task: Option<TaskNumber>, at_each_hit: bool) -> Option<Stop> {
         if self.data.is_empty() {
             return None;
@@ -182,7 +184,7 @@ impl Debugger {
         Some(Stop::Data(Box::new(DataStop { task, line, changes })))
     }
 
-    /// Begins the next cycle without executing a line, and gives the stop for what has changed outside.
+    /// Begins the next cycle without executing a line, and returns the stop for changes from outside.
     pub(crate) fn begin_watched_cycle(&mut self) -> Option<Stop> {
         if self.data.is_empty() || self.controller.is_within_cycle() || self.travel.is_some() {
             return None;

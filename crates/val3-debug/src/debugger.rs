@@ -1,4 +1,4 @@
-//! The controller under control.
+//! The debugger of a controller.
 
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
@@ -17,82 +17,83 @@ use crate::travel::{MotionStop, Travel};
 
 /// A controller that stops at breakpoints, after steps and at run-time errors.
 ///
-/// Time, arm, inputs and outputs change only while it advances.
+/// Time, arm, inputs and outputs change only in [`advance`](Debugger::advance).
 #[derive(Debug)]
 pub struct Debugger {
-    /// The controller.
+    /// Debugged controller.
     pub controller: Controller,
     pub(crate) breakpoints: Breakpoints,
     pub(crate) errors: Errors,
     pub(crate) step: Option<Step>,
     pub(crate) history: Option<History>,
     pub(crate) data: DataBreakpoints,
-    /// The pause that was asked for.
+    /// Requested pause.
     pub(crate) pause: Option<Pause>,
-    /// The task that has executed a line last, as far as known.
+    /// Task that executed the last line; `None` if unknown.
     pub(crate) last: Option<TaskNumber>,
-    /// The messages of log points that were not taken.
+    /// Messages of log points since the last [`take_logged`](Debugger::take_logged).
     logged: Vec<LoggedMessage>,
-    /// The motion for which all tasks rest.
+    /// Motion during which all tasks rest.
     pub(crate) travel: Option<Travel>,
-    /// The stop that follows it.
+    /// Stop to report after this motion.
     pub(crate) pending: Option<Stop>,
-    /// The mode of the motion that was chosen.
+    /// Chosen motion mode.
     pub(crate) mode: MotionMode,
-    /// A stop of a task pauses that task alone.
+    /// Whether a stop of a task pauses only this task.
     stops_alone: bool,
 }
 
-/// The result of a call of [`Debugger::advance`].
+/// Result of [`Debugger::advance`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum Progress {
-    /// The controller runs on. After an outcome [within a cycle](Outcome::is_within_cycle) no time passes.
+    /// The controller continues. No time passes after an outcome [within a cycle](Outcome::is_within_cycle).
     Ran(Outcome),
     /// The run has stopped.
     Stopped(Stop),
 }
 
-/// Why the run has stopped.
+/// Reason for a stop of the run.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Stop {
     /// A task is before a line with breakpoints.
     Breakpoints {
-        /// The task.
+        /// Stopped task.
         task: TaskNumber,
-        /// The breakpoints whose number of hits is reached, and those whose condition cannot be evaluated.
+        /// Breakpoints whose hit condition holds or whose condition cannot be evaluated.
         ids: Vec<BreakpointId>,
-        /// The conditions that cannot be evaluated.
+        /// Conditions that cannot be evaluated.
         faults: Vec<ConditionFault>,
     },
-    /// A step is done.
+    /// A step has ended.
     Step {
-        /// Its task.
+        /// Stopped task.
         task: TaskNumber,
     },
-    /// Watched data have changed.
+    /// Watched data were changed or read.
     Data(Box<DataStop>),
-    /// The run is paused.
+    /// The run was paused.
     Pause {
-        /// The task to show; none if no task is left.
+        /// Task to show; `None` if no task exists.
         task: Option<TaskNumber>,
     },
-    /// The run has gone back to where its past begins.
+    /// The run has gone back to where the recorded history begins.
     Beginning,
     /// A run-time error has stopped a task.
     Error {
-        /// The task.
+        /// Failed task.
         task: TaskNumber,
-        /// The error.
+        /// Run-time error.
         fault: Fault,
     },
     /// The arm has come to rest before a path that it cannot follow.
     PathFault(Box<MotionFault>),
-    /// The arm has arrived where a line in step mode or [`Debugger::step_motion`] has released it to, or does not move.
+    /// The arm has arrived at the end of the motion that a line in step mode or [`Debugger::step_motion`] released, or
+    /// does not move.
     Motion(Box<MotionStop>),
 }
 
 impl Stop {
-    /// The task that stops, where the others could run on.
+    /// Returns the task that stops if the other tasks could continue.
     #[must_use]
     pub fn task_alone(&self) -> Option<TaskNumber> {
         match self {
@@ -105,7 +106,7 @@ impl Stop {
 }
 
 impl Debugger {
-    /// Takes control of a controller.
+    /// Creates a debugger for the controller.
     #[must_use]
     pub fn new(controller: Controller) -> Self {
         Self {
@@ -125,39 +126,38 @@ impl Debugger {
         }
     }
 
-    /// Replaces the breakpoints of a file, and says where they are.
+    /// Replaces the breakpoints of a file, and returns their resolved lines.
     pub fn set_breakpoints(&mut self, file: &str, breakpoints: Vec<Breakpoint>) -> Vec<Placed> {
         self.breakpoints.set(file, breakpoints);
         self.controller.vm.set_stops(file, self.breakpoints.rows(file));
         self.breakpoints.placed(file, &self.controller.vm.space)
     }
 
-    /// Replaces the breakpoints at the beginning of programs, and says where they are.
+    /// Replaces the breakpoints on programs, and returns their resolved lines.
     pub fn set_program_breakpoints(&mut self, breakpoints: Vec<ProgramBreakpoint>) -> Vec<PlacedProgram> {
         self.breakpoints.set_programs(breakpoints);
         self.controller.vm.set_program_stops(self.breakpoints.programs.names());
         self.placed_programs()
     }
 
-    /// Where the breakpoints at the beginning of programs are now, for example after a library was loaded.
+    /// Returns the resolved lines of the breakpoints on programs, which change for example when a library is loaded.
     #[must_use]
     pub fn placed_programs(&self) -> Vec<PlacedProgram> {
         self.breakpoints.programs.placed(&self.controller.vm.space)
     }
 
-    /// Chooses the run-time errors that stop the run.
+    /// Sets the run-time errors that stop the run.
     pub fn set_errors(&mut self, errors: Errors) {
         self.errors = errors;
     }
 
-    /// Lets a task step, in place of a step that is under way. The other tasks run meanwhile.
+    /// Starts a step of a task. It replaces the current step. The other tasks run meanwhile.
     pub fn step(&mut self, task: TaskNumber, kind: StepKind) {
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
         self.step = found.map(|task| Step::new(task, kind));
     }
 
-    /// Lets the controller run as without a debugger: gives up breakpoints, steps, pauses and the past. The motion is
-    /// continuous.
+    /// Removes breakpoints, the current step and pauses, discards the history, and returns to continuous motion.
     pub fn let_go(&mut self) {
         self.stops_alone = false;
         self.history = None;
@@ -178,18 +178,18 @@ impl Debugger {
         self.logged.clear();
     }
 
-    /// Chooses whether a stop of a task pauses that task alone, as [`pause_task`](Self::pause_task) does, while the
-    /// others, the clock and the arm continue.
+    /// Sets whether a stop of a task pauses only this task, like [`pause_task`](Self::pause_task), while the other
+    /// tasks, the clock and the arm continue.
     pub fn stop_tasks_alone(&mut self, alone: bool) {
         self.stops_alone = alone;
     }
 
-    /// Gives up a step that is under way.
+    /// Cancels the current step.
     pub fn abandon_step(&mut self) {
         self.step = None;
     }
 
-    /// Runs to the end of the cycle, or to where it stops.
+    /// Runs to the end of the cycle or to the next stop.
     pub fn advance(&mut self) -> Progress {
         let progress = self.advance_part();
         if let Progress::Stopped(stop) = &progress
@@ -247,7 +247,7 @@ impl Debugger {
             _ => None,
         };
         stop.map_or(Progress::Ran(outcome), |stop| {
-            // A task that stops alone leaves the steps of others.
+            // If a stop pauses only one task, the steps of other tasks continue.
             self.step = self.step.filter(|step| self.stops_alone && stop.task_alone() != Some(step.task));
             Progress::Stopped(stop)
         })
@@ -267,22 +267,22 @@ impl Debugger {
         }
         let vm = &self.controller.vm;
         if !vm.tasks().iter().any(|known| known.id == task) {
-            // The run goes on after a step over the end of a task.
+            // The task of the step no longer exists: the run continues.
             self.step = self.step.filter(|step| step.task != task);
         }
         let step = self.step.filter(|step| step.task == task && step.is_done(vm))?;
         let task = match step.kind {
-            // The line has created the last one.
+            // The line has created the newest task.
             StepKind::IntoTask => vm.tasks().iter().map(|known| known.id).max().unwrap_or(task),
             StepKind::In | StepKind::Over | StepKind::Out => task,
         };
-        // A breakpoint at the line where the step ends has its hit now, not once more when the task continues.
+        // A breakpoint on the line where the step ends counts its hit now, not when the task continues.
         let stop = self.hit(task);
         self.controller.vm.pass_stop(task);
         Some(stop.unwrap_or(Stop::Step { task }))
     }
 
-    /// The messages of log points since the last call.
+    /// Returns the log point messages since the last call.
     pub fn take_logged(&mut self) -> Vec<LoggedMessage> {
         std::mem::take(&mut self.logged)
     }
@@ -295,7 +295,7 @@ impl Debugger {
         }
     }
 
-    /// Gives the programs the marks of the present breakpoints, which a snapshot may lack.
+    /// Sets the marks of the present breakpoints in the programs, because a restored snapshot may have other marks.
     pub(crate) fn restore_marks(&mut self) {
         for file in self.breakpoints.files() {
             self.controller.vm.set_stops(file, self.breakpoints.rows(file));
@@ -303,19 +303,19 @@ impl Debugger {
         self.controller.vm.set_program_stops(self.breakpoints.programs.names());
     }
 
-    /// The stop at the breakpoints of the line that a task begins next, whatever their numbers of hits.
+    /// Returns the stop at the breakpoints on the task's next line, ignoring hit conditions.
     pub(crate) fn stop_before(&mut self, task: TaskNumber) -> Option<Stop> {
         stop(task, self.breakpoints.at(&mut self.controller, task))
     }
 
-    /// A task has arrived at the line that it begins next: the stop at breakpoints whose hit it is.
+    /// Counts the task's arrival at its next line, and returns the stop at the breakpoints whose hit condition holds.
     pub(crate) fn hit(&mut self, task: TaskNumber) -> Option<Stop> {
         let mut arrival = self.breakpoints.hit(&mut self.controller, task);
         self.logged.append(&mut arrival.logged);
         stop(task, arrival)
     }
 
-    /// Counts the hits of a task that arrives at its next line again. Its messages are known.
+    /// Counts the hits of a replayed arrival, and discards its messages, which were already logged.
     pub(crate) fn hit_again(&mut self, task: TaskNumber) {
         let known = std::mem::take(&mut self.logged);
         self.hit(task);

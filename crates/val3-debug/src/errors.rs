@@ -1,4 +1,4 @@
-//! Run-time errors at which the run stops, and the tasks that can handle them.
+//! Run-time errors that stop the run, and the tasks that can handle them.
 
 use std::collections::BTreeSet;
 
@@ -9,33 +9,33 @@ use val3_vm::{InstanceId, Task, TaskState, Vm};
 
 use crate::called::called_program;
 
-/// The run-time errors at which tasks stop the run: those that any of these select.
+/// Run-time errors that stop the run: every error that at least one field selects.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Errors {
-    /// Each.
+    /// Every error.
     pub all: bool,
-    /// Errors without a task that can handle them: see [`handler`].
+    /// Errors that no task can handle: see [`handler`].
     pub unhandled: bool,
-    /// Those of moves and motion descriptors ([`runtime_errors::is_motion`]), and paths that the arm cannot follow.
+    /// Errors of moves and motion descriptors ([`runtime_errors::is_motion`]), and paths that the arm cannot follow.
     pub motion: bool,
-    /// Those with these numbers.
+    /// Errors with these numbers.
     pub numbers: BTreeSet<u16>,
 }
 
 impl Errors {
-    /// Each run-time error.
+    /// Selects every run-time error.
     #[must_use]
     pub fn all() -> Self {
         Self { all: true, ..Self::default() }
     }
 
-    /// The errors with these numbers.
+    /// Selects the errors with these numbers.
     #[must_use]
     pub fn only(numbers: impl IntoIterator<Item = u16>) -> Self {
         Self { numbers: numbers.into_iter().collect(), ..Self::default() }
     }
 
-    /// No error stops the run.
+    /// Whether no error stops the run.
     #[must_use]
     pub fn is_none(&self) -> bool {
         *self == Self::default()
@@ -46,7 +46,7 @@ impl Errors {
         self.all || self.motion
     }
 
-    /// Whether an error that has stopped a task stops the run.
+    /// Whether an error that has stopped a task also stops the run.
     pub(crate) fn contain(&self, vm: &Vm, task: TaskNumber, Fault(number): Fault) -> bool {
         self.all
             || self.numbers.contains(&number)
@@ -55,12 +55,12 @@ impl Errors {
     }
 }
 
-/// The task that can handle the error of a task, if there is one at this moment.
+/// Returns a task that can handle the error of `task`.
 ///
-/// VAL 3 has no handlers of errors: another task reads `taskStatus`, and resumes or kills the task. Whether it will do so is
-/// not known when the error occurs. So an error counts as handled if another running task of the same application or
-/// library is in a program that contains `taskStatus`, `taskResume` or `taskKill`, or that can call such a program. Tasks are
-/// visible only in the application or library that has created them (5.3), so the instruction has to be there.
+/// VAL 3 has no error handlers: another task reads `taskStatus`, and resumes or kills the failed task. When the error
+/// occurs, it is unknown whether a task will do so. An error therefore counts as handled if another running task is in
+/// a program that contains `taskStatus`, `taskResume` or `taskKill`, or that can call such a program. The instruction
+/// has to be in the application or library that created the failed task, because tasks are visible only there (5.3).
 #[must_use]
 pub fn handler(vm: &Vm, task: TaskNumber) -> Option<TaskNumber> {
     let failed = vm.tasks().iter().find(|known| known.id == task)?;
@@ -68,10 +68,10 @@ pub fn handler(vm: &Vm, task: TaskNumber) -> Option<TaskNumber> {
     others.find(|other| watches(vm, other, failed.owner)).map(|other| other.id)
 }
 
-/// The instructions that ask for the state of another task or change it.
+/// Instructions that read or change another task's state.
 const HANDLING: [&str; 3] = ["taskStatus", "taskResume", "taskKill"];
 
-/// Whether a task is in a program with an instruction about tasks of an application or library, or may call one.
+/// Whether the task is in a program of `owner` with such an instruction, or can call one.
 fn watches(vm: &Vm, task: &Task, owner: InstanceId) -> bool {
     let mut left: Vec<(InstanceId, u16)> =
         task.thread.frames.iter().map(|frame| (frame.instance, frame.program)).collect();

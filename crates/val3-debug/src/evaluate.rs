@@ -1,4 +1,4 @@
-//! Evaluation of compiled code in the frames of tasks.
+//! Evaluation of compiled code in stack frames.
 
 use val3_bytecode::Fragment;
 use val3_lang::fault::Fault;
@@ -9,16 +9,16 @@ use val3_vm::{FragmentContext, FragmentEnd};
 
 use crate::values::{self, Format, Value};
 
-/// Lines that an expression may execute.
+/// Number of lines that an expression may execute.
 const LINES: u32 = 1000;
 
-/// The grant of an expression, which ends soon by itself.
+/// Returns the grant for an expression: a fixed number of lines.
 pub fn expression_grant() -> impl Iterator<Item = u32> {
     std::iter::once(LINES)
 }
 
-/// Executes a fragment, as many lines of it as are granted, without a turn of any task. Returns the value of an expression,
-/// whose name is `text`, and the events of the fragment.
+/// Executes a fragment, without a turn of any task, until it ends or has executed the granted lines. Returns its value,
+/// which is named `text`, and its events.
 pub fn evaluate(
     controller: &mut Controller,
     (fragment, text): (&Fragment, &str),
@@ -32,7 +32,7 @@ pub fn evaluate(
     (end, events)
 }
 
-/// Why a fragment has not reached its end, for users.
+/// Returns the reason why a fragment did not end normally, for users.
 #[must_use]
 pub fn end_message<T>(end: &FragmentEnd<T>) -> String {
     match end {

@@ -1,31 +1,31 @@
-//! The programs that a task is in.
+//! The call stack of a task.
 
 use val3_lang::ports::TaskNumber;
 use val3_vm::{Frame, InstanceId, Vm};
 
-/// A program that a task is in.
+/// Stack frame of a task.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TaskFrame {
-    /// The name of the application or library.
+    /// Name of the application or library.
     pub application: String,
-    /// The name of the program.
+    /// Program name.
     pub program: String,
-    /// The file of the program.
+    /// File of the program.
     pub file: String,
-    /// The line of the file that is executed, or executed next, from 1.
+    /// Current or next line of the file, from 1.
     pub row: u32,
-    /// The application or library in memory.
+    /// Application or library in memory.
     pub instance: InstanceId,
-    /// The number of the program in it.
+    /// Number of the program in its application or library.
     pub number: u16,
 }
 
-/// The programs that a task is in, the innermost first; none if there is no such task.
+/// Returns the stack frames of a task, the innermost first; empty if there is no such task.
 #[must_use]
 pub fn frames(vm: &Vm, task: TaskNumber) -> Vec<TaskFrame> {
     let Some(task) = vm.tasks().iter().find(|known| known.id == task) else { return Vec::new() };
     let thread = &task.thread;
-    // Between two lines the next one counts, within a line that line.
+    // Between two lines the frame shows the next line, within a line the current line.
     let first = if vm.is_within_line(task.id) { thread.line } else { thread.next };
     let mut op = first;
     let shown = |frame: &Frame| {
@@ -36,7 +36,7 @@ pub fn frames(vm: &Vm, task: TaskNumber) -> Vec<TaskFrame> {
     thread.frames.iter().rev().filter_map(shown).collect()
 }
 
-/// The program of a frame, at the line that an operation belongs to.
+/// Returns the stack frame at an operation's line.
 pub(crate) fn task_frame(vm: &Vm, frame: &Frame, op: u32) -> Option<TaskFrame> {
     let image = &vm.space.instance(frame.instance)?.image;
     let program = image.programs.get(usize::from(frame.program))?;

@@ -1,4 +1,4 @@
-//! Another next line for a task, as `taskResume` sets it (5.10).
+//! Setting a task's next line, like `taskResume` (5.10).
 
 use std::error::Error;
 use std::fmt;
@@ -9,25 +9,25 @@ use val3_lang::ports::TaskNumber;
 use crate::debugger::Debugger;
 use crate::program_breakpoints::file_of;
 
-/// A line at which a task can continue.
+/// Line at which a task can continue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct GotoTarget {
-    /// The row of the line. For the end of the program, the row that was asked for.
+    /// Row of the line; for the end of the program, the requested row.
     pub row: u32,
-    /// The end of the program: no line is left.
+    /// Whether this is the end of the program.
     pub is_end: bool,
-    /// The first operation of the line.
+    /// First operation of the line.
     op: u32,
 }
 
-/// Why a task cannot continue at a line.
+/// Reason why a task cannot continue at a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GotoFault {
     /// There is no such task.
     NoTask,
-    /// The row is not in the program that the task is in.
+    /// The row is not in the task's innermost program.
     OtherProgram,
-    /// The program has no such line any more.
+    /// The program no longer has this line.
     NoLine,
 }
 
@@ -44,8 +44,8 @@ impl fmt::Display for GotoFault {
 impl Error for GotoFault {}
 
 impl Debugger {
-    /// Where a task can continue for a row of a file: at the line there or the next one with an instruction, or at the end
-    /// of the program.
+    /// Returns the line at which the task can continue for a row of a file: the line at this row, the next line with an
+    /// instruction, or the end of the program.
     ///
     /// # Errors
     /// The row is not in the innermost program of the task.
@@ -61,9 +61,8 @@ impl Debugger {
         Ok(target(program, row))
     }
 
-    /// Lets a task continue at another line of the innermost program that it is in, as `taskResume` does for a task that is
-    /// not running. Nothing is executed. A task that was halted or that an error has stopped runs again. A new future
-    /// begins here.
+    /// Lets a task continue at another line in its innermost program, like `taskResume` for a task that is not running.
+    /// Nothing is executed. A task that was halted or stopped by an error runs again. Discards the recorded future.
     ///
     /// # Errors
     /// There is no such task or line.

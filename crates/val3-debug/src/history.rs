@@ -1,4 +1,4 @@
-//! The past of a run: snapshots, between which it is executed again.
+//! History of a run: snapshots, between which the run is replayed.
 
 use std::collections::VecDeque;
 
@@ -8,13 +8,13 @@ use val3_vm::CYCLE;
 
 use crate::breakpoints::Hits;
 
-/// The greatest number of cycles with busy tasks between two snapshots. They are executed again within some milliseconds.
+/// Largest number of cycles with busy tasks between two snapshots. They are replayed within some milliseconds.
 const CYCLES: u32 = 16;
 
-/// A moment of a run. The controller's clock tells all lines apart, because each takes time.
+/// A moment of a run. The controller's clock distinguishes all lines, because the clock advances with each line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Moment {
-    /// The controller's clock, in nanoseconds.
+    /// Controller clock, in ns.
     pub time: Time,
     /// Whether a cycle that begins at this time has begun.
     pub(crate) is_within_cycle: bool,
@@ -26,13 +26,13 @@ impl Moment {
     }
 }
 
-/// How much of the past is kept.
+/// Limits of the recorded history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PastLimits {
-    /// The number of snapshots.
+    /// Largest number of snapshots.
     pub snapshots: usize,
-    /// The bytes of all snapshots and of the inputs recorded since the first one, as estimated. The last snapshot is kept in
-    /// any case.
+    /// Largest estimated size of all snapshots and of the inputs recorded since the first one, in bytes. The last
+    /// snapshot is always kept.
     pub bytes: u64,
 }
 
@@ -43,72 +43,72 @@ impl Default for PastLimits {
 }
 
 impl PastLimits {
-    /// A number of snapshots of usual size.
+    /// Limits the number of snapshots, with the default limit of bytes.
     #[must_use]
     pub fn snapshots(snapshots: usize) -> Self {
         Self { snapshots, ..Self::default() }
     }
 }
 
-/// How far a run can go back.
+/// Extent of the recorded history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Reach {
-    /// The earliest moment.
+    /// Earliest moment.
     pub first: Moment,
-    /// The time from there to now, in nanoseconds.
+    /// Time from the earliest moment to the present, in ns.
     pub time: Time,
-    /// The same in cycles of the controller.
+    /// The same time in controller cycles.
     pub cycles: u64,
     /// Whether the earliest moment is the beginning of the run.
     pub is_whole: bool,
-    /// The snapshots that are kept.
+    /// Number of snapshots.
     pub snapshots: usize,
-    /// Their bytes and those of the recorded inputs, as estimated.
+    /// Estimated size of the snapshots and the recorded inputs, in bytes.
     pub bytes: u64,
 }
 
-/// The state of a run at a moment.
+/// Snapshot of the run at a moment.
 #[derive(Debug)]
 pub(crate) struct Point {
     pub(crate) moment: Moment,
     pub(crate) snapshot: Snapshot,
-    /// The hits of breakpoints until then.
+    /// Hit counts at the moment.
     pub(crate) hits: Hits,
-    /// The task that had executed a line last, as far as known.
+    /// Task that had executed the last line; `None` if unknown.
     last: Option<TaskNumber>,
     cause: Cause,
     bytes: u64,
 }
 
-/// Why a snapshot was taken.
+/// Reason for a snapshot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Cause {
     /// Some cycles have passed.
     Time,
-    /// Something outside of the run has changed it, which no replay repeats.
+    /// The run was changed from outside, which a replay does not repeat.
     Change,
-    /// As `Change`: a line has released the arm, and is over only at the next `Arrival`.
+    /// Like `Change`: a line has released the arm. The line ends at the next `Arrival`.
     Release,
-    /// As `Change`: the arm has arrived, or does not move on.
+    /// Like `Change`: the arm has arrived, or does not continue.
     Arrival,
 }
 
-/// Snapshots of a run in the order of time.
+/// Snapshots of a run in chronological order.
 #[derive(Debug)]
 pub(crate) struct History {
     points: VecDeque<Point>,
-    /// The bytes of the inputs that were recorded from the first snapshot to the last one.
+    /// Size of the inputs recorded from the first to the last snapshot, in bytes.
     input_bytes: u64,
     limits: PastLimits,
     /// Cycles since the last snapshot.
     cycles: u32,
-    /// The latest moment that the run has been at since the last change from outside.
+    /// Latest moment that the run reached since the last change from outside.
     latest: Option<Moment>,
 }
 
 impl History {
-    /// The past of a run that begins now. Older snapshots are thinned out, so that the limits hold. While those of changes
-    /// leave room, the first one stays.
+    /// Creates the history of a run that begins now. Older snapshots are thinned out to keep the limits. The first one
+    /// remains unless the snapshots of changes exceed the limits without the others.
     pub(crate) fn new(controller: &mut Controller, hits: &Hits, limits: PastLimits) -> Self {
         let mut history = Self { points: VecDeque::new(), input_bytes: 0, limits, cycles: 0, latest: None };
         history.add(controller, hits, Cause::Time);
@@ -119,7 +119,7 @@ impl History {
         self.limits
     }
 
-    /// A cycle is over.
+    /// Counts a cycle, and adds a snapshot if one is due.
     pub(crate) fn pass_cycle(&mut self, controller: &mut Controller, hits: &Hits) {
         self.cycles += 1;
         let is_new = self.points.back().is_none_or(|last| last.moment < Moment::of(controller));
@@ -129,7 +129,8 @@ impl History {
         }
     }
 
-    /// Something outside of the run has changed it: what was recorded after this moment is no longer its future.
+    /// Discards the snapshots from the present moment on, and adds a new one: a change from outside has made the
+    /// recorded future invalid.
     pub(crate) fn begin_new_future(
         &mut self,
         controller: &mut Controller,
@@ -146,12 +147,12 @@ impl History {
         }
     }
 
-    /// The run leaves a moment to go back.
+    /// Records the latest moment before the run goes back.
     pub(crate) fn leave(&mut self, moment: Moment) {
         self.latest = self.latest.max(Some(moment));
     }
 
-    /// Whether a moment is in the past: what followed it is known.
+    /// Whether the run has already been later than this moment.
     pub(crate) fn is_past(&self, moment: Moment) -> bool {
         self.latest > Some(moment)
     }
@@ -165,7 +166,7 @@ impl History {
         self.trim(controller);
     }
 
-    /// Removes snapshots until the limits hold. Inputs are only forgotten with the oldest ones.
+    /// Removes snapshots until the limits hold. Inputs are discarded only together with the oldest snapshots.
     fn trim(&mut self, controller: &mut Controller) {
         let mut before = usize::MAX;
         while self.is_beyond_limits(self.snapshot_bytes()) && self.points.len() < before {
@@ -193,10 +194,10 @@ impl History {
         self.points.iter().map(|point| point.bytes).sum()
     }
 
-    /// Removes every second snapshot of the older half: the distances grow with the age.
+    /// Removes every second snapshot of the older half, so that the distance between snapshots grows with their age.
     ///
-    /// Snapshots of changes stay, because a replay from before them would not repeat the change. If too many are left, the
-    /// past begins later.
+    /// Snapshots of changes remain, because a replay from an earlier snapshot would not repeat the change. If they
+    /// exceed the limits, [`trim`](Self::trim) removes the oldest snapshots.
     fn thin(&mut self) {
         let half = self.points.len() / 2;
         let mut number = 0;
@@ -206,7 +207,7 @@ impl History {
         });
     }
 
-    /// How far the run can go back from a moment.
+    /// Returns the extent of the history before `now`.
     pub(crate) fn reach(&self, now: Moment) -> Option<Reach> {
         let first = self.first()?;
         let time = now.time.saturating_sub(first.time);
@@ -220,7 +221,7 @@ impl History {
         })
     }
 
-    /// The moment at which a line is over that is executed until this one: later if it releases the arm.
+    /// Returns the end of the line that runs until `moment`, which is later if the line releases the arm.
     pub(crate) fn end_of_line(&self, moment: Moment) -> Option<Moment> {
         let is_release = |point: &&Point| point.moment == moment && point.cause == Cause::Release;
         if !self.before(moment).is_some_and(|point| is_release(&point)) {
@@ -230,22 +231,22 @@ impl History {
         later.find(|point| point.cause == Cause::Arrival).map(|arrival| arrival.moment)
     }
 
-    /// The last snapshot at a moment or before it.
+    /// Returns the last snapshot at or before a moment.
     pub(crate) fn before(&self, moment: Moment) -> Option<&Point> {
         self.points.iter().rev().find(|point| point.moment <= moment)
     }
 
-    /// The last snapshot earlier than a moment.
+    /// Returns the last snapshot before a moment.
     pub(crate) fn earlier(&self, moment: Moment) -> Option<&Point> {
         self.points.iter().rev().find(|point| point.moment < moment)
     }
 
-    /// The task that had executed a line last when something outside changed the run at a moment.
+    /// Returns the task that had executed the last line before a change from outside at this moment.
     pub(crate) fn changed_at(&self, moment: Moment) -> Option<TaskNumber> {
         self.before(moment).filter(|point| point.moment == moment && point.cause == Cause::Change)?.last
     }
 
-    /// The beginning of the past.
+    /// Returns the moment of the first snapshot.
     pub(crate) fn first(&self) -> Option<Moment> {
         self.points.front().map(|point| point.moment)
     }

@@ -1,7 +1,7 @@
-//! Runs a controller under control: breakpoints, steps, run-time errors, and the frames and values of its tasks.
+//! Debugger for a controller: breakpoints, steps, run-time errors, stack frames and values.
 //!
-//! The crate knows no protocol and no clock. Its caller lets a [`Debugger`] advance, waits for the real time where the run
-//! follows it, and passes on what stops.
+//! The crate contains no protocol and reads no clock. The caller calls [`Debugger::advance`], waits if the run follows
+//! real time, and reports the stops.
 
 mod arguments;
 mod backwards;

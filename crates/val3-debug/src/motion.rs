@@ -1,12 +1,12 @@
-//! Steps of the motion (manual 10.2.2).
+//! Step mode of the motion (10.2.2).
 //!
-//! In step mode the arm moves only when it is released. A line that records a move, or otherwise determines more of the
-//! path (`waitEndMove`), releases it: all tasks rest until the arm is at the end of everything that is determined. While
-//! the run continues, that is a stop; a step of a task continues or ends there.
+//! In step mode the arm moves only after a release. A line that records a move, or otherwise determines more of the
+//! path (`waitEndMove`), releases the arm: all tasks rest until the arm is at the end of the determined path. If the
+//! run continues, it stops there; a step of a task continues or ends there.
 //!
-//! Pieces of the path that were determined before the step mode was chosen wait for [`Debugger::step_motion`], for the
-//! next line that determines more, or for a task that can only continue once the arm has moved: it waits, without a time,
-//! in a line with an instruction about the arm. A program that asks for the arm again and again in a loop does not
+//! Pieces of the path that were determined before the change to step mode are released by [`Debugger::step_motion`], by
+//! the next line that determines more of the path, or by a task that can continue only after the arm has moved: a task
+//! that waits, without a timeout, in a line with an instruction about the arm. A loop that polls the arm does not
 //! release it.
 
 use val3_lang::ports::TaskNumber;
@@ -18,13 +18,13 @@ use crate::history::Cause;
 use crate::travel::{MotionStop, Then, Travel};
 
 impl Debugger {
-    /// The mode of the motion.
+    /// Returns the chosen motion mode.
     #[must_use]
     pub const fn motion_mode(&self) -> MotionMode {
         self.mode
     }
 
-    /// Chooses the mode of the motion, also while the arm moves. A new future begins here.
+    /// Sets the motion mode, also while the arm moves. Discards the recorded future.
     pub fn set_motion_mode(&mut self, mode: MotionMode) {
         if std::mem::replace(&mut self.mode, mode) != mode {
             self.controller.set_motion_mode(mode);
@@ -32,7 +32,7 @@ impl Debugger {
         }
     }
 
-    /// The run has gone back: the mode is the chosen one, and in step mode the arm has no release.
+    /// Sets the chosen motion mode after the run has gone back. In step mode the arm has no release afterwards.
     pub(crate) fn settle_motion(&mut self) {
         self.travel = None;
         self.controller.rest_tasks(false);
@@ -40,14 +40,14 @@ impl Debugger {
         self.controller.set_motion_mode(self.mode);
     }
 
-    /// Lets the arm advance by one piece while all tasks rest. The run then stops with [`Stop::Motion`], also if no piece
-    /// is determined or something holds the arm. An arm that moves goes to the end of its piece.
+    /// Releases one piece of the path while all tasks rest. The run then stops with [`Stop::Motion`], also if no piece
+    /// is determined or the arm is held. A moving arm continues to the end of the piece.
     pub fn step_motion(&mut self) {
         self.controller.step_motion();
         self.travel(Travel { task: None, then: Then::StopForMotion });
     }
 
-    /// A part of a cycle has passed: lets the arm move where a line has released it.
+    /// Starts the motion that the last part of a cycle has released.
     pub(crate) fn follow_motion(&mut self, revision: u64, progress: Progress) -> Progress {
         if self.mode == MotionMode::Continuous {
             return progress;
@@ -81,7 +81,7 @@ impl Debugger {
         }
     }
 
-    /// The task that can only continue once the arm has moved, which waits for a release.
+    /// Returns the task that can continue only after the arm has moved, if the arm waits for a release.
     fn task_that_awaits_arm(&self) -> Option<TaskNumber> {
         let controller = &self.controller;
         let mut tasks = controller.vm.tasks().iter().filter(|task| !task.is_held).map(|task| task.id);
@@ -97,7 +97,7 @@ impl Debugger {
         self.change_future(cause);
     }
 
-    /// Runs a cycle of a motion for which all tasks rest; none if there is no such motion.
+    /// Runs one cycle of a motion during which all tasks rest; `None` if there is no such motion.
     pub(crate) fn advance_travel(&mut self) -> Option<Progress> {
         self.travel.as_ref()?;
         if let Some(end) = self.end_travel() {
@@ -113,7 +113,7 @@ impl Debugger {
         Some(self.end_travel().unwrap_or(Progress::Ran(Outcome::Busy)))
     }
 
-    /// Ends a motion for which all tasks rest, once the arm has arrived or does not move on.
+    /// Ends a motion during which all tasks rest, if the arm has arrived or does not continue.
     fn end_travel(&mut self) -> Option<Progress> {
         let hold = self.controller.motion_hold();
         if hold.is_none() && !self.controller.motion_has_arrived() {

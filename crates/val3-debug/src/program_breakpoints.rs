@@ -1,4 +1,4 @@
-//! Breakpoints at the beginning of programs, by name.
+//! Breakpoints on programs, by name.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
@@ -11,22 +11,22 @@ use val3_vm::{InstanceId, Space};
 use crate::breakpoints::{BreakpointId, HitCondition};
 use crate::conditions::CompiledExpression;
 
-/// The name of a program. Letter case counts, as in VAL 3.
+/// Name of a program in a breakpoint, case-sensitive as in VAL 3.
 ///
-/// `prog` is each program of this name, of the application and of all libraries. `lib:prog` is only that of the application
-/// or library called `lib`, or of those that programs reach under the identifier `lib`.
+/// `prog` matches every program of this name, in the application and all libraries. `lib:prog` matches only the program
+/// of the application or library called `lib`, or of a library that programs use under the identifier `lib`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProgramName {
-    /// The name of an application or library, or the identifier of a library.
+    /// Application or library name, or library identifier.
     pub library: Option<String>,
-    /// The name of the program.
+    /// Program name.
     pub program: String,
 }
 
 impl FromStr for ProgramName {
     type Err = Infallible;
 
-    /// Spaces and the parentheses of a call do not count: `lib : prog()`.
+    /// Parses the name. Spaces and the parentheses of a call are ignored: `lib : prog()`.
     fn from_str(text: &str) -> Result<Self, Infallible> {
         let text = text.trim();
         let text = text.strip_suffix(')').map_or(text, |text| text.trim_end().trim_end_matches('(')).trim();
@@ -48,57 +48,58 @@ impl fmt::Display for ProgramName {
     }
 }
 
-/// A breakpoint at the beginning of programs: a task stops there when it has called one or begins with it, not when a loop
-/// returns to its first line. A first line that consists of an empty `do … until` loop is the exception: each round is one.
+/// Breakpoint on the first line of programs. A task stops there when it calls such a program or begins with it, not
+/// when a loop returns to the first line. Exception: if the first line is an empty `do … until` loop, each iteration is
+/// a hit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProgramBreakpoint {
-    /// Its identity, unique among all breakpoints.
+    /// Identity, unique among all breakpoints.
     pub id: BreakpointId,
-    /// The name of the programs.
+    /// Name of the programs.
     pub name: ProgramName,
-    /// A hit counts only if this holds. It is compiled for each of the programs, by their files; a program without one has
-    /// no condition.
+    /// Condition for a hit to count, compiled for each matching program, by program file. A program without an entry
+    /// has no condition.
     pub conditions: BTreeMap<String, CompiledExpression>,
-    /// At which of its hits tasks stop; at each without one.
+    /// Hits at which tasks stop; `None` for every hit.
     pub hits: Option<HitCondition>,
 }
 
 impl ProgramBreakpoint {
-    /// A breakpoint without conditions.
+    /// Creates a breakpoint without conditions.
     #[must_use]
     pub fn new(id: BreakpointId, name: ProgramName) -> Self {
         Self { id, name, conditions: BTreeMap::new(), hits: None }
     }
 }
 
-/// Where a breakpoint at the beginning of programs is.
+/// Resolved lines of a breakpoint on programs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlacedProgram {
-    /// The breakpoint.
+    /// Identity of the breakpoint.
     pub id: BreakpointId,
-    /// The files of the programs in memory, and the row of the first line with an instruction. Empty while nothing in
-    /// memory has such a program; libraries that are loaded later may.
+    /// File of each matching program in memory, with the row of the program's first line with an instruction. Empty if
+    /// no program in memory matches; a library that is loaded later may contain one.
     pub places: Vec<(String, u32)>,
 }
 
-/// The breakpoints at the beginning of programs.
+/// All breakpoints on programs.
 #[derive(Debug, Default)]
 pub(crate) struct ProgramBreakpoints(Vec<ProgramBreakpoint>);
 
 impl ProgramBreakpoints {
-    /// Replaces all breakpoints. Gives those that were removed.
+    /// Replaces all breakpoints. Returns the removed ones.
     pub(crate) fn set(&mut self, breakpoints: Vec<ProgramBreakpoint>) -> Vec<BreakpointId> {
         let ids: BTreeSet<_> = breakpoints.iter().map(|breakpoint| breakpoint.id).collect();
         let before = std::mem::replace(&mut self.0, breakpoints);
         before.into_iter().map(|breakpoint| breakpoint.id).filter(|id| !ids.contains(id)).collect()
     }
 
-    /// The names of the programs, without those of libraries.
+    /// Returns the program names without library names.
     pub(crate) fn names(&self) -> BTreeSet<String> {
         self.0.iter().map(|breakpoint| breakpoint.name.program.clone()).collect()
     }
 
-    /// Where they are.
+    /// Returns the resolved lines of all breakpoints.
     pub(crate) fn placed(&self, space: &Space) -> Vec<PlacedProgram> {
         let placed = |breakpoint: &ProgramBreakpoint| {
             let owners = space.loaded().filter(|(id, _)| breakpoint.name.is_of(space, *id));
@@ -111,7 +112,7 @@ impl ProgramBreakpoints {
         self.0.iter().map(placed).collect()
     }
 
-    /// The breakpoints of a program.
+    /// Returns the breakpoints of a program.
     pub(crate) fn of(&self, space: &Space, (owner, program): (InstanceId, &str)) -> Vec<&ProgramBreakpoint> {
         let named = self.0.iter().filter(|breakpoint| breakpoint.name.program == program);
         named.filter(|breakpoint| breakpoint.name.is_of(space, owner)).collect()
@@ -119,7 +120,7 @@ impl ProgramBreakpoints {
 }
 
 impl ProgramName {
-    /// Whether it may name a program of an application or library.
+    /// Whether the name can mean a program of this application or library.
     fn is_of(&self, space: &Space, owner: InstanceId) -> bool {
         let Some(library) = &self.library else { return true };
         let is_identifier = || {

@@ -1,7 +1,7 @@
-//! Which data a line reads, from its operations.
+//! Finds out from a line's operations whether it reads watched data.
 //!
-//! The line is looked at as a whole: operands that a condition leaves out count too, and each argument of an instruction.
-//! Of an array or collection, a line that reads any value of it counts.
+//! All operations of the line count, including operands that a condition skips and every argument of an instruction. If
+//! an array or collection element is watched, reading any other element counts too.
 
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ use val3_bytecode::{
 use val3_lang::memory::{Lanes, Memory, StoreId};
 use val3_vm::{Frame, Imported, Instance};
 
-/// The containers and the lanes of a stack that hold watched data.
+/// Containers, and lanes of a stack, that contain watched data.
 #[derive(Debug, Default)]
 pub(crate) struct Extent {
     pub(crate) stores: FxHashSet<StoreId>,
@@ -22,7 +22,7 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// The lanes of a value on the stack.
+    /// Returns the lanes of a value on the stack.
     pub(crate) fn on_stack(start: Lanes, size: Lanes) -> Self {
         Self {
             stores: FxHashSet::default(),
@@ -40,18 +40,18 @@ impl Extent {
     }
 }
 
-/// A line that was executed: its program, the frame, and its first operation.
+/// An executed line: its program, its stack frame and its first operation.
 pub(crate) struct ExecutedLine<'a> {
     pub(crate) instance: &'a Instance,
     pub(crate) program: &'a Program,
     pub(crate) frame: &'a Frame,
     pub(crate) op: u32,
-    /// The memory after the line, with the stack of the task.
+    /// Memory after the line, with the stack of the task.
     pub(crate) memory: &'a Memory,
 }
 
 impl ExecutedLine<'_> {
-    /// Whether the line reads data.
+    /// Whether the line reads the data.
     pub(crate) fn reads(&self, extent: &Extent) -> bool {
         let rest = self.program.code.get(self.op as usize..).unwrap_or_default();
         let is_own = |(number, step): &(usize, &val3_bytecode::Operation)| *number == 0 || !step.mark.begins_line();
@@ -168,7 +168,7 @@ impl ExecutedLine<'_> {
         }
     }
 
-    /// Whether some numbers at a place are read. Any text of the place counts.
+    /// Whether reading numbers at a place reads the data. For a text `count` is 0, and every text at the place counts.
     fn place(&self, number: Register, (lane, count): (u16, u32), extent: &Extent) -> bool {
         let at = self.frame.base.place as usize + usize::from(number);
         self.memory.stack.places.get(at).is_some_and(|place| match place.store {
@@ -220,7 +220,8 @@ impl ExecutedLine<'_> {
         }
     }
 
-    /// Arguments by reference are not read, as far as the code of the call shows it.
+    /// Whether the arguments of a call read the data. Arguments by reference do not, because the call itself does not
+    /// read them.
     fn call(&self, site: &CallSite, extent: &Extent) -> bool {
         match &site.passes {
             Some(passes) => passes.iter().any(|pass| match *pass {

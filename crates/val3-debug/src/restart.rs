@@ -1,4 +1,4 @@
-//! Restarts of programs: going back to the moment at which a task entered one.
+//! Restart of a program: going back to the moment at which a task entered it.
 
 use std::error::Error;
 use std::fmt;
@@ -11,14 +11,14 @@ use val3_vm::Watch;
 use crate::debugger::{Debugger, Stop};
 use crate::history::Moment;
 
-/// Why the run cannot go back to a beginning.
+/// Reason why the run cannot go back to the beginning of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RestartFault {
-    /// There is no such task or frame.
+    /// There is no such task or stack frame.
     NoFrame,
-    /// The past is not recorded.
+    /// The history is not recorded.
     NoPast,
-    /// The past that is kept begins later.
+    /// The recorded history begins later.
     OutOfReach,
 }
 
@@ -35,12 +35,13 @@ impl fmt::Display for RestartFault {
 impl Error for RestartFault {}
 
 impl Debugger {
-    /// Goes back to the moment at which a program that a task is in was entered, before its first line; 0 is the innermost
-    /// one. Data, arm, inputs and outputs are as they were then. The stop is [`Stop::Step`], or the one at the breakpoints of
-    /// the line.
+    /// Goes back to the moment at which a task entered a program on its stack, before the program's first line. `depth`
+    /// 0 is the innermost program. Data, arm, inputs and outputs are restored. The stop is [`Stop::Step`], or a stop at
+    /// the breakpoints of the line.
     ///
     /// # Errors
-    /// There is no such frame, or the moment is out of reach. The run stays where it is.
+    /// There is no such stack frame, or the moment is not in the recorded history. The run then stays at its present
+    /// moment.
     pub fn restart_frame(&mut self, task: TaskNumber, depth: usize) -> Result<Stop, RestartFault> {
         let frames = self.frame_count(task).ok_or(RestartFault::NoFrame)?;
         let entered = frames.checked_sub(depth).filter(|count| *count > 0).ok_or(RestartFault::NoFrame)?;
@@ -51,7 +52,8 @@ impl Debugger {
         }
         let stop = self.back_to_last(Watch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| {
             match replayed.outcome {
-                // The task itself calls a program. Its first one is entered when another task has created it.
+                // A program is called by the task itself. Its first program is entered when another task creates the
+                // task.
                 Outcome::Seen(seen) if (seen == task || entered == 1) && debugger.has_just_entered(task, entered) => {
                     Some(Stop::Step { task })
                 }
@@ -71,7 +73,7 @@ impl Debugger {
         Some(task.thread.frames.len())
     }
 
-    /// Whether a task with this number of frames is before the first line of the innermost program.
+    /// Whether the task has this number of stack frames, and is before the first line of the innermost program.
     fn has_just_entered(&self, task: TaskNumber, frames: usize) -> bool {
         self.frame_count(task) == Some(frames) && self.controller.vm.begins_program(task)
     }

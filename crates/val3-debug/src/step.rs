@@ -1,27 +1,27 @@
-//! Steps of one task.
+//! Steps.
 
 use val3_lang::ports::TaskNumber;
 use val3_vm::{Task, Vm};
 
-/// How far a step goes.
+/// Extent of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StepKind {
-    /// To the next line, in a program that this one calls too.
+    /// To the next line, also in a called program.
     In,
-    /// To the next line of this program, or of its caller.
+    /// To the next line of this program or the caller.
     Over,
-    /// To the rest of the caller.
+    /// To the next line of the caller.
     Out,
     /// To the beginning of the task that the next line creates.
     IntoTask,
 }
 
-/// A step that is under way.
+/// A step in progress.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Step {
     pub(crate) task: TaskNumber,
     pub(crate) kind: StepKind,
-    /// The number of frames when it began.
+    /// Number of stack frames at the start of the step.
     depth: usize,
 }
 
@@ -30,7 +30,8 @@ impl Step {
         Self { task: task.id, kind, depth: task.thread.frames.len() }
     }
 
-    /// Whether the step ends where the task is now: between two lines of a program that the step may end in.
+    /// Whether the step ends at the task's present location: between two lines, at a stack depth that suits the kind of
+    /// step.
     pub(crate) fn is_done(&self, vm: &Vm) -> bool {
         let Some(task) = vm.tasks().iter().find(|task| task.id == self.task) else { return false };
         let depth = task.thread.frames.len();

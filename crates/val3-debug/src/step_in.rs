@@ -1,4 +1,4 @@
-//! The program or task into which the next line of a task leads.
+//! Targets for stepping into a line: the called program or the created task.
 
 use val3_bytecode::Op;
 use val3_lang::ports::TaskNumber;
@@ -7,19 +7,19 @@ use crate::called::called_program;
 use crate::debugger::Debugger;
 use crate::step::StepKind;
 
-/// A program that the next line of a task calls, or with which a task begins that it creates.
+/// Program that the task's next line calls, or with which a task begins that the line creates.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StepInTarget {
-    /// The application or library that the program belongs to.
+    /// Application or library of the program.
     pub application: String,
-    /// The name of the program.
+    /// Program name.
     pub program: String,
-    /// The step that leads there.
+    /// Kind of step into the program.
     pub kind: StepKind,
 }
 
 impl Debugger {
-    /// Where the next line of a task leads; nowhere if it neither calls a program nor creates a task.
+    /// Returns the program that the task's next line calls or starts as a task; `None` if the line does neither.
     #[must_use]
     pub fn step_in_target(&self, task: TaskNumber) -> Option<StepInTarget> {
         let vm = &self.controller.vm;
@@ -29,7 +29,7 @@ impl Debugger {
         let program = image.programs.get(usize::from(frame.program))?;
         let line = program.line_of(thread.next)?;
         let operations = (thread.next..).zip(program.code.get(thread.next as usize..)?);
-        // The operations of a line follow one another.
+        // The operations of a line are contiguous.
         let mut operations =
             operations.take_while(|(op, _)| program.line_of(*op) == Some(line)).map(|(_, step)| &step.op);
         let (site, kind) = operations.find_map(|op| match op {

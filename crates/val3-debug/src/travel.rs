@@ -1,37 +1,37 @@
-//! Motions for which all tasks rest.
+//! Motions during which all tasks rest.
 
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::ArmHold;
 use val3_machine::controller::MotionPiece;
 
-/// The end of a motion for which all tasks have rested.
+/// End of a motion during which all tasks rested.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionStop {
-    /// The task whose line has released the arm; none after [`step_motion`](crate::Debugger::step_motion).
+    /// Task whose line released the arm; `None` after [`step_motion`](crate::Debugger::step_motion).
     pub task: Option<TaskNumber>,
-    /// The piece at whose end the arm is, or in which it does not move on. None if it has begun none.
+    /// Piece that the arm has completed, or within which it does not continue; `None` if it has begun no piece.
     pub piece: Option<MotionPiece>,
     /// Whether another piece is determined.
     pub has_next: bool,
-    /// Why the arm does not move, where it has not arrived.
+    /// Reason why the arm does not move, if it has not arrived.
     pub hold: Option<ArmHold>,
 }
 
-/// A motion for which all tasks rest.
+/// A motion during which all tasks rest.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Travel {
-    /// The task whose line has released the arm.
+    /// Task whose line released the arm.
     pub(crate) task: Option<TaskNumber>,
     pub(crate) then: Then,
 }
 
-/// The continuation after a motion.
+/// Continuation after the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Then {
     /// The pending stop of the run.
     Stop,
-    /// The run stops for the motion.
+    /// A stop for the motion.
     StopForMotion,
-    /// A step that is not done continues.
+    /// The current step, if it is not complete.
     Continue,
 }

@@ -1,4 +1,4 @@
-//! Variables and what is inside them, page by page.
+//! Variables and their nested values, page by page.
 
 mod look;
 mod names;
@@ -24,76 +24,76 @@ pub use names::subscript;
 
 pub use text::Format;
 
-/// A variable, a field, or a value of an array or collection.
+/// A variable, a field, or an array or collection element.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Value {
-    /// `nCount`, `x`, `[3]`, `["left"]`.
+    /// Name, for example `nCount`, `x`, `[3]`, `["left"]`.
     pub name: String,
-    /// Its type, with the sizes of an array: `point[4]`.
+    /// Type, including array sizes: `point[4]`.
     pub type_name: String,
-    /// Its value as VAL 3 writes it. Of an array, a collection and a user type in short. Inputs, outputs and lines have
-    /// their state and their link: `true (Io\start)`.
+    /// Value as VAL 3 writes it; abbreviated for arrays, collections and user types. Inputs, outputs and channels show
+    /// their state and link: `true (Io\start)`.
     pub shown: String,
-    /// The expression that yields it in the frame of its scope: `aPoints[3].trsf.x`, `lib:nTotal`. `None` where there is
-    /// none: a private variable of a library, a global variable that a local one hides, a part that is computed.
+    /// Expression with this value in the scope's stack frame: `aPoints[3].trsf.x`, `lib:nTotal`. `None` if there is no
+    /// such expression: for a library's private variable, a global variable hidden by a local one, and computed parts.
     pub path: Option<String>,
-    /// The variable that a parameter by reference refers to. Of an expression the variable that it names in another way:
+    /// Variable to which a parameter by reference refers. For an expression, its variable with constant indexes:
     /// `nMany[3]` for `nMany[nIndex]`.
     pub refers_to: Option<String>,
-    /// How to look inside; `None` where there is nothing inside.
+    /// Handle of the nested values; `None` if there are none.
     pub inside: Option<Inside>,
 }
 
-/// How to look inside of a scope or a value. It holds until the controller runs on.
+/// Handle of the nested values of a scope or value. It is valid until the controller continues.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inside {
-    /// The task on whose stack the value may be.
+    /// Task whose stack may contain the value.
     task: Option<TaskNumber>,
     path: Path,
     node: Node,
 }
 
-/// The way to a value.
+/// Expression of a value.
 #[derive(Debug, Clone, PartialEq)]
 struct Path {
-    /// Where it is evaluated.
+    /// Context in which the expression is evaluated.
     context: FragmentContext,
-    /// The expression in the context; empty for a scope, `None` for a part that is computed.
+    /// The expression within the context; empty for a scope, `None` for a computed part.
     text: Option<String>,
-    /// The prefix for an expression of the frame; `None` if the frame cannot name it.
+    /// Prefix with which the text is valid in the stack frame; `None` if the frame cannot name the value.
     prefix: Option<String>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 enum Node {
-    /// The variables of a frame: its parameters, or its locals.
+    /// Variables of a stack frame: its parameters, or its locals.
     Frame { depth: usize, are_parameters: bool },
-    /// The data of an application or library, as the program of a frame sees them.
+    /// Data of the application or library, as visible to the program in a stack frame.
     Data(InstanceId, Option<(TaskNumber, usize)>),
-    /// The values of an array or collection.
+    /// Array or collection elements.
     Values(View),
-    /// The fields of a value, and what is computed of it.
+    /// Fields of a value, and its computed parts.
     Fields(Arc<Kind>, Place),
-    /// Values that are listed already.
+    /// Values that were already read.
     Listed(Arc<[Value]>),
 }
 
 impl Inside {
-    /// Whether the values are those of an array or collection.
+    /// Whether the nested values are array or collection elements.
     #[must_use]
     pub const fn is_indexed(&self) -> bool {
         matches!(self.node, Node::Values(_))
     }
 
-    /// The expression that yields the child called `name`, and the context in which it does. `None` for a part that is
-    /// computed, which cannot be assigned to.
+    /// Returns the expression of the nested value `name`, and its context. `None` for a computed part, to which nothing
+    /// can be assigned.
     #[must_use]
     pub fn expression(&self, name: &str) -> Option<(FragmentContext, String)> {
         let path = self.path.child(name);
         Some((path.context, path.text?))
     }
 
-    /// The values inside of something that is read already.
+    /// Returns a handle of values that were already read.
     fn listed(values: Vec<Value>) -> Option<Self> {
         let path = Path { context: FragmentContext::Instance(InstanceId(0)), text: None, prefix: None };
         (!values.is_empty()).then(|| Self { task: None, path, node: Node::Listed(values.into()) })
@@ -101,7 +101,7 @@ impl Inside {
 }
 
 impl Path {
-    /// The path of a value inside of this one.
+    /// Returns the path of a nested value.
     fn child(&self, name: &str) -> Self {
         let text = self.text.as_ref().map(|text| match name {
             name if text.is_empty() || name.starts_with('[') => format!("{text}{name}"),
@@ -110,40 +110,40 @@ impl Path {
         Self { text, ..self.clone() }
     }
 
-    /// The expression that the frame has for it.
+    /// Returns the expression within the stack frame.
     fn expression(&self) -> Option<String> {
         Some(format!("{}{}", self.prefix.as_ref()?, self.text.as_ref()?))
     }
 
-    /// A part that is computed.
+    /// Returns the path of a computed part.
     fn computed(&self) -> Self {
         Self { text: None, ..self.clone() }
     }
 }
 
-/// Variables that a program sees.
+/// Variables visible to a program.
 #[derive(Debug, Clone)]
 pub struct Scope {
-    /// The kind.
+    /// Kind of scope.
     pub kind: ScopeKind,
-    /// The variables.
+    /// Handle of the variables.
     pub inside: Inside,
 }
 
-/// The variables of a scope.
+/// Kinds of scopes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ScopeKind {
     /// Parameters of the program.
     Parameters,
-    /// Its locals.
+    /// Locals of the program.
     Locals,
-    /// The data of its application or library.
+    /// Data of the program's application or library.
     Globals,
-    /// The data of a library, by its identifier.
+    /// Data of a library, by its identifier.
     Library(String),
 }
 
-/// The scopes of a frame; 0 is the innermost. None if there is no such frame.
+/// Returns the scopes of a stack frame; empty if there is no such frame. `depth` 0 is the innermost frame.
 #[must_use]
 pub fn scopes(vm: &Vm, task: TaskNumber, depth: usize) -> Vec<Scope> {
     let Some(frame) = frame(vm, task, depth) else { return Vec::new() };
@@ -170,7 +170,7 @@ pub fn scopes(vm: &Vm, task: TaskNumber, depth: usize) -> Vec<Scope> {
     scopes
 }
 
-/// The data of an application or library, for example where no task is left.
+/// Returns the data of this application or library, for example if no task exists any more.
 #[must_use]
 pub fn data(instance: InstanceId) -> Inside {
     globals(instance, None, String::new())
@@ -181,7 +181,7 @@ fn globals(instance: InstanceId, frame: Option<(TaskNumber, usize)>, prefix: Str
     Inside { task: None, path, node: Node::Data(instance, frame) }
 }
 
-/// How many values are inside; 0 where they are gone.
+/// Returns the number of nested values; 0 if they no longer exist.
 pub fn count(vm: &mut Vm, inside: &Inside) -> usize {
     match &inside.node {
         Node::Frame { depth, are_parameters } => {
@@ -195,7 +195,7 @@ pub fn count(vm: &mut Vm, inside: &Inside) -> usize {
     }
 }
 
-/// The values inside, from a range of their numbers.
+/// Returns a range of the nested values.
 pub fn values(controller: &mut Controller, inside: &Inside, range: Range<usize>, format: Format) -> Vec<Value> {
     let range = range.start..range.end.min(count(&mut controller.vm, inside));
     let vm = &controller.vm;
@@ -229,8 +229,8 @@ pub fn values(controller: &mut Controller, inside: &Inside, range: Range<usize>,
     })
 }
 
-/// The value of an expression that was evaluated in a context, while it is in the memory. One that is no variable is read
-/// with all that is inside.
+/// Returns the value of an evaluated expression while it is in memory. If the expression is not a variable, its value
+/// is read with all nested values.
 pub(crate) fn evaluated(
     (memory, devices): (&mut Memory, &Devices),
     (names, context): (&Names, FragmentContext),
@@ -244,20 +244,20 @@ pub(crate) fn evaluated(
     if value.is_result() { look.complete(memory, shown) } else { shown }
 }
 
-/// The names that a context has for places.
+/// Returns the names that a context has for places.
 pub(crate) fn names(vm: &Vm, context: FragmentContext) -> Names {
     Names::of(vm, context.task(), context)
 }
 
-/// A value as text.
+/// Formats a value.
 pub(crate) fn text_of(memory: &Memory, devices: &Devices, kind: &Kind, place: Place) -> String {
     text::shown(memory, devices, (kind, place), Format::default()).unwrap_or_else(|_| "not in memory".to_owned())
 }
 
-/// Values that the text of an array or collection shows.
+/// Number of elements that the text for an array or collection shows.
 const SHOWN_VALUES: u32 = 8;
 
-/// The values of a container as text: the first ones of several.
+/// Formats the first elements of a container.
 pub(crate) fn text_of_all(memory: &Memory, devices: &Devices, view: View) -> String {
     let (Ok(store), Ok(count)) = (memory.store(view.store), memory.len(view)) else { return String::new() };
     let numbers: Vec<u32> = match &store.shape {
@@ -268,7 +268,7 @@ pub(crate) fn text_of_all(memory: &Memory, devices: &Devices, view: View) -> Str
     listed(&numbers.into_iter().map(text).collect::<Vec<String>>(), count)
 }
 
-/// The first of `count` values as one text.
+/// Joins the first of `count` elements, given as texts.
 fn listed(texts: &[String], count: u32) -> String {
     match (texts, count > SHOWN_VALUES) {
         ([one], false) => one.clone(),
@@ -277,8 +277,8 @@ fn listed(texts: &[String], count: u32) -> String {
     }
 }
 
-/// The values with this first index of a global array as text, as a program of the application `instance` sees them: one
-/// value, or those of a row of an array with several dimensions. `None` if there is no such array or row.
+/// Formats the elements with this first index in a global array, in the application's `instance`: one element, or a row
+/// if the array has several dimensions. `None` if there is no such array or row.
 #[must_use]
 pub fn row_of_data(controller: &Controller, instance: InstanceId, name: &str, row: u32) -> Option<String> {
     let space = &controller.vm.space;
@@ -293,7 +293,8 @@ pub fn row_of_data(controller: &Controller, instance: InstanceId, name: &str, ro
     Some(listed(&texts, width))
 }
 
-/// The first value of a global array of strings. `None` if the application `instance` has none of this name.
+/// Returns the first element of a global string array. `None` if the application `instance` has no string data of this
+/// name.
 #[must_use]
 pub fn string_of_data(controller: &Controller, instance: InstanceId, name: &str) -> Option<String> {
     let space = &controller.vm.space;
@@ -303,7 +304,7 @@ pub fn string_of_data(controller: &Controller, instance: InstanceId, name: &str)
     Text::read(&space.memory, store.place(id, 0)).ok().map(|text| text.as_str().to_owned())
 }
 
-/// Looks at the memory with the stack of a task in it.
+/// Calls a function with the memory while it contains the stack of a task.
 fn on_stack<T: Default>(
     controller: &mut Controller,
     task: Option<TaskNumber>,
@@ -324,7 +325,7 @@ fn program<'v>(vm: &'v Vm, frame: &Frame) -> Option<&'v Program> {
     vm.space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))
 }
 
-/// The parameters of a program, or its locals.
+/// Returns the parameters of a program, or its locals.
 fn variables(program: &Program, are_parameters: bool) -> impl Iterator<Item = &Variable> {
     let is_parameter = |variable: &Variable| program.params.iter().any(|param| param.name == variable.name);
     program.variables.iter().filter(move |variable| is_parameter(variable) == are_parameters)

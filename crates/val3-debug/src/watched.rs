@@ -1,4 +1,4 @@
-//! Watched locations: variables, elements, fields and signals that are found again after each line.
+//! Watched data: variables, elements, fields and signals that are looked up again after each line.
 
 use std::sync::Arc;
 
@@ -16,8 +16,8 @@ use val3_vm::{FragmentContext, Frame, InstanceId, Space, Vm};
 use crate::reads::{ExecutedLine, Extent};
 use crate::values;
 
-/// A variable, an element, a field or a signal that a data breakpoint watches. It is found by its name after each line,
-/// so it holds while the run continues. A local variable is gone when its program has ended.
+/// A variable, element, field or signal that a data breakpoint watches. It is looked up by its name after each line, so
+/// it stays valid while the run continues. A local variable no longer exists after its program has ended.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WatchedData {
     root: Root,
@@ -27,30 +27,30 @@ pub struct WatchedData {
 
 #[derive(Debug, Clone, PartialEq)]
 enum Root {
-    /// Data of an application or library.
+    /// Data in an application or library.
     Global { instance: InstanceId, name: String },
-    /// A parameter or local of a program that a task is in, counted from the outermost one.
+    /// Parameter or local of a program on a task's stack; `index` counts from the outermost stack frame.
     Local { task: TaskNumber, index: usize, frame: Frame, name: String },
-    /// An input or output.
+    /// Input or output.
     Signal(SignalId),
 }
 
-/// A step into a value.
+/// Step from a value to a nested value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Step {
     /// Indexes or a key, as data files write them.
     Subscript(String),
-    /// A field.
+    /// Field name.
     Field(String),
 }
 
-/// Where a watched value is now.
+/// Present location of a watched value.
 enum Found {
     One(Arc<Kind>, Place),
     All(View),
 }
 
-/// The value of watched data, bit by bit.
+/// Value of watched data, bit by bit.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Digest {
     bits: Vec<u64>,
@@ -59,9 +59,9 @@ pub(crate) struct Digest {
 }
 
 impl WatchedData {
-    /// The data that a path names in a context: `nCount`, `lib:nCount`, `aPoints[3].trsf.x`, `cParts["left"]`. Subscripts
-    /// are literals. The paths of [`Value::path`](crate::Value::path) and those of
-    /// [`Inside::expression`](crate::Inside::expression) have this form.
+    /// Resolves a data path in a context: `nCount`, `lib:nCount`, `aPoints[3].trsf.x`, `cParts["left"]`. Indexes and
+    /// keys are literals. [`Value::path`](crate::Value::path) and [`Inside::expression`](crate::Inside::expression)
+    /// return paths of this form.
     ///
     /// # Errors
     /// The reason why there is no such data, for users.
@@ -76,7 +76,7 @@ impl WatchedData {
         Ok(watched)
     }
 
-    /// An input or output by its path, such as `Io\start`.
+    /// Returns an input or output by its path, for example `Io\start`.
     ///
     /// # Errors
     /// There is no such signal.
@@ -86,20 +86,20 @@ impl WatchedData {
         Ok(Self { root: Root::Signal(signal), steps: Vec::new(), id: format!("io:{path}") })
     }
 
-    /// The text that identifies it in this run: `app:nCount[3].x`, `io:Io\start`, and `main~/0/l_nSum` for a local of the
-    /// outermost program of a task.
+    /// Returns a text that identifies the data within this run: `app:nCount[3].x`, `io:Io\start`, and `main~/0/l_nSum`
+    /// for a local of a task's outermost program.
     #[must_use]
     pub fn id(&self) -> &str {
         &self.id
     }
 
-    /// Whether it is gone when a program ends.
+    /// Whether the data exist only until their program ends.
     #[must_use]
     pub const fn is_local(&self) -> bool {
         matches!(self.root, Root::Local { .. })
     }
 
-    /// The input or output, if it is one.
+    /// Returns the input or output, if the data are one.
     pub(crate) const fn as_signal(&self) -> Option<SignalId> {
         match self.root {
             Root::Signal(signal) => Some(signal),
@@ -107,7 +107,7 @@ impl WatchedData {
         }
     }
 
-    /// Its value; `None` while it is not in memory.
+    /// Returns the present value; `None` while it is not in memory.
     pub(crate) fn digest(&self, controller: &mut Controller) -> Option<Digest> {
         if let Root::Signal(signal) = &self.root {
             let value = controller.devices.state.io.image(*signal)?;
@@ -123,7 +123,7 @@ impl WatchedData {
         })
     }
 
-    /// Its value as text.
+    /// Formats the present value.
     pub(crate) fn text(&self, controller: &mut Controller) -> String {
         if let Root::Signal(signal) = &self.root {
             return signal_text(&controller.devices.state.io, *signal);
@@ -137,7 +137,7 @@ impl WatchedData {
         text.unwrap_or_else(|| "not in memory".to_owned())
     }
 
-    /// The containers and lanes that hold it; `None` while it is not in memory, and for a signal.
+    /// Returns the containers and lanes of the data; `None` while they are not in memory, and for a signal.
     fn extent(&self, controller: &mut Controller) -> Option<Extent> {
         self.look(controller, |memory, _, found| {
             let mut extent = Extent::default();
@@ -156,14 +156,14 @@ impl WatchedData {
         })
     }
 
-    /// Whether a line that a task has executed reads it.
+    /// Whether a line that the task has executed reads the data.
     pub(crate) fn is_read(&self, controller: &mut Controller, task: TaskNumber, (frame, op): (Frame, u32)) -> bool {
         let Some(extent) = self.extent(controller) else { return false };
         let vm = &mut controller.vm;
         let Some(instance) = vm.space.instance(frame.instance).cloned() else { return false };
         let Some(program) = instance.image.programs.get(usize::from(frame.program)) else { return false };
         let line = program.line_of(op).and_then(|line| program.lines.get(line)).map_or(op, |line| line.op);
-        // The next round of a `for` is an operation of its own.
+        // The next iteration in a `for` is a separate operation.
         let op = if program.code.get(op as usize).is_some_and(|step| step.mark.begins_line()) { op } else { line };
         let reads =
             |memory: &Memory| ExecutedLine { instance: &instance, program, frame: &frame, op, memory }.reads(&extent);
@@ -199,7 +199,7 @@ impl WatchedData {
     }
 }
 
-/// A container and those within its values.
+/// Adds a container and all containers within its values.
 fn add_stores(memory: &Memory, id: StoreId, stores: &mut FxHashSet<StoreId>) {
     if let Ok(store) = memory.store(id)
         && stores.insert(id)
@@ -267,7 +267,7 @@ fn signal_text(table: &IoTable, signal: SignalId) -> String {
     }
 }
 
-/// The name at the beginning of a path, with its library, and the steps after it.
+/// Splits a data path into the name with its library, and the steps after it.
 fn parse(path: &str) -> Option<(String, Vec<Step>)> {
     let end = path.find(['.', '[']).unwrap_or(path.len());
     let (name, mut rest) = path.split_at_checked(end)?;
@@ -287,7 +287,7 @@ fn parse(path: &str) -> Option<(String, Vec<Step>)> {
     (!name.is_empty()).then(|| (name.to_owned(), steps))
 }
 
-/// Indexes or a key up to the closing bracket, and what follows it.
+/// Splits the text after `[` into the indexes or key, and the rest after the closing bracket.
 fn subscript(text: &str) -> Option<(String, &str)> {
     if !text.starts_with('"') {
         let (indexes, rest) = text.split_once(']')?;
@@ -392,7 +392,7 @@ impl Digest {
     }
 }
 
-/// The state of the input or output that a variable is linked to.
+/// Returns the state of the linked input or output, as bits.
 fn state(devices: &Devices, kind: &Kind, link: Link) -> u64 {
     let Link::Port(port) = link else { return 0 };
     match kind.base {

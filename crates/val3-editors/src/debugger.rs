@@ -1,9 +1,9 @@
-//! The debugger of the VS Code extension: the keys of launch configurations, which derive from the arguments of `val3 run`,
-//! and examples of configurations. The extension asks for the application of a configuration whose `program` is empty.
+//! Debugger contribution of the VS Code extension: the keys of launch configurations, which derive from the arguments
+//! of `val3 run`, and example configurations. If `program` is empty, the extension shows a choice of applications.
 
 use serde_json::{Value, json};
 
-/// The debuggers of the extension. `schema` gives the keys of the requests.
+/// Returns the debuggers of the extension. `schema` contains the keys of the requests.
 pub(crate) fn all(schema: &Value) -> Value {
     json!([{
         "type": "val3",
@@ -50,7 +50,7 @@ fn snippets() -> Value {
     ])
 }
 
-/// A configuration that runs an application in real time, with further keys.
+/// Returns a configuration that runs an application in real time, with further keys.
 fn launch(name: &str, program: &str, further: Value) -> Value {
     let mut configuration =
         json!({ "type": "val3", "request": "launch", "name": name, "program": program, "time": "real" });

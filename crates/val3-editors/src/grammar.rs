@@ -1,16 +1,16 @@
-//! The TextMate grammar of VAL 3 code.
+//! TextMate grammar of VAL 3 code.
 //!
-//! Code occurs alone in the code view, and in a program file within CDATA or as escaped text. The three forms differ in
-//! the quotes of strings and the end of comments.
+//! The code view contains only code; a program file contains code in CDATA or as escaped text. The three forms differ
+//! in the quotes of strings and the end of comments.
 
 use serde_json::{Value, json};
 
 use crate::words;
 
-/// The form of code in a file.
+/// Form of code in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// Code alone.
+    /// Only code.
     Plain,
     /// Code in a CDATA section.
     Cdata,
@@ -19,12 +19,12 @@ pub(crate) enum Form {
 }
 
 impl Form {
-    /// The quote of strings.
+    /// Returns the quote of strings.
     fn quote(self) -> &'static str {
         if self == Self::Escaped { "(?:\"|&quot;)" } else { "\"" }
     }
 
-    /// The end of the code within a line.
+    /// Returns the end of the code within a line.
     fn end(self) -> &'static str {
         match self {
             Self::Plain => "$",
@@ -38,7 +38,7 @@ impl Form {
     }
 }
 
-/// The grammar of code alone.
+/// Returns the grammar of the code view.
 pub(crate) fn code() -> Value {
     json!({
         "$schema": "https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json",
@@ -48,7 +48,7 @@ pub(crate) fn code() -> Value {
     })
 }
 
-/// The patterns that colour code. Strings precede comments, because a string may contain `//`.
+/// Returns the patterns that colour code. Strings precede comments, because a string may contain `//`.
 pub(crate) fn patterns(form: Form) -> Vec<Value> {
     let mut patterns = vec![string(form), comment(form), number(), call()];
     patterns.extend([
@@ -78,7 +78,7 @@ fn rule(scope: &str, regex: &str) -> Value {
     json!({ "name": format!("{scope}.val3"), "match": regex })
 }
 
-/// A string has no escapes and ends with its line.
+/// A string contains no escapes and ends with its line at the latest.
 fn string(form: Form) -> Value {
     json!({
         "name": "string.quoted.double.val3",
@@ -103,7 +103,7 @@ fn number() -> Value {
     rule("constant.numeric", "(?<![\\w.])(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?")
 }
 
-/// `call part:grip(…)`.
+/// Matches `call part:grip(…)`.
 fn call() -> Value {
     json!({
         "match": "(?i)\\b(call)\\s+(?:([a-z_]\\w*)(:))?([a-z_]\\w*)",
@@ -116,12 +116,12 @@ fn call() -> Value {
     })
 }
 
-/// `run(…)` if it is no instruction: a program, after `call` or in `taskCreate`.
+/// Matches `run(…)` if it is not an instruction: a program, after `call` or in `taskCreate`.
 fn program_name() -> Value {
     rule("entity.name.function", "[A-Za-z_]\\w*(?=\\()")
 }
 
-/// A name after a dot is a field, even if it has another meaning elsewhere.
+/// Matches a name after a dot, which is a field even if it has another meaning elsewhere.
 fn member() -> Value {
     json!({
         "match": "(\\.)([A-Za-z_]\\w*)",
@@ -132,12 +132,12 @@ fn member() -> Value {
     })
 }
 
-/// An instruction is known by its parenthesis: `first` alone may be a variable.
+/// Matches an instruction with its parenthesis, because `first` without one may be a variable.
 fn instruction(family: &str, words: &str) -> Value {
     rule(&format!("support.function.{family}"), &format!("{words}(?=\\s*\\()"))
 }
 
-/// `io:doConveyor`.
+/// Matches `io:doConveyor`.
 fn namespace() -> Value {
     json!({
         "match": "\\b([A-Za-z_]\\w*)(:)(?=[A-Za-z_])",

@@ -1,6 +1,6 @@
-//! Generates the files of `editors/` that describe the language: the grammars for syntax colouring, and the settings and
-//! launch configurations in the manifest of the VS Code extension. They derive from the catalogue, the rules and the schema
-//! of the debugger and are never edited by hand.
+//! Generates the files in `editors/` that describe the language: the grammars for syntax colouring, and the settings
+//! and launch configurations in the manifest of the VS Code extension. They derive from the catalogue, the rules and
+//! the debugger's schema, and are never edited by hand.
 
 #![allow(clippy::disallowed_methods, reason = "a tool of the project, not a part of the product")]
 
@@ -17,24 +17,24 @@ use anyhow::{Context as _, Result};
 use camino::Utf8Path;
 use serde_json::Value;
 
-/// The manifest of the VS Code extension. Only its settings, debugger, version, address and publisher are generated.
+/// Manifest of the VS Code extension. Only its settings, debugger, version, address and publisher are generated.
 const MANIFEST: &str = "editors/vscode/package.json";
-/// What `val3 schema --debugger` prints.
+/// Output of `val3 schema --debugger`.
 const DEBUGGER_SCHEMA: &str = "editors/schema/debugger.schema.json";
 
 /// A generated file.
 #[derive(Debug)]
 pub struct GeneratedFile {
-    /// Relative to the project's folder.
+    /// Path relative to the project's folder.
     pub path: &'static str,
-    /// The whole text.
+    /// Complete content.
     pub text: String,
 }
 
-/// Every generated file of the project at `root`.
+/// Returns all generated files of the project at `root`.
 ///
 /// # Errors
-/// If the manifest of the extension cannot be read or lacks a generated value.
+/// The manifest of the extension cannot be read, or does not contain a generated value.
 pub fn generated(root: &Utf8Path) -> Result<Vec<GeneratedFile>> {
     let read = |path| fs::read_to_string(root.join(path)).with_context(|| format!("reading {path}"));
     let schema = serde_json::from_str(&read(DEBUGGER_SCHEMA)?).with_context(|| format!("reading {DEBUGGER_SCHEMA}"))?;
@@ -50,10 +50,10 @@ pub fn generated(root: &Utf8Path) -> Result<Vec<GeneratedFile>> {
     ])
 }
 
-/// Writes every generated file of the project at `root`.
+/// Writes all generated files of the project at `root`.
 ///
 /// # Errors
-/// If a file cannot be read or written.
+/// A file cannot be read or written.
 pub fn write(root: &Utf8Path) -> Result<()> {
     for file in generated(root)? {
         let path = root.join(file.path);

@@ -1,4 +1,4 @@
-//! `cargo run -p val3-editors`: writes the generated files of `editors/`.
+//! `cargo run -p val3-editors`: writes the generated files in `editors/`.
 
 use std::process::ExitCode;
 

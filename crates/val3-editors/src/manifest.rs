@@ -1,15 +1,15 @@
-//! The generated values within the hand-written manifest of the VS Code extension.
+//! Generated values in the hand-written manifest of the VS Code extension.
 
 use anyhow::{Context as _, Result};
 use serde_json::Value;
 
-/// The line that closes a list of the contributions. The file is indented by two blanks a level.
+/// Line that closes a list of the contributions. The file is indented by two spaces per level.
 const CLOSE: &str = "\n    ]";
 
-/// The manifest with `list` as its `contributes.{key}`, everything else unchanged.
+/// Returns the manifest with `list` as `contributes.{key}`, and otherwise unchanged.
 ///
 /// # Errors
-/// If there is no such list.
+/// There is no such list.
 pub(crate) fn with_list(manifest: &str, key: &str, list: &Value) -> Result<String> {
     let open = manifest.find(&format!("\n    \"{key}\": ["));
     let open = open.with_context(|| format!("the manifest has no line `    \"{key}\": [`"))?;
@@ -20,11 +20,11 @@ pub(crate) fn with_list(manifest: &str, key: &str, list: &Value) -> Result<Strin
     Ok(format!("{before}\n    \"{key}\": {value}{after}"))
 }
 
-/// The manifest with the version, the address and the publisher that `Cargo.toml` declares. The publisher is the owner of
-/// the repository.
+/// Returns the manifest with the version, address and publisher from `Cargo.toml`. The publisher is the owner of the
+/// repository.
 ///
 /// # Errors
-/// If the manifest has no such values, or the address has no owner.
+/// The manifest does not contain these values, or the address has no owner.
 pub(crate) fn with_origin(manifest: &str) -> Result<String> {
     let repository = env!("CARGO_PKG_REPOSITORY");
     let publisher = repository.rsplit('/').nth(1).context("the address of the repository has no owner")?;
@@ -33,7 +33,7 @@ pub(crate) fn with_origin(manifest: &str) -> Result<String> {
     with_text(&manifest, "\n    \"url\": ", repository)
 }
 
-/// The manifest with `text` as the string that follows `key`.
+/// Returns the manifest with `text` as the string after `key`.
 fn with_text(manifest: &str, key: &str, text: &str) -> Result<String> {
     let missing = || format!("the manifest has no line `{}\"…\"`", key.trim_start());
     let (before, rest) = manifest.split_once(key).with_context(missing)?;

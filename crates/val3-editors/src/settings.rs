@@ -1,12 +1,12 @@
-//! The settings of the VS Code extension.
+//! Settings of the VS Code extension.
 //!
-//! Names and titles of findings come from the rules, so that the editor offers those that exist.
+//! Names and titles of findings come from the rules, so the editor offers exactly the existing ones.
 
 use serde_json::{Value, json};
 use val3_check::rules;
 use val3_lang::page;
 
-/// The sections of the settings, in the order in which VS Code shows them.
+/// Returns the sections of the settings, in the order in which VS Code shows them.
 pub(crate) fn all() -> Value {
     json!(
         [section("VAL 3: server", &server()), section("VAL 3: editor", &editor()), section("VAL 3: check", &check()),]
@@ -67,7 +67,8 @@ fn editor() -> Value {
     })
 }
 
-/// A kind of inlay hints. VS Code's own settings decide how hints look, and whether they are shown at all.
+/// Returns a setting for a kind of inlay hint. VS Code's settings determine the appearance of hints, and whether they
+/// are shown.
 fn switch(description: &str) -> Value {
     json!({
         "type": "boolean",
@@ -76,7 +77,7 @@ fn switch(description: &str) -> Value {
     })
 }
 
-/// Settings of the check. Settings of the programs themselves, such as their layout, belong in a `val3.toml`.
+/// Returns the settings of the check. Settings of programs, for example for formatting, belong in a `val3.toml`.
 fn check() -> Value {
     json!({
         "val3.check.select": findings("The rules whose findings are shown; if empty, all."),
@@ -90,7 +91,7 @@ fn check() -> Value {
     })
 }
 
-/// A list of rules: names are offered, codes and beginnings of codes are taken as well.
+/// Returns a setting with a list of rules: names are suggested, and codes and beginnings of codes are accepted too.
 fn findings(description: &str) -> Value {
     let rules = rules::all();
     let names: Vec<&str> = rules.iter().map(|rule| rule.name).collect();

@@ -1,22 +1,22 @@
-//! The words of the language as regular expressions.
+//! Words of the language as regular expressions.
 
 use val3_lang::enumerations::ENUMERATORS;
 use val3_lang::instruction::{Family, Instruction};
 use val3_lang::{builtins, instructions, keywords};
 
-/// Words that open, part or close something.
+/// Returns the words that open, divide or close a block.
 pub(crate) fn control() -> String {
     let others = operators().chain(truths()).collect::<Vec<_>>();
     let control = keywords::KEYWORDS.into_iter().filter(|keyword| !others.contains(keyword));
     any_case(control)
 }
 
-/// `and`, `or`, `xor`.
+/// Returns `and`, `or`, `xor`.
 pub(crate) fn word_operators() -> String {
     any_case(operators())
 }
 
-/// `true`, `false`.
+/// Returns `true`, `false`.
 pub(crate) fn truth_values() -> String {
     any_case(truths())
 }
@@ -29,17 +29,17 @@ fn truths() -> impl Iterator<Item = &'static str> {
     ["true", "false"].into_iter()
 }
 
-/// `off`, `lefty`: the values of fields.
+/// Returns the values of fields: `off`, `lefty`.
 pub(crate) fn enumerators() -> String {
     one_of(ENUMERATORS.iter().flat_map(|row| [row.name, row.file_name]))
 }
 
-/// `world`, `flange`.
+/// Returns `world`, `flange`.
 pub(crate) fn built_in_variables() -> String {
     one_of(builtins::BUILTINS.iter().filter(|row| row.is_variable).map(|row| row.name))
 }
 
-/// The families of instructions with a name that themes see, and their instructions that have a plain name.
+/// Returns the instruction families by the names that themes use, with their instructions that begin with a letter.
 pub(crate) fn instruction_families() -> Vec<(String, String)> {
     let mut families: Vec<Family> = instructions::all().iter().map(|row| row.family).collect();
     families.sort();
@@ -60,7 +60,8 @@ fn any_case<'a>(words: impl Iterator<Item = &'a str>) -> String {
     format!("(?i){}", one_of(words))
 }
 
-/// Matches any of the words, each as a whole. Words lead from long to short, as theirs is the first that matches.
+/// Matches any of these words, only as a complete word. Long words precede short ones, because the first matching
+/// alternative counts.
 fn one_of<'a>(words: impl Iterator<Item = &'a str>) -> String {
     let mut words: Vec<&str> = words.collect();
     words.sort_by_key(|word| (std::cmp::Reverse(word.len()), *word));

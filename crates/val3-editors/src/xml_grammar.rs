@@ -1,10 +1,10 @@
-//! The TextMate grammars of the three kinds of files: XML, with code in programs.
+//! TextMate grammars of the three kinds of files: XML, with code in programs.
 
 use serde_json::{Value, json};
 
 use crate::grammar::{self, Form};
 
-/// The grammar of `.pgx`.
+/// Returns the grammar of `.pgx`.
 pub(crate) fn program() -> Value {
     json!({
         "name": "VAL 3 program",
@@ -19,12 +19,12 @@ pub(crate) fn program() -> Value {
     })
 }
 
-/// The grammar of `.dtx`.
+/// Returns the grammar of `.dtx`.
 pub(crate) fn data() -> Value {
     plain("VAL 3 data", "text.xml.val3-data")
 }
 
-/// The grammar of `.pjx`.
+/// Returns the grammar of `.pjx`.
 pub(crate) fn project() -> Value {
     plain("VAL 3 project", "text.xml.val3-project")
 }
@@ -33,8 +33,8 @@ fn plain(name: &str, scope: &str) -> Value {
     json!({ "name": name, "scopeName": scope, "patterns": [{ "include": "text.xml" }] })
 }
 
-/// `<Code>…</Code>` of s7 and s8, `<code>…</code>` of s5 and s6. An entity is coloured as such within a string as well as
-/// outside, so entities that are neither operator nor quote come last.
+/// Matches `<Code>…</Code>` of s7 and s8, `<code>…</code>` of s5 and s6. Entities are coloured inside and outside of
+/// strings, so entities that are neither operator nor quote come last.
 fn code() -> Value {
     let tag = json!({
         "1": { "name": "punctuation.definition.tag.xml" },

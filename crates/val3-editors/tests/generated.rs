@@ -1,4 +1,4 @@
-//! The files in `editors/` are those that the catalogue gives.
+//! The files in `editors/` are up to date with the catalogue.
 
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "files are read from the disk, and a test may stop")]
 

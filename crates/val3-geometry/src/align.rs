@@ -1,20 +1,20 @@
-//! The instruction `align` (manual 9.3.4).
+//! Instruction `align` (manual 9.3.4).
 
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{Trsf, rotation};
 
-/// Two axes whose cosines to z differ by less are equally near.
+/// Largest difference between cosines to z for which two axes are equally near.
 const EQUALLY_NEAR: f64 = 1e-9;
 
-/// Below this sine the z axis is on the axis already.
+/// Sine below which the z axis is already aligned.
 const ALIGNED: f64 = 1e-12;
 
-/// `position`, turned as little as possible so that its z axis is on the nearest axis of `reference`.
+/// Returns `position`, rotated by the smallest angle that aligns its z axis with the nearest axis of `reference`.
 ///
-/// Nearest is one of the directions x, y, z, -x, -y, -z of `reference`; of equally near ones the first in the order x, y,
-/// z, each before its opposite. The turn is never more than 54.74°. `x`, `y`, `z` stay, and those of `reference` do not
-/// matter; a position that is aligned comes back as it is written.
+/// The candidates are the directions x, y, z, -x, -y, -z of `reference`; among equally near ones the first is chosen in
+/// the order x, y, z, each before its opposite. The angle is at most 54.74°. `x`, `y`, `z` of `position` remain, and
+/// those of `reference` have no effect. An aligned position is returned unchanged.
 #[must_use]
 pub fn align(position: &Trsf, reference: &Trsf) -> Trsf {
     let rotation = position.isometry().rotation;
@@ -29,7 +29,7 @@ pub fn align(position: &Trsf, reference: &Trsf) -> Trsf {
     Trsf::from_parts(position.translation(), &(turn * rotation))
 }
 
-/// The axis of `reference`, forwards or backwards, that makes the smallest angle with `direction`.
+/// Returns the positive or negative axis of `reference` with the smallest angle to `direction`.
 fn nearest_axis(direction: &Vector3<f64>, reference: &Rotation3<f64>) -> Vector3<f64> {
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| reference * axis);
     let mut nearest = Vector3::zeros();

@@ -1,21 +1,21 @@
-//! Between a rotation and its angles `rx`, `ry`, `rz` (manual 9.3.2).
+//! Conversion between a rotation and its angles `rx`, `ry`, `rz` (manual 9.3.2).
 
 use nalgebra::{Matrix3, Rotation3};
 
 use crate::degrees;
 
-/// Below this cosine of `ry` the z axis counts as turned onto the x axis.
+/// Cosine of `ry` below which the z axis counts as rotated onto the x axis.
 const POLE: f64 = 1e-12;
 
-/// How near to `rx` = 180° and `ry` = 0, in degrees, their form is kept.
+/// Distance to `rx` = 180° and `ry` = 0, in degrees, within which this form of the angles is kept.
 ///
-/// Recorded positions bound it: 7e-15 keeps the form, 1.1e-5 does not.
+/// Recorded positions limit it: 7e-15 keeps the form, 1.1e-5 does not.
 const HALF_TURN: f64 = 1e-7;
 
-/// Angles are computed to about this many degrees.
+/// Approximate error of computed angles, in degrees.
 const NOISE: f64 = 1e-13;
 
-/// Rx(rx)·Ry(ry)·Rz(rz): about x, then about the new y, then about the new z.
+/// Returns Rx(rx)·Ry(ry)·Rz(rz): about x, then about the new y, then about the new z.
 pub(crate) fn to_rotation([rx, ry, rz]: [f64; 3]) -> Rotation3<f64> {
     let (sx, cx) = degrees::sin_cos(rx);
     let (sy, cy) = degrees::sin_cos(ry);
@@ -33,17 +33,17 @@ pub(crate) fn to_rotation([rx, ry, rz]: [f64; 3]) -> Rotation3<f64> {
     ))
 }
 
-/// The angles as the controller gives them, each in ]-180, 180].
+/// Returns the angles as the controller computes them, each in ]-180, 180].
 ///
-/// At least two are in [-90, 90], unless `rx` is 180 and `ry` is 0; `rx` is 0 where `ry` is ±90.
+/// At least two are in [-90, 90], unless `rx` is 180 and `ry` is 0; `rx` is 0 if `ry` is ±90.
 pub(crate) fn from_rotation(rotation: &Rotation3<f64>) -> [f64; 3] {
     fold(standard(rotation))
 }
 
-/// The angles with `ry` in [-90, 90].
+/// Returns the angles with `ry` in [-90, 90].
 ///
-/// `rz` is taken from what is left when `rx` is turned back, so that both together are right even near `ry` = ±90,
-/// where either alone is lost in noise.
+/// `rz` is computed from the rotation that remains after `rx` is undone, so that both together are right even near `ry`
+/// = ±90, where each separately is lost in noise.
 fn standard(rotation: &Rotation3<f64>) -> [f64; 3] {
     let m = rotation.matrix();
     let (sin, cos) = (-m.m23, m.m33);
@@ -55,7 +55,7 @@ fn standard(rotation: &Rotation3<f64>) -> [f64; 3] {
     [degrees::atan2(sin, cos), ry, rz].map(denoise)
 }
 
-/// The other form of the same rotation where that brings two angles into [-90, 90].
+/// Returns the alternative angles of the same rotation if two of them are then in [-90, 90].
 fn fold([rx, ry, rz]: [f64; 3]) -> [f64; 3] {
     let half_turn = 180.0 - rx.abs() < HALF_TURN && ry.abs() < HALF_TURN;
     if rx.abs() <= 90.0 || rz.abs() <= 90.0 || half_turn {
@@ -64,14 +64,14 @@ fn fold([rx, ry, rz]: [f64; 3]) -> [f64; 3] {
     [opposite(rx), opposite(-ry), opposite(rz)].map(denoise)
 }
 
-/// The angle half a turn further.
+/// Returns the angle half a turn further.
 fn opposite(angle: f64) -> f64 {
     if angle > 0.0 { angle - 180.0 } else { angle + 180.0 }
 }
 
-/// A result that differs from a number of six decimals by noise alone is that number, never -0 and never -180.
+/// Rounds an angle to six decimals if it differs from the rounded value only by noise. The result is never -0 or -180.
 ///
-/// Six decimals are what data files hold, so `{0,0,0,30,0,0} * {0,0,0,12.5,0,0}` has 42.5 in it.
+/// Data files contain six decimals, so `{0,0,0,30,0,0} * {0,0,0,12.5,0,0}` contains 42.5.
 fn denoise(angle: f64) -> f64 {
     let decimal = (angle * 1e6).round() / 1e6;
     let angle = if (angle - decimal).abs() < NOISE { decimal + 0.0 } else { angle };
@@ -88,7 +88,7 @@ mod tests {
         from_rotation(&to_rotation(angles))
     }
 
-    /// Triples that controllers wrote into public data files.
+    /// Angles that controllers wrote into public data files.
     #[test]
     fn recorded_angles_stay_to_the_bit() {
         for recorded in [

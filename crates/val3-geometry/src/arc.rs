@@ -1,4 +1,4 @@
-//! The arc through three places (manual 9.3.4 `interpolateC`, 10.1.4.1).
+//! Arc through three poses (manual 9.3.4 `interpolateC`, 10.1.4.1).
 
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
@@ -9,35 +9,35 @@ use nalgebra::{IsometryMatrix3, Rotation3, Translation3, Vector3};
 use crate::circle::Circle;
 use crate::rotation;
 
-/// So near to half a turn, in radians, either direction could be meant: a thousandth of a degree.
+/// Angle from which either direction of rotation could be meant: half a turn less a thousandth of a degree, in radians.
 const HALF_TURN: f64 = PI - PI / 180.0 * 1e-3;
 
-/// Two orientations nearer than this, in radians, are one: a ten thousandth of a degree.
+/// Angle below which two orientations are the same: a ten thousandth of a degree, in radians.
 const SAME_ORIENTATION: f64 = PI / 180.0 * 1e-4;
 
-/// The way that `movec` takes: the position on a circle, and an orientation that turns as little as it can.
+/// Path of `movec`: the position on a circle, with the smallest possible rotation.
 ///
-/// The rotation vector from the start is a quadratic function of the way. So the three orientations are met, one that
-/// stays the same stays so, and one that follows the circle follows it.
+/// The rotation vector from the start is a quadratic function of the path length. Therefore the three orientations are
+/// reached, a constant orientation remains constant, and an orientation that follows the circle continues to do so.
 #[derive(Clone, Copy, Debug)]
 pub struct Arc {
     circle: Circle,
-    /// Of the whole arc, in radians.
+    /// Angle of the entire arc, in radians.
     angle: f64,
     start: Rotation3<f64>,
     linear: Vector3<f64>,
     quadratic: Vector3<f64>,
 }
 
-/// Why three places define no arc; run-time error 70 of `interpolateC`.
+/// Reason why three poses define no arc; run-time error 70 of `interpolateC`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArcError {
-    /// Two of the positions are nearer than 0.001 mm. A full circle takes two arcs.
+    /// Two positions are less than 0.001 mm apart. A full circle needs two arcs.
     TooClose,
-    /// The three positions are on one line.
+    /// The three positions are collinear.
     Collinear,
-    /// The intermediate orientation is half a turn or more from one of the others, or half a circle or more away from
-    /// one that differs: which way to turn is not determined.
+    /// The direction of rotation is undetermined: the intermediate orientation is half a turn or more from the start or
+    /// end orientation, or differs from it over half a circle or more.
     Orientation,
 }
 
@@ -54,10 +54,10 @@ impl fmt::Display for ArcError {
 impl Error for ArcError {}
 
 impl Arc {
-    /// The arc from `start` through `intermediate` to `end`.
+    /// Creates the arc from `start` through `intermediate` to `end`.
     ///
     /// # Errors
-    /// When the positions define no circle, or the orientations no way to turn.
+    /// The positions define no circle, or the orientations no direction of rotation.
     pub fn through(
         start: &IsometryMatrix3<f64>,
         intermediate: &IsometryMatrix3<f64>,
@@ -73,13 +73,14 @@ impl Arc {
         Ok(Self { circle, angle, start: start.rotation, linear: whole - quadratic, quadratic })
     }
 
-    /// Way of the position from start to end, in mm.
+    /// Returns the path length from start to end, in mm.
     #[must_use]
     pub fn length(&self) -> f64 {
         self.angle * self.circle.radius.norm()
     }
 
-    /// The position at a fraction of the way: 0 is the start, 1 the end. Values beyond them continue round the circle.
+    /// Returns the pose at a fraction of the path: 0 is the start, 1 the end. Values beyond them continue along the
+    /// circle.
     #[must_use]
     pub fn at(&self, fraction: f64) -> IsometryMatrix3<f64> {
         let turn = (self.linear + self.quadratic * fraction) * fraction;
@@ -88,7 +89,8 @@ impl Arc {
     }
 }
 
-/// The rotation vectors from the start to the intermediate place and on to the end, over arcs of these angles.
+/// Returns the rotation vectors from the start to the intermediate pose and from there to the end, over arcs with these
+/// angles.
 fn turns(
     start: &IsometryMatrix3<f64>,
     intermediate: &IsometryMatrix3<f64>,
@@ -105,7 +107,7 @@ fn turns(
     if turns.iter().zip(arcs).any(undetermined) { Err(ArcError::Orientation) } else { Ok(turns) }
 }
 
-/// Of the vectors of `rotation`, with whole turns more or less, the one nearest to `expected`.
+/// Returns the vector for `rotation`, plus or minus whole turns, that is nearest to `expected`.
 fn nearest(rotation: &Rotation3<f64>, expected: &Vector3<f64>) -> Vector3<f64> {
     let shortest = rotation::to_vector(rotation);
     let Some(axis) = shortest.try_normalize(0.0) else { return shortest };
@@ -121,7 +123,7 @@ mod tests {
     use crate::testing::{any_trsf, assert_near};
     use crate::{InterpolationError, Trsf, interpolate_c};
 
-    /// On a circle of 100 mm about {500, 0, 200}, level.
+    /// Returns a pose on a horizontal circle with a radius of 100 mm about {500, 0, 200}.
     fn on_circle(angle: f64, angles: [f64; 3]) -> Trsf {
         let (sin, cos) = crate::degrees::sin_cos(angle);
         Trsf::new([500.0 + 100.0 * cos, 100.0 * sin, 200.0], angles)
@@ -204,7 +206,7 @@ mod tests {
         assert_eq!(through(end).err(), Some(ArcError::Orientation));
     }
 
-    /// Three places whose orientations are less than a quarter turn about one axis apart.
+    /// Three poses whose orientations differ by less than a quarter turn about one axis.
     fn mild() -> impl Strategy<Value = [Trsf; 3]> {
         let angle = || (-50.0..50.0_f64, -50.0..50.0_f64, -50.0..50.0_f64).prop_map(|(x, y, z)| [x, y, z]);
         [any_trsf(), any_trsf(), any_trsf()].prop_flat_map(move |places| {

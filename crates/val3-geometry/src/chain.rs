@@ -1,46 +1,47 @@
-//! Places that are given in places (manual 9.4 to 9.6): points in frames, frames in frames, tools on tools.
+//! Placements through fathers (manual 9.4 to 9.6): points in frames, frames in frames, tools on tools.
 //!
-//! A *chain* is a slice of transformations from the inside out: the place itself, then its father, and so on; the last
-//! is given in `world` or, of a tool, on `flange`. `world` and `flange` are the empty chain.
+//! A *chain* is a slice of transformations from the inside out: the position itself, then its father, and so on. The
+//! last one is relative to `world`, or for a tool to `flange`. `world` and `flange` are the empty chain.
 //!
-//! What two chains have in common at their outer ends does not matter to how they lie to each other and is left out of
-//! the computing. So what is given in one frame is compared as it is written, without the rounding of a way to `world`
-//! and back. It also does not matter whether the caller's fathers are the same variables or have the same values.
+//! Equal transformations at the outer ends of two chains do not affect their relative pose and are omitted from the
+//! computation. Positions in the same frame are therefore compared exactly, without the rounding of a conversion to
+//! `world` and back. It does not matter whether the fathers are the same variables or have the same values.
 //!
-//! The instruction `link` changes the father and leaves the transformation as it is, so it computes nothing.
+//! The instruction `link` changes the father and leaves the transformation unchanged, so nothing is computed.
 
 use nalgebra::{IsometryMatrix3, Point3};
 
 use crate::Trsf;
 
-/// Where a chain leads, seen from `world` or `flange`.
+/// Computes the pose of a chain in `world` or at `flange`.
 #[must_use]
 pub fn resolve(chain: &[Trsf]) -> IsometryMatrix3<f64> {
     chain.iter().fold(IsometryMatrix3::identity(), |inner, link| link.isometry() * inner)
 }
 
-/// The instruction `position` (manual 9.4.4, 9.5.4, 9.6.3): where `place` is, seen from `reference`.
+/// Implements the instruction `position` (manual 9.4.4, 9.5.4, 9.6.3): computes the pose of `place` relative to
+/// `reference`.
 #[must_use]
 pub fn position(place: &[Trsf], reference: &[Trsf]) -> Trsf {
     between(reference, place).into()
 }
 
-/// The instruction `distance` of two points (manual 9.6.3), in mm. The orientation of neither point matters.
+/// Implements the instruction `distance` for two points (manual 9.6.3), in mm. The orientations have no effect.
 #[must_use]
 pub fn distance(left: &[Trsf], right: &[Trsf]) -> f64 {
     let (left, right) = without_common_end(left, right);
     (origin(right) - origin(left)).norm()
 }
 
-/// The position of the place at the start of a chain, seen from the end of the chain.
+/// Computes the origin of a chain's first transformation, relative to the end of the chain.
 fn origin(chain: &[Trsf]) -> Point3<f64> {
     let Some((place, fathers)) = chain.split_first() else { return Point3::origin() };
     fathers.iter().fold(Point3::from(place.translation()), |point, father| father.isometry() * point)
 }
 
-/// The instruction `compose` (manual 9.6.3): `point`, moved by a `transformation` that is meant in `reference`.
+/// Implements the instruction `compose` (manual 9.6.3): moves `point` by a `transformation` relative to `reference`.
 ///
-/// The result is in the father of the point, as the point's own transformation is; none for an empty `point`.
+/// The result is relative to the father of the point, like the point's own transformation; `None` for an empty `point`.
 #[must_use]
 pub fn compose(point: &[Trsf], reference: &[Trsf], transformation: &Trsf) -> Option<Trsf> {
     let (point, father) = point.split_first()?;
@@ -48,13 +49,13 @@ pub fn compose(point: &[Trsf], reference: &[Trsf], transformation: &Trsf) -> Opt
     Some((reference * transformation.isometry() * reference.inverse() * point.isometry()).into())
 }
 
-/// Where `place` is, seen from `reference`.
+/// Computes the pose of `place` relative to `reference`.
 fn between(reference: &[Trsf], place: &[Trsf]) -> IsometryMatrix3<f64> {
     let (reference, place) = without_common_end(reference, place);
     resolve(reference).inverse() * resolve(place)
 }
 
-/// Both without the links at their outer ends in which they agree.
+/// Removes the equal transformations at the outer ends of both chains.
 fn without_common_end<'a>(left: &'a [Trsf], right: &'a [Trsf]) -> (&'a [Trsf], &'a [Trsf]) {
     match (left, right) {
         ([left_inner @ .., left_last], [right_inner @ .., right_last]) if left_last == right_last => {
@@ -96,7 +97,7 @@ mod tests {
         assert_eq!(position(&[TABLE], &[PALLET, TABLE]), PALLET.inverse());
     }
 
-    /// The example of `distance` between two tools (manual 9.3.4) and the sentence of `position` (manual 9.6.3).
+    /// The example of `distance` between two tools (manual 9.3.4) and the sentence about `position` (manual 9.6.3).
     #[test]
     fn a_distance_is_that_of_the_positions() {
         let (first, second) = (Trsf::new([0.0, 0.0, 100.0], [0.0; 3]), Trsf::new([30.0, 40.0, 100.0], [0.0; 3]));

@@ -1,34 +1,34 @@
-//! Trigonometry in degrees (manual 3.2.3), correct to the last bit or the one before.
+//! Trigonometry in degrees (manual 3.2.3), with an error of at most one in the last bit.
 //!
-//! A radian is never rounded on the way, so what is exact on paper is exact here: `sin(180)` is 0, `sin(30)` and
-//! `cos(60)` are 0.5, `tan(45)` is 1, and `asin(0.5)` is 30. No function returns -0.
+//! Angles are not rounded to radians before the computation, so mathematically exact results are exact here: `sin(180)`
+//! is 0, `sin(30)` and `cos(60)` are 0.5, `tan(45)` is 1, and `asin(0.5)` is 30. No function returns -0.
 
 use crate::sine::{MANY_TURNS, reduce, sine_and_cosine, sine_of, to_radians};
 
-/// The tangent at odd multiples of 90°, where it has no value: that of the double next to π/2.
+/// Tangent at odd multiples of 90°, where it has no value: the tangent of the double next to π/2.
 ///
-/// The manual gives `tan` no run-time error, and a number must not be infinite.
+/// The manual defines no run-time error for `tan`, and a number must not be infinite.
 const TANGENT_AT_POLE: f64 = 1.633123935319537e16;
 
-/// The sine of an angle in degrees.
+/// Returns the sine of an angle in degrees.
 #[must_use]
 pub fn sin(degrees: f64) -> f64 {
     sine_of(within_many_turns(degrees), 0)
 }
 
-/// The cosine of an angle in degrees.
+/// Returns the cosine of an angle in degrees.
 #[must_use]
 pub fn cos(degrees: f64) -> f64 {
     sine_of(within_many_turns(degrees), 1)
 }
 
-/// The sine and the cosine of an angle in degrees.
+/// Returns the sine and the cosine of an angle in degrees.
 #[must_use]
 pub fn sin_cos(degrees: f64) -> (f64, f64) {
     sine_and_cosine(within_many_turns(degrees))
 }
 
-/// The tangent of an angle in degrees; ±1.633e16 with the sign of the angle at odd multiples of 90°.
+/// Returns the tangent of an angle in degrees; at odd multiples of 90° ±1.633e16, with the sign of the angle.
 #[must_use]
 pub fn tan(degrees: f64) -> f64 {
     let (quarters, rest) = reduce(within_many_turns(degrees));
@@ -42,41 +42,41 @@ pub fn tan(degrees: f64) -> f64 {
     }
 }
 
-/// The angle in [-90, 90] degrees with this sine; none for a value outside [-1, 1].
+/// Returns the angle in [-90, 90] degrees with this sine; `None` for a value outside [-1, 1].
 #[must_use]
 pub fn asin(value: f64) -> Option<f64> {
     let angle = libm::asin(value).to_degrees();
     (value.abs() <= 1.0).then(|| whole_if(angle, |whole| sin(whole) == value))
 }
 
-/// The angle in [0, 180] degrees with this cosine; none for a value outside [-1, 1].
+/// Returns the angle in [0, 180] degrees with this cosine; `None` for a value outside [-1, 1].
 #[must_use]
 pub fn acos(value: f64) -> Option<f64> {
     let angle = libm::acos(value).to_degrees();
     (value.abs() <= 1.0).then(|| whole_if(angle, |whole| cos(whole) == value))
 }
 
-/// The angle in [-90, 90] degrees with this tangent.
+/// Returns the angle in [-90, 90] degrees with this tangent.
 #[must_use]
 pub fn atan(value: f64) -> f64 {
     whole_if(libm::atan(value).to_degrees(), |whole| tan(whole) == value)
 }
 
-/// The angle in ]-180, 180] degrees of the direction (`x`, `y`); 0 when both are 0.
+/// Returns the angle in ]-180, 180] degrees of the direction (`x`, `y`); 0 if both are 0.
 #[must_use]
 pub fn atan2(y: f64, x: f64) -> f64 {
     let angle = libm::atan2(y, x).to_degrees() + 0.0;
     if angle == -180.0 { 180.0 } else { angle }
 }
 
-/// The whole number of degrees next to `angle` when it is an exact answer, else `angle`.
+/// Returns the nearest whole number of degrees if it is an exact result, otherwise `angle`.
 fn whole_if(angle: f64, is_exact: impl Fn(f64) -> bool) -> f64 {
     let whole = angle.round();
     let near = (angle - whole).abs() < 1e-12;
     if near && is_exact(whole) { whole + 0.0 } else { angle + 0.0 }
 }
 
-/// The angle, without whole turns if it has very many.
+/// Removes whole turns from an angle with very many turns.
 fn within_many_turns(degrees: f64) -> f64 {
     if degrees.abs() < MANY_TURNS { degrees } else { degrees % 360.0 }
 }

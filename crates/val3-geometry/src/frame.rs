@@ -1,4 +1,4 @@
-//! The instruction `setFrame` (manual 9.4.4).
+//! Instruction `setFrame` (manual 9.4.4).
 
 use std::error::Error;
 use std::fmt;
@@ -7,10 +7,10 @@ use nalgebra::{Matrix3, Rotation3};
 
 use crate::Trsf;
 
-/// The smallest distance, in mm. The manual gives no number; this is the precision of a position.
+/// Smallest accepted distance, in mm. The manual specifies none; this is the precision of a position.
 const TOO_CLOSE: f64 = 1e-3;
 
-/// Why three points make no frame.
+/// Reason why three points define no frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameError {
     /// The point on the x axis is too close to the origin: -1 in VAL 3.
@@ -30,13 +30,14 @@ impl fmt::Display for FrameError {
 
 impl Error for FrameError {}
 
-/// The frame with this origin, with `on_x` on the positive x axis and `on_plane` in the plane of x and y, where y is
-/// positive.
+/// Computes the frame with this origin, with `on_x` on the positive x axis and `on_plane` in the xy plane at positive
+/// y.
 ///
-/// All are meant in one frame, as the result is; lengths are in mm, and the orientations of the points do not matter.
+/// The points and the result are relative to the same frame. Lengths are in mm, and the orientations of the points have
+/// no effect.
 ///
 /// # Errors
-/// A point that is less than 0.001 mm from the origin, or from the x axis.
+/// A point is less than 0.001 mm from the origin, or from the x axis.
 pub fn set_frame(origin: &Trsf, on_x: &Trsf, on_plane: &Trsf) -> Result<Trsf, FrameError> {
     let origin = origin.translation();
     let along = on_x.translation() - origin;

@@ -1,4 +1,4 @@
-//! Places on the way from one place to another (manual 9.3.4).
+//! Interpolation between poses (manual 9.3.4).
 
 use std::error::Error;
 use std::fmt;
@@ -8,7 +8,7 @@ use nalgebra::{IsometryMatrix3, Translation3, Vector3};
 use crate::arc::{Arc, ArcError};
 use crate::{Trsf, rotation};
 
-/// The way that `movel` takes: the position on a line, the orientation about one axis by the smaller angle.
+/// Path of `movel`: the position on a line, the orientation about one axis by the smaller angle.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
     start: IsometryMatrix3<f64>,
@@ -17,10 +17,10 @@ pub struct Line {
 }
 
 impl Line {
-    /// The way from `start` to `end`.
+    /// Creates the path from `start` to `end`.
     ///
-    /// Where the orientations are half a turn apart, both directions are equally short; it turns about the axis whose
-    /// largest component, in the axes of `start`, is positive.
+    /// If the orientations are half a turn apart, both directions are equally short. The rotation axis is then the one
+    /// whose largest component, in the axes of `start`, is positive.
     #[must_use]
     pub fn between(start: &IsometryMatrix3<f64>, end: &IsometryMatrix3<f64>) -> Self {
         Self {
@@ -30,13 +30,14 @@ impl Line {
         }
     }
 
-    /// Way of the position from start to end, in mm.
+    /// Returns the path length from start to end, in mm.
     #[must_use]
     pub fn length(&self) -> f64 {
         self.translation.norm()
     }
 
-    /// The place at a fraction of the way: 0 is the start, 1 the end; smaller and greater ones lead beyond.
+    /// Returns the pose at a fraction of the path: 0 is the start, 1 the end. Values beyond them continue along the
+    /// line.
     #[must_use]
     pub fn at(&self, fraction: f64) -> IsometryMatrix3<f64> {
         let place = self.start.translation.vector + self.translation * fraction;
@@ -45,12 +46,12 @@ impl Line {
     }
 }
 
-/// Why there is no place to give; run-time error 70 in VAL 3.
+/// Reason why no pose can be interpolated; run-time error 70 in VAL 3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InterpolationError {
     /// The fraction is not in ]-1, 2[.
     Fraction,
-    /// The three places define no arc.
+    /// The three poses define no arc.
     Arc(ArcError),
 }
 
@@ -65,31 +66,32 @@ impl fmt::Display for InterpolationError {
 
 impl Error for InterpolationError {}
 
-/// The instruction `interpolateL` (manual 9.3.4): the place at `fraction` of the way from `start` to `end`.
+/// Implements the instruction `interpolateL` (manual 9.3.4): computes the pose at `fraction` of the path from `start`
+/// to `end`.
 ///
 /// At 0 and 1 the result is exactly `start` and `end`.
 ///
 /// # Errors
-/// A fraction outside ]-1, 2[.
+/// The fraction is outside ]-1, 2[.
 pub fn interpolate_l(start: &Trsf, end: &Trsf, fraction: f64) -> Result<Trsf, InterpolationError> {
     at_fraction(start, end, fraction, || Line::between(&start.isometry(), &end.isometry()).at(fraction))
 }
 
-/// The instruction `interpolateC` (manual 9.3.4): the place at `fraction` of the arc from `start` through
-/// `intermediate` to `end`.
+/// Implements the instruction `interpolateC` (manual 9.3.4): computes the pose at `fraction` of the arc from `start`
+/// through `intermediate` to `end`.
 ///
-/// At 0 and 1 it is `start` and `end` as they are written, to the bit. The manual states the range of the fraction for
-/// `interpolateL` alone; here it is the same.
+/// At 0 and 1 the result is exactly `start` and `end`. The manual states the range of the fraction only for
+/// `interpolateL`; the same range applies here.
 ///
 /// # Errors
-/// A fraction outside ]-1, 2[; places that define no arc, even where the fraction is 0 or 1.
+/// The fraction is outside ]-1, 2[, or the poses define no arc, even if the fraction is 0 or 1.
 pub fn interpolate_c(start: &Trsf, intermediate: &Trsf, end: &Trsf, fraction: f64) -> Result<Trsf, InterpolationError> {
     let arc = Arc::through(&start.isometry(), &intermediate.isometry(), &end.isometry());
     let arc = arc.map_err(InterpolationError::Arc)?;
     at_fraction(start, end, fraction, || arc.at(fraction))
 }
 
-/// Exact ends, and computed values between and beyond them.
+/// Returns the exact ends for 0 and 1, and computed poses for other fractions.
 fn at_fraction(
     start: &Trsf,
     end: &Trsf,

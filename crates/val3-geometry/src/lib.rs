@@ -1,7 +1,8 @@
-//! The geometry of VAL 3 that needs no arm (manual 3.2, 9.3 to 9.6): lengths in mm, angles in degrees.
+//! Geometry of VAL 3 that needs no arm (manual 3.2, 9.3 to 9.6): lengths in mm, angles in degrees.
 //!
-//! The same numbers give the same bits on every machine: what is not exact by IEEE 754 comes from the `libm` crate and
-//! never from the platform. Hence of nalgebra only products, sums and roots are used, not what it offers for angles.
+//! The same input yields the same bits on every machine: functions that IEEE 754 does not define exactly are called
+//! from the `libm` crate and never from the platform. For the same reason only products, sums and roots of nalgebra are
+//! used, not its functions for angles.
 
 mod align;
 mod angles;

@@ -1,13 +1,13 @@
-//! Rotations as vectors: the direction is the axis, the length the angle in radians.
+//! Rotations as vectors: the direction is the axis, the length is the angle in radians.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-/// Below this sine, the two directions of a half turn differ by noise only.
+/// Sine below which the two directions of a half turn differ only by noise.
 const NOISE: f64 = 1e-12;
 
-/// The shortest rotation vector, at most π long.
+/// Returns the shortest rotation vector, with a length of at most π.
 ///
-/// A half turn has two; of these it is the one whose largest component is positive.
+/// A half turn has two such vectors; the one whose largest component is positive is returned.
 #[must_use]
 pub fn to_vector(rotation: &Rotation3<f64>) -> Vector3<f64> {
     let m = rotation.matrix();
@@ -23,7 +23,7 @@ pub fn to_vector(rotation: &Rotation3<f64>) -> Vector3<f64> {
     if sin == 0.0 { Vector3::zeros() } else { twice_sine * (angle / (2.0 * sin)) }
 }
 
-/// The axis of a rotation by more than 90°, in the direction whose largest component is positive.
+/// Returns the axis of a rotation by more than 90°, in the direction whose largest component is positive.
 ///
 /// The symmetric part of the matrix is cos·I + (1-cos)·a·aᵀ; its columns are multiples of the axis.
 fn axis_of_wide(m: &Matrix3<f64>, cos: f64) -> Vector3<f64> {
@@ -41,7 +41,7 @@ fn axis_of_wide(m: &Matrix3<f64>, cos: f64) -> Vector3<f64> {
     largest.normalize()
 }
 
-/// The rotation about a vector by its length in radians.
+/// Returns the rotation about a vector by its length in radians.
 #[must_use]
 pub fn from_vector(vector: &Vector3<f64>) -> Rotation3<f64> {
     let angle = vector.norm();
@@ -54,7 +54,7 @@ pub fn from_vector(vector: &Vector3<f64>) -> Rotation3<f64> {
     Rotation3::from_matrix_unchecked(matrix)
 }
 
-/// The angle between two orientations in radians, at most π.
+/// Returns the angle between two orientations in radians, at most π.
 #[must_use]
 pub fn angle_between(one: &Rotation3<f64>, other: &Rotation3<f64>) -> f64 {
     // Each axis moves by a chord. The squares of the three chords add up to 8·sin²(angle / 2).

@@ -1,25 +1,25 @@
-//! The sine of an angle in degrees (manual 3.2.3), correct to the last bit or the one before.
+//! Sine of an angle in degrees (manual 3.2.3), with an error of at most one in the last bit.
 //!
-//! `libm` takes radians, whose rounding would cost the exact values (`sin(180)` is 0, `sin(30)` is 0.5) and the last bit of
-//! others. The quarter turn is selected without a branch because it is unpredictable.
+//! `libm` expects radians. Rounding to radians would lose the exact values (`sin(180)` is 0, `sin(30)` is 0.5) and the
+//! last bit of other results. The quarter turn is selected without a branch, because a branch would be unpredictable.
 
-/// The bits of the larger half of a number: sign, exponent, and 26 bits with the one that is not written.
+/// Mask for the upper half of a number: sign, exponent, and 26 bits including the implicit one.
 const HEAD: u64 = !0 << 27;
 
-/// Below as many degrees, the quarters of a turn are a number that is exact, and exact in degrees too.
+/// Angle in degrees below which the number of quarter turns is exact, and so is its product with 90.
 pub(crate) const MANY_TURNS: f64 = 360.0 * 2_147_483_648.0;
 
-/// A number to which this is added is rounded, and its units are the lowest bits.
+/// Adding this number rounds a number to an integer, which is then in the lowest bits.
 const UNITS: f64 = 6_755_399_441_055_744.0;
 
 /// π/180 as the sum of two doubles.
 const RADIANS: (f64, f64) = (0.017453292519943295, 2.9486522708701687e-19);
 
-/// π/180, cut in two halves whose products with another half are exact.
+/// π/180, split into two halves whose products with another half are exact.
 const RADIANS_HEAD: f64 = 0.01745329238474369;
 const RADIANS_TAIL: f64 = 1.3519960498364902e-10;
 
-/// Coefficients of the powers of the sine from the third on, in radians; those of FDLIBM.
+/// Coefficients of the sine from the third power on, in radians, as in FDLIBM.
 const SINE: [f64; 6] = [
     -0.16666666666666632,
     0.00833333333332249,
@@ -29,7 +29,7 @@ const SINE: [f64; 6] = [
     1.58969099521155e-10,
 ];
 
-/// Coefficients of the powers of the cosine from the fourth on, in radians; those of FDLIBM.
+/// Coefficients of the cosine from the fourth power on, in radians, as in FDLIBM.
 const COSINE: [f64; 6] = [
     0.0416666666666666,
     -0.001388888888887411,
@@ -39,49 +39,49 @@ const COSINE: [f64; 6] = [
     -1.1359647557788195e-11,
 ];
 
-/// The sine of an angle of less than [`MANY_TURNS`] degrees, `ahead` quarters of a turn further; never -0.
+/// Returns the sine of the angle plus `ahead` quarter turns; never -0. The angle is in degrees, below [`MANY_TURNS`].
 pub(crate) fn sine_of(degrees: f64, ahead: u64) -> f64 {
     let (quarters, rest) = reduce(degrees);
     let (sin, cos) = near_zero(rest);
     sine_after(quarters, ahead, sin, cos) + 0.0
 }
 
-/// Sine and cosine of an angle of less than [`MANY_TURNS`] degrees; never -0.
+/// Returns sine and cosine of the angle; never -0. The angle is in degrees, below [`MANY_TURNS`].
 pub(crate) fn sine_and_cosine(degrees: f64) -> (f64, f64) {
     let (quarters, rest) = reduce(degrees);
     let (sin, cos) = near_zero(rest);
     (sine_after(quarters, 0, sin, cos) + 0.0, sine_after(quarters, 1, sin, cos) + 0.0)
 }
 
-/// The sine of a direction that is `ahead` quarter turns further than one whose sine and cosine are given. The lowest bits
-/// of `quarters` are the number of quarter turns that `reduce` removed.
+/// Returns the sine of the angle plus quarter turns, from its sine and cosine. The quarter turns are `ahead` plus the
+/// number in the lowest bits of `quarters`, which `reduce` removed.
 fn sine_after(quarters: f64, ahead: u64, sin: f64, cos: f64) -> f64 {
     let quarters = quarters.to_bits().wrapping_add(ahead);
     let value = if quarters & 1 == 0 { sin } else { cos };
     f64::from_bits(value.to_bits() ^ ((quarters & 2) << 62))
 }
 
-/// How many quarters of a turn, in the lowest bits, lead to the direction that is nearest, and what is left of the
-/// angle, exactly: at most 45°, but for what rounding does where two directions are as near.
+/// Returns the number of quarter turns in the lowest bits, and exactly the remaining angle: at most 45°, except for
+/// rounding if two directions are equally near.
 pub(crate) fn reduce(degrees: f64) -> (f64, f64) {
     let quarters = degrees * (1.0 / 90.0) + UNITS;
     (quarters, degrees - (quarters - UNITS) * 90.0)
 }
 
-/// The angle in radians, and what rounding has taken from it.
+/// Returns the angle in radians, and the rounding error.
 pub(crate) fn to_radians(degrees: f64) -> (f64, f64) {
     let radians = degrees * RADIANS.0;
     (radians, product_error(degrees, radians) + degrees * RADIANS.1)
 }
 
-/// The rounding error of `product`, the rounded product of `degrees` and π/180 (T. J. Dekker).
+/// Returns the rounding error of `product`, the rounded product of `degrees` and π/180 (T. J. Dekker).
 fn product_error(degrees: f64, product: f64) -> f64 {
     let head = f64::from_bits(degrees.to_bits() & HEAD);
     let tail = degrees - head;
     ((head * RADIANS_HEAD - product) + head * RADIANS_TAIL + tail * RADIANS_HEAD) + tail * RADIANS_TAIL
 }
 
-/// Sine and cosine of an angle of at most 45°.
+/// Returns sine and cosine of the angle, which is at most 45°.
 fn near_zero(degrees: f64) -> (f64, f64) {
     let (radians, error) = to_radians(degrees);
     let square = radians * radians;

@@ -1,4 +1,4 @@
-//! The type `trsf` (manual 9.3).
+//! Type `trsf` (manual 9.3).
 
 use std::ops::Mul;
 
@@ -8,9 +8,9 @@ use crate::angles;
 
 /// A translation, and a rotation about x, then about the new y, then about the new z (manual 9.3.1, 9.3.2).
 ///
-/// Fields hold what was written into them: angles of any size, as often turned as you like. What is computed has
-/// angles in ]-180, 180], of which at least two are in [-90, 90] (unless `rx` is 180 and `ry` is 0); `rx` is 0 where `ry`
-/// is ±90; nothing is -0. Equality compares the fields (manual 9.3.3), so one rotation written in two ways differs.
+/// Fields contain the written values: angles of any size, with any number of turns. Computed values have angles in
+/// ]-180, 180], of which at least two are in [-90, 90] (unless `rx` is 180 and `ry` is 0); `rx` is 0 if `ry` is ±90; no
+/// value is -0. Equality compares the fields (manual 9.3.3), so two forms of the same rotation differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Trsf {
     /// Along x, in mm.
@@ -21,67 +21,68 @@ pub struct Trsf {
     pub z: f64,
     /// About x, in degrees.
     pub rx: f64,
-    /// About the y axis that `rx` leaves, in degrees.
+    /// About the y axis after `rx`, in degrees.
     pub ry: f64,
-    /// About the z axis that `rx` and `ry` leave, in degrees.
+    /// About the z axis after `rx` and `ry`, in degrees.
     pub rz: f64,
 }
 
 impl Trsf {
-    /// The identity, which is also the initial value of variables.
+    /// Identity, which is also the initial value of variables.
     pub const IDENTITY: Self = Self::new([0.0; 3], [0.0; 3]);
 
-    /// From the fields in the manual's order: lengths in mm, angles in degrees.
+    /// Creates a transformation from its fields in the manual's order: lengths in mm, angles in degrees.
     #[must_use]
     pub const fn new([x, y, z]: [f64; 3], [rx, ry, rz]: [f64; 3]) -> Self {
         Self { x, y, z, rx, ry, rz }
     }
 
-    /// With the angles that the controller computes for this rotation; the translation is in mm.
+    /// Creates a transformation from a translation in mm and a rotation, with the angles that the controller computes.
     #[must_use]
     pub fn from_parts(translation: Vector3<f64>, rotation: &Rotation3<f64>) -> Self {
         Self::new(translation.add_scalar(0.0).into(), angles::from_rotation(rotation))
     }
 
-    /// The same, its lengths counted in a unit of which `factor` make one of those before.
+    /// Converts the lengths to another unit by multiplying them with `factor`.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
         Self { x: self.x * factor, y: self.y * factor, z: self.z * factor, ..*self }
     }
 
-    /// The translation, in mm.
+    /// Returns the translation, in mm.
     #[must_use]
     pub fn translation(&self) -> Vector3<f64> {
         Vector3::new(self.x, self.y, self.z)
     }
 
-    /// The angles `rx`, `ry`, `rz`, in degrees.
+    /// Returns the angles `rx`, `ry`, `rz`, in degrees.
     #[must_use]
     pub const fn angles(&self) -> [f64; 3] {
         [self.rx, self.ry, self.rz]
     }
 
-    /// The instruction `distance` of two transformations (manual 9.3.4), in mm: both are meant in one place.
+    /// Implements the instruction `distance` for two transformations (manual 9.3.4), in mm. Both are relative to the
+    /// same frame.
     #[must_use]
     pub fn distance(&self, other: &Self) -> f64 {
         (other.translation() - self.translation()).norm()
     }
 
-    /// As matrices, for computing: quarter turns are exact.
+    /// Converts to matrices for computation. Quarter turns are exact.
     #[must_use]
     pub fn isometry(&self) -> IsometryMatrix3<f64> {
         let rotation = angles::to_rotation(self.angles());
         IsometryMatrix3::from_parts(Translation3::from(self.translation()), rotation)
     }
 
-    /// The operator `!` (manual 9.3.3): what undoes this transformation.
+    /// Implements the operator `!` (manual 9.3.3): returns the inverse transformation.
     #[must_use]
     pub fn inverse(&self) -> Self {
         self.isometry().inverse().into()
     }
 }
 
-/// The operator `*` (manual 9.3.3): `right` is relative to `self`.
+/// Operator `*` (manual 9.3.3): `right` is relative to `self`.
 ///
 /// The instruction `appro` is this product, with the point on the left (manual 9.6.3).
 impl Mul for Trsf {
@@ -105,7 +106,7 @@ mod tests {
     use super::*;
     use crate::testing::{any_trsf, assert_near, near};
 
-    /// The picture of manual 9.3.2: each angle turns about an axis that the ones before have turned.
+    /// The picture in manual 9.3.2: each angle rotates about an axis that the previous angles have rotated.
     #[test]
     fn angles_turn_one_after_the_other_about_the_new_axes() {
         let whole = Trsf::new([250.0, 350.0, 450.0], [20.0, 10.0, 30.0]);

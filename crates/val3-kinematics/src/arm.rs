@@ -1,4 +1,4 @@
-//! The model of an arm.
+//! Arm model.
 
 use std::fmt;
 
@@ -9,13 +9,13 @@ use crate::scara::Scara;
 use crate::six_axis::SixAxis;
 use crate::{ArmError, Configuration, DhError, Joints, data};
 
-/// `arm.cfx` and `cell.cfx` write this value or more, with either sign, for a limit of the type of arm.
+/// Smallest absolute value that means "the arm type's own limit" in `arm.cfx` and `cell.cfx`, in degrees or mm.
 const LIMIT_OF_TYPE: f64 = 99_999.0;
 
-/// Nominal load of an arm where it is not known, in kg (model choice).
+/// Nominal load if the arm's file contains none, in kg (model choice).
 const USUAL_LOAD: f64 = 5.0;
 
-/// An arm: geometry in mm, limits of its axes, and the parameters of its calibration.
+/// An arm: geometry in mm, axis limits and calibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arm {
     pub(crate) name: String,
@@ -35,44 +35,44 @@ pub(crate) enum Geometry {
     Scara(Scara),
 }
 
-/// The limits of one axis, in degrees. The stroke of a SCARA arm is in mm.
+/// Axis limits, in degrees; for a SCARA arm's stroke in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// Lowest position.
     pub min: f64,
     /// Highest position.
     pub max: f64,
-    /// Speed at `vel` = 100 of a motion descriptor, per second.
+    /// Speed at `vel` = 100 in a motion descriptor, per second.
     pub nominal_speed: f64,
-    /// Greatest speed, per second.
+    /// Highest speed, per second.
     pub maximum_speed: f64,
     /// Acceleration at `accel` = 100, per second².
     pub acceleration: f64,
     /// Deceleration at `decel` = 100, per second².
     pub deceleration: f64,
-    /// Greatest torque in Nm (force of a stroke in N), where known.
+    /// Largest torque in Nm, or force of a stroke in N; `None` if unknown.
     pub maximum_effort: Option<f64>,
 }
 
-/// The load at the flange, in kg, where known.
+/// Loads at the flange, in kg; `None` if unknown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Payload {
-    /// At nominal speed.
+    /// Largest load at nominal speed.
     pub nominal: Option<f64>,
-    /// At reduced speed.
+    /// Largest load at reduced speed.
     pub maximum: Option<f64>,
 }
 
-/// An axis outside of its limits.
+/// An axis outside its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation {
-    /// The axis, counted from 1.
+    /// Axis number, from 1.
     pub axis: usize,
-    /// Its position.
+    /// Position.
     pub position: f64,
-    /// Its lowest position.
+    /// Lowest allowed position.
     pub min: f64,
-    /// Its highest position.
+    /// Highest allowed position.
     pub max: f64,
 }
 
@@ -84,40 +84,40 @@ impl fmt::Display for Violation {
 }
 
 impl Arm {
-    /// An arm from the text of a file such as those in `arms/`.
+    /// Reads an arm from a file in the format of `arms/`.
     ///
-    /// Without `nominal_speed` the speeds are 0.66 times `maximum_speed`, without `acceleration` the arm takes 0.2 s to
-    /// reach its nominal speed, and without `deceleration` it brakes as it accelerates.
+    /// Without `nominal_speed` the speeds are 0.66 times `maximum_speed`, without `acceleration` the arm reaches its
+    /// nominal speed in 0.2 s, and without `deceleration` the deceleration equals the acceleration.
     pub fn from_toml(text: &str) -> Result<Self, ArmError> {
         data::parse(text)
     }
 
-    /// The name of the type, such as `TX2-60L`.
+    /// Returns the name of the type, for example `TX2-60L`.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Entries of the arm's file that are choices of this model, because no public source has them.
+    /// Returns the entries of the arm's file that are choices of this model, because no public source contains them.
     #[must_use]
     pub fn model_choices(&self) -> &[String] {
         &self.model_choices
     }
 
-    /// Sources of the values in the arm's file, one sentence or name an entry.
+    /// Returns the sources of the values in the arm's file: sentences or names.
     #[must_use]
     pub fn sources(&self) -> &[String] {
         &self.sources
     }
 
-    /// Whether nominal speeds, accelerations and decelerations were measured on a real arm (`times = "measured"`). Else
-    /// cycle times are those of a model.
+    /// Whether nominal speeds, accelerations and decelerations were measured on a real arm (`times = "measured"`).
+    /// Otherwise cycle times are model values.
     #[must_use]
     pub const fn has_measured_times(&self) -> bool {
         self.has_measured_times
     }
 
-    /// The number of axes: 6, or 4 for a SCARA arm.
+    /// Returns the number of axes: 6, or 4 for a SCARA arm.
     #[must_use]
     pub const fn axes(&self) -> usize {
         match self.geometry {
@@ -126,32 +126,32 @@ impl Arm {
         }
     }
 
-    /// True for an arm with parallel axes and a vertical stroke.
+    /// Whether the arm is a SCARA arm, with parallel axes and a vertical stroke.
     #[must_use]
     pub const fn is_scara(&self) -> bool {
         matches!(self.geometry, Geometry::Scara(_))
     }
 
-    /// True for an axis (counted from 0) that moves along a line. Its positions are in mm.
+    /// Whether an axis (from 0) moves along a line. Its positions are in mm.
     #[must_use]
     pub const fn is_stroke(&self, axis: usize) -> bool {
         self.is_scara() && axis == 2
     }
 
-    /// Unit of the positions of an axis (counted from 0): `degrees` or `mm`.
+    /// Returns the unit for positions of axis `axis` (from 0): `degrees` or `mm`.
     #[must_use]
     pub const fn unit(&self, axis: usize) -> &'static str {
         if self.is_stroke(axis) { "mm" } else { "degrees" }
     }
 
-    /// The height of the origin of `world` above the mounting face, in mm. Only pictures need it.
+    /// Returns the height of the `world` origin above the mounting face, in mm. Only drawings need it.
     #[must_use]
     pub const fn height(&self) -> f64 {
         self.height
     }
 
-    /// Greatest distance between the flange and axis 1 in mm, as data sheets state it: the sum of the lengths of the arm
-    /// in its plane.
+    /// Returns the largest distance between the flange and axis 1 in mm, as in data sheets: the sum of the arm's
+    /// lengths in its plane.
     #[must_use]
     pub const fn reach(&self) -> f64 {
         match &self.geometry {
@@ -160,44 +160,48 @@ impl Arm {
         }
     }
 
-    /// The load at the flange.
+    /// Returns the loads at the flange.
     #[must_use]
     pub const fn payload(&self) -> Payload {
         self.payload
     }
 
-    /// The load at the flange that forces and torques are computed for, in kg: the nominal one, else the maximum one.
+    /// Returns the load at the flange for which forces and torques are computed, in kg: the nominal load, otherwise the
+    /// maximum load.
     #[must_use]
     pub fn nominal_load(&self) -> f64 {
         self.payload.nominal.or(self.payload.maximum).unwrap_or(USUAL_LOAD)
     }
 
-    /// The limits of the axes, one entry an axis.
+    /// Returns the limits of all axes.
     #[must_use]
     pub fn limits(&self) -> &[Axis] {
         &self.axes
     }
 
-    /// The speed of an axis (counted from 0) at `vel` = 100, in degrees/s or mm/s; 0 if the arm has no such axis.
+    /// Returns the nominal speed of axis `axis` (from 0) at `vel` = 100, in degrees/s or mm/s; 0 if the arm has no such
+    /// axis.
     #[must_use]
     pub fn nominal_speed(&self, axis: usize) -> f64 {
         self.axes.get(axis).map_or(0.0, |axis| axis.nominal_speed)
     }
 
-    /// The acceleration of an axis at `accel` = 100, in degrees/s² or mm/s²; 0 if the arm has no such axis.
+    /// Returns the nominal acceleration of axis `axis` (from 0) at `accel` = 100, in degrees/s² or mm/s²; 0 if the arm
+    /// has no such axis.
     #[must_use]
     pub fn nominal_acceleration(&self, axis: usize) -> f64 {
         self.axes.get(axis).map_or(0.0, |axis| axis.acceleration)
     }
 
-    /// The deceleration of an axis at `decel` = 100, in degrees/s² or mm/s²; 0 if the arm has no such axis.
+    /// Returns the nominal deceleration of axis `axis` (from 0) at `decel` = 100, in degrees/s² or mm/s²; 0 if the arm
+    /// has no such axis.
     #[must_use]
     pub fn nominal_deceleration(&self, axis: usize) -> f64 {
         self.axes.get(axis).map_or(0.0, |axis| axis.deceleration)
     }
 
-    /// This arm with narrower limits, as `arm.cfx` and `cell.cfx` give them for one unit. Values of ±99999 and beyond
-    /// keep the limit of the type, and so do missing values.
+    /// Returns the arm with the narrower limits that `arm.cfx` and `cell.cfx` contain for a single unit. Missing
+    /// values, and absolute values from 99999, leave the type's limit unchanged.
     pub fn with_limits(mut self, min: &[f64], max: &[f64]) -> Result<Self, Violation> {
         let given = |value: Option<&f64>| value.copied().filter(|value| value.abs() < LIMIT_OF_TYPE);
         for (index, axis) in self.axes.iter_mut().enumerate() {
@@ -211,13 +215,13 @@ impl Arm {
         Ok(self)
     }
 
-    /// The pose of the flange in world.
+    /// Computes the flange pose in world.
     #[must_use]
     pub fn forward(&self, joints: &Joints) -> Trsf {
         self.flange(joints).into()
     }
 
-    /// The pose of the flange in world, as matrices. Faster than [`Arm::forward`], which computes angles.
+    /// Computes the flange pose in world as matrices, which is faster than [`Arm::forward`] with its angles.
     #[must_use]
     pub fn flange(&self, joints: &Joints) -> IsometryMatrix3<f64> {
         if self.is_calibrated() {
@@ -229,8 +233,8 @@ impl Arm {
         }
     }
 
-    /// The poses of the base and of the end of each link, in world: an entry more than axes. Entry `i` has axis `i + 1`
-    /// as its z axis, and the last one is the flange.
+    /// Computes the poses of the base and of all link ends in world: one more entry than axes. The z axis of entry `i`
+    /// is axis `i + 1`, and the last entry is the flange.
     #[must_use]
     pub fn links(&self, joints: &Joints) -> Vec<IsometryMatrix3<f64>> {
         let dh = self.dh();
@@ -247,7 +251,7 @@ impl Arm {
         links
     }
 
-    /// The configuration of a joint position (instruction `config`).
+    /// Returns the configuration of a joint position (instruction `config`).
     #[must_use]
     pub fn configuration(&self, joints: &Joints) -> Configuration {
         match &self.geometry {
@@ -256,13 +260,13 @@ impl Arm {
         }
     }
 
-    /// True if no axis is outside of its limits (instruction `isInRange`).
+    /// Whether all axes are within their limits (instruction `isInRange`).
     #[must_use]
     pub fn is_in_range(&self, joints: &Joints) -> bool {
         self.violations(joints).next().is_none()
     }
 
-    /// The axes outside of their limits.
+    /// Returns the axes outside their limits.
     pub fn violations(&self, joints: &Joints) -> impl Iterator<Item = Violation> {
         let axes = joints.iter().zip(&self.axes).enumerate();
         let violations = axes.map(|(index, (&position, &Axis { min, max, .. }))| {
@@ -272,15 +276,15 @@ impl Arm {
         violations.flatten()
     }
 
-    /// The degrees, a multiple of 360, to add to the last axis so that it is as near to `reference` as possible
-    /// (instruction `resetTurn`).
+    /// Returns the multiple of 360 degrees to add to the last axis so that it is nearest to `reference` (instruction
+    /// `resetTurn`).
     #[must_use]
     pub fn turn_shift(&self, joints: &Joints, reference: &Joints) -> f64 {
         let last = |joints: &Joints| joints.get(self.axes() - 1).copied().unwrap_or_default();
         ((last(reference) - last(joints)) / 360.0).round() * 360.0
     }
 
-    /// The nominal geometric parameters of the type (instruction `getDefaultDH`).
+    /// Returns the nominal geometric parameters of the type (instruction `getDefaultDH`).
     #[must_use]
     pub fn default_dh(&self) -> Dh {
         match &self.geometry {
@@ -289,14 +293,14 @@ impl Arm {
         }
     }
 
-    /// The geometric parameters of this arm (instruction `getDH`).
+    /// Returns the geometric parameters of this arm (instruction `getDH`).
     #[must_use]
     pub fn dh(&self) -> Dh {
         self.calibration.as_deref().copied().unwrap_or_else(|| self.default_dh())
     }
 
-    /// Sets measured geometric parameters (instruction `setDH`). The arm stays unchanged if they are too far from the
-    /// nominal ones: more than 5 mm or 2 degrees, which is a choice of this model.
+    /// Sets measured geometric parameters (instruction `setDH`). The arm remains unchanged if they differ from the
+    /// nominal ones by more than 5 mm or 2 degrees (model choice).
     pub fn set_dh(&mut self, dh: &Dh) -> Result<(), DhError> {
         let nominal = self.default_dh();
         dh.check(&nominal)?;
@@ -304,7 +308,7 @@ impl Arm {
         Ok(())
     }
 
-    /// True if the geometric parameters differ from the nominal ones.
+    /// Whether the geometric parameters differ from the nominal ones.
     #[must_use]
     pub const fn is_calibrated(&self) -> bool {
         self.calibration.is_some()

@@ -1,21 +1,22 @@
-//! Joints of calibrated arms (manual 11.4), by Newton's method from the nominal solution.
+//! Inverse kinematics of calibrated arms (manual 11.4), by Newton's method from the nominal solution.
 
 use nalgebra::{Matrix6, Vector6};
 use val3_geometry::{IsometryMatrix3, Vector3};
 
 use crate::{Arm, Joints, Unreachable};
 
-/// Steps after which a position counts as not computable.
+/// Largest number of iterations. After them the position counts as not computable.
 const STEPS: usize = 20;
 
-/// Remaining errors below these end the iteration: mm, and the sine of an angle.
+/// Error below which the iteration ends: in mm, and as the sine of an angle.
 const POSITION: f64 = 1e-10;
 const ORIENTATION: f64 = 1e-13;
 
-/// A step longer than this, in degrees or mm, leaves the neighbourhood of the nominal solution.
+/// Largest change of a joint in an iteration, in degrees or mm. A larger change leaves the neighbourhood of the nominal
+/// solution.
 const LONGEST_STEP: f64 = 30.0;
 
-/// The joints near `start` at which the flange is at `target`.
+/// Returns the joints near `start` at which the flange has the pose `target`.
 pub(crate) fn refine(arm: &Arm, target: &IsometryMatrix3<f64>, start: Joints) -> Result<Joints, Unreachable> {
     let mut joints = start;
     for _ in 0..STEPS {
@@ -39,7 +40,7 @@ fn is_small(arm: &Arm, error: &Vector6<f64>) -> bool {
     position < POSITION && orientation.to_radians() < ORIENTATION
 }
 
-/// From `from` to `to` in world: mm, and degrees for small angles.
+/// Returns the difference from `from` to `to` in world: in mm, and in degrees for small angles.
 fn error(from: &IsometryMatrix3<f64>, to: &IsometryMatrix3<f64>) -> Vector6<f64> {
     let position = to.translation.vector - from.translation.vector;
     let (left, right) = (from.rotation.matrix(), to.rotation.matrix());
@@ -48,7 +49,7 @@ fn error(from: &IsometryMatrix3<f64>, to: &IsometryMatrix3<f64>) -> Vector6<f64>
     Vector6::new(position.x, position.y, position.z, turn.x, turn.y, turn.z)
 }
 
-/// The change of the joints that removes the error to first order.
+/// Returns the joint changes that remove the error to first order.
 fn step(arm: &Arm, joints: &Joints, error: &Vector6<f64>) -> Option<Vector6<f64>> {
     let mut matrix = Matrix6::zeros();
     for (mut column, twist) in matrix.column_iter_mut().zip(arm.jacobian(joints)) {
@@ -57,7 +58,7 @@ fn step(arm: &Arm, joints: &Joints, error: &Vector6<f64>) -> Option<Vector6<f64>
     }
     let mut error = *error;
     if arm.is_scara() {
-        // No axis changes the tilt. The two columns without an axis take its rows.
+        // No axis changes the tilt. Its two rows are replaced by conditions on the two columns without an axis.
         matrix.row_mut(3).fill(0.0);
         matrix.row_mut(4).fill(0.0);
         (matrix.m45, matrix.m56) = (1.0, 1.0);

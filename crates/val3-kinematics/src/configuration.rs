@@ -1,6 +1,6 @@
 //! Configurations (manual 9.7).
 
-/// On which side of the arm the flange is.
+/// Side of the arm on which the flange is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shoulder {
     /// `lefty`
@@ -9,39 +9,39 @@ pub enum Shoulder {
     Righty,
 }
 
-/// The sign of axis 3 of a six-axis arm.
+/// Sign of axis 3 of a six-axis arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Elbow {
-    /// `epositive`: axis 3 is at 0 or more.
+    /// `epositive`: axis 3 is at 0 or above.
     Positive,
     /// `enegative`
     Negative,
 }
 
-/// The sign of axis 5 of a six-axis arm.
+/// Sign of axis 5 of a six-axis arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Wrist {
-    /// `wpositive`: axis 5 is at 0 or more.
+    /// `wpositive`: axis 5 is at 0 or above.
     Positive,
     /// `wnegative`
     Negative,
 }
 
-/// The configuration of a joint position. It identifies a branch of the inverse kinematics.
+/// Configuration of a joint position. It identifies a branch of the inverse kinematics.
 ///
 /// Elbow and wrist of a SCARA arm are always positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Configuration {
-    /// The shoulder.
+    /// Shoulder.
     pub shoulder: Shoulder,
-    /// The elbow.
+    /// Elbow.
     pub elbow: Elbow,
-    /// The wrist.
+    /// Wrist.
     pub wrist: Wrist,
 }
 
 impl Configuration {
-    /// The branches of a six-axis arm, in the order in which equally good ones are preferred.
+    /// Branches of a six-axis arm. Among equally good branches, the first one is preferred.
     pub const SIX_AXIS: [Self; 8] = {
         use {Elbow as E, Shoulder::*, Wrist as W};
         [
@@ -56,29 +56,29 @@ impl Configuration {
         ]
     };
 
-    /// The branches of a SCARA arm.
+    /// Branches of a SCARA arm.
     pub const SCARA: [Self; 2] = [Self::scara(Shoulder::Lefty), Self::scara(Shoulder::Righty)];
 
-    /// The configuration of a six-axis arm.
+    /// Creates the configuration of a six-axis arm.
     #[must_use]
     pub const fn new(shoulder: Shoulder, elbow: Elbow, wrist: Wrist) -> Self {
         Self { shoulder, elbow, wrist }
     }
 
-    /// The configuration of a SCARA arm.
+    /// Creates the configuration of a SCARA arm.
     #[must_use]
     pub const fn scara(shoulder: Shoulder) -> Self {
         Self::new(shoulder, Elbow::Positive, Wrist::Positive)
     }
 }
 
-/// A requested value of one field of a configuration.
+/// Requested value for a field of a configuration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Request<T> {
     /// `sfree`, `efree`, `wfree`: any value.
     #[default]
     Free,
-    /// `ssame`, `esame`, `wsame`: the value at the start.
+    /// `ssame`, `esame`, `wsame`: the start value.
     Same,
     /// This value.
     Exactly(T),
@@ -94,14 +94,14 @@ impl<T: PartialEq> Request<T> {
     }
 }
 
-/// The configuration of a Cartesian target.
+/// Requested configuration at a Cartesian target.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct RequestedConfiguration {
-    /// The shoulder.
+    /// Shoulder.
     pub shoulder: Request<Shoulder>,
-    /// The elbow. Ignored by SCARA arms.
+    /// Elbow; ignored by SCARA arms.
     pub elbow: Request<Elbow>,
-    /// The wrist. Ignored by SCARA arms.
+    /// Wrist; ignored by SCARA arms.
     pub wrist: Request<Wrist>,
 }
 
@@ -109,10 +109,10 @@ impl RequestedConfiguration {
     /// Any configuration.
     pub const FREE: Self = Self { shoulder: Request::Free, elbow: Request::Free, wrist: Request::Free };
 
-    /// The configuration at the start.
+    /// The start configuration.
     pub const SAME: Self = Self { shoulder: Request::Same, elbow: Request::Same, wrist: Request::Same };
 
-    /// True if a move that starts in `start` may end in `end`.
+    /// Whether a move from the configuration `start` may end in `end`.
     #[must_use]
     pub fn allows(&self, end: Configuration, start: Configuration) -> bool {
         self.shoulder.allows(&end.shoulder, &start.shoulder)

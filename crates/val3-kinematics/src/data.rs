@@ -1,4 +1,4 @@
-//! Files of arms: from text to a model, with an error for each value that makes no sense.
+//! Arm files: parsing, with an error for each implausible value.
 
 use std::error::Error;
 use std::fmt;
@@ -11,23 +11,23 @@ use crate::arm::{Arm, Axis, Geometry, Payload};
 use crate::scara::Scara;
 use crate::six_axis::SixAxis;
 
-/// Nominal speed in relation to the maximum speed, where a file has no nominal speed (model choice).
+/// Nominal speed divided by maximum speed, if a file contains no nominal speed (model choice).
 const NOMINAL_SPEED: f64 = 0.66;
 
-/// Acceleration per nominal speed, in 1/s, where a file has no acceleration (model choice).
+/// Acceleration divided by nominal speed, in 1/s, if a file contains no acceleration (model choice).
 const ACCELERATION: f64 = 5.0;
 
-/// Greater numbers are mistakes.
+/// Largest accepted number.
 const GREATEST: f64 = 1e6;
 
-/// An error in the file of an arm.
+/// An error in an arm file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ArmError {
-    /// The line, counted from 1.
+    /// Line, from 1.
     pub line: usize,
-    /// The entry, such as `axes.min`. Empty if the text is no TOML.
+    /// Entry, for example `axes.min`; empty if the text is not TOML.
     pub key: String,
-    /// What is wrong and what to do.
+    /// Description of the error and its remedy.
     pub message: String,
 }
 
@@ -103,7 +103,7 @@ struct Loads {
     maximum: Option<Spanned<f64>>,
 }
 
-/// Which lengths make sense.
+/// Accepted signs of a length.
 #[derive(Clone, Copy)]
 enum Sign {
     Any,
@@ -111,7 +111,7 @@ enum Sign {
     Positive,
 }
 
-/// The entries that a file may list under `model`.
+/// Entries that a file may list under `model`.
 const MODEL_ENTRIES: &[&str] = &[
     "geometry",
     "height",
@@ -125,7 +125,7 @@ const MODEL_ENTRIES: &[&str] = &[
     "payload",
 ];
 
-/// The entries that are measured if `times` is `"measured"`.
+/// Entries that are measured if `times` is `"measured"`.
 const TIME_ENTRIES: [&str; 3] = ["nominal_speed", "acceleration", "deceleration"];
 
 pub(crate) fn parse(text: &str) -> Result<Arm, ArmError> {
@@ -162,8 +162,8 @@ impl Reader<'_> {
         })
     }
 
-    /// Whether the file has measured times. A file with measured times contains all of them, and lists none as a choice
-    /// of the model.
+    /// Whether the file has measured times. Such a file must contain all of them, and must not list them as model
+    /// choices.
     fn has_measured_times(&self, file: &File) -> Result<bool, ArmError> {
         let Some(times) = file.times.as_ref().filter(|times| *times.get_ref() == Times::Measured) else {
             return Ok(false);

@@ -1,14 +1,14 @@
-//! The geometric parameters of manual 11.4.1.
+//! Geometric parameters (manual 11.4.1).
 
 use std::error::Error;
 use std::fmt;
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 
-/// A calibrated length may differ from its nominal value by this much, in mm (model choice).
+/// Largest difference between a calibrated and a nominal length, in mm (model choice).
 const LENGTH_TOLERANCE: f64 = 5.0;
 
-/// A calibrated angle may differ from its nominal value by this much, in degrees (model choice).
+/// Largest difference between a calibrated and a nominal angle, in degrees (model choice).
 const ANGLE_TOLERANCE: f64 = 2.0;
 
 /// Geometric parameters: lengths in mm, angles in degrees. A SCARA arm uses the first four rows, and its flange `d[4]`.
@@ -16,7 +16,7 @@ const ANGLE_TOLERANCE: f64 = 2.0;
 pub struct Dh {
     /// About z, added to the joint.
     pub theta: [f64; 6],
-    /// Along z. The entry after the last axis is that of the flange.
+    /// Along z. The entry after the last axis belongs to the flange.
     pub d: [f64; 7],
     /// Along x.
     pub a: [f64; 6],
@@ -31,20 +31,20 @@ pub struct Dh {
 /// A geometric parameter that differs too much from its nominal value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DhError {
-    /// The array: `theta`, `d`, `a`, `b`, `alpha` or `beta`.
+    /// Array: `theta`, `d`, `a`, `b`, `alpha` or `beta`.
     pub parameter: &'static str,
-    /// The index in the array.
+    /// Index in the array.
     pub index: usize,
-    /// The rejected value.
+    /// Rejected value.
     pub value: f64,
-    /// The nominal value.
+    /// Nominal value.
     pub nominal: f64,
-    /// The greatest difference that is accepted.
+    /// Largest accepted difference.
     pub tolerance: f64,
 }
 
 impl Dh {
-    /// The link after axis `index` (counted from 0), with its joint at `joint`.
+    /// Returns the link after axis `index` (from 0) for this joint position.
     pub(crate) fn link(&self, index: usize, joint: f64, is_stroke: bool) -> IsometryMatrix3<f64> {
         let at = |values: &[f64]| values.get(index).copied().unwrap_or_default();
         let (angle, stroke) = if is_stroke { (0.0, joint) } else { (joint, 0.0) };
@@ -53,7 +53,7 @@ impl Dh {
         turn.isometry() * link.isometry()
     }
 
-    /// Accepts parameters that are near to the nominal ones.
+    /// Checks that all parameters are near the nominal ones.
     pub(crate) fn check(&self, nominal: &Self) -> Result<(), DhError> {
         check("theta", &self.theta, &nominal.theta, ANGLE_TOLERANCE)?;
         check("d", &self.d, &nominal.d, LENGTH_TOLERANCE)?;

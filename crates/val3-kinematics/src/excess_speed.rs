@@ -1,27 +1,27 @@
-//! Speeds beyond the maximum of an axis.
+//! Speeds that exceed the maximum of an axis.
 
 use std::fmt;
 
 use crate::Arm;
 
-/// Speeds are equal if they differ by no more than this share.
+/// Relative difference up to which speeds are equal.
 const ROUNDING: f64 = 1e-9;
 
-/// Entry of an arm's file whose values are no limits if they are choices of the model.
+/// Entry of an arm's file. Its values are not limits if they are choices of the model.
 const MAXIMUM_SPEED: &str = "maximum_speed";
 
-/// An axis that a motion descriptor lets move faster than its maximum speed.
+/// An axis whose speed under a motion descriptor may exceed its maximum speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExcessSpeed {
-    /// The axis, counted from 1.
+    /// Axis number, from 1.
     pub axis: usize,
-    /// The speed that the descriptor allows, in degrees/s or mm/s.
+    /// Speed that the descriptor allows, in degrees/s or mm/s.
     pub speed: f64,
-    /// The maximum speed of the axis, in degrees/s or mm/s.
+    /// Maximum speed of the axis, in degrees/s or mm/s.
     pub maximum: f64,
     /// Whether the axis moves along a line, with speeds in mm/s.
     pub is_stroke: bool,
-    /// The greatest `vel` with which none of the moving axes exceeds its maximum speed, in whole per cent.
+    /// Largest `vel` at which no moving axis exceeds its maximum speed, in whole percent.
     pub greatest_vel: f64,
 }
 
@@ -35,10 +35,10 @@ impl fmt::Display for ExcessSpeed {
 }
 
 impl Arm {
-    /// The axis that `vel` per cent of the nominal speed takes furthest beyond its maximum speed, of those that move.
-    /// `is_moving` gets axes counted from 0.
+    /// Returns the moving axis that exceeds its maximum speed most at `vel` percent of the nominal speed. `is_moving`
+    /// is called with axes from 0.
     ///
-    /// `None` if no axis exceeds its maximum speed, or if the maximum speeds of the arm are choices of this model.
+    /// `None` if no axis exceeds its maximum speed, or if the arm's maximum speeds are choices of this model.
     #[must_use]
     pub fn excess_speed(&self, vel: f64, is_moving: impl Fn(usize) -> bool) -> Option<ExcessSpeed> {
         if self.model_choices().iter().any(|entry| entry == MAXIMUM_SPEED) {

@@ -1,6 +1,6 @@
-//! The arms that are shipped, one data file each.
+//! Shipped arms, each in a data file.
 
-/// Name and file of every shipped arm, sorted by name.
+/// Names and files of the shipped arms, sorted by name.
 pub(crate) const FILES: &[(&str, &str)] = &[
     ("RX130B", include_str!("../arms/rx130b.toml")),
     ("RX160", include_str!("../arms/rx160.toml")),

@@ -1,26 +1,27 @@
-//! Joint positions of a pose: branches, turns and limits.
+//! Inverse kinematics: branches, turns and limits.
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 
 use crate::arm::Geometry;
 use crate::{Arm, Configuration, Joints, RequestedConfiguration, Unreachable, calibration, turns};
 
-/// Sine of the tilt that a SCARA arm accepts: what angles with six decimals leave.
+/// Largest accepted tilt of a SCARA arm's flange, as a sine: the rounding of angles to six decimals.
 const NOMINAL_TILT: f64 = 1e-6;
 
-/// Sine of the tilt that calibration can cause.
+/// Largest tilt that calibration can cause, as a sine.
 const CALIBRATED_TILT: f64 = 0.2;
 
 impl Arm {
-    /// The joint position nearest to `near` on one branch (instruction `pointToJoint` with an exact configuration).
+    /// Computes the joint position nearest to `near` on one branch (instruction `pointToJoint` with an exact
+    /// configuration).
     ///
-    /// `flange` is the pose of the flange in world. At a singular position the undetermined axis keeps the value of
-    /// `near`, and the branches that meet there give the same result.
+    /// `flange` is the flange pose in world. At a singular position the undetermined axis keeps the value in `near`,
+    /// and the branches that meet there have the same result.
     pub fn inverse_on(&self, branch: Configuration, flange: &Trsf, near: &Joints) -> Result<Joints, Unreachable> {
         self.inverse_isometry_on(branch, &flange.isometry(), near)
     }
 
-    /// [`Arm::inverse_on`] without the conversion from angles.
+    /// Like [`Arm::inverse_on`], without the conversion from angles.
     pub fn inverse_isometry_on(
         &self,
         branch: Configuration,
@@ -35,7 +36,7 @@ impl Arm {
         self.nearest_turns(joints, near)
     }
 
-    /// The joint position nearest to `near` on every branch that reaches `flange`, each branch once.
+    /// Computes the joint position nearest to `near` on every branch that reaches `flange`, without duplicates.
     pub fn solutions(&self, flange: &IsometryMatrix3<f64>, near: &Joints) -> impl Iterator<Item = Joints> {
         self.branches().iter().filter_map(move |branch| {
             let joints = self.inverse_isometry_on(*branch, flange, near).ok()?;
@@ -43,10 +44,10 @@ impl Arm {
         })
     }
 
-    /// The joint position of a Cartesian target for an arm that is at `near` (instruction `pointToJoint`).
+    /// Computes the joint position of a Cartesian target for an arm at `near` (instruction `pointToJoint`).
     ///
-    /// Of several allowed branches the fastest to reach wins: the one with the smallest greatest movement of an axis,
-    /// in relation to the axis' nominal speed.
+    /// Among several allowed branches, the fastest one is chosen: the branch on which the largest axis movement,
+    /// relative to the nominal speed of that axis, is smallest.
     pub fn solve(
         &self,
         flange: &Trsf,
@@ -72,7 +73,7 @@ impl Arm {
         best.map(|(_, joints)| joints).ok_or_else(|| reason.unwrap_or(Unreachable::NotConverged))
     }
 
-    /// The branches of the inverse kinematics, in the order in which equally good ones are preferred.
+    /// Returns the branches of the inverse kinematics. Among equally good branches, the first one is preferred.
     #[must_use]
     pub fn branches(&self) -> &'static [Configuration] {
         match self.geometry {
@@ -81,7 +82,7 @@ impl Arm {
         }
     }
 
-    /// The tilt of a SCARA arm's flange that is accepted, as a sine. Calibration may tilt the flange.
+    /// Returns the largest accepted tilt of a SCARA arm's flange, as a sine. Calibration may tilt the flange.
     const fn tilt_tolerance(&self) -> f64 {
         if self.is_calibrated() { CALIBRATED_TILT } else { NOMINAL_TILT }
     }
@@ -95,7 +96,7 @@ impl Arm {
         }
     }
 
-    /// Each axis in the turn nearest to `near` within its limits.
+    /// Shifts each axis to the turn nearest to `near` within its limits.
     fn nearest_turns(&self, joints: Joints, near: &Joints) -> Result<Joints, Unreachable> {
         let mut result = joints;
         for (index, ((joint, near), axis)) in result.iter_mut().zip(near).zip(self.limits()).enumerate() {
@@ -112,7 +113,7 @@ impl Arm {
         Ok(result)
     }
 
-    /// The seconds that the slowest axis needs at its nominal speed.
+    /// Returns the time of the slowest axis at nominal speed, in s.
     fn travel_time(&self, from: &Joints, to: &Joints) -> f64 {
         let times =
             from.iter().zip(to).zip(self.limits()).map(|((from, to), axis)| (to - from).abs() / axis.nominal_speed);

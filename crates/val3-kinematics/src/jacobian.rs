@@ -1,20 +1,21 @@
-//! Velocities of the flange per velocity of an axis.
+//! Flange velocity per axis velocity.
 
 use val3_geometry::Vector3;
 
 use crate::{Arm, Joints};
 
-/// The velocity of the flange, in world, that one unit per second of one axis causes.
+/// Flange velocity in world when one axis moves at one unit per second.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Twist {
-    /// In mm per degree (mm per mm for a stroke).
+    /// In mm per degree, or in mm per mm for a stroke.
     pub linear: Vector3<f64>,
     /// In degrees per degree: the unit vector of the axis, or zero for a stroke.
     pub angular: Vector3<f64>,
 }
 
 impl Arm {
-    /// The geometric Jacobian at the centre of the flange, one column an axis. Columns without an axis are zero.
+    /// Computes the geometric Jacobian at the centre of the flange, with a column per axis. Columns without an axis are
+    /// zero.
     #[must_use]
     pub fn jacobian(&self, joints: &Joints) -> [Twist; 6] {
         let links = self.links(joints);

@@ -1,7 +1,8 @@
-//! Models of arms: geometry, limits, forward and inverse kinematics, configurations (manual 9.7, 11.4).
+//! Arm models: geometry, limits, forward and inverse kinematics, configurations (manual 9.7, 11.4).
 //!
-//! The world frame has its origin where axes 1 and 2 of a six-axis arm intersect in height, and z up. All joints at 0
-//! stretch the arm upwards. A SCARA arm has two parallel axes, a vertical stroke and a flange whose z axis points down.
+//! The world frame has its origin on axis 1 of a six-axis arm at the height of axis 2, and z up. With all joints at 0
+//! the arm is stretched upwards. A SCARA arm has two parallel axes, a vertical stroke and a flange whose z axis points
+//! down.
 //!
 //! ```
 //! use val3_kinematics::{Arm, RequestedConfiguration};
@@ -41,5 +42,5 @@ pub use self::jacobian::Twist;
 pub use self::library::{DEFAULT_SCARA, DEFAULT_SIX_AXIS, UnknownArm};
 pub use self::unreachable::Unreachable;
 
-/// Joint positions in degrees. Axis 3 of a SCARA arm is in mm, and its last two entries are 0.
+/// Joint position in degrees. Axis 3 of a SCARA arm is in mm, and its last two entries are 0.
 pub type Joints = [f64; 6];

@@ -6,16 +6,16 @@ use std::fmt;
 use crate::Arm;
 use crate::files::FILES;
 
-/// The six-axis arm of a cell that names none, in the spelling of controllers.
+/// Default six-axis arm of a cell, in the spelling of controllers.
 pub const DEFAULT_SIX_AXIS: &str = "tx2_90-S1";
 
-/// The SCARA arm of a cell that names none.
+/// Default SCARA arm of a cell.
 pub const DEFAULT_SCARA: &str = "ts2_60-S1";
 
-/// No shipped arm has this name. A caller can propose similar ones of [`Arm::names`].
+/// Error: no shipped arm has this name. A caller can propose similar names from [`Arm::names`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownArm {
-    /// The name.
+    /// Name.
     pub name: String,
 }
 
@@ -29,25 +29,26 @@ impl fmt::Display for UnknownArm {
 impl Error for UnknownArm {}
 
 impl Arm {
-    /// The names of all shipped arms.
+    /// Returns the names of all shipped arms.
     pub fn names() -> impl Iterator<Item = &'static str> {
         FILES.iter().map(|(name, _)| *name)
     }
 
-    /// The shipped arm with this name, in the spelling of catalogues (`TX2-60L`) or controllers (`tx2_60l-S1`).
+    /// Returns the shipped arm with this name, in the spelling of catalogues (`TX2-60L`) or controllers (`tx2_60l-S1`).
     pub fn by_name(name: &str) -> Result<Self, UnknownArm> {
         let text = Self::file(name)?;
         Self::from_toml(text).map_err(|_| UnknownArm { name: name.to_owned() })
     }
 
-    /// Text of the shipped file of the arm with this name, spelled as for [`Arm::by_name`].
+    /// Returns the shipped file of the arm with this name, spelled as for [`Arm::by_name`].
     pub fn file(name: &str) -> Result<&'static str, UnknownArm> {
         let found = |wanted: String| FILES.iter().find(|(name, _)| normalized(name) == wanted);
         let file = found(normalized(name)).or_else(|| found(normalized(without_length(name))));
         file.map(|(_, text)| *text).ok_or_else(|| UnknownArm { name: name.to_owned() })
     }
 
-    /// The shipped arm of a cell: entries `arm` and, for SCARA arms, `lengthAxis3` of `arm.cfx` (`ts60-S1`, `L400`).
+    /// Returns the shipped arm of a cell from the entries `arm` and, for SCARA arms, `lengthAxis3` in `arm.cfx`
+    /// (`ts60-S1`, `L400`).
     pub fn by_settings(arm: &str, length_axis3: Option<&str>) -> Result<Self, UnknownArm> {
         let variant = length_axis3.map(|length| format!("{}-{length}", base(arm)));
         let variant = variant.and_then(|name| Self::by_name(&name).ok());
@@ -55,17 +56,17 @@ impl Arm {
     }
 }
 
-/// Letters and digits of a name in lower case, without what does not change the kinematics.
+/// Returns the letters and digits of a name in lower case, without parts that do not change the kinematics.
 fn normalized(name: &str) -> String {
     let name = base(name.trim()).to_ascii_lowercase().replace("touch", "");
     let name: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
-    // RS arms are TS arms of earlier controllers.
+    // RS arms are TS arms with earlier controllers.
     name.strip_prefix("rs")
         .filter(|size| size.starts_with(|digit: char| digit.is_ascii_digit()))
         .map_or(name.clone(), |size| format!("ts{size}"))
 }
 
-/// The name without revision and diameter of axis 3: `ts60-L200` of `ts60-S1-D20-L200`.
+/// Removes revision and diameter of axis 3: `ts60-L200` for `ts60-S1-D20-L200`.
 fn base(name: &str) -> String {
     let mut parts = name.split_inclusive(['-', '_']);
     let first = parts.next().unwrap_or_default().to_owned();
@@ -75,12 +76,12 @@ fn base(name: &str) -> String {
     kept
 }
 
-/// The name without the length of axis 3: `ts60` of `ts60-L200`.
+/// Removes the length of axis 3: `ts60` for `ts60-L200`.
 fn without_length(name: &str) -> &str {
     name.rsplit_once(['-', '_']).filter(|(_, end)| is_numbered(end, 'l')).map_or(name, |(start, _)| start)
 }
 
-/// The part of a name is a letter and digits: `S1`.
+/// Whether a part of a name is this letter with digits: `S1`.
 fn is_numbered(part: &str, letter: char) -> bool {
     let digits = part.trim_end_matches(['-', '_']).strip_prefix([letter, letter.to_ascii_uppercase()]);
     digits.is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()))

@@ -1,14 +1,14 @@
-//! SCARA arms: both directions in closed form.
+//! SCARA arms: forward and inverse kinematics in closed form.
 
 use val3_geometry::{IsometryMatrix3, Rotation3, Vector3, degrees};
 
 use crate::dh::Dh;
 use crate::{Configuration, Joints, Shoulder, Unreachable};
 
-/// A position this far outside of the reach is at its boundary, in mm.
+/// Distance outside the reach up to which a position counts as on the boundary, in mm.
 const BOUNDARY: f64 = 1e-10;
 
-/// Lengths below this are noise, in mm.
+/// Length below which a value is noise, in mm.
 const NOISE: f64 = 1e-9;
 
 /// Lengths in mm.
@@ -18,12 +18,12 @@ pub(crate) struct Scara {
     pub(crate) l1: f64,
     /// From axis 2 to the stroke.
     pub(crate) l2: f64,
-    /// The height of the flange at stroke 0.
+    /// Height of the flange at stroke 0.
     pub(crate) z0: f64,
 }
 
 impl Scara {
-    /// The pose of the flange.
+    /// Computes the flange pose.
     pub(crate) fn forward(&self, &[j1, j2, j3, j4, ..]: &Joints) -> IsometryMatrix3<f64> {
         let (s1, c1) = degrees::sin_cos(j1);
         let (s12, c12) = degrees::sin_cos(j1 + j2);
@@ -33,14 +33,14 @@ impl Scara {
         IsometryMatrix3::from_parts(translation.into(), rotation)
     }
 
-    /// The configuration of a joint position (manual 9.7.5).
+    /// Returns the configuration of a joint position (manual 9.7.5).
     pub(crate) fn configuration(joints: &Joints) -> Configuration {
         let righty = degrees::sin(joints[1]) > 0.0;
         Configuration::scara(if righty { Shoulder::Righty } else { Shoulder::Lefty })
     }
 
-    /// The joints on one branch, each angle in any turn. `tilt` is the greatest sine of the angle between the flange's
-    /// z axis and the vertical.
+    /// Computes the joints on one branch, with angles in any turn. `tilt` is the largest sine of the angle between the
+    /// flange's z axis and the vertical.
     pub(crate) fn inverse(
         &self,
         branch: Configuration,
@@ -75,7 +75,7 @@ impl Scara {
         Ok([j1, j2, place.z - self.z0, j4, 0.0, 0.0])
     }
 
-    /// The nominal parameters.
+    /// Returns the nominal parameters.
     pub(crate) const fn dh(&self) -> Dh {
         Dh {
             theta: [0.0; 6],

@@ -1,25 +1,25 @@
-//! Six-axis arms with a spherical wrist: both directions in closed form.
+//! Six-axis arms with a spherical wrist: forward and inverse kinematics in closed form.
 
 use val3_geometry::{IsometryMatrix3, Rotation3, Vector3, degrees};
 
 use crate::dh::Dh;
 use crate::{Configuration, Elbow, Joints, Shoulder, Unreachable, Wrist};
 
-/// Lengths below this are noise, in mm.
+/// Length below which a value is noise, in mm.
 const NOISE: f64 = 1e-9;
 
-/// A position this far outside of the reach is at its boundary, in mm.
+/// Distance outside the reach up to which a position counts as on the boundary, in mm.
 const BOUNDARY: f64 = 1e-10;
 
-/// Below this sine of axis 5, axes 4 and 6 are in line.
+/// Sine of axis 5 below which axes 4 and 6 are in line.
 const IN_LINE: f64 = 1e-10;
 
-/// Lengths in mm, named as in the literature about this kind of arm.
+/// Lengths in mm, named as in the literature on this kind of arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SixAxis {
     /// From axis 1 to axis 2, along x.
     pub(crate) a1: f64,
-    /// From the plane of axis 1 to that of the wrist, along y.
+    /// From the plane of axis 1 to the plane of the wrist, along y.
     pub(crate) b: f64,
     /// From axis 2 to axis 3.
     pub(crate) c2: f64,
@@ -29,14 +29,14 @@ pub(crate) struct SixAxis {
     pub(crate) c4: f64,
 }
 
-/// Axes 1 to 3, and the directions of the plane of the arm and of the forearm in it.
+/// Axes 1 to 3, and the directions of the arm plane and of the forearm in this plane.
 struct Placement {
     joints: [f64; 3],
     plane: Direction,
     forearm: Direction,
 }
 
-/// A direction by its sine and cosine.
+/// A direction as sine and cosine.
 #[derive(Clone, Copy)]
 struct Direction {
     sin: f64,
@@ -49,9 +49,9 @@ impl Direction {
         Self { sin, cos }
     }
 
-    /// The direction of a vector, or of 0° for one without length, with its angle in degrees.
+    /// Returns the direction of a vector, with its angle in degrees; 0° for a vector without length.
     ///
-    /// The cosines need no angle and the angle no cosine: that is faster than one after the other.
+    /// Sine and cosine are computed without the angle, which is faster than computing them from it.
     fn towards(y: f64, x: f64) -> (Self, f64) {
         let length = (x * x + y * y).sqrt();
         if length == 0.0 {
@@ -66,7 +66,7 @@ impl Direction {
 }
 
 impl SixAxis {
-    /// The pose of the flange.
+    /// Computes the flange pose.
     pub(crate) fn forward(&self, &[j1, j2, j3, j4, j5, j6]: &Joints) -> IsometryMatrix3<f64> {
         let plane @ Direction { sin: s1, cos: c1 } = Direction::of(j1);
         let (s2, c2) = degrees::sin_cos(j2);
@@ -78,7 +78,7 @@ impl SixAxis {
         IsometryMatrix3::from_parts((centre + z).into(), rotation)
     }
 
-    /// The configuration of a joint position (manual 9.7.4).
+    /// Returns the configuration of a joint position (manual 9.7.4).
     pub(crate) fn configuration(&self, &[_, j2, j3, _, j5, _]: &Joints) -> Configuration {
         let radial = self.a1 + self.c2 * degrees::sin(j2) + self.c3 * degrees::sin(j2 + j3);
         Configuration {
@@ -88,7 +88,8 @@ impl SixAxis {
         }
     }
 
-    /// The joints on one branch, each angle in any turn. At singular positions the undetermined axis is as in `near`.
+    /// Computes the joints on one branch, with angles in any turn. At singular positions the undetermined axis keeps
+    /// the value in `near`.
     pub(crate) fn inverse(
         &self,
         branch: Configuration,
@@ -102,7 +103,7 @@ impl SixAxis {
         Ok([j1, j2, j3, j4, j5, j6])
     }
 
-    /// Axes 1 to 3, which determine the centre of the wrist.
+    /// Computes axes 1 to 3, which determine the centre of the wrist.
     fn place(
         &self,
         branch: Configuration,
@@ -124,14 +125,14 @@ impl SixAxis {
         let (plane, j1) = if distance < NOISE {
             (Direction::of(near[0]), near[0])
         } else {
-            // The direction of the centre less that of (radial, b).
+            // The direction of the centre minus the direction of (radial, b).
             Direction::towards(centre.y * radial - centre.x * self.b, centre.x * radial + centre.y * self.b)
         };
         let (upper, j2, elbow, j3) = self.fold(branch.elbow, radial - self.a1, centre.z)?;
         Ok(Placement { joints: [j1, j2, j3], plane, forearm: upper.plus(elbow) })
     }
 
-    /// Axes 2 and 3 for a centre of the wrist at (`x`, `z`), seen from axis 2 in the plane of the arm.
+    /// Computes axes 2 and 3 for a centre of the wrist at (`x`, `z`) relative to axis 2, in the arm plane.
     fn fold(&self, elbow: Elbow, x: f64, z: f64) -> Result<(Direction, f64, Direction, f64), Unreachable> {
         let square = x * x + z * z;
         let distance = square.sqrt();
@@ -149,7 +150,7 @@ impl SixAxis {
         Ok((upper, j2, Direction { sin, cos }, degrees::atan2(sin, cos)))
     }
 
-    /// The nominal parameters, as a controller returns them.
+    /// Returns the nominal parameters, as a controller returns them.
     pub(crate) fn dh(&self) -> Dh {
         Dh {
             theta: [0.0, -90.0, 90.0, 0.0, 0.0, 0.0],
@@ -162,12 +163,12 @@ impl SixAxis {
     }
 }
 
-/// Rz(1)·Ry(2+3).
+/// Returns Rz(1)·Ry(2+3).
 fn turn(Direction { sin: s1, cos: c1 }: Direction, Direction { sin: s23, cos: c23 }: Direction) -> Rotation3<f64> {
     Rotation3::from_matrix_unchecked([[c1 * c23, s1 * c23, -s23], [-s1, c1, 0.0], [c1 * s23, s1 * s23, c23]].into())
 }
 
-/// Rz(4)·Ry(5)·Rz(6).
+/// Returns Rz(4)·Ry(5)·Rz(6).
 fn wrist(j4: f64, j5: f64, j6: f64) -> Rotation3<f64> {
     let (s4, c4) = degrees::sin_cos(j4);
     let (s5, c5) = degrees::sin_cos(j5);
@@ -182,7 +183,7 @@ fn wrist(j4: f64, j5: f64, j6: f64) -> Rotation3<f64> {
     )
 }
 
-/// The angles of Rz(4)·Ry(5)·Rz(6).
+/// Returns the angles in Rz(4)·Ry(5)·Rz(6).
 fn wrist_angles(rotation: &Rotation3<f64>, branch: Wrist, near: &Joints) -> [f64; 3] {
     let m = rotation.matrix();
     let sin = (m.m13 * m.m13 + m.m23 * m.m23).sqrt();

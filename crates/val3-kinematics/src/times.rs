@@ -1,9 +1,9 @@
-//! The note about times of an arm whose speeds and accelerations were not measured.
+//! Note about times for arms whose speeds and accelerations were not measured.
 
 use crate::Arm;
 
 impl Arm {
-    /// The note for people who read times of this arm; `None` if its speeds and accelerations were measured.
+    /// Returns the note for people who read times of this arm; `None` if its speeds and accelerations were measured.
     #[must_use]
     pub fn times_note(&self) -> Option<String> {
         let name = self.name();
@@ -15,7 +15,7 @@ impl Arm {
         })
     }
 
-    /// The origin of the times of this arm, for programs that read them: `measured` or `model`.
+    /// Returns the origin of this arm's times, for programs that read them: `measured` or `model`.
     #[must_use]
     pub const fn times_origin(&self) -> &'static str {
         if self.has_measured_times() { "measured" } else { "model" }

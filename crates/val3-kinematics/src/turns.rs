@@ -2,10 +2,10 @@
 
 use crate::arm::Axis;
 
-/// Rounding may exceed a limit by this much, in degrees or mm. The result is then at the limit.
+/// Amount by which rounding may exceed a limit, in degrees or mm. The result is then at the limit.
 const NOISE: f64 = 1e-11;
 
-/// `angle` shifted by whole turns to the position nearest to `near` within the limits of the axis.
+/// Shifts `angle` by whole turns to the position nearest to `near` within the axis limits.
 pub(crate) fn nearest_within(angle: f64, near: f64, axis: &Axis) -> Option<f64> {
     let nearest = nearest(angle, near);
     if axis.min <= nearest && nearest <= axis.max {
@@ -16,14 +16,14 @@ pub(crate) fn nearest_within(angle: f64, near: f64, axis: &Axis) -> Option<f64> 
     clamped(nearest + (below - above) * 360.0, axis)
 }
 
-/// `angle` shifted by whole turns to the position nearest to `near`.
+/// Shifts `angle` by whole turns to the position nearest to `near`.
 pub(crate) fn nearest(angle: f64, near: f64) -> f64 {
     let turns = (near - angle) / 360.0;
     // Most angles need no turn, and rounding is slow.
     if turns.abs() < 0.5 { angle } else { angle + turns.round() * 360.0 }
 }
 
-/// `position`, if it is within the limits of the axis up to rounding.
+/// Returns `position` if it is within the axis limits, up to rounding.
 pub(crate) fn clamped(position: f64, axis: &Axis) -> Option<f64> {
     let inside = axis.min - NOISE <= position && position <= axis.max + NOISE;
     inside.then(|| position.clamp(axis.min, axis.max))

@@ -3,47 +3,47 @@
 use std::error::Error;
 use std::fmt;
 
-/// Why an arm cannot reach a pose, on one branch or on all that are allowed.
+/// Reason why an arm cannot reach a pose, on one branch or on all allowed branches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unreachable {
-    /// The target is too far from the shoulder, or too near to it.
+    /// The target is too far from the shoulder or too near to it.
     OutOfReach {
-        /// From the shoulder (axis 1 of a SCARA arm) to the centre of the wrist, in mm.
+        /// Distance from the shoulder (axis 1 of a SCARA arm) to the centre of the wrist, in mm.
         distance: f64,
-        /// The smallest distance that the arm reaches, in mm.
+        /// Smallest distance that the arm reaches, in mm.
         min: f64,
-        /// The greatest distance that the arm reaches, in mm.
+        /// Largest distance that the arm reaches, in mm.
         max: f64,
     },
     /// The centre of the wrist is inside the cylinder about axis 1 whose radius is the lateral offset of the forearm.
     InsideCylinder {
-        /// From axis 1 to the centre of the wrist, in mm.
+        /// Distance from axis 1 to the centre of the wrist, in mm.
         distance: f64,
-        /// The radius of the cylinder, in mm.
+        /// Radius of the cylinder, in mm.
         radius: f64,
     },
     /// An axis would leave its range.
     Limit {
-        /// The axis, counted from 1.
+        /// Axis number, from 1.
         axis: usize,
-        /// The position of the axis, in degrees (mm for a stroke).
+        /// Position of the axis, in degrees, or in mm for a stroke.
         position: f64,
         /// Lower limit.
         min: f64,
         /// Upper limit.
         max: f64,
     },
-    /// The z axis of the flange of a SCARA arm always points down.
+    /// The flange of a SCARA arm would be tilted, but its z axis always points down.
     Tilted {
-        /// The angle between the requested z axis and the vertical, in degrees.
+        /// Angle between the requested z axis and the vertical, in degrees.
         angle: f64,
     },
-    /// The position of a calibrated arm could not be computed, which happens near singularities.
+    /// The joints of a calibrated arm could not be computed, which happens near singularities.
     NotConverged,
 }
 
 impl Unreachable {
-    /// Orders reasons of several branches: the greater one got closer to a solution.
+    /// Returns a rank by which reasons on several branches are compared: a higher one is closer to a solution.
     pub(crate) const fn progress(&self) -> u8 {
         match self {
             Self::Tilted { .. } => 0,

@@ -1,17 +1,17 @@
-//! Computations of operations that take more than an expression.
+//! Computations of operations that need more than one expression.
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
-/// A truth value as a number.
+/// Converts a truth value to 0 or 1.
 #[inline]
 pub(crate) fn truth(value: bool) -> f64 {
     f64::from(u8::from(value))
 }
 
-/// The remainder has the sign of the left side (3.2.2).
+/// Returns the remainder, with the sign of `a` (3.2.2).
 ///
-/// Most numbers are whole; the remainder of those takes a fraction of the time.
+/// Most numbers are whole, and the integer remainder is many times faster than the general one.
 #[inline]
 pub(crate) fn remainder(a: f64, b: f64) -> Result<f64> {
     #[allow(clippy::cast_possible_truncation, reason = "what does not fit is not equal any more")]
@@ -20,7 +20,7 @@ pub(crate) fn remainder(a: f64, b: f64) -> Result<f64> {
         && f64::from(right) == b
         && let Some(remainder) = left.checked_rem(right)
     {
-        // A remainder of 0 has the sign too.
+        // A remainder of 0 has the sign of `a` too.
         return Ok(f64::from(remainder.abs()).copysign(a));
     }
     remainder_of_any(a, b)
@@ -31,7 +31,7 @@ fn remainder_of_any(a: f64, b: f64) -> Result<f64> {
     if b == 0.0 { Err(Fault(DIVISION_BY_ZERO)) } else { Ok(a % b) }
 }
 
-/// The counter of a `for` has passed its limit (2.2.5).
+/// Whether the counter of a `for` has passed the limit (2.2.5).
 #[inline]
 pub(crate) fn is_beyond(counter: f64, limit: f64, step: f64) -> bool {
     if step < 0.0 { counter < limit } else { counter > limit }

@@ -1,4 +1,4 @@
-//! Programs that call others and return to them (2.6).
+//! Program calls and returns (2.6).
 
 use val3_bytecode::{CallSite, Pass, Program, ProgramRef};
 use val3_lang::fault::{Fault, Result};
@@ -11,9 +11,11 @@ use crate::turn_context::TurnContext;
 use crate::{Frame, Instance, InstanceId};
 
 impl TurnContext<'_> {
-    /// The frame of a called program, with its arguments. It returns to the operation and line at `back`.
+    /// Creates the stack frame of a called program, with its arguments. The program returns to the operation and line
+    /// in `back`.
     ///
-    /// The frame is made in registers: writing it to memory and reading it again costs more than the rest of a call.
+    /// The frame is built in processor registers: writing it to memory and reading it again costs more than the rest of
+    /// a call.
     #[inline(always)]
     pub(crate) fn call(
         &mut self,
@@ -35,7 +37,7 @@ impl TurnContext<'_> {
         Ok(Frame { base, back: back as u32, back_line, instance, program })
     }
 
-    /// Makes the frame of a plain program, and passes its arguments.
+    /// Creates the frame of a plain program, and passes the arguments.
     #[inline(always)]
     fn open_plain(&mut self, callee: &Program, base: &Base, caller: &Scope<'_>, passes: &[Pass]) -> Result<()> {
         let memory = &mut self.space.memory;
@@ -63,7 +65,7 @@ impl TurnContext<'_> {
         Ok(())
     }
 
-    /// Makes the frame of any program at `base`, and passes its arguments.
+    /// Creates the frame of any program at `base`, and passes the arguments.
     #[inline(never)]
     fn open_any(
         &mut self,
@@ -97,7 +99,7 @@ impl TurnContext<'_> {
     }
 }
 
-/// The program of a frame, which is one of this application or library.
+/// Returns the program of a frame, which belongs to this application or library.
 pub(crate) fn program_of<'i>(frame: &Frame, instance: &'i Instance) -> Result<&'i Program> {
     let found = instance.image.programs.get(usize::from(frame.program));
     found.map_or_else(|| instance.fragment(frame.program), Ok)

@@ -1,19 +1,19 @@
-//! How often lines and sides of branches were executed, for images that were compiled with counters.
+//! Execution counts of lines and of branch sides, for images that were compiled with counters.
 
 use std::sync::Arc;
 
 use val3_bytecode::{Image, Program};
 
-/// The counters of all images that are or were in memory. Without counted images it is empty.
+/// Counters of all images that are or were in memory; empty without counted images.
 #[derive(Debug, Clone, Default)]
 pub struct Counts {
     hits: Vec<u64>,
-    /// The counted images with the numbers of their first counters. A library that leaves memory keeps its counters.
+    /// Counted images with the numbers of their first counters. An unloaded library keeps its counters.
     images: Vec<(Arc<Image>, u32)>,
 }
 
 impl Counts {
-    /// The number of the first counter of an image. One that comes into memory again continues with its counters.
+    /// Returns the number of the image's first counter. An image that is loaded again continues with its counters.
     pub(crate) fn first_of(&mut self, image: &Arc<Image>) -> u32 {
         if let Some((_, first)) = self.images.iter().find(|(known, _)| Arc::ptr_eq(known, image)) {
             return *first;
@@ -35,7 +35,7 @@ impl Counts {
         }
     }
 
-    /// The counted images with the values of their counters.
+    /// Returns the counted images and their counters.
     pub fn images(&self) -> impl Iterator<Item = (&Image, &[u64])> {
         self.images.iter().map(|(image, first)| {
             let (first, count) = (*first as usize, image.counters() as usize);

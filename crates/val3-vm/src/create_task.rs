@@ -17,7 +17,7 @@ use crate::turn_context::TurnContext;
 use crate::{CYCLE, Frame, InstanceId, Rate};
 
 impl TurnContext<'_> {
-    /// `taskCreate` and `taskCreateSync` (5.10).
+    /// Executes `taskCreate` or `taskCreateSync` (5.10).
     pub(crate) fn create_task(
         &mut self,
         scope: Scope<'_>,
@@ -59,8 +59,8 @@ impl TurnContext<'_> {
         Ok(Rate::Period { period, next, overrun, late: false, overruns: 0 })
     }
 
-    /// The thread of a new task. Its frame is made after those of its creator, from which values are copied, and then
-    /// cut off.
+    /// Creates the thread of a new task. Its frame is built after the creator's frames, from which argument values are
+    /// copied, and then moved to a separate stack.
     pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &[Argument]) -> Result<Thread> {
         let (instance, number) = program;
         let image = Arc::clone(&self.space.instance(instance).ok_or(Fault::INTERPRETER)?.image);
@@ -87,7 +87,7 @@ impl TurnContext<'_> {
 }
 
 impl TurnContext<'_> {
-    /// The thread of a new task whose program has parameters of type `num` by value, which get `numbers`.
+    /// Creates the thread of a new task whose program has `num` parameters by value, and passes `numbers` to them.
     pub(crate) fn new_thread_with(&mut self, program: (InstanceId, u16), numbers: &[f64]) -> Result<Thread> {
         let image = self.space.instance(program.0).map(|instance| Arc::clone(&instance.image));
         let image = image.ok_or(Fault::INTERPRETER)?;
@@ -102,7 +102,7 @@ impl TurnContext<'_> {
     }
 }
 
-/// The lane of a parameter of type `num` by value.
+/// Returns the lane of a `num` parameter by value.
 fn number_lane(param: &Param) -> Option<u32> {
     match param.storage {
         Storage::Value(lanes) if param.kind.base_type() == Some(BaseType::Num) => Some(lanes.num),
@@ -118,7 +118,7 @@ fn is_reference(parameter: Storage) -> bool {
     matches!(parameter, Storage::Place(_) | Storage::View(_))
 }
 
-/// A local variable of the creator: the task may outlive it (5.10).
+/// Whether the argument is a local variable of the creator, which the new task may outlive (5.10).
 fn is_local(memory: &Memory, argument: Argument) -> bool {
     match argument {
         Argument::Value(place, _) | Argument::UserValue(place) => memory.is_local(place.store),

@@ -1,4 +1,4 @@
-//! Programs that begin and end: frames on the stack of a task (2.6).
+//! Creation and removal of stack frames (2.6).
 
 use val3_bytecode::{Param, Program, Storage};
 use val3_lang::call::Argument;
@@ -10,8 +10,8 @@ use crate::operands::on_frame;
 use crate::registers::FIXED_REGISTERS;
 use crate::task::Base;
 
-/// Makes the frame of `program` at `base`; its parameters are [passed](pass) then. If it cannot be made, nothing of it
-/// remains.
+/// Creates the frame of `program` at `base`, whose arguments are [passed](pass) afterwards. After an error nothing of
+/// the frame remains.
 pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     enter_plain(memory, program, base, most)?;
     let (end, stack, room) = (base.after(program), &mut memory.stack, &mut memory.stores.room);
@@ -26,7 +26,7 @@ pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u
     Ok(())
 }
 
-/// Makes the frame of `program` at `base` with its arguments. If that fails, nothing of it remains.
+/// Creates the frame of `program` at `base` with its arguments. After an error nothing of the frame remains.
 pub(crate) fn enter_with(
     memory: &mut Memory,
     program: &Program,
@@ -39,9 +39,9 @@ pub(crate) fn enter_with(
     given.try_for_each(|(param, argument)| pass(memory, base, param, *argument)).inspect_err(|_| leave(memory, base))
 }
 
-/// As [`enter`], for a program whose frame has neither links nor containers.
+/// Like [`enter`], for a program whose frame contains neither links nor containers.
 ///
-/// After each base the stack has at least [`FIXED_REGISTERS`] numbers.
+/// The stack has at least [`FIXED_REGISTERS`] numbers after each base.
 #[inline(always)]
 pub(crate) fn enter_plain(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     if base.bytes.saturating_add(program.stack_bytes) > most {
@@ -63,7 +63,7 @@ pub(crate) fn enter_plain(memory: &mut Memory, program: &Program, base: &Base, m
     Ok(())
 }
 
-/// Makes room for the texts of a frame, and empties them.
+/// Reserves the strings of a frame, and clears them.
 fn open_texts(memory: &mut Memory, start: u32, count: u32) -> Result<()> {
     let end = start + count;
     fill(&mut memory.stack.texts, &mut memory.stores.room, (start, end), Text::new())?;
@@ -71,7 +71,7 @@ fn open_texts(memory: &mut Memory, start: u32, count: u32) -> Result<()> {
     Ok(())
 }
 
-/// Drops what the frame at `base` holds in memory.
+/// Removes the links and containers of the frame at `base`.
 #[inline]
 pub(crate) fn leave(memory: &mut Memory, base: &Base) {
     memory.cut_links(base.link);
@@ -82,7 +82,7 @@ pub(crate) fn leave(memory: &mut Memory, base: &Base) {
     }
 }
 
-/// Gives a parameter of the frame at `base` its argument.
+/// Passes an argument to a parameter of the frame at `base`.
 #[inline]
 pub(crate) fn pass(memory: &mut Memory, base: &Base, param: &Param, argument: Argument) -> Result<()> {
     let from = match argument {
@@ -116,7 +116,7 @@ pub(crate) fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
     Ok(())
 }
 
-/// Makes room up to `end`. Values of earlier frames may remain in it.
+/// Extends the lanes to `end`. They may contain values of earlier frames.
 #[inline(always)]
 fn fill<T: Copy>(lanes: &mut Vec<T>, room: &mut MemoryBudget, (start, end): (u32, u32), value: T) -> Result<()> {
     if end > start && lanes.len() < end as usize { grow(lanes, room, end, value) } else { Ok(()) }

@@ -1,4 +1,4 @@
-//! Execution of fragments in the frame of a task, while the task and the clock stand still.
+//! Execution of fragments in a stack frame, while the task and the clock do not advance.
 
 use std::sync::Arc;
 
@@ -16,17 +16,17 @@ use crate::task::{Base, Thread};
 use crate::turn_context::TurnContext;
 use crate::{Frame, Grant, Host, InstanceId, Outcome, Vm};
 
-/// Where a fragment is executed.
+/// Context of a fragment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FragmentContext {
-    /// In a program that a task is in; 0 is the innermost.
+    /// A program on a task's stack; 0 is the innermost one.
     Frame(TaskNumber, usize),
-    /// In an application or library, outside of all tasks.
+    /// An application or library, outside all tasks.
     Instance(InstanceId),
 }
 
 impl FragmentContext {
-    /// Its task.
+    /// Returns the task of the context.
     #[must_use]
     pub fn task(self) -> Option<TaskNumber> {
         match self {
@@ -36,29 +36,29 @@ impl FragmentContext {
     }
 }
 
-/// The end of a fragment.
+/// End of a fragment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FragmentEnd<T> {
     /// The expression has this value.
     Value(T),
-    /// The statements are executed.
+    /// The statements were executed.
     Done,
-    /// A run-time error has ended it.
+    /// A run-time error has ended the fragment.
     Failed(Fault),
-    /// It waits for an event that only other tasks or the clock can cause.
+    /// The fragment waits for an event that only other tasks or the clock can cause.
     Waiting,
-    /// It has executed all lines that were granted.
+    /// All granted lines were executed.
     Limit,
     /// The host has interrupted statements.
     Interrupted,
-    /// It is at an instruction that the controller lacks.
+    /// The fragment has reached an instruction that the controller does not support.
     Lacking,
-    /// There is no such task, frame, application or library.
+    /// The task, stack frame, application or library does not exist.
     Gone,
 }
 
 impl<T> FragmentEnd<T> {
-    /// The same with another value.
+    /// Converts the value.
     pub fn map<U>(self, value: impl FnOnce(T) -> U) -> FragmentEnd<U> {
         match self {
             Self::Value(found) => FragmentEnd::Value(value(found)),
@@ -74,11 +74,11 @@ impl<T> FragmentEnd<T> {
 }
 
 impl Vm {
-    /// Executes a fragment, and lets `look` see the value of an expression, with the stack of the task in the memory. The
-    /// task does not notice: its position and its state remain. Timed waits are over at once.
+    /// Executes a fragment, and calls `look` with the expression's value while the task's stack is in the memory. The
+    /// task is not affected: its position and state remain. Timed waits end immediately.
     ///
-    /// Each of `grants` is a number of lines that it may execute. It is ended where it needs another line and there is no
-    /// further grant.
+    /// Each item of `grants` is a number of lines that the fragment may execute. If it needs another line after the
+    /// last grant, it is ended.
     pub fn evaluate<T, H: Host>(
         &mut self,
         fragment: &Fragment,
@@ -98,7 +98,7 @@ impl Vm {
         self.exchange_stack(task);
         let base = end_of(&self.space.memory.stack);
         let mut thread = Thread::default();
-        // No task runs: instructions that stop the task of the frame do not end the fragment.
+        // No task runs: an instruction that stops the task of the frame does not end the fragment.
         let grant = Grant::once(grants.next().unwrap_or_default());
         let context = self.turn_context(TaskNumber::default(), grant, (now, 0), stack_size, host);
         let mut run = FragmentRun { context, instance, base, fragment };
@@ -113,7 +113,7 @@ impl Vm {
         end
     }
 
-    /// The application or library, the frame and the task of a context.
+    /// Returns the application or library, the stack frame and the task of a context.
     fn found(&self, context: FragmentContext) -> Option<(InstanceId, Option<Frame>, TaskNumber)> {
         match context {
             FragmentContext::Frame(task, depth) => {
@@ -128,7 +128,7 @@ impl Vm {
         }
     }
 
-    /// Exchanges the stack in the memory with that of a task, which may be over by now.
+    /// Swaps the stack in the memory with the stack of a task, if the task still exists.
     fn exchange_stack(&mut self, id: TaskNumber) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
@@ -145,17 +145,18 @@ impl Vm {
     }
 }
 
-/// A fragment that is being executed.
+/// A fragment in execution.
 struct FragmentRun<'v, 'f> {
     context: TurnContext<'v>,
     instance: InstanceId,
-    /// Where its frame begins.
+    /// Start of the fragment's stack frame.
     base: Base,
     fragment: &'f Fragment,
 }
 
 impl FragmentRun<'_, '_> {
-    /// Makes the frame of the fragment, with references to the variables of a program whose frame begins at a base.
+    /// Creates the fragment's frame, with references to the variables of the program in `called`, whose frame begins at
+    /// the given base.
     fn enter(&mut self, thread: &mut Thread, called: Option<(Base, &Program)>) -> Result<()> {
         let Self { context, instance, base, fragment } = self;
         let memory = &mut context.space.memory;
@@ -176,13 +177,13 @@ impl FragmentRun<'_, '_> {
                     return self.value().map(FragmentEnd::Value);
                 }
                 Outcome::Waiting(Some(wake)) | Outcome::Pausing(wake) => {
-                    // The clock of the fragment alone goes on.
+                    // Only the fragment's own clock advances.
                     self.context.end = self.context.end.max(wake);
                     thread.wait = None;
                 }
                 Outcome::Waiting(None) => return Ok(FragmentEnd::Waiting),
                 Outcome::Finished | Outcome::Halted => return Ok(FragmentEnd::Done),
-                // An expression ends soon by itself.
+                // An interrupt does not end an expression, because its number of lines is limited.
                 Outcome::Suspended if self.fragment.value.is_some() => {}
                 Outcome::Suspended => return Ok(FragmentEnd::Interrupted),
                 Outcome::Failed(fault) => return Ok(FragmentEnd::Failed(fault)),
@@ -191,7 +192,7 @@ impl FragmentRun<'_, '_> {
                     Some(lines) => self.context.extend(lines),
                     None => return Ok(FragmentEnd::Limit),
                 },
-                // Breakpoints in programs that it calls have no effect.
+                // Breakpoints in called programs have no effect.
                 Outcome::AtStop(_) => {}
                 Outcome::Seen(_) | Outcome::Stuck | Outcome::Stopped | Outcome::Refused => {
                     return Err(Fault::INTERPRETER);
@@ -204,7 +205,7 @@ impl FragmentRun<'_, '_> {
         thread.frames.len() == 1 && thread.next == self.fragment.end()
     }
 
-    /// The value of the expression.
+    /// Returns the value of the expression.
     fn value(&self) -> Result<Argument> {
         let instance = self.context.instance(self.instance)?;
         let frame = Frame { instance: self.instance, program: FRAGMENT, back: 0, back_line: 0, base: self.base };
@@ -214,7 +215,7 @@ impl FragmentRun<'_, '_> {
     }
 }
 
-/// Lets a variable of the frame at `base` refer to one of another frame.
+/// Makes a variable of the frame at `base` refer to a variable in the other frame.
 fn refer(memory: &mut Memory, (other, found): (&Base, Storage), (base, reference): (&Base, Storage)) -> Result<()> {
     match reference {
         Storage::Place(number) => {
@@ -229,7 +230,7 @@ fn refer(memory: &mut Memory, (other, found): (&Base, Storage), (base, reference
     }
 }
 
-/// Where a variable of a frame is that is one value.
+/// Returns the place of a frame variable that is a single value.
 fn place_of(memory: &Memory, base: &Base, storage: Storage) -> Option<Place> {
     match storage {
         Storage::Value(lanes) => Some(on_frame(base, lanes)),
@@ -238,7 +239,7 @@ fn place_of(memory: &Memory, base: &Base, storage: Storage) -> Option<Place> {
     }
 }
 
-/// Where a variable of a frame is that is a container.
+/// Returns the view of a frame variable that is a container.
 fn view_of(memory: &Memory, base: &Base, storage: Storage) -> Option<View> {
     match storage {
         Storage::Part(number) => {
@@ -249,7 +250,7 @@ fn view_of(memory: &Memory, base: &Base, storage: Storage) -> Option<View> {
     }
 }
 
-/// The first lanes after everything on a stack.
+/// Returns the first free lanes of a stack.
 fn end_of(stack: &Stack) -> Base {
     let lanes = stack.ends();
     let count = |len: usize| u32::try_from(len).unwrap_or(u32::MAX);

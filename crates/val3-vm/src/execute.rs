@@ -1,7 +1,7 @@
-//! The interpreter: executes the operations of the innermost program of one task until its turn ends.
+//! The interpreter: executes the operations of a task's innermost program until the turn ends.
 //!
-//! Here are the operations on numbers; [`values`](crate::values) has those on texts and structures,
-//! [`calls`](crate::calls) programs that call others, [`instruction`](crate::instruction) instructions.
+//! This file contains the operations on numbers; [`values`](crate::values) contains the operations on strings and
+//! structures, [`calls`](crate::calls) program calls, [`instruction`](crate::instruction) instructions.
 
 use std::sync::Arc;
 
@@ -21,26 +21,27 @@ use crate::task::Thread;
 use crate::turn_context::TurnContext;
 use crate::{Frame, Instance, Outcome};
 
-/// The position of the interpreter, and the lines that it may still begin.
+/// Position of the interpreter, and the remaining budget.
 pub(crate) struct Cursor {
-    /// The next operation.
+    /// Next operation.
     pub(crate) next: usize,
-    /// The first operation of the current line.
+    /// First operation of the current line.
     pub(crate) line: u32,
     pub(crate) budget: u32,
 }
 
-/// The reason why the interpreter leaves a program.
+/// Reason for the interpreter to exit a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Leave {
-    /// The task continues in a program of another application, or with a frame of another width, or with libraries that
-    /// were loaded just now.
+    /// The task continues in another application or library, with a frame of a different width, or with newly loaded
+    /// libraries.
     Elsewhere,
-    /// The turn is over.
+    /// The turn has ended.
     Turn(Outcome),
 }
 
-/// A local container, or one of a library; `None` if it is missing. These are rarer than global data and views.
+/// Returns a local container or a library's container; `None` if it does not exist. These are rarer than global data
+/// and views.
 #[inline(never)]
 fn container(kind: ContainerKind, frame: &Frame, parts: &[StoreId], instance: &Instance) -> Option<View> {
     match kind {
@@ -59,7 +60,7 @@ impl TurnContext<'_> {
     /// Executes lines until the budget is used up or the turn ends.
     pub(crate) fn interpret(&mut self, thread: &mut Thread) -> Result<Outcome> {
         loop {
-            // An instruction that loads a library replaces the instances; these are then no longer current.
+            // An instruction that loads a library replaces the instances, and `instances` becomes stale.
             let instances = Arc::clone(&self.space.instances);
             while Arc::ptr_eq(&instances, &self.space.instances) {
                 let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
@@ -76,7 +77,7 @@ impl TurnContext<'_> {
         }
     }
 
-    /// Executes programs of one application until it is left.
+    /// Executes programs in one application or library until the task exits it.
     #[inline(never)]
     fn programs<R: Registers + ?Sized>(
         &mut self,
@@ -92,7 +93,7 @@ impl TurnContext<'_> {
         left
     }
 
-    /// Executes operations. `at` stays in registers of the processor, so others get its fields as values.
+    /// Executes operations. `at` stays in processor registers, so other functions get its fields by value.
     #[allow(clippy::too_many_lines, reason = "one arm an operation, each of them short")]
     #[allow(clippy::neg_cmp_op_on_partial_ord, reason = "a comparison with what is no number does not hold")]
     #[allow(clippy::inline_always, reason = "only then is the cursor in registers")]
@@ -123,7 +124,7 @@ impl TurnContext<'_> {
                 result
             }};
         }
-        // `$found` in the container `$view`; `None` where the general way has to find it, or the error.
+        // Looks up `$found` in the container `$view`; `None` if only the general way can find it or report the error.
         macro_rules! found {
             ($view:ident in $container:expr, $found:expr) => {{
                 let view = match $container.kind() {
@@ -140,7 +141,7 @@ impl TurnContext<'_> {
                 }
             }};
         }
-        // Reads a number of a container that was found.
+        // Loads a number that was looked up in a container.
         macro_rules! load {
             ($step:ident, $to:expr, $found:expr) => {
                 match $found {
@@ -149,7 +150,7 @@ impl TurnContext<'_> {
                 }
             };
         }
-        // Writes one.
+        // Stores a number at a location that was looked up in a container.
         macro_rules! store {
             ($step:ident, $from:expr, $found:expr) => {
                 match $found {
@@ -158,7 +159,7 @@ impl TurnContext<'_> {
                 }
             };
         }
-        // Writes a view of a container that was found.
+        // Stores a view of a container that was looked up.
         macro_rules! view {
             ($step:ident, $to:expr, $found:expr) => {
                 match $found {
@@ -170,7 +171,7 @@ impl TurnContext<'_> {
                 }
             };
         }
-        // Writes the place of a value that was found.
+        // Stores the place of a value that was looked up.
         macro_rules! place {
             ($step:ident, $to:expr, $found:expr) => {
                 match $found {
@@ -182,7 +183,7 @@ impl TurnContext<'_> {
                 }
             };
         }
-        // Continues in the program of another frame.
+        // Continues with a different stack frame.
         macro_rules! change {
             ($frame:expr) => {{
                 let other: Frame = $frame;
@@ -413,7 +414,7 @@ impl TurnContext<'_> {
                 Op::Return => {
                     leave(&mut self.space.memory, &frame.base);
                     let [.., caller, _] = thread.frames.as_slice() else {
-                        // The frame remains: it gives the position at which the task has ended.
+                        // The frame remains, because it contains the position at which the task ended.
                         return Ok(Leave::Turn(Outcome::Finished));
                     };
                     (at.next, at.line) = (frame.back as usize, frame.back_line);

@@ -1,4 +1,4 @@
-//! The services of the controller for the run time, in addition to the ports of instructions.
+//! Services of the controller for the virtual machine, in addition to the ports of instructions.
 
 use std::sync::Arc;
 
@@ -8,68 +8,70 @@ use val3_lang::ports::{Ports, Time};
 
 use crate::{InstanceId, Space};
 
-/// The controller around the run time.
+/// The controller that contains the virtual machine.
 pub trait Host: Ports {
-    /// The time that the last instruction has taken outside the program, such as on a medium; 0 when asked again.
+    /// Returns the time that the last instruction used outside the program, for example on a medium, and resets it to
+    /// 0.
     fn take_elapsed(&mut self) -> Time;
 
-    /// Whether the cycle has to stop after the current instruction: the run is to end, or the caller has to take the
-    /// recorded events first. The cycle resumes with the next call.
+    /// Whether the cycle has to stop after the current instruction because the run should end or the caller has to read
+    /// the recorded events first. The next call resumes the cycle.
     fn is_interrupted(&self) -> bool;
 
-    /// The task that runs is at an instruction that this controller does not have.
+    /// Reports that the running task has reached an instruction that this controller does not support.
     fn lacking(&mut self, instruction: &str);
 
-    /// An application or library has come into memory under a number, with its global data; events refer to it.
+    /// Reports that an application or library was loaded under a number, with its global data. Events refer to this
+    /// number.
     fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>);
 
-    /// Reports that a library was loaded or saved under an identifier, or the error code. `path` is as the program gave
-    /// it; without an identifier the application itself is meant.
+    /// Reports that a library was loaded or saved under an identifier, or the error code. `path` is the path in the
+    /// program; an empty identifier means the application itself.
     fn library(&mut self, done: LibraryOp, alias: &str, path: &str, code: u16);
 
-    /// There is no memory left for the library at this path.
+    /// Reports that the memory does not suffice for the library at this path.
     fn no_memory_for(&mut self, path: &str);
 
-    /// Compiles the library that a program names (6.6).
+    /// Compiles the library that a program loads (6.6).
     ///
-    /// `from` is the path of the application or library whose program asks.
+    /// `from` is the path of the application or library that contains the program.
     ///
     /// # Errors
-    /// The code of `libLoad`.
+    /// The result code of `libLoad`.
     fn load(&mut self, from: &str, library: LibraryRequest<'_>) -> Result<LoadedLibrary, u16>;
 
-    /// Saves data and programs of an application or library; the code of `libSave` (6.6).
+    /// Saves data and programs of the application or library `saved`, and returns the result code of `libSave` (6.6).
     ///
-    /// `to` is the path that the program, which is one of `from`, gives. Without one, the files that `saved` was loaded
-    /// from are replaced.
+    /// `to` is the path in the program, which belongs to `from`. Without a path, the files from which `saved` was
+    /// loaded are replaced.
     fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16;
 }
 
-/// An operation on a library.
+/// Operation on a library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LibraryOp {
-    /// It was loaded.
+    /// The library was loaded.
     Load,
-    /// It was saved.
+    /// The library was saved.
     Save,
 }
 
-/// A library as a program or a declaration asks for it.
+/// A library as a program or a declaration requests it.
 #[derive(Debug, Clone, Copy)]
 pub struct LibraryRequest<'r> {
-    /// The identifier that it is loaded under.
+    /// Identifier under which it is loaded.
     pub alias: &'r str,
-    /// Its path.
+    /// Path.
     pub path: &'r str,
-    /// The password of an encrypted one, otherwise empty.
+    /// Password for an encrypted library, otherwise empty.
     pub password: &'r str,
 }
 
-/// A library that was found.
+/// A compiled library.
 #[derive(Debug, Clone)]
 pub struct LoadedLibrary {
-    /// Its image.
+    /// Image.
     pub image: Arc<Image>,
-    /// Its full path: libraries with one path are one library in memory.
+    /// Full path. Libraries with the same path are one library in memory.
     pub path: String,
 }

@@ -1,4 +1,4 @@
-//! Instructions: their arguments, their call, and what they ask of the run time.
+//! Instructions: their arguments, their call, and their requests to the virtual machine.
 
 use smallvec::SmallVec;
 use val3_bytecode::{Handler, InstructionSite};
@@ -15,7 +15,7 @@ use crate::turn_context::TurnContext;
 use crate::{Frame, Outcome, TaskState};
 
 impl TurnContext<'_> {
-    /// Executes an instruction; `Some` if the interpreter has to leave the program with it.
+    /// Executes an instruction; `Some` if the interpreter has to leave the program afterwards.
     pub(crate) fn instruction(
         &mut self,
         thread: &mut Thread,
@@ -71,8 +71,7 @@ impl TurnContext<'_> {
         Ok(stop.map(Leave::Turn).or(leave))
     }
 
-    /// Ends the turn after an instruction that takes time outside the program, and suspends it where the host
-    /// interrupts.
+    /// Ends the turn after an instruction that used time outside the program, or suspends it if the host interrupts.
     fn pause(&mut self, thread: &mut Thread, now: Time) -> Option<Outcome> {
         let elapsed = self.ports.take_elapsed();
         if elapsed == 0 {
@@ -89,7 +88,8 @@ impl TurnContext<'_> {
         at.is_some_and(|task| task.state != TaskState::Running)
     }
 
-    /// `watch`: its answer, or that the task waits (5.10). Instructions in its condition have waits of their own.
+    /// Executes `watch`: returns the result, or `None` if the task waits (5.10). Instructions in its condition wait
+    /// separately.
     pub(crate) fn watch(&mut self, thread: &mut Thread, holds: bool, seconds: f64) -> Option<bool> {
         let now = self.now();
         let wake = thread.watched.map(|since| since.saturating_add(nanoseconds(seconds)));

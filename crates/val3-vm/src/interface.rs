@@ -1,4 +1,4 @@
-//! The items that an application expects of a library, and those that a library has (6.3, 6.6).
+//! Items that an application expects from a library, and items that a library contains (6.3, 6.6).
 
 use val3_bytecode::{DataDef, Image, Import, ImportKind, Param, Storage};
 use val3_lang::memory::{Kind, KindBase, Shape};
@@ -8,7 +8,8 @@ use crate::instance::Imported;
 use crate::{Instance, InstanceId};
 
 impl Instance {
-    /// The item of this library for `import` of `user`; `None` where it lacks the item or has another one of the name.
+    /// Returns this library's item for `import`, which `user` imports; `None` if the library has no such item, or if
+    /// its item with this name has another type.
     pub(crate) fn item(&self, id: InstanceId, import: &Import, user: &Image) -> Option<Imported> {
         match &import.kind {
             ImportKind::Missing => return None,
@@ -32,12 +33,12 @@ impl Instance {
         self.find(id, &import.name, matches!(import.kind, ImportKind::Program(_)), user.sees_private_items)
     }
 
-    /// The item `name` of this library as another application sees it.
+    /// Returns the library's public item `name`.
     pub(crate) fn export(&self, id: InstanceId, name: &str, of_program: bool) -> Option<Imported> {
         self.find(id, name, of_program, false)
     }
 
-    /// The item `name`, which is public unless private items count too.
+    /// Returns the item `name`, which has to be public unless private items count too.
     fn find(&self, id: InstanceId, name: &str, of_program: bool, private_too: bool) -> Option<Imported> {
         if of_program {
             let number = self.image.program(name)?;
@@ -65,8 +66,8 @@ fn is_param(own: &Param, kind: &Kind, container: Container, by_reference: bool) 
     own.container == container && own_reference == by_reference && is_same(&own.kind, kind)
 }
 
-/// Whether the types are the same. Two user types are the same if they have the same fields, regardless of their names
-/// and of the initial values of their fields.
+/// Whether the types are the same. Two user types are the same if they have the same fields; their names and the
+/// fields' initial values do not count.
 fn is_same(one: &Kind, other: &Kind) -> bool {
     match (&one.base, &other.base) {
         (KindBase::Builtin(one, arm), KindBase::Builtin(other, other_arm)) => {

@@ -1,7 +1,7 @@
-//! Runs images: tasks, frames of programs, data, scheduling.
+//! Virtual machine for images: tasks, stack frames, data, scheduling.
 //!
-//! This crate has no clock, no input and no arm: instructions reach them through ports. Runs of the same images with
-//! the same answers of the ports execute the same operations.
+//! This crate contains no clock, input or arm: instructions access them through ports. Runs of the same images with the
+//! same results of the ports execute the same operations.
 
 mod arithmetic;
 mod calls;

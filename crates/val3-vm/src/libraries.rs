@@ -1,4 +1,4 @@
-//! Libraries that come and go (6.6).
+//! Loading and unloading of libraries (6.6).
 
 use std::sync::Arc;
 
@@ -10,11 +10,11 @@ use crate::task::Thread;
 use crate::turn_context::TurnContext;
 use crate::{Host, InstanceId, LibraryOp, LibraryRequest, Space};
 
-/// The application, which is the first in memory and never leaves it.
+/// The application, which is the first instance in memory and is never unloaded.
 const APPLICATION: InstanceId = InstanceId(0);
 
 impl TurnContext<'_> {
-    /// Fulfils the request of an instruction and returns its code.
+    /// Executes an instruction's request and returns the result code.
     pub(crate) fn fulfil(&mut self, thread: &Thread, owner: InstanceId, request: Request) -> f64 {
         let (op, library, path) = match request {
             Request::Load { library, path, .. } => (LibraryOp::Load, Some(library), path),
@@ -38,7 +38,7 @@ impl TurnContext<'_> {
         found.map(|library| library.alias.clone()).unwrap_or_default()
     }
 
-    /// A library that is in memory already is used unchanged.
+    /// Loads a library, and returns the result code. A library that is already in memory is used unchanged.
     fn load(&mut self, thread: &Thread, identifier: (InstanceId, u16), request: LibraryRequest<'_>) -> u16 {
         let (owner, library) = identifier;
         let from = self.space.instance(owner).map(|instance| instance.path.clone()).unwrap_or_default();
@@ -57,7 +57,7 @@ impl TurnContext<'_> {
         if complete { code::DONE } else { code::INTERFACE_DIFFERS }
     }
 
-    /// The reason why a library cannot leave memory; `None` if it can.
+    /// Returns the reason why a library cannot be unloaded; `None` if it can.
     fn refusal(&self, thread: &Thread, library: InstanceId) -> Option<u16> {
         if self.roster.has_tasks_of(library) {
             return Some(code::HAS_TASKS);
@@ -78,23 +78,23 @@ impl TurnContext<'_> {
 }
 
 impl Space {
-    /// The library that an identifier currently denotes.
+    /// Returns the library that an identifier currently denotes.
     #[must_use]
     pub fn library(&self, owner: InstanceId, number: u16) -> Option<InstanceId> {
         self.instance(owner)?.libraries.get(usize::from(number)).copied().flatten()
     }
 
-    /// The library of this path, if it is in memory. The media ignore letter case.
+    /// Returns the library with this path, if it is in memory. Media ignore letter case.
     fn in_memory(&self, path: &str) -> Option<InstanceId> {
         let path = path.to_lowercase();
         let there = |instance: &crate::Instance| instance.loaded && instance.path.to_lowercase() == path;
         self.instances.iter().position(there).and_then(|at| u16::try_from(at).ok()).map(InstanceId)
     }
 
-    /// The library in memory. A missing one is loaded, with the libraries that load with it.
+    /// Returns the library in memory. If it is not there yet, it is loaded with its autoload libraries.
     ///
     /// # Errors
-    /// 40 without memory, which the event log reports.
+    /// 40 if the memory does not suffice, which the event log reports.
     pub fn take_in(&mut self, loaded: crate::LoadedLibrary, host: &mut dyn Host) -> Result<InstanceId, Fault> {
         if let Some(there) = self.in_memory(&loaded.path) {
             return Ok(there);
@@ -105,8 +105,8 @@ impl Space {
         Ok(id)
     }
 
-    /// Loads the libraries that load with an application or library. A library that cannot be loaded is missing when it
-    /// is used (error 80).
+    /// Loads an application's or library's autoload libraries. A library that cannot be loaded causes error 80 when it
+    /// is used.
     pub fn load_with(&mut self, id: InstanceId, host: &mut dyn Host) {
         let Some(instance) = self.instance(id) else { return };
         let (image, path) = (Arc::clone(&instance.image), instance.path.clone());
@@ -124,8 +124,8 @@ impl Space {
         }
     }
 
-    /// The libraries that nothing reaches from the application; with `changed`, once an identifier denotes another
-    /// library, or for one that is not in memory yet.
+    /// Returns the libraries that the application does not reach any more. `changed` is an identifier with the library
+    /// that it is about to denote; `None` stands for a library that is not in memory yet.
     fn unused(&self, changed: Option<((InstanceId, u16), Option<InstanceId>)>) -> Vec<InstanceId> {
         let mut used = vec![APPLICATION];
         let mut at = 0;

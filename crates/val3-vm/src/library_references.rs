@@ -1,4 +1,4 @@
-//! References to the data of a library (2.6), which keep it in memory (6.6).
+//! References to a library's data (2.6), which prevent it from being unloaded (6.6).
 
 use val3_bytecode::Storage;
 use val3_lang::memory::{Stack, StoreId};
@@ -8,8 +8,8 @@ use crate::turn_context::TurnContext;
 use crate::{Frame, InstanceId, Rate};
 
 impl TurnContext<'_> {
-    /// Whether an active program of some task was called with data of a library by reference, or a synchronous task
-    /// reports its overruns there. The running task has lent its stack to the memory.
+    /// Whether a program on some task's stack received the library's data by reference, or a synchronous task reports
+    /// its overruns there. The stack of the running task is currently in the memory.
     pub(crate) fn is_referred_to(&self, running: &Thread, library: InstanceId) -> bool {
         let others = self.roster.tasks.iter().map(|task| (&*task.thread, &task.thread.stack));
         let mut threads = others.chain([(running, &self.space.memory.stack)]);
@@ -24,7 +24,7 @@ impl TurnContext<'_> {
             })
     }
 
-    /// The containers that the parameters of a program refer to.
+    /// Returns the containers to which the parameters of a program refer.
     fn references(&self, frame: &Frame, stack: &Stack) -> Vec<StoreId> {
         let instance = self.space.instance(frame.instance);
         let program = instance.and_then(|instance| instance.image.programs.get(usize::from(frame.program)));

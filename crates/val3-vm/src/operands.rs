@@ -1,4 +1,4 @@
-//! From operands of the code to places and values in memory.
+//! Resolution of operands to places and values in memory.
 
 use val3_bytecode::{
     ArgumentSite, ContainerKind, ContainerRef, Operand, Program, Register, Subscript, TextOperand, TextSource,
@@ -12,25 +12,25 @@ use crate::Instance;
 use crate::instance::Imported;
 use crate::task::Base;
 
-/// The objects that the operands of a program refer to, except the memory.
+/// Everything to which the operands of a program refer, except the memory.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Scope<'i> {
-    /// The application or library, with its global data and imports.
+    /// Application or library, with its global data and imports.
     pub(crate) instance: &'i Instance,
-    /// The program, with its constants.
+    /// Program, with its constants.
     pub(crate) program: &'i Program,
-    /// Where its frame begins.
+    /// Start of the stack frame.
     pub(crate) base: Base,
 }
 
-/// A place on the frame.
+/// Returns a place on the frame.
 #[inline(always)]
 pub(crate) fn on_frame(base: &Base, lanes: Lanes) -> Place {
     let Base { num, text, link, part, .. } = *base;
     Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes)
 }
 
-/// A place that was looked up, or a parameter by reference.
+/// Returns a place that was looked up, or the place of a parameter by reference.
 #[inline(always)]
 pub(crate) fn located(memory: &Memory, base: &Base, register: Register) -> Result<Place> {
     let at = base.place as usize + usize::from(register);
@@ -38,7 +38,7 @@ pub(crate) fn located(memory: &Memory, base: &Base, register: Register) -> Resul
 }
 
 impl Scope<'_> {
-    /// The container, and the first of its values that can be reached.
+    /// Returns the container, beginning with the first value that can be reached.
     #[inline]
     pub(crate) fn view(&self, memory: &Memory, container: ContainerRef) -> Result<View> {
         self.view_of(memory, container.kind())
@@ -70,7 +70,7 @@ impl Scope<'_> {
         }
     }
 
-    /// A container, an array from an index on.
+    /// Returns the container, or an array from an index on.
     #[inline(never)]
     pub(crate) fn view_from(&self, memory: &Memory, container: ContainerRef, start: Option<Register>) -> Result<View> {
         let view = self.view(memory, container)?;
@@ -79,7 +79,7 @@ impl Scope<'_> {
         Ok(View { start, ..view })
     }
 
-    /// Where a value is.
+    /// Returns the place of a value.
     #[inline(always)]
     pub(crate) fn place(&self, memory: &Memory, operand: Operand) -> Result<Place> {
         match operand {
@@ -95,7 +95,7 @@ impl Scope<'_> {
         memory.stack.nums.get(at).copied().ok_or(Fault::INTERPRETER)
     }
 
-    /// A text.
+    /// Returns a string.
     #[inline]
     pub(crate) fn text<'m>(&'m self, memory: &'m Memory, operand: TextOperand) -> Result<&'m Text> {
         match operand.source() {
@@ -111,7 +111,7 @@ impl Scope<'_> {
         }
     }
 
-    /// A text to be written.
+    /// Returns a string for writing.
     #[inline]
     pub(crate) fn text_mut<'m>(&self, memory: &'m mut Memory, operand: TextOperand) -> Result<&'m mut Text> {
         match operand.source() {
@@ -131,7 +131,7 @@ impl Scope<'_> {
         }
     }
 
-    /// Where a text is that is not a constant.
+    /// Returns the place of a string that is not a constant.
     fn text_place(&self, memory: &Memory, operand: TextOperand) -> Result<Place> {
         match operand.source() {
             TextSource::Register(register) => {
@@ -144,7 +144,7 @@ impl Scope<'_> {
         }
     }
 
-    /// A value of an array.
+    /// Returns the place for an array element.
     #[inline]
     pub(crate) fn element(&self, memory: &Memory, container: ContainerRef, index: Register) -> Result<Place> {
         let view = self.view(memory, container)?;
@@ -152,14 +152,14 @@ impl Scope<'_> {
         Ok(store.place(view.store, store.number1(view, self.num(memory, index)?)?))
     }
 
-    /// A value of an array of two dimensions.
+    /// Returns the place for an element in a two-dimensional array.
     pub(crate) fn element2(&self, memory: &Memory, container: ContainerRef, [i, j]: [Register; 2]) -> Result<Place> {
         let view = self.view(memory, container)?;
         let store = memory.store(view.store)?;
         Ok(store.place(view.store, store.number2([self.num(memory, i)?, self.num(memory, j)?])?))
     }
 
-    /// The value of a collection under a key.
+    /// Returns the place of a collection element by its key.
     #[inline]
     pub(crate) fn keyed(&self, memory: &Memory, container: ContainerRef, key: TextOperand) -> Result<Place> {
         let view = self.view(memory, container)?;
@@ -167,8 +167,8 @@ impl Scope<'_> {
         Ok(store.place(view.store, store.number_of(self.text(memory, key)?)?))
     }
 
-    /// An argument of an instruction or program. Inlined, it is built in place: calls of `mid`, `find` and `len` take 0.91
-    /// of the time.
+    /// Returns an argument to an instruction or program. Inlining builds it in place: calls of `mid`, `find` and `len`
+    /// then need 91 % of the time.
     #[inline(always)]
     pub(crate) fn argument(&self, memory: &Memory, site: &ArgumentSite) -> Result<Argument> {
         Ok(match *site {
@@ -180,7 +180,8 @@ impl Scope<'_> {
         })
     }
 
-    /// A value that need not exist. A library that lacks the container is reported by the instruction.
+    /// Returns a slot for a value that may not exist. If a library does not contain the container, the instruction
+    /// reports it.
     fn slot(&self, memory: &Memory, container: ContainerRef, at: Subscript) -> Result<Slot> {
         let view = match self.view(memory, container) {
             Ok(view) => Some(view),

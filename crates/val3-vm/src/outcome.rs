@@ -1,25 +1,24 @@
-//! The reasons why execution has stopped.
+//! Reasons why execution stops.
 
 use val3_lang::fault::Fault;
 use val3_lang::ports::{TaskNumber, Time};
 
-/// The reason why a turn of a task, a cycle or a whole run has stopped.
+/// Reason why a turn of a task, a cycle or an entire run has stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// The lines of the turn are used up, or the cycle is over and tasks can continue in the next one.
+    /// The lines of the turn are used up, or the cycle has ended and tasks can continue in the next one.
     Busy,
-    /// The task waits, or all tasks wait: until this time, or for something else to happen.
+    /// The task waits, or all tasks wait: until this time, or for another event.
     Waiting(Option<Time>),
-    /// The task pauses until this time after an instruction, which takes its time outside the program.
+    /// The task pauses until this time after an instruction that used time outside the program.
     Pausing(Time),
-    /// The host has interrupted the turn or the cycle, which resumes with the next call.
+    /// The host has interrupted the turn or the cycle. The next call resumes it.
     Suspended,
-    /// A task has reached a line with a stop mark. The cycle resumes with the next call, and the task begins the line.
+    /// A task has reached a line with a stop mark. The next call resumes the cycle, and the task begins the line.
     AtStop(TaskNumber),
-    /// A task has executed a line or failed, which the caller [watches](crate::Watch). The cycle resumes with the next
-    /// call.
+    /// A task that the caller [watches](crate::Watch) has executed a line or failed. The next call resumes the cycle.
     Seen(TaskNumber),
-    /// The clock has reached the limit of the run. With a later limit, the cycle resumes with the next call.
+    /// The clock has reached the limit of the run. With a later limit, the next call resumes the cycle.
     Limit,
     /// The program of the task, or the application, has ended.
     Finished,
@@ -27,9 +26,10 @@ pub enum Outcome {
     Halted,
     /// A run-time error has stopped the task.
     Failed(Fault),
-    /// No task can continue: each is halted or in error.
+    /// No task can continue: all are halted or in error.
     Stuck,
-    /// A task is at an instruction that this controller lacks. Its effects are unknown, so the run cannot continue.
+    /// A task has reached an instruction that this controller does not support. Its effects are unknown, so the run
+    /// cannot continue.
     Lacking,
     /// The application or the run was stopped from outside.
     Stopped,
@@ -38,13 +38,13 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Whether a cycle that has stopped for this is not over, and resumes with the next call.
+    /// Whether the cycle has stopped before its end, so that the next call resumes it.
     #[must_use]
     pub fn is_within_cycle(self) -> bool {
         matches!(self, Self::Suspended | Self::AtStop(_) | Self::Seen(_) | Self::Limit)
     }
 
-    /// Whether nothing can happen any more, unless something outside changes.
+    /// Whether execution cannot continue without a change from outside.
     #[must_use]
     pub fn is_final(self) -> bool {
         match self {

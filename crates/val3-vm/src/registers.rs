@@ -1,23 +1,23 @@
-//! The numbers of a frame, as operations reach them.
+//! The numbers of a stack frame, as operations access them.
 
 use val3_bytecode::{Program, Register};
 use val3_lang::fault::{Fault, Result};
 
 use crate::Frame;
 
-/// Maximum size of a narrow frame in numbers. The stack has at least that many from the start of each frame on, so that
-/// a register of one byte always finds its number.
+/// Largest size of a narrow frame, in numbers. After the start of each frame the stack has at least this many numbers,
+/// so that a one-byte register number is always valid.
 pub(crate) const FIXED_REGISTERS: u32 = 256;
 
-/// The numbers of a narrow frame.
+/// Numbers of a narrow frame.
 pub(crate) type FixedRegisters = [f64; FIXED_REGISTERS as usize];
 
-/// The numbers of a frame.
+/// Numbers of a frame.
 pub(crate) trait Registers {
-    /// Whether the frames of a program are of this width.
+    /// Whether the frames of a program have this width.
     fn suits(program: &Program) -> bool;
 
-    /// The numbers of a frame among those of the stack.
+    /// Borrows the numbers of a frame from the numbers of the stack.
     fn of<'s>(nums: &'s mut [f64], frame: &Frame, program: &Program) -> Result<&'s mut Self>;
 
     fn get(&self, register: Register) -> Result<f64>;
@@ -25,7 +25,7 @@ pub(crate) trait Registers {
     fn set(&mut self, register: Register, value: f64) -> Result<()>;
 }
 
-/// A frame of at most 256 numbers: nearly every one. No access to it needs a check.
+/// A frame of at most 256 numbers, as nearly all frames are. No access needs a check.
 impl Registers for FixedRegisters {
     #[inline(always)]
     fn suits(program: &Program) -> bool {

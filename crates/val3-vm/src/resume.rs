@@ -1,10 +1,10 @@
-//! The line at which a halted task resumes (5.2, 5.10).
+//! Line at which a halted task resumes (5.2, 5.10).
 
 use val3_bytecode::Program;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::runtime_errors::NO_LINE;
 
-/// The first operation of the line `skip` lines after the one that begins at `line`, in the order of the text.
+/// Returns the first operation of the line `skip` lines after the line that begins at `line`, in source order.
 ///
 /// The position after the last line is the end of the program.
 ///

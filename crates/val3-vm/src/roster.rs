@@ -1,4 +1,4 @@
-//! The tasks of a controller, in the order of their creation (5.4).
+//! Tasks of a controller, in the order of creation (5.4).
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::ports::TaskNumber;
@@ -9,13 +9,13 @@ use val3_lang::versions::Version;
 use crate::task::NewThread;
 use crate::{InstanceId, Rate, Task, TaskState};
 
-/// Every task that was created and has not ended.
+/// All tasks that were created and have not ended.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Roster {
-    /// By creation. The task that runs is here too, without its thread.
+    /// In the order of creation. The running task is included, without its thread.
     #[allow(clippy::vec_box, reason = "when one of a thousand ends, only pointers move")]
     pub(crate) tasks: Vec<Box<Task>>,
-    /// Whether some of them have ended or were killed, and are still to be removed.
+    /// Whether some tasks have ended or were killed, and still have to be removed.
     any_over: bool,
     next: u64,
 }
@@ -31,10 +31,10 @@ impl Roster {
         self.tasks.get(at).filter(|task| task.id == id).map(|_| at)
     }
 
-    /// The index of the task, or of the next one created after it.
+    /// Returns the index of the task, or of the next task created after it.
     ///
-    /// If none of the tasks in between has ended, the distance of a task from the first is the difference of their
-    /// numbers.
+    /// If no task in between has ended, the index is the difference between the task's number and the first task's
+    /// number.
     pub(crate) fn first_from(&self, id: TaskNumber) -> usize {
         let first = self.tasks.first().map_or(0, |task| task.id.0);
         let guess = usize::try_from(id.0.saturating_sub(first)).unwrap_or(usize::MAX);
@@ -47,7 +47,7 @@ impl Roster {
     /// Checks that the name is valid and free.
     ///
     /// # Errors
-    /// 29 for a bad name, 31 for one in use.
+    /// 29 for an invalid name, 31 for a name in use.
     pub(crate) fn check_name(&self, owner: InstanceId, name: &str, version: Version) -> Result<()> {
         if name_fault(name, version).is_some() {
             return Err(Fault(BAD_TASK_NAME));
@@ -63,13 +63,13 @@ impl Roster {
         if periods.len() > MAX_PERIODS { Err(Fault(PERIODS)) } else { Ok(()) }
     }
 
-    /// The number that the next task gets.
+    /// Returns the number for the next task.
     pub(crate) fn new_id(&mut self) -> TaskNumber {
         self.next += 1;
         TaskNumber(self.next)
     }
 
-    /// A task that begins to run.
+    /// Adds a task that begins to run.
     pub(crate) fn add(&mut self, id: TaskNumber, name: &str, owner: InstanceId, rate: Rate, new: NewThread) {
         let NewThread { thread, stack_size } = new;
         let (name, state) = (name.to_owned(), TaskState::Running);
@@ -77,7 +77,7 @@ impl Roster {
         self.tasks.push(Box::new(Task { id, name, owner, rate, state, thread, stack_size, left: 0, is_held: false }));
     }
 
-    /// A task is over: its name is free, and it is removed after the turn.
+    /// Marks a task as ended: its name is free, and it is removed after the turn.
     pub(crate) fn end(&mut self, at: usize) -> Option<&Task> {
         let task = self.tasks.get_mut(at)?;
         task.state = TaskState::Killed;
@@ -85,7 +85,7 @@ impl Roster {
         Some(task)
     }
 
-    /// Takes out the tasks that are over.
+    /// Removes and returns the ended tasks.
     #[allow(clippy::vec_box, reason = "as they are kept")]
     pub(crate) fn take_over(&mut self) -> Vec<Box<Task>> {
         if !std::mem::take(&mut self.any_over) {
@@ -94,7 +94,7 @@ impl Roster {
         self.tasks.extract_if(.., |task| task.state == TaskState::Killed).collect()
     }
 
-    /// Whether there is a task of this application or library that was not killed.
+    /// Whether a task of this application or library exists that was not killed.
     pub(crate) fn has_tasks_of(&self, owner: InstanceId) -> bool {
         self.tasks.iter().any(|task| task.owner == owner && task.state != TaskState::Killed)
     }

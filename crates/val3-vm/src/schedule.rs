@@ -1,10 +1,10 @@
-//! The scheduler: which task runs when (5.4 to 5.7).
+//! The scheduler: when each task runs (5.4 to 5.7).
 //!
-//! Time is virtual: every line takes the same time, waiting takes none, and the host jumps over the time in which all
-//! tasks wait. In a cycle of 4 ms the synchronous tasks that are due run first, then the asynchronous ones in rounds
-//! until the cycle is over or all of them wait.
+//! Time is virtual: every line has the same duration, waiting has none, and the host skips the time during which all
+//! tasks wait. In a cycle of 4 ms the due synchronous tasks run first, then the asynchronous tasks in rounds until the
+//! cycle ends or all of them wait.
 //!
-//! A cycle is a value. It can stop in the middle of a turn, and the next call resumes it there.
+//! A cycle is a value. It can stop within a turn, and the next call resumes it there.
 
 mod asynchronous;
 mod synchronous;
@@ -17,36 +17,36 @@ use crate::{Host, Outcome, TurnReport, Vm};
 use asynchronous::Rounds;
 use synchronous::DueTasks;
 
-/// The length of a cycle in nanoseconds, and the unit of periods: [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP).
+/// Length of a cycle and unit of periods, in ns: [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP).
 pub const CYCLE: Time = 4_000_000;
 
-/// The clock and the position of the scheduler.
+/// Clock and position of the scheduler.
 #[derive(Debug, Clone)]
 pub struct Schedule {
-    /// The controller's clock, in nanoseconds.
+    /// Controller clock, in ns.
     pub now: Time,
-    /// The time of a line, in nanoseconds; at least 1.
+    /// Duration of a line, in ns; at least 1.
     pub line_cost: Time,
-    /// No line begins at this time or later. The clock may overrun it by part of a line, and where all tasks wait.
+    /// Time from which on no line begins. The clock may exceed it by part of a line, and while all tasks wait.
     pub limit: Option<Time>,
-    /// When the cycle stops for the caller to look at a task.
+    /// Stops of the cycle for the caller to inspect a task.
     pub watch: Watch,
-    /// All tasks rest, which programs do not notice. Time passes meanwhile.
+    /// Whether all tasks rest. Time passes meanwhile, and programs cannot detect it.
     pub tasks_rest: bool,
-    /// The asynchronous task whose turn is next: the first one with this number or a higher one.
+    /// Asynchronous task with the next turn: the first one with this or a higher number.
     next: TaskNumber,
-    /// The cycle that has begun and is not over.
+    /// Cycle that has begun and not ended.
     cycle: Option<Cycle>,
 }
 
-/// When a cycle stops for its caller to look at a task: with [`Outcome::Seen`].
+/// Events at which a cycle stops with [`Outcome::Seen`], so that the caller can inspect a task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Watch {
-    /// Never.
+    /// None.
     Nothing,
-    /// After a run-time error.
+    /// Run-time errors.
     Failures,
-    /// After each line, and after a run-time error.
+    /// Ends of lines, and run-time errors.
     Lines,
 }
 
@@ -61,11 +61,11 @@ struct Cycle {
     rounds: Option<Rounds>,
 }
 
-/// The answer of a part of a cycle: the cycle continues, or stops with an outcome.
+/// Result for a part of a cycle: the cycle continues, or stops with an outcome.
 type Flow = ControlFlow<Outcome>;
 
 impl Schedule {
-    /// A clock at 0.
+    /// Creates a scheduler with the clock at 0.
     #[must_use]
     pub fn new(line_cost: Time) -> Self {
         Self {
@@ -79,22 +79,22 @@ impl Schedule {
         }
     }
 
-    /// Whether a cycle has begun and is not over.
+    /// Whether a cycle has begun and not ended.
     #[must_use]
     pub fn is_within_cycle(&self) -> bool {
         self.cycle.is_some()
     }
 
-    /// The end of the cycle that is under way or comes next.
+    /// Returns the end of the current or next cycle.
     #[must_use]
     pub fn cycle_end(&self) -> Time {
         self.cycle.as_ref().map_or((self.now / CYCLE + 1) * CYCLE, |cycle| cycle.end)
     }
 
-    /// Runs tasks until the end of the cycle. The last turn may overrun that end by part of a line.
+    /// Runs tasks until the end of the cycle. The last turn may exceed the end by part of a line.
     ///
-    /// After an outcome [within the cycle](Outcome::is_within_cycle) the next call resumes it. It has then executed the
-    /// same lines at the same times as without the stop.
+    /// After an outcome [within the cycle](Outcome::is_within_cycle) the next call resumes it. The cycle then executes
+    /// the same lines at the same times as without the stop.
     pub fn cycle(&mut self, vm: &mut Vm, host: &mut dyn Host) -> Outcome {
         let mut cycle = self.cycle.take().unwrap_or_else(|| self.begin(vm));
         let outcome = match self.resume(&mut cycle, vm, host) {
@@ -126,12 +126,12 @@ impl Schedule {
         self.asynchronous(rounds, cycle.end, vm, host)
     }
 
-    /// The number of lines that can begin before a time.
+    /// Returns the number of lines that can begin before a time.
     fn lines_until(&self, time: Time) -> u32 {
         u32::try_from(time.saturating_sub(self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX)
     }
 
-    /// The number of lines that a turn of a task may begin before the cycle stops.
+    /// Returns the number of lines that a turn may begin before the cycle stops.
     fn lines_until_stop(&self, task: TaskNumber, vm: &Vm) -> u32 {
         let most = match self.watch {
             Watch::Lines => u32::from(!vm.is_within_line(task)),
@@ -140,7 +140,7 @@ impl Schedule {
         self.limit.map_or(most, |limit| self.lines_until(limit).min(most))
     }
 
-    /// Stops a cycle after a turn whose result the caller wants to see.
+    /// Stops the cycle after a turn that the caller watches.
     fn check_watch(&self, task: TaskNumber, turn: &TurnReport) -> Flow {
         let is_seen = match (self.watch, turn.outcome) {
             (Watch::Nothing, _) => false,
@@ -151,7 +151,7 @@ impl Schedule {
         if is_seen { Flow::Break(Outcome::Seen(task)) } else { Flow::Continue(()) }
     }
 
-    /// Stops a cycle between two turns where the host interrupts it or the limit of the run is reached.
+    /// Stops the cycle between two turns if the host interrupts it or the limit of the run is reached.
     fn check_interrupts(&self, host: &dyn Host) -> Flow {
         if host.is_interrupted() {
             return Flow::Break(Outcome::Suspended);

@@ -1,4 +1,4 @@
-//! Tasks and libraries as the task that runs reaches them.
+//! Tasks and libraries as the running task accesses them.
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::View;
@@ -9,16 +9,16 @@ use crate::resume::line_to_resume;
 use crate::roster::Roster;
 use crate::{Instance, InstanceId, TaskState};
 
-/// Changes of tasks, with their names and where they are.
+/// Changes of tasks, with their names and code locations.
 pub(crate) type Changes = Vec<(TaskNumber, String, TaskChange, Option<CodePlace>)>;
 
-/// The tasks and libraries that the programs of `owner` can reach.
+/// Tasks and libraries that the programs of `owner` can access.
 pub(crate) struct Services<'v> {
     pub(crate) roster: &'v mut Roster,
     pub(crate) instances: &'v [Instance],
-    /// The changes of tasks.
+    /// Changes of tasks.
     pub(crate) changes: Changes,
-    /// The request to the run time.
+    /// Request to the virtual machine.
     pub(crate) request: Option<Box<Request>>,
     pub(crate) owner: InstanceId,
 }
@@ -50,7 +50,7 @@ impl Tasks for Services<'_> {
         let instance = self.instances.get(usize::from(frame.instance.0)).ok_or(Fault::INTERPRETER)?;
         let program = instance.image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)?;
         let op = line_to_resume(program, task.thread.line, skip)?;
-        // A task that was halted within a line resumes there; every other one begins a line.
+        // A task that was halted within a line resumes there; every other task begins a line.
         if skip != 0.0 || task.state != TaskState::Halted {
             task.thread.go_to_line(op);
         }
@@ -102,7 +102,7 @@ impl Tasks for Services<'_> {
 }
 
 impl Services<'_> {
-    /// The library under an identifier, or the application itself.
+    /// Returns the library under an identifier, or the application itself.
     fn target(&self, library: Option<u16>) -> Option<&Instance> {
         let own = self.instances.get(usize::from(self.owner.0))?;
         match library {

@@ -1,4 +1,4 @@
-//! The applications and libraries in memory with their data, and the links between data.
+//! Applications and libraries in memory with their data, and the links between data.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -17,33 +17,33 @@ use crate::{Host, Instance, InstanceId};
 pub struct Space {
     /// All data.
     pub memory: Memory,
-    /// The instances by number. A running task keeps those from the beginning of its turn, or from the last library
-    /// that it loaded.
+    /// Instances by number. A running task uses the list from when its turn began, or from when it last loaded a
+    /// library.
     pub(crate) instances: Arc<Vec<Instance>>,
     stops: Stops,
-    /// How often counted lines and sides of branches were executed.
+    /// Execution counts of counted lines and branch sides.
     pub counts: Counts,
 }
 
 impl Space {
-    /// The application or library with a number.
+    /// Returns the application or library with a number.
     #[must_use]
     pub fn instance(&self, id: InstanceId) -> Option<&Instance> {
         self.instances.get(usize::from(id.0))
     }
 
-    /// The applications and libraries in memory.
+    /// Returns the applications and libraries in memory.
     pub fn loaded(&self) -> impl Iterator<Item = (InstanceId, &Instance)> {
         (0..).map(InstanceId).zip(self.instances.iter()).filter(|(_, instance)| instance.loaded)
     }
 
-    /// Makes tasks stop before lines of a file.
+    /// Sets the lines of a file before which tasks stop.
     pub(crate) fn set_stops(&mut self, file: &str, rows: BTreeSet<u32>) {
         self.stops.set(file, rows);
         self.mark_stops();
     }
 
-    /// Makes tasks stop before the first line of programs.
+    /// Sets the programs before whose first line tasks stop.
     pub(crate) fn set_program_stops(&mut self, names: BTreeSet<String>) {
         self.stops.set_programs(names);
         self.mark_stops();
@@ -55,15 +55,15 @@ impl Space {
         }
     }
 
-    /// The application or library with a number, to be changed.
+    /// Returns the application or library with a number for writing.
     pub(crate) fn instance_mut(&mut self, id: InstanceId) -> Option<&mut Instance> {
         Arc::make_mut(&mut self.instances).get_mut(usize::from(id.0))
     }
 
-    /// Loads an application or library into memory, with the initial data of its files.
+    /// Loads an application or library into memory, with the initial data from its files.
     ///
     /// # Errors
-    /// 40 without memory.
+    /// 40 if the memory does not suffice.
     pub fn load(&mut self, mut image: Arc<Image>, path: String, host: &mut dyn Host) -> Result<InstanceId, Fault> {
         let free = self.instances.iter().position(|instance| !instance.loaded);
         let at = free.unwrap_or(self.instances.len());
@@ -97,11 +97,11 @@ impl Space {
         Ok(id)
     }
 
-    /// Replaces the image of an application in memory. Data that both images declare alike keep their values, other
-    /// data of the new image begin with theirs.
+    /// Replaces the image of an application in memory. Data that both images declare equally keep their values; other
+    /// data in the new image begin with their initial values.
     ///
     /// # Errors
-    /// 40 without memory. The image in memory is then unchanged.
+    /// 40 if the memory does not suffice. The image in memory is then unchanged.
     pub fn exchange(&mut self, id: InstanceId, mut image: Arc<Image>, host: &mut dyn Host) -> Result<(), Fault> {
         let Some(instance) = self.instance(id) else { return Ok(()) };
         let (before, stores, libraries) =
@@ -135,10 +135,10 @@ impl Space {
         Ok(())
     }
 
-    /// Binds a library identifier of `user` to `library`.
+    /// Binds a library identifier of `user` to `library`, and returns whether the library contains the entire expected
+    /// interface.
     ///
-    /// An item that the library lacks raises error 80 when it is used. Returns whether the library has all that its
-    /// interface promises.
+    /// An item that it does not contain raises error 80 when it is used.
     pub fn connect(&mut self, user: InstanceId, alias: u16, library: InstanceId, host: &mut dyn Host) -> bool {
         let complete = self.connect_items(user, alias, library);
         self.declare_libraries(user);
@@ -177,7 +177,7 @@ impl Space {
         self.memory.declare_libraries(user.0, numbers);
     }
 
-    /// Makes the links of data that do not wait for a library, or those that wait for `alias`.
+    /// Links the data that do not wait for a library, or the data that wait for `alias`.
     fn link_data(&mut self, id: InstanceId, alias: Option<u16>, host: &mut dyn Host) {
         let Some(instance) = self.instance(id) else { return };
         let image = Arc::clone(&instance.image);
@@ -195,7 +195,7 @@ impl Space {
                 && let Some(place) = self.place_of(id, init)
                 && let Some(link) = self.target(id, &init.target, host)
             {
-                // The place was looked up just now, so it is there.
+                // The place was looked up just now, so it exists.
                 let _ = self.memory.set_file_link(place, init.link, link);
             }
         }
@@ -221,7 +221,7 @@ impl Space {
         }
     }
 
-    /// The link of the `dio` that a file of an application or library names; `None` where there is none.
+    /// Returns the link of the `dio` that a data file names; `None` if it does not exist.
     #[must_use]
     pub fn signal(&self, id: InstanceId, named: &FatherLink) -> Option<Link> {
         let place = self.named(id, named)?;
@@ -229,7 +229,7 @@ impl Space {
         self.memory.link(place, 0).ok().filter(|link| is_signal && matches!(link, Link::Port(_)))
     }
 
-    /// The frame or tool that a file of an application or library names; `None` where there is none.
+    /// Returns the frame or tool that a data file names; `None` if it does not exist.
     #[must_use]
     pub fn father(&self, id: InstanceId, father: &FatherLink) -> Option<Place> {
         let place = self.named(id, father)?;
@@ -258,14 +258,14 @@ impl Space {
         })
     }
 
-    /// The value of a container that a file names: `2`, `1,3`, `home`.
+    /// Returns the container element that a data file names: `2`, `1,3`, `home`.
     fn value(&self, id: StoreId, at: &str) -> Option<Place> {
         let store = self.memory.store(id).ok()?;
         Some(store.place(id, store.number_of_text(at)?))
     }
 }
 
-/// `world` or `flange`.
+/// Returns the container of `world` or `flange`.
 fn builtin(name: &str) -> Option<StoreId> {
     val3_lang::builtins::find(name).and_then(|builtin| match builtin.ty {
         BaseType::Frame => Some(Memory::WORLD),
@@ -274,7 +274,7 @@ fn builtin(name: &str) -> Option<StoreId> {
     })
 }
 
-/// Data definitions with their containers, by name.
+/// Returns data definitions with their containers, by name.
 fn by_name<'d>(data: &'d [DataDef], stores: &[StoreId]) -> BTreeMap<&'d str, (&'d DataDef, StoreId)> {
     data.iter().zip(stores).map(|(data, store)| (data.name.as_str(), (data, *store))).collect()
 }

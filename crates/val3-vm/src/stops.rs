@@ -1,19 +1,19 @@
-//! Lines before which tasks stop, in whatever is in memory or comes into it.
+//! Lines before which tasks stop, in all images that are or will be in memory.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use val3_bytecode::{Image, LineMark, Program};
 
-/// The lines at which tasks stop.
+/// Lines before which tasks stop.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Stops(Arc<Lines>);
 
 #[derive(Debug, Clone, Default)]
 struct Lines {
-    /// Rows of files.
+    /// Rows by file.
     rows: BTreeMap<String, BTreeSet<u32>>,
-    /// The programs at whose first line tasks stop. `false` for those that no longer do.
+    /// Programs before whose first line tasks stop; `false` if they no longer do.
     programs: BTreeMap<String, bool>,
 }
 
@@ -23,14 +23,14 @@ impl Stops {
         Arc::make_mut(&mut self.0).rows.insert(file.to_owned(), rows);
     }
 
-    /// Replaces the programs at whose first line tasks stop.
+    /// Replaces the programs before whose first line tasks stop.
     pub(crate) fn set_programs(&mut self, names: BTreeSet<String>) {
         let programs = &mut Arc::make_mut(&mut self.0).programs;
         programs.values_mut().for_each(|is_stop| *is_stop = false);
         programs.extend(names.into_iter().map(|name| (name, true)));
     }
 
-    /// Sets the stop marks of the programs of an image, which is copied if a mark changes.
+    /// Sets the stop marks in the image's programs. The image is copied if a mark changes.
     pub(crate) fn mark(&self, image: &mut Arc<Image>) {
         for number in 0..image.programs.len() {
             let wanted = image.programs.get(number).map(|program| self.marks(image, program)).unwrap_or_default();
@@ -47,8 +47,8 @@ impl Stops {
         }
     }
 
-    /// The operations of a program whose marks have to change. Both the head of a `for` and its next round are its line.
-    /// A line with a stop is no longer counted.
+    /// Returns the operations of a program whose marks have to change. The head of a `for` and its next iteration
+    /// belong to the same line. A line with a stop is no longer counted.
     fn marks(&self, image: &Image, program: &Program) -> Vec<(usize, LineMark)> {
         let rows = image.files.get(program.file as usize).and_then(|file| self.0.rows.get(file));
         let begins_with_stop = self.0.programs.get(&program.name);

@@ -1,4 +1,4 @@
-//! A task: a program in execution with its position and data (5.1).
+//! Tasks: programs in execution with their position and data (5.1).
 
 use val3_bytecode::Program;
 use val3_lang::call::{Wait, Waiting};
@@ -12,73 +12,73 @@ use crate::operands::on_frame;
 /// A task.
 #[derive(Debug, Clone)]
 pub struct Task {
-    /// The identity.
+    /// Identity.
     pub id: TaskNumber,
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// The application or library whose program has created it. It is visible only there (5.3).
+    /// Application or library whose program created the task. The task is visible only there (5.3).
     pub owner: InstanceId,
-    /// How often it runs.
+    /// Priority or period.
     pub rate: Rate,
-    /// Its state.
+    /// State.
     pub state: TaskState,
-    /// Its position.
+    /// Position.
     pub thread: Box<Thread>,
-    /// Bytes of stack it may use.
+    /// Largest size of the stack, in bytes.
     pub stack_size: u32,
-    /// Lines that are left of its turn if the end of a cycle interrupted it.
+    /// Remaining lines of a turn that the end of a cycle interrupted.
     pub left: u32,
-    /// It is held from outside and gets no turns, which programs do not notice.
+    /// Whether the task is held from outside: it gets no turns, which programs cannot detect.
     pub is_held: bool,
 }
 
-/// The position of a task, which changes while it runs. The task that runs lends it to the interpreter.
+/// Position of a task, which changes during its execution. The running task lends it to the interpreter.
 #[derive(Debug, Clone, Default)]
 pub struct Thread {
-    /// The active programs, the innermost last.
+    /// Stack frames, the innermost last.
     pub frames: Vec<Frame>,
-    /// The data of the frames. The memory has them while the task runs.
+    /// Data of the frames. While the task runs, they are in the memory.
     pub stack: Stack,
-    /// The next operation, in the innermost program.
+    /// Next operation in the innermost program.
     pub next: u32,
-    /// The first operation of the line it is in.
+    /// First operation of the current line.
     pub line: u32,
-    /// The instruction that it waits in.
+    /// Instruction in which the task waits.
     pub waiting: Option<Waiting>,
-    /// The time at which it reached the `watch` that it waits in.
+    /// Time at which the task reached the `watch` in which it waits, in ns.
     pub watched: Option<Time>,
-    /// Set while the task waits. Holds the wake-up time if the wait is timed.
+    /// Present wait; contains the wake-up time if the wait is timed.
     pub wait: Option<Wait>,
-    /// It has stopped before a line with a stop mark, which it begins when it continues.
+    /// Whether the task has stopped at a stop mark. It begins that line when it continues.
     pub is_at_stop: bool,
 }
 
-/// A thread that has not run yet, and the bytes of stack it may use.
+/// A thread that has not run yet, and its largest stack size in bytes.
 pub(crate) struct NewThread {
     pub(crate) thread: Thread,
     pub(crate) stack_size: u32,
 }
 
-/// Bytes of a task without its stack. They limit a controller to some thousands of tasks.
+/// Size of a task without its stack, in bytes. It limits a controller to some thousands of tasks.
 pub(crate) const TASK_BYTES: u64 = 64 << 10;
 
 impl Thread {
-    /// A thread in no program yet, with the memory that a task takes.
+    /// Creates a thread without a program, and reserves the memory of a task.
     ///
     /// # Errors
-    /// 40 without memory.
+    /// 40 if the memory does not suffice.
     pub(crate) fn new(room: &mut MemoryBudget) -> Result<Self> {
         room.take(TASK_BYTES)?;
         Ok(Self::default())
     }
 
-    /// Bytes of its frames and of its stack, as far as the thread has it.
+    /// Returns the size of the frames and of the stack, if the thread owns it, in bytes.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         bytes_of::<Frame>(self.frames.capacity()) + self.stack.bytes()
     }
 
-    /// Returns the memory of a task that is over.
+    /// Releases the memory of a task that has ended.
     pub(crate) fn give_back(&self, room: &mut MemoryBudget) {
         room.give_back(TASK_BYTES + self.bytes());
     }
@@ -86,7 +86,7 @@ impl Thread {
     /// Enters a program.
     ///
     /// # Errors
-    /// 40 without memory.
+    /// 40 if the memory does not suffice.
     #[inline(always)]
     pub(crate) fn push(&mut self, frame: Frame, room: &mut MemoryBudget) -> Result<()> {
         if self.frames.len() == self.frames.capacity() {
@@ -96,7 +96,7 @@ impl Thread {
         Ok(())
     }
 
-    /// Doubles the room for frames.
+    /// Doubles the capacity for frames.
     #[cold]
     fn grow(&mut self, room: &mut MemoryBudget) -> Result<()> {
         let more = self.frames.len().max(LEAST_FRAMES);
@@ -105,80 +105,81 @@ impl Thread {
         Ok(())
     }
 
-    /// The position; `None` while the interpreter has it.
+    /// Returns the position; `None` while it is lent to the interpreter.
     #[must_use]
     pub fn place(&self) -> Option<CodePlace> {
         let frame = self.frames.last()?;
         Some(CodePlace { instance: frame.instance.0, program: frame.program, line: self.line })
     }
 
-    /// Arrives at a stop mark: whether it stops there. It continues from the mark at which it has stopped.
+    /// Whether the task stops at the stop mark that it has reached. At the mark at which it has already stopped, it
+    /// continues.
     #[cold]
     pub(crate) fn meets_stop(&mut self) -> bool {
         self.is_at_stop = !self.is_at_stop;
         self.is_at_stop
     }
 
-    /// Moves to the beginning of a line and forgets the waits within the previous one.
+    /// Moves to the beginning of a line and discards the waits within the previous one.
     pub(crate) fn go_to_line(&mut self, op: u32) {
         (self.next, self.line) = (op, op);
         (self.waiting, self.watched, self.wait, self.is_at_stop) = (None, None, None, false);
     }
 }
 
-/// Initial room for frames in a thread.
+/// Initial capacity for frames in a thread.
 const LEAST_FRAMES: usize = 4;
 
-/// How often a task runs.
+/// Priority or period of a task.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rate {
-    /// An asynchronous task: lines in each turn (5.4).
+    /// Asynchronous task: number of lines in each turn (5.4).
     Priority(u32),
-    /// A synchronous task (5.5, 5.6).
+    /// Synchronous task (5.5, 5.6).
     Period {
-        /// Nanoseconds, a multiple of 4 ms.
+        /// Period in ns, a multiple of 4 ms.
         period: Time,
-        /// When its next cycle begins.
+        /// Beginning of the next period.
         next: Time,
-        /// The variable that is set after an overrun.
+        /// Variable that is set after an overrun.
         overrun: Place,
-        /// Set if it had not finished when its period ended: the next one is left out.
+        /// Whether the task had not finished when the period ended, so that the next period is skipped.
         late: bool,
-        /// How often it had not finished when its period ended.
+        /// Number of such overruns.
         overruns: u32,
     },
 }
 
-/// The state of a task.
+/// State of a task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TaskState {
-    /// It runs, or waits.
+    /// Running or waiting.
     Running,
-    /// It was halted.
+    /// Halted.
     Halted,
-    /// An error has stopped it.
+    /// Stopped by an error.
     Failed(Fault),
-    /// It was killed; its name is free.
+    /// Killed; the name is free.
     Killed,
 }
 
-/// A program that a task is in.
+/// Stack frame of a called program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Frame {
-    /// The application or library.
+    /// Application or library.
     pub instance: InstanceId,
-    /// The program, by number.
+    /// Program number.
     pub program: u16,
-    /// The operation at which its caller resumes when it ends.
+    /// Operation at which the caller resumes.
     pub back: u32,
-    /// The first operation of the line of that call.
+    /// First operation of the calling line.
     pub back_line: u32,
-    /// Where its lanes begin.
+    /// Start of the frame's lanes.
     pub base: Base,
 }
 
 impl Frame {
-    /// The place of a value of the frame whose lanes begin at `lanes`, on the stack of its task.
+    /// Returns the place of the frame's value whose lanes begin at `lanes`, on the task's stack.
     #[inline(always)]
     #[must_use]
     pub fn place(&self, lanes: Lanes) -> Place {
@@ -186,27 +187,27 @@ impl Frame {
     }
 }
 
-/// Where the lanes of a frame begin.
+/// Start of a frame's lanes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Base {
-    /// Its numbers.
+    /// First number.
     pub num: u32,
-    /// Its texts.
+    /// First text.
     pub text: u32,
-    /// Its links.
+    /// First link.
     pub link: u32,
-    /// Its containers.
+    /// First container.
     pub part: u32,
-    /// Its places.
+    /// First place.
     pub place: u32,
-    /// Its containers by reference.
+    /// First container by reference.
     pub view: u32,
-    /// Bytes of the declared stack that the frames before take.
+    /// Declared stack size of all previous frames, in bytes.
     pub bytes: u32,
 }
 
 impl Base {
-    /// The first lanes after the frame of a program that begins here.
+    /// Returns the first lanes after the frame of a program that begins here.
     #[inline(always)]
     #[must_use]
     pub fn after(&self, program: &Program) -> Self {
@@ -225,18 +226,18 @@ impl Base {
 }
 
 impl Task {
-    /// Whether it can have turns.
+    /// Whether the task can have turns.
     pub(crate) fn can_run(&self) -> bool {
         self.is_running() && !self.is_held
     }
 
-    /// Whether it runs or waits, thus neither is halted nor has failed.
+    /// Whether the task runs or waits, and is neither halted nor failed.
     #[must_use]
     pub fn is_running(&self) -> bool {
         self.state == TaskState::Running
     }
 
-    /// The result of `taskStatus` (5.10).
+    /// Returns the result of `taskStatus` (5.10).
     #[must_use]
     pub fn status(&self) -> i16 {
         use val3_lang::runtime_errors::TaskState as Number;

@@ -1,45 +1,44 @@
-//! The lines that a task may execute, and the result of a turn (5.4).
+//! Lines that a task may execute, and the result of a turn (5.4).
 
 use crate::Outcome;
 
-/// The result of a turn.
+/// Result of a turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TurnReport {
-    /// The reason why it has stopped.
+    /// Reason why the turn has stopped.
     pub outcome: Outcome,
-    /// The number of lines that were executed.
+    /// Number of executed lines.
     pub lines: u32,
-    /// The number of lines that are left of a turn that is [`Busy`](Outcome::Busy) or
-    /// [`Suspended`](Outcome::Suspended); 0 for any other.
+    /// Number of remaining lines after [`Busy`](Outcome::Busy) or [`Suspended`](Outcome::Suspended); otherwise 0.
     pub left: u32,
     /// Whether the task has read the clock.
     pub reads_clock: bool,
 }
 
-/// The lines that a task may execute before it returns to the scheduler.
+/// Lines that a task may execute before it returns to the scheduler.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Grant {
-    /// In the current turn.
+    /// Lines in the current turn.
     pub first: u32,
-    /// In each immediately following turn while this is the only task that can run; 0 if another one can.
+    /// Lines in each directly following turn while no other task can run; 0 if another task can.
     pub per_turn: u32,
-    /// In total.
+    /// Total number of lines.
     pub limit: u32,
 }
 
 impl Grant {
-    /// A single turn.
+    /// Returns a grant for a single turn.
     #[must_use]
     pub const fn once(lines: u32) -> Self {
         Self { first: lines, per_turn: 0, limit: lines }
     }
 
-    /// Maximum number of lines if this remains the only task that can run.
+    /// Returns the largest number of lines if no other task can run.
     pub(crate) fn budget(self) -> u32 {
         if self.per_turn == 0 { self.limit.min(self.first) } else { self.limit }
     }
 
-    /// The number of lines left of the turn that contains the last of `lines` lines.
+    /// Returns the number of remaining lines in the turn that contains the last of `lines` lines.
     pub(crate) fn left(self, lines: u32) -> u32 {
         match lines.checked_sub(self.first) {
             Some(more) if self.per_turn > 0 => more.next_multiple_of(self.per_turn) - more,

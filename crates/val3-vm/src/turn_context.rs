@@ -1,4 +1,4 @@
-//! The state of one turn.
+//! State during one turn.
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::ports::{CodePlace, Origin, TaskNumber, Time};
@@ -6,20 +6,20 @@ use val3_lang::ports::{CodePlace, Origin, TaskNumber, Time};
 use crate::roster::Roster;
 use crate::{Frame, Grant, Host, Instance, InstanceId, Space};
 
-/// The task, the memory and the budget that the interpreter works with during one turn.
+/// Task, memory and budget of the interpreter during one turn.
 pub(crate) struct TurnContext<'v> {
     pub(crate) space: &'v mut Space,
     pub(crate) roster: &'v mut Roster,
     pub(crate) ports: &'v mut dyn Host,
-    /// The task that runs.
+    /// Running task.
     pub(crate) task: TaskNumber,
     pub(crate) stack_size: u32,
     pub(crate) grant: Grant,
-    /// The budget at the beginning of the turn, in lines.
+    /// Budget at the beginning of the turn, in lines.
     pub(crate) granted: u32,
-    /// The number of lines that may still be executed.
+    /// Number of lines that may still be executed.
     pub(crate) budget: u32,
-    /// The time at which the budget is used up. The current time is computed from it.
+    /// Time at which the budget is used up. The current time is computed from it.
     pub(crate) end: Time,
     pub(crate) line_cost: Time,
     /// Whether the task has read the clock.
@@ -35,14 +35,14 @@ impl TurnContext<'_> {
         self.end - Time::from(self.budget) * self.line_cost
     }
 
-    /// Grants more lines to a turn that has used up its own.
+    /// Grants more lines to a turn whose lines are used up.
     pub(crate) fn extend(&mut self, lines: u32) {
         self.grant = Grant::once(lines);
         self.end += Time::from(lines) * self.line_cost;
         (self.granted, self.budget) = (lines, self.budget + lines);
     }
 
-    /// Ends the grant with the current turn, because another task may be able to run after it.
+    /// Ends the grant with the current turn, because another task may be able to run afterwards.
     pub(crate) fn end_with_turn(&mut self) {
         let left = self.budget.min(self.grant.left(self.granted - self.budget));
         let cut = self.budget - left;
@@ -51,7 +51,7 @@ impl TurnContext<'_> {
         self.end -= Time::from(cut) * self.line_cost;
     }
 
-    /// The origin of events: the line of a frame that begins with operation `line`.
+    /// Returns the origin of events: the line of a frame that begins with operation `line`.
     pub(crate) fn origin(&self, time: Time, frame: &Frame, line: u32) -> Origin {
         let at = CodePlace { instance: frame.instance.0, program: frame.program, line };
         Origin { time, task: self.task, at }

@@ -1,4 +1,4 @@
-//! Operations on texts, structures and places.
+//! Operations on strings, structures and places.
 
 use val3_bytecode::{CopySite, Op, Register, TextOperand};
 use val3_lang::fault::{Fault, Result};
@@ -9,7 +9,7 @@ use crate::operands::Scope;
 use crate::turn_context::TurnContext;
 
 impl TurnContext<'_> {
-    /// Executes an operation that does more than compute numbers.
+    /// Executes an operation on other values than numbers in registers.
     #[inline(never)]
     pub(crate) fn on_values(&mut self, op: Op, scope: Scope<'_>) -> Result<()> {
         let memory = &self.space.memory;
@@ -78,7 +78,7 @@ impl TurnContext<'_> {
         }
     }
 
-    /// `to = from`
+    /// Executes `to = from`.
     #[inline(never)]
     pub(crate) fn move_text(&mut self, scope: &Scope<'_>, to: TextOperand, from: TextOperand) -> Result<()> {
         let memory = &mut self.space.memory;
@@ -87,7 +87,7 @@ impl TurnContext<'_> {
         Ok(())
     }
 
-    /// `to = a + b`, in place where `to` is `a`.
+    /// Executes `to = a + b`, in place if `to` is `a`.
     #[inline(never)]
     pub(crate) fn concatenate(&mut self, scope: &Scope<'_>, to: TextOperand, [a, b]: [TextOperand; 2]) -> Result<()> {
         let memory = &mut self.space.memory;
@@ -101,7 +101,7 @@ impl TurnContext<'_> {
         Ok(())
     }
 
-    /// `a == b`
+    /// Whether `a == b`.
     #[inline]
     pub(crate) fn texts_equal(&self, scope: &Scope<'_>, a: TextOperand, b: TextOperand) -> Result<bool> {
         let memory = &self.space.memory;
@@ -126,7 +126,7 @@ impl TurnContext<'_> {
         Ok(())
     }
 
-    /// The two values of a copy or comparison.
+    /// Returns the two values of a copy or comparison.
     fn both(&self, scope: &Scope<'_>, site: &CopySite) -> Result<(Place, Place)> {
         let memory = &self.space.memory;
         Ok((scope.place(memory, site.from)?, scope.place(memory, site.to)?))

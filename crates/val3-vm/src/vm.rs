@@ -1,4 +1,4 @@
-//! Images in memory and the tasks on them.
+//! Images in memory and their tasks.
 
 use std::collections::BTreeSet;
 
@@ -13,18 +13,18 @@ use crate::task::{Base, NewThread, TASK_BYTES, Thread};
 use crate::turn_context::TurnContext;
 use crate::{Grant, Host, InstanceId, Outcome, Rate, Space, Task, TaskState, TurnReport};
 
-/// Applications and libraries in memory, and the tasks that run.
+/// The virtual machine: applications and libraries in memory, and their tasks.
 #[derive(Debug, Clone, Default)]
 pub struct Vm {
-    /// The applications and libraries in memory.
+    /// Applications and libraries in memory.
     pub space: Space,
     pub(crate) roster: Roster,
-    /// The placeholder for the thread of the task that runs, while no task runs.
+    /// Placeholder for the thread of the running task; `None` while a task runs.
     idle: Option<Box<Thread>>,
 }
 
 impl Vm {
-    /// The tasks in the order of their creation.
+    /// Returns the tasks in the order of creation.
     #[must_use]
     pub fn tasks(&self) -> &[Box<Task>] {
         &self.roster.tasks
@@ -33,7 +33,7 @@ impl Vm {
     /// Starts a program without parameters as a task, under any name (5.2).
     ///
     /// # Errors
-    /// 61 if there is no such program, 40 without memory.
+    /// 61 if there is no such program, 40 if the memory does not suffice.
     pub fn start(
         &mut self,
         name: &str,
@@ -44,10 +44,10 @@ impl Vm {
         self.start_with(name, program, &[], priority, host)
     }
 
-    /// As [`start`](Self::start), for a program with parameters of type `num` by value, which get `numbers`.
+    /// Like [`start`](Self::start), for a program with `num` parameters by value, which receive `numbers`.
     ///
     /// # Errors
-    /// 61 if there is no such program, 70 if its parameters are others, 40 without memory.
+    /// 61 if there is no such program, 70 if its parameters differ, 40 if the memory does not suffice.
     pub fn start_with(
         &mut self,
         name: &str,
@@ -65,7 +65,7 @@ impl Vm {
         Ok(id)
     }
 
-    /// The bytes of data, stacks and frames, which each copy has of its own. Code is shared.
+    /// Returns the size of data, stacks and frames, which every copy duplicates, in bytes. Code is shared.
     #[must_use]
     pub fn copied_bytes(&self) -> u64 {
         let code = self.space.loaded().map(|(_, instance)| instance.image.code_bytes()).sum();
@@ -73,7 +73,7 @@ impl Vm {
         self.space.memory.stores.room.taken().saturating_sub(code).saturating_sub(tasks)
     }
 
-    /// Lets a caller see the memory with the stack of a task in it, as the task sees it. `None` if there is no such task.
+    /// Calls `look` with the memory while it contains the stack of a task. `None` if there is no such task.
     pub fn with_stack<T>(&mut self, id: TaskNumber, look: impl FnOnce(&mut Memory) -> T) -> Option<T> {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at))?;
         std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
@@ -82,7 +82,7 @@ impl Vm {
         Some(seen)
     }
 
-    /// Gives a task its turn: lines of `line_cost` nanoseconds each, from `now` on.
+    /// Runs a turn of a task from `now` on, with `line_cost` ns per line.
     pub fn turn(
         &mut self,
         id: TaskNumber,
@@ -134,7 +134,7 @@ impl Vm {
         }
     }
 
-    /// Puts the thread of a task back after its turn.
+    /// Returns the thread to its task after the turn.
     fn settle(&mut self, id: TaskNumber, mut thread: Box<Thread>, outcome: Outcome, host: &mut dyn Host) {
         let Some(at) = self.roster.position(id) else { return };
         let Some(task) = self.roster.tasks.get_mut(at) else { return };
@@ -156,7 +156,7 @@ impl Vm {
         self.sweep();
     }
 
-    /// Removes the tasks that have ended or were killed, with the data of their frames.
+    /// Removes the tasks that have ended or were killed, with their frames' data.
     pub(crate) fn sweep(&mut self) {
         for mut task in self.roster.take_over() {
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
@@ -166,34 +166,34 @@ impl Vm {
         }
     }
 
-    /// When a task runs.
+    /// Returns a task's priority or period for writing.
     pub(crate) fn rate_mut(&mut self, id: TaskNumber) -> Option<&mut Rate> {
         let at = self.roster.position(id)?;
         self.roster.tasks.get_mut(at).map(|task| &mut task.rate)
     }
 
-    /// Keeps the number of lines that an unfinished turn has left.
+    /// Stores the number of lines that remain in an unfinished turn.
     pub(crate) fn set_left(&mut self, id: TaskNumber, left: u32) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             task.left = left;
         }
     }
 
-    /// Makes tasks stop before lines of a file: for each of `rows`, at the first line of the program at this row or after
-    /// it. Other stops of the file are removed. This holds for what is in memory and for what is loaded later.
+    /// Sets the lines of a file before which tasks stop: for each of `rows`, the first line of the program at or after
+    /// this row. Replaces all other stops of the file. Images that are loaded later are included.
     pub fn set_stops(&mut self, file: &str, rows: BTreeSet<u32>) {
         self.space.set_stops(file, rows);
         self.forget_removed_stops();
     }
 
-    /// Makes tasks stop before the first line of the programs with these names, in whatever is in memory or is loaded later,
-    /// each time that they arrive there. Other stops of this kind are removed.
+    /// Sets the programs before whose first line tasks stop at each arrival. Replaces all other stops on programs.
+    /// Images that are loaded later are included.
     pub fn set_program_stops(&mut self, names: BTreeSet<String>) {
         self.space.set_program_stops(names);
         self.forget_removed_stops();
     }
 
-    /// A task is before the line at which the caller has seen it: a stop mark there does not stop it again.
+    /// Passes the stop mark at the task's next line, because the caller has already handled this stop.
     pub fn pass_stop(&mut self, id: TaskNumber) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             task.thread.is_at_stop = true;
@@ -208,8 +208,8 @@ impl Vm {
         task.and_then(|task| self.mark(&task.thread)).is_some_and(|mark| !mark.begins_line())
     }
 
-    /// Whether a task is before the first line of a program that it has just entered, not before a further round of a loop
-    /// there.
+    /// Whether a task is before the first line of a program that it has just entered, and not before a further
+    /// iteration of a loop there.
     #[must_use]
     pub fn begins_program(&self, id: TaskNumber) -> bool {
         let task = self.roster.position(id).and_then(|at| self.roster.tasks.get(at));
@@ -221,18 +221,18 @@ impl Vm {
         task.is_some_and(|task| is_entry(&task.thread))
     }
 
-    /// The innermost program.
+    /// Returns the innermost program.
     fn program(&self, thread: &Thread) -> Option<&Program> {
         let frame = thread.frames.last()?;
         self.space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))
     }
 
-    /// The mark of the next operation.
+    /// Returns the mark of the next operation.
     fn mark(&self, thread: &Thread) -> Option<LineMark> {
         self.program(thread)?.code.get(thread.next as usize).map(|step| step.mark)
     }
 
-    /// A task whose stop mark was removed no longer waits there, and stops at the next one that it meets.
+    /// Resets tasks whose stop mark was removed, so that they stop at the next mark.
     fn forget_removed_stops(&mut self) {
         let is_stop = |task: &Task| self.mark(&task.thread) == Some(LineMark::Stop);
         let tasks = self.roster.tasks.iter();
@@ -242,15 +242,15 @@ impl Vm {
         }
     }
 
-    /// Holds a task from outside, or lets it continue. A held task gets no turns; programs do not notice.
+    /// Holds a task from outside, or releases it. A held task gets no turns, which programs cannot detect.
     pub fn hold(&mut self, id: TaskNumber, is_held: bool) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             task.is_held = is_held;
         }
     }
 
-    /// Lets a task continue at the line that begins with an operation of its innermost program, or at its end. One that does
-    /// not run is resumed. `false` if there is no such task or line.
+    /// Sets a task's next line: the line that begins with operation `op` in the innermost program, or the end of the
+    /// program. A task that is not running is resumed. Returns `false` if there is no such task or line.
     pub fn continue_at(&mut self, id: TaskNumber, op: u32, host: &mut dyn Host) -> bool {
         let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) else { return false };
         let instance = task.thread.frames.last().and_then(|frame| Some((frame, self.space.instance(frame.instance)?)));

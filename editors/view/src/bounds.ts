@@ -1,18 +1,18 @@
-// A long run is kept in part: what is older than a time is replaced by the state of everything at that time.
+// Bounds the memory of a long run: messages before a time are replaced by the state at that time.
 
 import { pointText } from "./panels/points/edits";
 import type { RunMessage } from "./protocol";
 
-/** The messages, and the samples of an hour of motion, after which the older half is forgotten. */
+/** Number of messages, and of samples (an hour of motion), above which the older half is discarded. */
 export const MOST_MESSAGES = 100_000;
 export const MOST_SAMPLES = 900_000;
 
 type Of<Kind extends RunMessage["kind"]> = Extract<RunMessage, { kind: Kind }>;
 
-/** Kinds of which each message replaces the one before it. */
+/** Kinds of messages that replace the previous message of the same kind. */
 const WHOLE: readonly RunMessage["kind"][] = ["state", "motion", "page", "unsaved", "clock"];
 
-/** The messages that show the same as `log` at `t` and later. */
+/** Returns messages that show the same as `log` at `t` and later. */
 export function since(log: readonly RunMessage[], t: number): RunMessage[] {
   const lasting: RunMessage[] = [];
   const whole = new Map<RunMessage["kind"], RunMessage>();

@@ -1,11 +1,11 @@
-// The source of messages: a recording within the page, an editor around it, or the server that has sent it.
+// Source of messages: a recording in the page, an enclosing editor, or the server that sent the page.
 
 import { Inbox } from "./inbox";
 import type { Message } from "./protocol";
 import { framesOf } from "./recording";
 import type { Store } from "./store";
 
-/** Milliseconds between attempts to connect again. */
+/** Milliseconds between attempts to reconnect. */
 const AGAIN = 1000;
 
 interface Editor {

@@ -1,10 +1,13 @@
-// Messages that have arrived and are taken together: the page is updated once for all of them.
+// Queue of received messages, which are processed together so that the page is updated only once.
 
 import { batch } from "@preact/signals";
 import { type Message, messageFrom } from "./protocol";
 import type { Store } from "./store";
 
-/** Milliseconds for which a message waits for others. Without it, ten minutes of motion took more than two minutes to load. */
+/**
+ * Milliseconds for which a message waits for further ones. Without this delay, ten minutes of motion needed more than
+ * two minutes to load.
+ */
 const DELAY = 15;
 
 export class Inbox {
@@ -21,7 +24,7 @@ export class Inbox {
     }
   }
 
-  /** Takes everything that waits. */
+  /** Processes all queued messages. */
   empty(): void {
     const { waiting, store } = this;
     this.waiting = [];

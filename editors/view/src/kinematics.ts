@@ -1,4 +1,4 @@
-// The poses of the links of an arm from its joints.
+// Computes link poses of an arm from its joints.
 
 import { add, aroundAxis, composed, type Frame, frameOf, multiplied, turned, type Vector } from "./panels/pendant/pose";
 
@@ -9,12 +9,12 @@ export interface Chain {
 }
 
 export interface ArmFrames {
-  /** The frame of each link after the movement of its joint. */
+  /** Frames of the links after their joints' movement. */
   links: Frame[];
   flange: Frame;
 }
 
-/** The frames of an arm in the frame in which `base` is written. */
+/** Returns the frames for an arm, in the frame to which `base` is relative. */
 export function armFrames(arm: Chain, base: Frame, joints: readonly number[]): ArmFrames {
   let at = base;
   const links = arm.links.map(({ offset, axis: [x = 0, y = 0, z = 1] }, index) => {
@@ -30,16 +30,19 @@ function moved(at: Frame, axis: Vector, value: number, isLinear: boolean): Frame
     : { ...at, rotation: multiplied(at.rotation, aroundAxis(axis, value)) };
 }
 
-/** The part of the arm's length that the pedestals of Stäubli's arms are high. */
+/** Pedestal height of Stäubli arms as a fraction of the arm length. */
 const PEDESTAL = 0.4;
 
-/** The height of the floor in `world`, which lies in the second axis of most arms: their data have no height of the base. */
+/**
+ * Returns the height of the floor in `world`. The origin of `world` is in the second axis of most arms, whose data
+ * contain no height of the base.
+ */
 export function floorHeight(arm: Chain): number {
   const [, , z = 0] = arm.links[0]?.offset ?? [];
   return z > 1 ? 0 : -PEDESTAL * armLength(arm);
 }
 
-/** The length of the stretched arm without its pedestal, which scales all that is drawn. */
+/** Returns the length of the stretched arm without its pedestal, which scales the drawing. */
 export function armLength(arm: Chain): number {
   const offsets = [...arm.links.slice(1).map(({ offset }) => offset), arm.flange];
   return Math.max(100, offsets.reduce((sum, [x = 0, y = 0, z = 0]) => sum + Math.hypot(x, y, z), 0));

@@ -1,4 +1,4 @@
-// The light and the dark look: that of the system until the reader chooses.
+// Light and dark look: from the system until the user chooses one.
 
 import { signal } from "@preact/signals";
 
@@ -6,7 +6,7 @@ export const isDark = signal(false);
 
 export function followLook(): void {
   const system = matchMedia("(prefers-color-scheme: dark)");
-  // VS Code names its look on the body.
+  // VS Code writes its look to the body element.
   const editor = document.body.dataset["vscodeThemeKind"];
   show(editor === undefined ? system.matches : /dark|high-contrast$/.test(editor));
   system.addEventListener("change", ({ matches }) => show(matches));

@@ -1,4 +1,4 @@
-// The page that shows and operates a run.
+// Page that shows and operates a run.
 
 import { type JSX, render } from "preact";
 import { connect } from "./connection";

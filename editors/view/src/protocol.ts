@@ -1,11 +1,11 @@
-// The messages of a run to its viewers, version 1.
+// Messages of a run to its viewers, version 1.
 
 import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, SceneMessage, StateMessage, UnsavedMessage } from "./panels/shared/messages";
 
 export type Role = "operator" | "guest" | "recording" | "debugger" | "preview";
 export type Pose = readonly number[];
 
-/** The shape of a link as a file: base64. */
+/** Shape of a link as a file in base64. */
 export interface LinkShape {
   format: "glb" | "stl";
   data: string;
@@ -19,11 +19,11 @@ export interface Scene extends SceneMessage {
   arm: SceneMessage["arm"] & { name: string; timesNote?: string | null; shapes?: readonly (LinkShape | null)[] };
   tools: readonly { name: string; pose: Pose }[];
   phases: readonly string[];
-  /** Names of the limits of the speed. */
+  /** Names of the speed limits. */
   limits: readonly string[];
 }
 
-/** A line that requests moves. */
+/** Line that requests moves. */
 export interface Source {
   kind: "source";
   index: number;
@@ -33,7 +33,7 @@ export interface Source {
   file: string;
 }
 
-/** A tool, from flange to tool centre point. */
+/** Tool, from flange to tool centre point. */
 export interface Tool {
   kind: "tool";
   index: number;
@@ -62,7 +62,7 @@ export interface AnswerMessage {
   [field: string]: unknown;
 }
 
-/** A message that belongs to the run itself, and to its recording. */
+/** Message that belongs to the run and its recording. */
 export type RunMessage =
   | Scene | Source | Tool | Clock | End
   | ({ kind: "state" } & StateMessage)
@@ -79,7 +79,7 @@ export type Message =
   | { kind: "rewind"; t: number }
   | { kind: "select"; name: string | null };
 
-/** Reads a text message; nothing for one that is no message. */
+/** Parses a text message; `undefined` if it is not a message. */
 export function messageFrom(text: string): Message | undefined {
   try {
     const value: unknown = JSON.parse(text);

@@ -1,4 +1,5 @@
-// A recorded run that is part of the page: base64 of gzip of frames. A frame is `u8 type` (0 text, 1 samples), `u32 length`, and its bytes.
+// Recorded run in the page: frames, compressed with gzip, in base64. A frame is `u8 type` (0 text, 1 samples), `u32
+// length`, and its bytes.
 
 export type Frame = { text: string } | { samples: ArrayBuffer };
 

@@ -1,6 +1,6 @@
-// The samples of the arm, in the order of their times.
+// Samples of the arm, in chronological order.
 
-/** The source of a sample without a line. */
+/** Source of a sample without a line. */
 const NO_SOURCE = 65535;
 const HEADER = 8;
 
@@ -12,16 +12,16 @@ export interface Sample {
   phase: number;
   tool: number;
   source: number | undefined;
-  /** The limit of the speed, an index into `limits` of the scene. */
+  /** Speed limit, an index into `limits` of the scene. */
   limit: number;
 }
 
-/** Batches of samples as they have arrived; a sample is decoded when it is needed. */
+/** Batches of samples as received; a sample is decoded when it is read. */
 export class Samples {
   private readonly batches: Batch[] = [];
   count = 0;
 
-  /** Adds a batch. Others than samples are ignored. */
+  /** Adds a batch. Other messages than samples are ignored. */
   add(buffer: ArrayBuffer): number | undefined {
     const batch = Batch.from(buffer);
     if (batch === undefined || batch.count === 0) {
@@ -37,7 +37,7 @@ export class Samples {
     this.count = 0;
   }
 
-  /** Forgets the samples after a time. */
+  /** Discards the samples after a time. */
   cut(t: number): void {
     while ((this.batches.at(-1)?.time(0) ?? -Infinity) > t) {
       this.batches.pop();
@@ -46,19 +46,19 @@ export class Samples {
     this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
   }
 
-  /** The time in the middle of the samples. */
+  /** Returns the time in the middle of the samples. */
   middle(): number {
     return this.batches[this.batches.length >> 1]?.time(0) ?? 0;
   }
 
-  /** Forgets the batches before the one that holds at a time. */
+  /** Discards the batches before the batch that is valid at a time. */
   drop(t: number): void {
     const first = this.batches.findIndex((_, index) => (this.batches[index + 1]?.time(0) ?? Infinity) > t);
     this.batches.splice(0, first);
     this.count = this.batches.reduce((sum, { count }) => sum + count, 0);
   }
 
-  /** The sample that holds at a time: the last one up to then, else the first of all. */
+  /** Returns the sample at a time: the last one up to it, otherwise the first one. */
   at(t: number): Sample | undefined {
     let [low, high] = [0, this.batches.length];
     while (low < high) {
@@ -77,7 +77,7 @@ export class Samples {
     return this.from(0);
   }
 
-  /** The samples after the first `skipped` ones. */
+  /** Returns the samples after the first `skipped` ones. */
   *from(skipped: number): Generator<Sample> {
     let left = skipped;
     for (const batch of this.batches) {
@@ -89,7 +89,7 @@ export class Samples {
   }
 }
 
-/** `u8 1, u8 axes, u16, u32 count`, then the samples, little endian. */
+/** Batch: `u8 1, u8 axes, u16, u32 count`, then the samples, little endian. */
 class Batch {
   private readonly size: number;
 

@@ -1,4 +1,4 @@
-// Everything that the page knows about the run, and the time that it shows.
+// State of the run in the page, and the shown time.
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { MOST_MESSAGES, MOST_SAMPLES, since } from "./bounds";
@@ -9,7 +9,7 @@ import type { TimedPhase } from "./panels/tasks/times";
 import type { AnswerMessage, Message, RunMessage, Scene, Source, Tool } from "./protocol";
 import { type Sample, Samples } from "./samples";
 
-/** The selected thing, which the picture and the panels mark. */
+/** Selected object, which the drawing and the panels highlight. */
 export type Selection = { kind: "point"; point: PointName } | { kind: "frame" | "tool"; name: string };
 
 export type Send = (command: object) => void;
@@ -17,21 +17,21 @@ export type Send = (command: object) => void;
 export class Store {
   readonly scene = signal<Scene | undefined>(undefined);
   readonly newest = signal(0);
-  /** The oldest time that is known: the start of the run, unless the run is long. */
+  /** Oldest time with data: the start of the run, unless the run is long. */
   readonly oldest = signal(0);
-  /** The time that the reader has chosen; without one the newest is shown. */
+  /** Time that the user has chosen; `undefined` for the newest time. */
   readonly chosen = signal<number | undefined>(undefined);
   readonly time: ReadonlySignal<number> = computed(() => this.chosen.value ?? this.newest.value);
   readonly isPaused = signal(false);
   readonly speed = signal<number | "max">(1);
   readonly end = signal<string | undefined>(undefined);
-  /** The sentence about a lost connection. */
+  /** Sentence about a lost connection. */
   readonly lost = signal<string | undefined>(undefined);
   readonly selection = signal<Selection | undefined>(undefined);
   readonly samples = new Samples();
   /** Changes with each batch of samples. */
   readonly sampleCount = signal(0);
-  /** The sample at the shown time. */
+  /** Sample at the shown time. */
   readonly shown: ReadonlySignal<Sample | undefined> = computed(() => {
     this.sampleCount.valueOf();
     return this.samples.at(this.time.value);
@@ -41,7 +41,7 @@ export class Store {
   readonly panels: PanelModel;
   readonly blocked: ReadonlySignal<string | undefined> = computed(() => this.reason());
   send: Send = () => undefined;
-  /** Opens a line in the editor, where there is one. */
+  /** Opens a line in the editor, if there is one. */
   readonly openLine = signal<OpenLine | undefined>(undefined);
   private readonly waiting = new Map<number, (answer: Answer) => void>();
   private nextId = 1;
@@ -65,7 +65,7 @@ export class Store {
     });
   }
 
-  /** Takes a message. Recorded ones are kept, so that a step back can repeat them. */
+  /** Processes a message. Messages of the run are stored, so that a step back can repeat them. */
   take(message: Message): void {
     if (message.kind === "answer") {
       this.answer(message);
@@ -97,7 +97,7 @@ export class Store {
     }
   }
 
-  /** Forgets what was before a time. */
+  /** Discards the state before a time. */
   forgetBefore(t: number): void {
     this.samples.drop(t);
     this.sampleCount.value += 1;
@@ -108,7 +108,7 @@ export class Store {
     }
   }
 
-  /** Sends a command and waits for its answer. */
+  /** Sends a command and waits for its response. */
   command(command: string, args: object): Promise<Answer> {
     const id = this.nextId;
     this.nextId += 1;
@@ -118,7 +118,7 @@ export class Store {
     });
   }
 
-  /** The connection is lost: no command is answered any more. */
+  /** Handles a lost connection: all pending commands fail. */
   lose(reason: string): void {
     this.lost.value = reason;
     this.waiting.forEach((resolve) => resolve({ error: reason }));
@@ -163,7 +163,7 @@ export class Store {
     this.panels.addScene(scene);
   }
 
-  /** A debugger has gone back: everything after `t` is forgotten. */
+  /** Discards everything after `t`, because a debugger has gone back. */
   private rewind(t: number): void {
     const upTo = (message: RunMessage): RunMessage => (message.kind === "events" ? { ...message, events: message.events.filter((event) => event.t <= t) } : message);
     this.samples.cut(t);
@@ -174,7 +174,7 @@ export class Store {
     this.chosen.value = undefined;
   }
 
-  /** Takes the messages of a run again, instead of those so far. */
+  /** Replaces the stored messages of a run, and processes them again. */
   private repeat(messages: readonly RunMessage[]): void {
     this.log.length = 0;
     this.panels.clear();

@@ -13,7 +13,7 @@ function filled(log: readonly RunMessage[]): Store {
   return store;
 }
 
-/** Everything that the panels show at a time. */
+/** Returns the state of the panels at a time. */
 function shown(store: Store, t: number): unknown[] {
   store.chosen.value = t;
   const { page, points, motion } = store.panels.cell;

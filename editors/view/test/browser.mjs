@@ -1,5 +1,5 @@
-// The page with the sample in a browser: axe-core, operating a served run, and screenshots in both looks.
-// Arguments: the folder of playwright-core, and optionally a folder for screenshots. VAL3_CHROMIUM names another browser.
+// The page with the sample in a browser: axe-core, operation of a served run, and screenshots in both looks. Arguments:
+// the folder of playwright-core, and optionally a folder for screenshots. VAL3_CHROMIUM names another browser.
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -47,7 +47,7 @@ async function check(page, name) {
   }
 }
 
-/** The page as an editor shows it: the messages are posted, and its commands are kept and accepted. */
+/** Opens the page as in an editor: messages are posted, and its commands are stored and accepted. */
 async function asEditor(page) {
   await page.addInitScript(() => {
     globalThis.sent = [];

@@ -1,5 +1,5 @@
 // Frames per second, draw calls and memory of the page while it plays an exported run, in software rendering.
-// Arguments: the folder of playwright-core, the export, and the time in seconds from which it plays.
+// Arguments: the folder of playwright-core, the export, and the start time in seconds.
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 

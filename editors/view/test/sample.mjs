@@ -50,7 +50,7 @@ function motion(t, cycle) {
   };
 }
 
-/** The messages in their order; a buffer is a batch of samples. */
+/** Returns the messages in order; a buffer is a batch of samples. */
 export function messages(role) {
   const all = [scene(role), { kind: "source", index: 1, instruction: "movel", program: "start", line: 12, file: "/cell/palletiser/start.pgx" }, { kind: "tool", index: 1, name: "tGripper", pose: [0, 0, 120, 0, 0, 0] }];
   all.push({ kind: "io", t: 0, changes: signals().map(({ link }) => ({ link, value: 0, isLocked: link.endsWith("I3"), isSimulated: false, isProtected: false, fault: link.endsWith("I5") ? "its device has failed" : null })) });
@@ -88,7 +88,7 @@ function samples(start, duration) {
   return buffer;
 }
 
-/** The content of the element `recording` of an exported page. */
+/** Returns the content of the element `recording` in an exported page. */
 export function recording(list = messages()) {
   const frames = list.map((message) => {
     const content = Buffer.isBuffer(message) ? message : Buffer.from(JSON.stringify(message));
@@ -100,7 +100,7 @@ export function recording(list = messages()) {
   return gzipSync(Buffer.concat(frames)).toString("base64");
 }
 
-/** The page of a recording. */
+/** Returns the page with a recording. */
 export function exported(page = readFileSync(new URL("../dist/view.html", import.meta.url), "utf8")) {
   return page.replace("<body>", `<body><script id="recording" type="text/plain">${recording()}</script>`);
 }

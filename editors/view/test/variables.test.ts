@@ -1,4 +1,4 @@
-// The table of parameters and locals: what an edit of a row asks for.
+// The table of parameters and locals: the requests after an edit of a row.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,11 +1,11 @@
-// The page of the pendant. It shows what the extension sends, and sends the keys that are pressed.
+// Page of the pendant. It shows the received user page, and sends pressed keys.
 (() => {
   const COLUMNS = 40;
   const ROWS = 14;
   const MENU = ["F1", "F2", "F3", "F4", "F5", "F6", "F7", "F8"];
-  /** Names of the pendant's keys with their labels. */
+  /** Labels of the pendant's keys by name. */
   const KEYS = { Esc: "Esc", Left: "◂", Up: "▴", Down: "▾", Right: "▸", Bksp: "⌫", Return: "↵" };
-  /** Names of the pendant's keys for those of a keyboard. */
+  /** Names of the pendant's keys by keyboard key. */
   const NAMES = {
     Escape: "Esc", Enter: "Return", Backspace: "Bksp", ArrowLeft: "Left", ArrowRight: "Right", ArrowUp: "Up",
     ArrowDown: "Down", PageUp: "PgUp", PageDown: "PgDn", Home: "Home", End: "End",
@@ -36,7 +36,7 @@
   Object.entries(KEYS).forEach(([name, label]) => addKey("keys", name, label));
   element("pendant").addEventListener("keydown", (event) => {
     const key = keyOf(event);
-    // A key on a button that has the focus presses that button.
+    // A key on a focused button presses that button.
     if (key !== undefined && event.target === element("pendant")) {
       event.preventDefault();
       event.stopPropagation();

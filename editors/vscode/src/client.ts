@@ -1,4 +1,4 @@
-// The connection to `val3 lsp`.
+// Connection to `val3 lsp`.
 
 import * as vscode from "vscode";
 import {
@@ -17,16 +17,16 @@ import type { Findings } from "./findings";
 import { findServer } from "./server";
 import { DEBUG_TEST, RUN_TEST } from "./testing/commands";
 
-/** Commands that the server may use in code lenses and actions: commands/. */
+/** Commands that the server may use in code lenses and code actions: commands/. */
 const COMMANDS = [SHOW_REFERENCES, RENAME, SELECT];
-/** Further commands in a trusted folder, because they execute programs: debug/lenses.ts, testing/commands.ts. */
+/** Additional commands in a trusted folder, because they execute programs: debug/lenses.ts, testing/commands.ts. */
 const EXECUTING = [RUN, DEBUG, RUN_TEST, DEBUG_TEST];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
 
-/** The files of user pages: a rename changes them, and their unsaved text counts. */
+/** Files of user pages: a rename changes them, and their unsaved text counts. */
 const PAGES = { scheme: "file", pattern: "**/interface/*.{bindings.json,html}" };
 
-/** `Client` reports errors before the server runs, in its own words. */
+/** Suppresses notifications before the server runs, because `Client` reports these errors itself. */
 class QuietClient extends LanguageClient {
   override error(message: string, data?: unknown, showNotification?: boolean | "force"): void {
     super.error(message, data, this.state === State.Running ? showNotification : false);
@@ -40,12 +40,12 @@ export class Client implements vscode.Disposable {
   /** Fires when the server was notified of a change, in an editor or on the disk. */
   readonly onDidTellChange = this.contents.event;
   private running: LanguageClient | undefined;
-  /** The current run of the server. */
+  /** Current server process. */
   private life: Life | undefined;
   /** Serialises starts and stops. */
   private turns: Promise<void> = Promise.resolve();
   private readonly deaths = new Deaths();
-  /** The command in use, when it has been found. */
+  /** Command of the server, once it was found. */
   command: string | undefined;
 
   constructor(
@@ -65,21 +65,21 @@ export class Client implements vscode.Disposable {
     await this.turn(() => this.halt());
   }
 
-  /** Sends a request that is not part of the protocol. Fails while no server runs. */
+  /** Sends a request that is not part of the protocol. Throws while no server runs. */
   async request<Answer>(method: string, params?: unknown): Promise<Answer> {
     if (this.running === undefined) {
       throw new Error("The server is not running.");
     }
-    // A parameter that is not there would be sent as one that is null.
+    // An undefined parameter would be sent as null.
     return params === undefined ? this.running.sendRequest<Answer>(method) : this.running.sendRequest<Answer>(method, params);
   }
 
-  /** The address of a file as the server knows it. */
+  /** Returns the URI that the server uses for a file. */
   addressOf(file: vscode.Uri): string {
     return this.running?.code2ProtocolConverter.asUri(file) ?? file.toString();
   }
 
-  /** An edit that the server has made, for files that are open in their own encodings. Fails while no server runs. */
+  /** Converts an edit from the server, for files that are open in their own encodings. Throws while no server runs. */
   async workspaceEdit(edit: WorkspaceEdit): Promise<vscode.WorkspaceEdit> {
     if (this.running === undefined) {
       throw new Error("The server is not running.");
@@ -87,7 +87,7 @@ export class Client implements vscode.Disposable {
     return withOpenFiles(await this.running.protocol2CodeConverter.asWorkspaceEdit(edit));
   }
 
-  /** Applies an edit that the server has made. Returns whether the editor could. */
+  /** Applies an edit from the server, and returns whether that was possible. */
   async applyEdit(edit: WorkspaceEdit): Promise<boolean> {
     return vscode.workspace.applyEdit(await this.workspaceEdit(edit));
   }
@@ -96,7 +96,7 @@ export class Client implements vscode.Disposable {
     return this.running?.state ?? State.Stopped;
   }
 
-  /** The server's own name and version. */
+  /** Name and version that the server reports. */
   get version(): string {
     return this.running?.initializeResult?.serverInfo?.version ?? "";
   }
@@ -139,14 +139,14 @@ export class Client implements vscode.Disposable {
       this.states.fire(newState);
       life.hasRun ||= newState === State.Running;
     });
-    // Later, when the client has handled the end of the connection.
+    // Deferred until the client has handled the end of the connection.
     life.death.catch(() => setTimeout(() => life.hasRun && this.mourn(life)));
     try {
-      // The client waits for ever if the server dies during its start.
+      // The client would wait forever if the server crashes during its start.
       await Promise.race([running.start(), life.death]);
     } catch (fault) {
       if (life.hasRun && (life.hasDied || isGone(fault))) {
-        // It died so early that the client regards it as not started.
+        // The crash was so early that the client regards the server as not started.
         this.mourn(life);
         return;
       }
@@ -156,7 +156,7 @@ export class Client implements vscode.Disposable {
     }
   }
 
-  /** Handles the death of a running server, which is reported in several ways. */
+  /** Handles a crash of the running server, which is reported in several ways. */
   private mourn(life: Life): void {
     if (life.isMourned) {
       return;
@@ -197,7 +197,7 @@ export class Client implements vscode.Disposable {
       synchronize: { configurationSection: "val3" },
       outputChannel: this.output,
       diagnosticCollectionProvider: this.findings,
-      // `begin` reports it, once.
+      // `begin` reports the failure once.
       initializationFailedHandler: () => false,
       errorHandler: noteDeath(life),
       middleware: { ...codeViewMiddleware(this.views), ...encodingMiddleware, ...this.changeMiddleware(life) },
@@ -212,7 +212,7 @@ export class Client implements vscode.Disposable {
       },
       workspace: {
         didChangeConfiguration: async (sections, next) => {
-          // Some settings start another server, which reads all of them, so that the old one needs no notification.
+          // Some settings start another server, which reads all settings, so the old server needs no notification.
           await this.turns;
           if (this.life === life && this.state === State.Running) {
             await next(sections);
@@ -228,21 +228,21 @@ export class Client implements vscode.Disposable {
   }
 }
 
-/** One run of the server. */
+/** State of a server process. */
 class Life {
-  /** The server has answered. */
+  /** Whether the server has responded. */
   hasRun = false;
-  /** It closed the connection without being asked to. */
+  /** Whether the server closed the connection without a request to do so. */
   hasDied = false;
-  /** Its death was reported to the user. */
+  /** Whether the crash was reported to the user. */
   isMourned = false;
-  /** Rejects when the server dies. */
+  /** Rejects when the server crashes. */
   readonly death: Promise<never>;
   private fail: (reason: Error) => void = () => undefined;
 
   constructor() {
     this.death = new Promise((_, fail) => (this.fail = fail));
-    // Only callers that wait for it handle the rejection.
+    // The rejection is handled only by callers that await it.
     this.death.catch(() => undefined);
   }
 
@@ -252,7 +252,7 @@ class Life {
   }
 }
 
-/** Leaves restarts and messages to `Client`. */
+/** Disables the client's restarts and messages, because `Client` handles a crash. */
 function noteDeath(life: Life): ErrorHandler {
   return {
     error: () => ({ action: ErrorAction.Continue, handled: true }),
@@ -263,13 +263,13 @@ function noteDeath(life: Life): ErrorHandler {
   };
 }
 
-/** The other end of the connection is gone. */
+/** Whether the other end has closed the connection. */
 function isGone(fault: unknown): boolean {
   const codes: number[] = [ErrorCodes.MessageWriteError, ErrorCodes.PendingResponseRejected, ErrorCodes.ConnectionInactive];
   return fault instanceof ResponseError && codes.includes(fault.code);
 }
 
-/** A command offered as a button of a message. */
+/** Command that is offered as a button of a message. */
 interface Help extends vscode.MessageItem {
   command: string;
   argument?: string;
@@ -284,7 +284,7 @@ function offer(fault: string, ...helps: Help[]): void {
   void vscode.window.showErrorMessage(fault, ...helps).then(take);
 }
 
-/** Shows a problem that is already being solved. */
+/** Shows a warning about a problem that is already being solved. */
 function offerCalmly(fault: string, ...helps: Help[]): void {
   void vscode.window.showWarningMessage(fault, ...helps).then(take);
 }

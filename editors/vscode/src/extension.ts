@@ -1,4 +1,4 @@
-// The VS Code extension: starts `val3 lsp` and adds what the protocol does not know.
+// The VS Code extension: starts `val3 lsp`, and adds features outside the protocol.
 
 import * as vscode from "vscode";
 import { Client } from "./client";
@@ -46,7 +46,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
         void started.restart();
       }
     }),
-    // The server learns of the commands that execute programs, and may be another one.
+    // In a trusted folder, the server announces commands that execute programs, and the server itself may differ.
     vscode.workspace.onDidGrantWorkspaceTrust(() => void started.restart()),
     ...registerEncodings(report),
     ...registerStatus(started, walkthrough),

@@ -1,7 +1,7 @@
-// Lists each finding once, although a file and its code view both show the code it is about.
+// Lists each finding once, although a file and its code view both contain its code.
 //
-// While a code view has a tab, findings in the code are listed for the view, and the others for its file. When the user
-// goes to the file, all of them are listed there.
+// While a code view has a tab, findings in the code are listed for the view, and all other findings for its file. While
+// the file is the active editor, all findings are listed there.
 
 import * as vscode from "vscode";
 import type { DiagnosticCollectionProvider } from "vscode-languageclient/node";
@@ -11,7 +11,7 @@ import { SCHEME } from "./codeView/uris";
 
 type Entries = readonly [vscode.Uri, readonly vscode.Diagnostic[] | undefined][];
 
-/** Makes collections for the language client that divide findings between files and views. */
+/** Creates collections for the language client that divide findings between files and views. */
 export class Findings implements DiagnosticCollectionProvider, vscode.Disposable {
   private readonly collections = new Set<SharedCollection>();
   private readonly subscriptions: vscode.Disposable[];
@@ -39,7 +39,7 @@ export class Findings implements DiagnosticCollectionProvider, vscode.Disposable
 
 class SharedCollection implements vscode.DiagnosticCollection {
   readonly name: string;
-  /** The findings of the server. A view has none until the server was asked about it. */
+  /** Findings from the server. A view has none until the server was queried about it. */
   private readonly found = new Map<string, readonly vscode.Diagnostic[]>();
 
   constructor(private readonly shown: vscode.DiagnosticCollection, private readonly views: CodeFiles) {
@@ -64,7 +64,7 @@ class SharedCollection implements vscode.DiagnosticCollection {
     this.shown.clear();
   }
 
-  /** Divides all findings again. */
+  /** Divides all findings once more. */
   share(): void {
     this.views.all().forEach((link) => this.show(link.code));
   }
@@ -90,7 +90,7 @@ class SharedCollection implements vscode.DiagnosticCollection {
     this.shown.dispose();
   }
 
-  /** Divides the findings of a file or a view between it and its counterparts. */
+  /** Divides the findings of a file or view between the file and its views. */
   private show(uri: vscode.Uri): void {
     const links = this.views.of(uri);
     const file = uri.scheme === SCHEME ? links[0]?.file.uri : uri;
@@ -108,7 +108,7 @@ class SharedCollection implements vscode.DiagnosticCollection {
   }
 }
 
-/** Whether the view has a tab while the user is not in the file. */
+/** Whether the view has a tab and its file is not the active editor. */
 function leads({ code, file }: Link): boolean {
   const tabs = vscode.window.tabGroups.all.flatMap((group) => group.tabs);
   const isShown = tabs.some(({ input }) => input instanceof vscode.TabInputText && input.uri.toString() === code.toString());

@@ -1,4 +1,4 @@
-// Ranges of the protocol as those of VS Code.
+// Converts ranges of the protocol to ranges of VS Code.
 
 import * as vscode from "vscode";
 import type { Range } from "vscode-languageclient/node";

@@ -1,4 +1,4 @@
-// Finds the `val3` to run: that of the settings, else the one inside the extension, else the one on the PATH.
+// Finds the `val3` to run: from the settings, in the extension, or on the PATH.
 
 import { accessSync, constants, statSync } from "node:fs";
 import { homedir } from "node:os";
@@ -9,13 +9,13 @@ const COMMAND = process.platform === "win32" ? "val3.exe" : "val3";
 export interface Places {
   /** The user's setting: empty, a path, or a command on the PATH. */
   configured: string;
-  /** The folder of the extension. */
+  /** Extension folder. */
   extension: string;
-  /** The environment variable. */
+  /** Environment variable. */
   path: string;
 }
 
-/** The path of the server, or a message with the reason and the remedy. */
+/** Returns the path of the server, or a message with the reason and the remedy. */
 export function findServer({ configured, extension, path }: Places): { command: string } | { fault: string } {
   const wanted = configured.trim().replace(/^~(?=[/\\])/, homedir());
   if (wanted !== "") {
@@ -44,7 +44,7 @@ function faultOf(configured: string, wanted: string): string {
 const CORRECT = "Correct the setting, or leave it empty for the server that comes with the extension.";
 
 function onPath(path: string, command: string): string[] {
-  // A relative folder would be one of the workspace.
+  // A relative folder would be in the workspace.
   const folders = path.split(delimiter).filter((folder) => isAbsolute(folder));
   return folders.map((folder) => join(folder, command));
 }

@@ -1,4 +1,4 @@
-// The state of the server, in the language status of VAL 3 files.
+// Server state in the language status of VAL 3 files.
 
 import * as vscode from "vscode";
 import { State } from "vscode-languageclient/node";
@@ -17,7 +17,7 @@ export function registerStatus(client: Client, walkthrough: Walkthrough): vscode
     status.text = runs ? `val3 ${client.version}` : state === State.Starting ? "val3 starts" : "val3 does not run";
     status.detail = client.command ?? "";
     status.severity = runs || status.busy ? vscode.LanguageStatusSeverity.Information : vscode.LanguageStatusSeverity.Error;
-    // For the welcome of the view "VAL 3".
+    // For the welcome text of the view "VAL 3".
     void vscode.commands.executeCommand("setContext", "val3.serverRuns", runs);
     if (runs && vscode.workspace.workspaceFolders !== undefined) {
       walkthrough.done("open");

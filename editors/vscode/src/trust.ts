@@ -1,10 +1,10 @@
-// Restricted mode: of a folder that the user does not trust nothing is executed. The server only reads.
+// Restricted mode: in a folder that the user does not trust, nothing is executed. The server only reads.
 
 import * as vscode from "vscode";
 
 const MANAGE = "Manage Workspace Trust";
 
-/** Checks that the folder is trusted. Otherwise tells the user that `what` needs it: *Running a program*. */
+/** Checks that the folder is trusted. Otherwise shows that `what` needs trust: *Running a program*. */
 export function checkTrust(what: string): boolean {
   if (!vscode.workspace.isTrusted) {
     void vscode.window.showWarningMessage(`${what} executes code of this folder, which you do not trust.`, MANAGE)
@@ -13,7 +13,7 @@ export function checkTrust(what: string): boolean {
   return vscode.workspace.isTrusted;
 }
 
-/** Registers what executes programs: immediately in a trusted folder, otherwise when the user trusts it. */
+/** Registers features that execute programs: immediately in a trusted folder, otherwise when the user trusts it. */
 export function whenTrusted(register: () => vscode.Disposable[]): vscode.Disposable {
   const registered: vscode.Disposable[] = [];
   const begin = (): void => void registered.push(...register());

@@ -1,8 +1,8 @@
-// Ticks the steps of the walkthrough, including those completed before it was opened.
+// Ticks the steps of the walkthrough, including steps that were completed before it was opened.
 //
-// VS Code notices the completion of a step only while the walkthrough is loaded, and never ticks a step whose context key
-// is already set at that time. So the context key of a step is set for a moment: when the step is completed, and again
-// when a walkthrough opens.
+// VS Code detects the completion of a step only while the walkthrough is loaded, and never ticks a step whose context
+// key is already set at that time. The context key of a step is therefore set for a moment: when the step is completed,
+// and again when a walkthrough opens.
 
 import * as vscode from "vscode";
 
@@ -34,7 +34,7 @@ export class Walkthrough implements vscode.Disposable {
     await tick(step);
   }
 
-  /** A walkthrough is a tab whose kind extensions cannot see. */
+  /** Ticks the completed steps if a walkthrough is open. Its tab has a kind that extensions cannot read. */
   private show(tabs: readonly vscode.Tab[]): void {
     if (tabs.some(({ input }) => input === undefined)) {
       Promise.all(this.steps().map(tick)).catch(this.report);

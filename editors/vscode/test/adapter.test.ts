@@ -1,4 +1,4 @@
-// The process of a debug session, which may be missing or end at any time.
+// The process of a debug session, which may not exist or may end at any time.
 
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -16,7 +16,7 @@ type Message = Protocol.ProtocolMessage & { command?: string; event?: string; su
 
 const request = (seq: number, command: string): Protocol.Request => ({ seq, type: "request", command });
 
-/** The messages of a session with this command, until it ends. A request is sent at once. */
+/** Runs a session with this command to its end, and returns its messages. A request is sent immediately. */
 async function session(command: string): Promise<Message[]> {
   const adapter = new Adapter(command, undefined, new SourceTranslator({ find: () => Promise.resolve(undefined), shown: () => [] }));
   const messages: Message[] = [];
@@ -41,7 +41,7 @@ function script(name: string, ...lines: string[]): string {
   return path;
 }
 
-/** The refused requests, with the reasons. */
+/** Returns the failed requests, with the reasons. */
 const refusals = (messages: Message[]): string[] =>
   messages.filter(({ success }) => success === false).map(({ command, message }) => `${command}: ${message}`);
 

@@ -20,7 +20,7 @@ function projection(file: string): Projection {
   return found;
 }
 
-/** The file after its code was changed into `code`. */
+/** Returns the file after its code was changed to `code`. */
 function edited(file: string, code: string): string {
   const change = projection(file).replacement(code);
   return change === undefined ? file : file.slice(0, change.start) + change.text + file.slice(change.end);

@@ -1,4 +1,4 @@
-// The edits of commands, and the choice of the server.
+// Edits of commands, and the choice of the server.
 
 import assert from "node:assert/strict";
 import { chmodSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -9,7 +9,7 @@ import { nameFault } from "../src/commands/names";
 import { entry } from "../src/commands/projectEntry";
 import { findServer } from "../src/server";
 
-/** The project after the edit; nothing if there is no edit. */
+/** Returns the project after the edit; `undefined` if there is no edit. */
 function listed(project: string, name: string): string | undefined {
   const change = entry(project, name);
   return change && project.slice(0, change.start) + change.text + project.slice(change.end);

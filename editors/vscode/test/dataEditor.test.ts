@@ -1,4 +1,4 @@
-// Edits of the tables in the document of their file, without an editor.
+// Edits from the tables in the file's document, without an editor.
 
 import assert from "node:assert/strict";
 import { mkdtempSync, writeFileSync } from "node:fs";
@@ -17,7 +17,7 @@ let count = 0;
 
 type Answer = (version: number, check: boolean) => EditAnswer;
 
-/** A document with a text, and a server that answers in this way. */
+/** Creates a document, and a server with this response. */
 async function made(answer: Answer): Promise<{ document: TextDocument; edits: Edits; uri: string }> {
   const path = join(folder, `${(count += 1)}.dtx`);
   writeFileSync(path, "a=1\n");
@@ -58,7 +58,7 @@ test("an edit of an older text is computed again", async () => {
     if (versions.length === 1) {
       throw Object.assign(new Error("content modified"), { code: CONTENT_MODIFIED });
     } else if (versions.length === 2) {
-      // Somebody types while the server answers.
+      // The user types while the server responds.
       document.replace("a", "b");
     }
     return replacing(uri, "2");

@@ -1,4 +1,4 @@
-// Debugging without an editor: frames of messages, code views as sources, variables of a line, keys and signals.
+// Debugging without an editor: message frames, code views as sources, variables of a line, keys and signals.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -12,7 +12,7 @@ import { SourceTranslator, type View, type Views } from "../src/debug/sources";
 
 const FILE = "/cell/pick.pgx";
 const CODE = "val3-code:/cell/pick.pgx/pick.pgx%20(code)?file:///cell/pick.pgx";
-/** The code begins on line 3 of the file, behind the tag. */
+/** The code begins on line 3 of the file, after the tag. */
 const TEXT = "<Programs>\n <Program name=\"pick\">\n  <Code><![CDATA[begin\n  a=1\n  b=2\nend]]></Code>\n </Program>\n</Programs>\n";
 
 function translator(isShown: boolean): SourceTranslator {
@@ -30,12 +30,12 @@ const request = (seq: number, command: string, args: object): Protocol.Request =
 const response = (request_seq: number, command: string, body: unknown): Protocol.Response =>
   ({ seq: 0, type: "response", request_seq, command, success: true, body });
 
-/** The arguments that the adapter gets. */
+/** Returns the arguments that the adapter receives. */
 async function sent(sources: SourceTranslator, asked: Protocol.Request): Promise<Record<string, unknown>> {
   return ((await sources.toAdapter(asked)) as Protocol.Request).arguments as Record<string, unknown>;
 }
 
-/** The body that the client gets. */
+/** Returns the body that the client receives. */
 function shown(sources: SourceTranslator, message: Protocol.ProtocolMessage): unknown {
   return (sources.toClient(message) as Protocol.Response).body;
 }
@@ -59,7 +59,7 @@ test("breakpoints of a code view are breakpoints of its file", async () => {
   const answer = response(1, "setBreakpoints", { breakpoints: [{ id: 7, verified: true, line: 5, source: { path: FILE, name: "pick.pgx" } }] });
   const { breakpoints } = shown(sources, answer) as Protocol.SetBreakpointsResponse["body"];
   assert.deepEqual(breakpoints, [{ id: 7, verified: true, line: 3, source: { path: CODE, name: "pick.pgx (code)" } }]);
-  // The adapter finds another place later.
+  // The adapter finds another location later.
   const moved: Protocol.Event = { seq: 0, type: "event", event: "breakpoint", body: { reason: "changed", breakpoint: { id: 7, verified: true, line: 4, source: { path: FILE } } } };
   const { breakpoint } = shown(sources, moved) as Protocol.BreakpointEvent["body"];
   assert.deepEqual([breakpoint.line, breakpoint.source?.path], [2, CODE]);

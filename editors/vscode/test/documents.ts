@@ -1,9 +1,9 @@
-// A stand-in for the documents of VS Code: how they are read, read again in another encoding, edited and saved.
+// Stand-in for the documents of VS Code: they are read, read again in another encoding, edited and saved.
 
 import { readFile, writeFile } from "node:fs/promises";
 import type { Uri } from "./vscode";
 
-/** The setting `files.encoding` of the extension. */
+/** Setting `files.encoding` of the extension. */
 const DEFAULT_ENCODING = "utf8bom";
 
 export class Position {
@@ -89,7 +89,9 @@ export class TextDocument {
     this.text = decodeAs(await readFile(this.uri.fsPath), this.encoding);
   }
 
-  /** As in VS Code, the new encoding counts at once, and the text is kept if it was edited while the file was read. */
+  /**
+   * As in VS Code, the new encoding counts immediately, and the text remains if it was edited while the file was read.
+   */
   async readAgain(encoding: string): Promise<void> {
     this.encoding = encoding;
     await disk;
@@ -98,7 +100,7 @@ export class TextDocument {
     }
   }
 
-  /** An edit by a user or by "Replace in Files". */
+  /** Edits the document like a user or "Replace in Files". */
   replace(before: string, now: string): void {
     this.change(this.text.replace(before, now));
   }
@@ -173,7 +175,7 @@ export const workspace = {
   encode: (text: string, { encoding }: { encoding: string }) => Promise.resolve(encodeAs(text, encoding)),
 };
 
-/** Messages shown since the last call of `takeMessages`. */
+/** Messages since the last call of `takeMessages`. */
 const messages: string[] = [];
 export const takeMessages = (): string[] => messages.splice(0);
 const show = (text: string): Promise<void> => {
@@ -193,7 +195,7 @@ function decodeAs(bytes: Uint8Array, encoding: string): string {
   return encoding === "iso88591" ? Buffer.from(bytes).toString("latin1") : new TextDecoder(labelOf(encoding)).decode(bytes);
 }
 
-/** As in VS Code, a character that the encoding lacks becomes a question mark. */
+/** As in VS Code, a character that the encoding does not contain becomes a question mark. */
 function encodeAs(text: string, encoding: string): Buffer {
   if (encoding.startsWith("utf8")) {
     return Buffer.from(text);

@@ -1,4 +1,4 @@
-// The encodings of files, and texts that were read in the wrong one.
+// Encodings of files, and texts that were read in the wrong encoding.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -40,14 +40,14 @@ test("lost characters are restored in their places", () => {
   assert.equal(restore("// caf\ufffd, cold cr\ufffdme\n", read, right), "// café, cold crème\n");
   assert.equal(restore(read, read, right), right);
   assert.equal(restore("a\ufffd\ufffdb", "\ufffd\ufffd", "éè"), "aéèb");
-  // Three bytes that begin a character of UTF-8 are read as one.
+  // Three bytes that begin a UTF-8 character are read as one character.
   assert.equal(restore("x \ufffdy", "\ufffdy", "é¦y"), "x é¦y");
 });
 
 test("characters that can no longer be identified are not restored", () => {
   assert.equal(restore("caf", "caf\ufffd", "café"), undefined);
   assert.equal(restore("caf\ufffd", "caf\ufffd", "tea"), undefined);
-  // Two bytes that happen to be a character of UTF-8.
+  // Two bytes that happen to be a UTF-8 character.
   assert.equal(restore("é\ufffd", "é\ufffd", "Ã©è"), undefined);
 });
 

@@ -1,4 +1,4 @@
-// Runs the grammar tests. VAL3_XML_GRAMMAR is the path of VS Code's XML grammar, which ours include.
+// Runs the grammar tests. VAL3_XML_GRAMMAR is the path of VS Code's XML grammar, which the grammars include.
 const { spawnSync } = require("node:child_process");
 const { readdirSync } = require("node:fs");
 const { join } = require("node:path");

@@ -1,4 +1,4 @@
-// Saving a file that VS Code has read in the wrong encoding: its characters are restored, or its content is kept and a
+// Saving a file that VS Code has read in the wrong encoding: its characters are restored, or its content remains and a
 // message is shown.
 
 import assert from "node:assert/strict";
@@ -10,7 +10,7 @@ import * as vscode from "vscode";
 import { openDocument, registerEncodings } from "../src/encoding/documents";
 import type * as documents from "./documents";
 
-// The stand-in of these tests, see vscode.ts.
+// The stand-in for these tests, see vscode.ts.
 const { holdDisk, takeMessages } = vscode as unknown as typeof documents;
 
 const HEAD = '<?xml version="1.0" encoding="iso-8859-1" ?>\r\n';
@@ -37,14 +37,16 @@ function standIns(all: readonly vscode.TextDocument[]): documents.TextDocument[]
   return all as unknown as documents.TextDocument[];
 }
 
-/** Waits for work that the extension does in the background. */
+/** Waits for background work of the extension. */
 async function until(isDone: () => boolean): Promise<void> {
   for (let attempt = 0; attempt < 500 && !isDone(); attempt += 1) {
     await new Promise((resolve) => setTimeout(resolve, 2));
   }
 }
 
-/** Opens a file with this text. VS Code reads it again as ISO-8859-1, but is not done before `release` is called. */
+/**
+ * Opens a file with this text. VS Code reads it again as ISO-8859-1, but does not finish before `release` is called.
+ */
 async function openSlowly(text: string): Promise<{ document: documents.TextDocument; release: () => void }> {
   writeFileSync(path, text, "latin1");
   const release = holdDisk();
@@ -137,7 +139,7 @@ test("a file that was closed without saving is read in its encoding when it is o
 
 test("a file that was edited before it could be read again has its characters when it is saved", async () => {
   writeFileSync(path, ESCAPED, "latin1");
-  // As "Replace in Files" does it.
+  // Like "Replace in Files".
   const [document] = standIns([await vscode.workspace.openTextDocument(vscode.Uri.parse(`file://${path}`))]);
   document?.replace("total", "sum");
   await document?.save();

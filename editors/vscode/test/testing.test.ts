@@ -1,4 +1,4 @@
-// The results of tests and the choice of tests, without an editor.
+// Results and selection of tests, without an editor.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,4 +1,4 @@
-// The items of the view "VAL 3", without an editor.
+// Items of the view "VAL 3", without an editor.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -37,7 +37,7 @@ const CELL = [
 
 const roots = (projects: Project[], filter = ""): TreeNode[] => new TreeModel(projects, filter, () => "folder").roots();
 
-/** The labels of items, two blanks for each level. */
+/** Formats the labels of items, with two spaces per level. */
 function drawn(nodes: readonly TreeNode[], indent = ""): string[] {
   return nodes.flatMap((node) => [`${indent}${node.label}`, ...drawn(node.children?.() ?? [], `${indent}  `)]);
 }

@@ -6,7 +6,7 @@ import * as vscode from "vscode";
 import { checkTrust, whenTrusted } from "../src/trust";
 import type * as documents from "./documents";
 
-// The stand-in of these tests, see vscode.ts.
+// The stand-in for these tests, see vscode.ts.
 const { takeMessages, trusted, workspace } = vscode as unknown as typeof documents;
 
 interface Manifest {
@@ -19,7 +19,7 @@ interface Manifest {
 
 /** Commands of the manifest that execute a folder's programs or load its shapes. */
 const EXECUTING = ["val3.tree.run", "val3.tree.debug", "val3.showRobot"];
-/** Settings that choose what is executed. */
+/** Settings that choose the executed command. */
 const SERVER = ["val3.server.path", "val3.server.arguments"];
 
 afterEach(() => (workspace.isTrusted = true));
@@ -69,7 +69,7 @@ test("the manifest restricts what executes programs", () => {
   }
 });
 
-/** Everything by which the extension starts a process, and what keeps it from code of a folder that is not trusted. */
+/** All files in which the extension starts a process, and what protects against code in an untrusted folder. */
 const STARTS: Record<string, string> = {
   "client.ts": "the server, which only reads",
   "debug/adapter.ts": "made by debug/register.ts in trusted folders",

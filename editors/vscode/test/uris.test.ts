@@ -1,11 +1,11 @@
-// Addresses of code views, also in Theia, whose `Uri.from` makes no `Uri`.
+// URIs of code views, also in Theia, whose `Uri.from` does not create an instance of `Uri`.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as vscode from "vscode";
 import { codeUri, fileUri, programIndex, SCHEME, uriOf } from "../src/codeView/uris";
 
-// The stand-in of these tests, see vscode.ts.
+// The stand-in for these tests, see vscode.ts.
 const { asArgument } = vscode as unknown as { asArgument: (uri: vscode.Uri) => object };
 const FILE = vscode.Uri.parse("file:///cell/my app/pick.pgx");
 

@@ -1,5 +1,5 @@
-// A stand-in for the part of `vscode` that the tests reach. `Uri` is as in Theia: neither `Uri.from` nor the arguments of
-// commands are instances of it.
+// Stand-in for the part of `vscode` that the tests use. `Uri` behaves as in Theia: neither `Uri.from` nor the arguments
+// of commands are instances of it.
 
 export { holdDisk, Position, Range, takeMessages, TextEdit, trusted, window, workspace, WorkspaceEdit } from "./documents";
 
@@ -60,7 +60,7 @@ export class TreeItem {
   constructor(readonly label: string) {}
 }
 
-/** As a command of Theia gets a file. */
+/** Returns a file as a command in Theia receives it. */
 export function asArgument(uri: Uri): object {
   return BaseUri.from(uri);
 }

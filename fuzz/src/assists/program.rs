@@ -1,4 +1,4 @@
-//! Programs without faults that end, and print what they compute.
+//! Programs without faults that terminate, and print the results.
 //!
 //! Loops count a local that no other statement changes. `start` calls `middle` and `inner`, `middle` calls `inner`, so
 //! that no program calls itself.
@@ -7,9 +7,9 @@ use std::fmt::Write as _;
 
 use super::choices::Choices;
 
-/// Nesting of blocks.
+/// Largest nesting of blocks.
 const BLOCKS: usize = 2;
-/// Nesting of expressions.
+/// Largest nesting of expressions.
 const OPERATORS: usize = 3;
 
 const NUMBERS: [&str; 3] = ["nA", "nB", "nC"];
@@ -39,7 +39,7 @@ end
 
 const TAIL: &str = "  ?nA\n  ?nB\n  ?nC\n  ?nStep\n  ?nList[1]\n  ?bA\n  ?bB\n  ?bC\n  ?sA\n  ?sB\n";
 
-/// The listing of an application.
+/// Returns an application's listing.
 pub(super) fn listing(choices: &mut Choices<'_>) -> String {
     let mut writer = Writer { choices, text: HEAD.to_owned(), programs: &[], params: &[], loops: 0 };
     let params: [&str; 2] = ["x_a", "x_b"];
@@ -52,11 +52,11 @@ pub(super) fn listing(choices: &mut Choices<'_>) -> String {
 struct Writer<'c, 'b> {
     choices: &'c mut Choices<'b>,
     text: String,
-    /// The programs that the present one may call.
+    /// Programs that the present program may call.
     programs: &'static [&'static str],
-    /// The names of the present program's parameters.
+    /// Parameter names of the present program.
     params: &'c [&'static str],
-    /// The counters in use.
+    /// Number of counters in use.
     loops: usize,
 }
 
@@ -81,7 +81,7 @@ impl<'c> Writer<'c, '_> {
         }
     }
 
-    /// A block of an arm or a loop, which may be empty.
+    /// Writes a block in a branch or loop, which may be empty.
     fn inner_block(&mut self, depth: usize) {
         let count = self.choices.below(4);
         self.block(count, depth + 1);
@@ -200,7 +200,7 @@ impl<'c> Writer<'c, '_> {
         self.loops -= 1;
     }
 
-    /// The name of a counter that no loop around uses.
+    /// Returns the name of a counter that no enclosing loop uses.
     fn counter(&mut self) -> Option<String> {
         let number = self.loops;
         (number < 3).then(|| {
@@ -245,7 +245,7 @@ impl<'c> Writer<'c, '_> {
         }
     }
 
-    /// A value, sometimes in parentheses.
+    /// Encloses a value in parentheses in some cases.
     fn perhaps_in_parentheses(&mut self, value: String) -> String {
         if self.choices.once_in(4) { format!("({value})") } else { value }
     }
@@ -276,7 +276,7 @@ impl<'c> Writer<'c, '_> {
         self.perhaps_in_parentheses(value)
     }
 
-    /// A number as the operand of an operator: in parentheses unless it is simple.
+    /// Writes a number as an operand: in parentheses unless it is simple.
     fn factor(&mut self, depth: usize) -> String {
         let value = self.number(depth + 1);
         let is_simple = value.chars().all(|letter| letter.is_alphanumeric() || letter == '_' || letter == '.');

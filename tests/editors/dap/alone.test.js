@@ -1,4 +1,4 @@
-// Tasks that stop alone, while the others, the clock and the arm continue.
+// Stops of a single task, while the other tasks, the clock and the arm continue.
 const assert = require("node:assert/strict");
 const { after, before, test } = require("node:test");
 const { Application } = require("./application");
@@ -36,7 +36,7 @@ after(() => app.remove());
 
 const OPTIONS = { stopScope: "task", time: "real" };
 
-/** The value of a number that changes while the run continues, when it is greater than `before`. */
+/** Returns the value of a number that changes while the run continues, once it is greater than `before`. */
 async function grown(session, name, before) {
   for (;;) {
     const present = await value(session, name);
@@ -56,7 +56,7 @@ test("a breakpoint stops its task alone", async () => {
     const first = await value(session, "nFirst");
     await grown(session, "nSecond", 1 + await value(session, "nSecond"));
     assert.equal(await value(session, "nFirst"), first, "the task is held");
-    // A step of the task alone, in which its frames are seen.
+    // A step of only this task, with its frames.
     const next = await session.run("next", "step");
     assert.equal(next.allThreadsStopped, false);
     assert.equal(await session.place(), `first:${app.line("first", "nZero=")}`);
@@ -83,7 +83,7 @@ test("one task is paused, and its frames are gone when it continues", async () =
     assert.match(await session.refused("scopes", { frameId }), /over/);
     await grown(session, "nSecond", second);
     assert.equal(await session.refused("next", { threadId: session.thread }), "notStopped");
-    // A thread that does not exist stands for all.
+    // A thread that does not exist means all threads.
     session.thread = 0;
     const stop = await session.run("pause", "pause");
     assert.equal(stop.allThreadsStopped, true);

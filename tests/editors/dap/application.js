@@ -12,16 +12,17 @@ const { join } = require("node:path");
 const NAMESPACE = "http://www.staubli.com/robotics/VAL3";
 const HEADER = `<?xml version="1.0" encoding="utf-8"?>`;
 const INSTANCE = `xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"`;
-/** Types of data that have other names in data files. */
+/** Types of data with other names in data files. */
 const DATA_TYPES = { joint: "jointRx", point: "pointRx" };
 
 class Application {
   /**
    * `programs` is VAL 3 code, `data` maps declarations (`num nMany[4]`) to the XML attributes of their first value, and
-   * `libraries` maps identifiers to applications. An application with `start` gets an empty `stop`, which controllers want.
+   * `libraries` maps identifiers to applications. An application with `start` gets an empty `stop`, which controllers
+   * require.
    */
   constructor(name, { programs = "", data = {}, libraries = {} }) {
-    // The adapter has the path without symbolic links.
+    // The adapter uses the path without symbolic links.
     this.cell = realpathSync(mkdtempSync(join(tmpdir(), "val3-dap-")));
     this.name = name;
     this.write(name, { programs, data, libraries });
@@ -43,7 +44,7 @@ class Application {
     writeFileSync(join(folder, `${name}.pjx`), project(name, list, aliases));
   }
 
-  /** The folder of the application, or of one of its libraries. */
+  /** Returns the folder of the application, or of one of its libraries. */
   folder(name = this.name) {
     return join(this.cell, "usr", "usrapp", name);
   }
@@ -52,7 +53,7 @@ class Application {
     return join(this.folder(name), `${program}.pgx`);
   }
 
-  /** The line of a program's file, from 1, in which `text` is first. */
+  /** Returns the first line with `text` in a program's file, from 1. */
   line(program, text, name = this.name) {
     const lines = readFileSync(this.file(program, name), "utf8").split("\n");
     const at = lines.findIndex((line) => line.includes(text));
@@ -95,7 +96,7 @@ function database(data) {
 </Database>`;
 }
 
-/** The name and the file of a program. */
+/** Parses the name and the file of a program. */
 function program(text) {
   const [, name, parameters, locals, code] = /^program (\w+)\((.*)\)\n([^]*?)^(begin\n[^]*?^end)$/m.exec(text);
   const parameter = (declaration) => {

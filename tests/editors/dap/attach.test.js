@@ -1,4 +1,4 @@
-// Clients that attach to runs, and sessions through ports.
+// Clients that attach to runs, and sessions over ports.
 const assert = require("node:assert/strict");
 const { spawn } = require("node:child_process");
 const { once } = require("node:events");
@@ -10,7 +10,7 @@ const { Session } = require("./session");
 const EXAMPLE = join(process.env.VAL3_ROOT, "examples/palletiser");
 const PALLETISER = join(EXAMPLE, "usr/usrapp/palletiser");
 
-/** Starts a process that names its port and secret first, and ends it after the test. */
+/** Starts a process that first prints its port and secret, and ends it after the test. */
 async function listening(args, test) {
   const process_ = spawn(process.env.VAL3_SERVER, args, { stdio: ["ignore", "ignore", "pipe"] });
   try {
@@ -41,7 +41,7 @@ test("clients attach to a run, leave it going or stopped, and end it", async () 
   await listening(run, async (address, runs) => {
     const first = await attach(address);
     await first.run("next", "step");
-    // The run was interrupted anywhere, so it may have reached more lines since.
+    // The run was interrupted at any line, so it may have reached more lines since.
     let back = { reason: "step" };
     while (back.reason === "step") {
       await first.ask("stepBack", { threadId: first.thread });

@@ -1,4 +1,4 @@
-// Breakpoints at lines and programs.
+// Breakpoints on lines and programs.
 const assert = require("node:assert/strict");
 const { mkdirSync, symlinkSync } = require("node:fs");
 const { join, relative } = require("node:path");
@@ -13,7 +13,7 @@ let app;
 before(() => { app = counter(); });
 after(() => app.remove());
 
-/** The values of an expression at each stop until the end of the run. */
+/** Returns the values of an expression at each stop until the end of the run. */
 async function valuesAtStops(session, expression) {
   const values = [];
   const ended = session.event("terminated").then(() => undefined);
@@ -209,7 +209,7 @@ end
     if (reason === "breakpoint") {
       session.thread = threadId;
       await session.ask("continue", { threadId });
-      // A run that has stopped is not paused.
+      // A stopped run is not paused.
       await session.run("pause", "pause");
     }
   });

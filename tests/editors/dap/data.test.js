@@ -116,7 +116,7 @@ test("inputs and outputs stop the run when they change", async () => {
     assert.deepEqual(lamp.hitBreakpointIds, [breakpoints[0].id]);
     assert.match(lamp.text, /^false -> true \(palletiser:tower\(\), line \d+\)/);
     await session.ask("setDataBreakpoints", { breakpoints: [{ dataId: infos[1].dataId }] });
-    // The script switches it.
+    // The script switches the input.
     const part = await session.run("continue", "data breakpoint");
     assert.equal(part.text, "false -> true");
     assert.equal((await session.ask("val3/pose")).t, 1);

@@ -1,4 +1,4 @@
-// The motion, the inputs and outputs and the pendant: requests and events `val3/…`.
+// The motion, the inputs and outputs, and the pendant: requests and events `val3/…`.
 const assert = require("node:assert/strict");
 const { join } = require("node:path");
 const { after, before, test } = require("node:test");

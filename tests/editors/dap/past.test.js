@@ -1,4 +1,4 @@
-// Going back in a run.
+// Reverse execution.
 const assert = require("node:assert/strict");
 const { after, before, test } = require("node:test");
 const { Application } = require("./application");
@@ -57,7 +57,7 @@ test("a change in the past begins a new future, which the user is told", async (
     await session.run("next", "step");
     await session.run("next", "step");
     assert.equal(await session.evaluate("nSum"), "1012");
-    // It replaces what has followed before.
+    // It replaces the previous continuation.
     await session.evaluate("nSum=5", "repl");
     assert.deepEqual(session.arrived("output"), []);
   });

@@ -1,4 +1,4 @@
-// Prints each test as the other tests of editors do.
+// Prints each test in the format of the other editor tests.
 export default async function* reporter(events) {
   const count = { "test:pass": 0, "test:fail": 0 };
   for await (const { type, data } of events) {

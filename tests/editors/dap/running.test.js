@@ -8,7 +8,7 @@ const { Session, debug } = require("./session");
 
 const PALLETISER = join(process.env.VAL3_ROOT, "examples/palletiser/usr/usrapp/palletiser");
 
-/** Two tasks that count, a synchronous one, and one that fails. */
+/** Two tasks that count, a synchronous task, and a task that fails. */
 const tasks = () => new Application("tasks", {
   data: { "num nFirst": "", "num nSecond": "", "num nTicks": "", "num nZero": "", "num nCodes[4]": "", "bool bOverrun": "" },
   programs: `
@@ -42,7 +42,7 @@ end
 `,
 });
 
-/** Run-time errors: one that another task looks at, and one that none does. */
+/** Run-time errors: one that another task handles, and one that no task handles. */
 const failing = () => new Application("failing", {
   data: { "num nCodes[4]": "", "num nIndex": "" },
   programs: `
@@ -66,7 +66,7 @@ let app;
 before(() => { app = tasks(); });
 after(() => app.remove());
 
-/** The names of the tasks, and their numbers by name. */
+/** Returns the names of the tasks, and their numbers by name. */
 async function threads(session) {
   const { threads } = await session.ask("threads");
   return threads.map(({ id, name }) => ({ id, name: name.split(" (")[0], more: name }));
@@ -210,7 +210,7 @@ test("a single task runs while the others are held", async () => {
   });
 });
 
-/** The places at which errors stop a run with these filters. */
+/** Returns the locations at which errors stop a run with these filters. */
 async function errors(filters, filterOptions = []) {
   const own = failing();
   const places = [];
@@ -399,7 +399,7 @@ test("a request that has not begun is cancelled", async () => {
   const own = counter();
   await debug(own.folder(), { stopOnEntry: true }, async (session) => {
     await session.stopped("entry");
-    // An endless loop in the console, and a request behind it.
+    // An endless loop in the console, and a request after it.
     const [{ id: frameId }] = await session.frames();
     const busy = session.refused("evaluate", { expression: "do\n nSum=nSum+1\n until false", frameId, context: "repl" });
     const waiting = session.refused("evaluate", { expression: "1+1", frameId, context: "watch" });

@@ -1,5 +1,5 @@
-// A session of the client of VS Code's debug adapters with `val3 dap`. Each message of the adapter is checked against the
-// schema of the protocol, and each event is kept until a test has asked for it.
+// A session of VS Code's debug adapter client with `val3 dap`. Each message from the adapter is validated against the
+// schema of the protocol, and each event is stored until a test has requested it.
 const assert = require("node:assert/strict");
 const { once } = require("node:events");
 const { join } = require("node:path");
@@ -7,13 +7,16 @@ const Ajv = require("ajv");
 const { DebugClient } = require("@vscode/debugadapter-testsupport");
 const specification = require(join(process.env.VAL3_ROOT, "crates/val3-dap/schema/debugAdapterProtocol.json"));
 
-/** The longest wait for an answer or an event. */
+/** Longest wait for a response or an event, in ms. */
 const PATIENCE = 60_000;
 
 const ajv = new Ajv({ strict: false, validateFormats: false, allErrors: true });
 ajv.addSchema({ definitions: specification.definitions }, "dap");
 
-/** Throws if a message does not have the form of the protocol. Of requests and events `val3/…` the envelope counts. */
+/**
+ * Throws if a message does not have the form of the protocol. For requests and events `val3/…` only the envelope is
+ * validated.
+ */
 function validate(message) {
   const name = message.event ?? message.command;
   const capital = name.slice(0, 1).toUpperCase() + name.slice(1);
@@ -24,7 +27,7 @@ function validate(message) {
   assert.ok(check(message), `${ajv.errorsText(check.errors)} in ${JSON.stringify(message)}`);
 }
 
-/** A promise that fails when it takes too long. */
+/** Returns a promise that fails after a timeout. */
 async function inTime(promise, what) {
   let timer;
   const late = new Promise((_, reject) => {
@@ -53,7 +56,7 @@ class Session {
     };
   }
 
-  /** Begins a session. `before` configures it, after the adapter is initialized. */
+  /** Begins a session. `before` configures it after the adapter is initialized. */
   static async launch(program, { client = {}, before = async () => {}, ...options } = {}) {
     const session = await Session.start(client);
     try {
@@ -70,7 +73,7 @@ class Session {
     }
   }
 
-  /** A session that is not launched: with a new adapter, or with the one that listens on a port. */
+  /** Starts a session without a launch: with a new adapter, or with the adapter that listens on a port. */
   static async start(client = {}, port = undefined) {
     const session = new Session();
     await session.client.start(port);
@@ -90,14 +93,14 @@ class Session {
     this.events.get(name).push(body);
   }
 
-  /** The body of the answer to a request. */
+  /** Sends a request, and returns the body of its response. */
   async ask(command, args) {
     const answer = await inTime(this.client.send(command, args), `answer to ${command} ${JSON.stringify(args)}`);
     if (this.fault !== undefined) throw this.fault;
     return answer.body;
   }
 
-  /** Why a request is refused. */
+  /** Sends a request that fails, and returns the reason. */
   async refused(command, args) {
     return this.ask(command, args).then(
       (body) => assert.fail(`${command} was answered: ${JSON.stringify(body)}`),
@@ -105,7 +108,7 @@ class Session {
     );
   }
 
-  /** The body of the next event that no test has asked for. */
+  /** Returns the body of the next event that no test has requested. */
   async event(name) {
     const known = this.events.get(name)?.shift();
     if (known !== undefined) return known;
@@ -116,7 +119,7 @@ class Session {
     return inTime(next, `event ${name}`);
   }
 
-  /** The next event for which `test` holds. Those before it are dropped. */
+  /** Returns the next event for which `test` is true. Previous events are discarded. */
   async eventWhere(name, test) {
     for (;;) {
       const body = await this.event(name);
@@ -124,12 +127,12 @@ class Session {
     }
   }
 
-  /** The bodies of the events that have arrived and no test has asked for. */
+  /** Returns the bodies of the received events that no test has requested. */
   arrived(name) {
     return this.events.get(name)?.splice(0) ?? [];
   }
 
-  /** Waits for a stop with this reason, whose task the session then is about. */
+  /** Waits for a stop with this reason, and sets the thread of the session to the stopped task. */
   async stopped(reason) {
     const stop = await this.event("stopped");
     assert.equal(stop.reason, reason, JSON.stringify(stop));
@@ -137,7 +140,7 @@ class Session {
     return stop;
   }
 
-  /** Lets the task run, and waits for a stop with this reason. */
+  /** Continues the task, and waits for a stop with this reason. */
   async run(command, reason, args = {}) {
     await this.ask(command, { threadId: this.thread, ...args });
     return this.stopped(reason);
@@ -147,13 +150,13 @@ class Session {
     return (await this.ask("stackTrace", { threadId: thread })).stackFrames;
   }
 
-  /** `program:line` of the innermost frame. */
+  /** Returns `program:line` of the innermost frame. */
   async place(thread = this.thread) {
     const [{ name, line }] = await this.frames(thread);
     return `${/:(\w+)\(\)/.exec(name)[1]}:${line}`;
   }
 
-  /** The variables of a scope of a frame. */
+  /** Returns the variables of a scope of a frame. */
   async scope(name, depth = 0) {
     const frame = (await this.frames())[depth];
     const { scopes } = await this.ask("scopes", { frameId: frame.id });
@@ -162,12 +165,12 @@ class Session {
     return { ...found, variables: await this.inside(found) };
   }
 
-  /** The variables inside of one, or of a scope. */
+  /** Returns the variables nested in a variable or scope. */
   async inside({ variablesReference }, page = {}) {
     return (await this.ask("variables", { variablesReference, ...page })).variables;
   }
 
-  /** The variable `name` of a scope. */
+  /** Returns the variable `name` of a scope. */
   async variable(scope, name, depth = 0) {
     const { variables } = await this.scope(scope, depth);
     const found = variables.find((variable) => variable.name === name);
@@ -175,13 +178,13 @@ class Session {
     return found;
   }
 
-  /** The value of an expression in the innermost frame. */
+  /** Returns the value of an expression in the innermost frame. */
   async evaluate(expression, context = "watch", more = {}) {
     const [{ id }] = await this.frames();
     return (await this.ask("evaluate", { expression, frameId: id, context, ...more })).result;
   }
 
-  /** Sets the breakpoints of a file, and gives where they are. */
+  /** Sets the breakpoints of a file, and returns their resolved lines. */
   async setBreakpoints(path, ...breakpoints) {
     const wanted = breakpoints.map((wanted) => (typeof wanted === "number" ? { line: wanted } : wanted));
     return (await this.ask("setBreakpoints", { source: { path }, breakpoints: wanted })).breakpoints;
@@ -196,7 +199,7 @@ class Session {
     return [info, (await this.ask("setDataBreakpoints", { breakpoints })).breakpoints[0]];
   }
 
-  /** Leaves, and gives the exit code of the adapter. */
+  /** Disconnects, and returns the exit code of the adapter. */
   async end() {
     const { process } = this;
     const exit = process.exitCode === null ? once(process, "exit") : [process.exitCode];
@@ -206,13 +209,13 @@ class Session {
     return code;
   }
 
-  /** Ends the adapter if a test has not. */
+  /** Ends the adapter if no test has done it. */
   kill() {
     if (this.process?.exitCode === null) this.process.kill("SIGKILL");
   }
 }
 
-/** Debugs a program with `test`. The adapter ends without a fault, or as the program. */
+/** Debugs a program with `test`. The adapter ends without a fault, or like the program. */
 async function debug(program, options, test) {
   const session = await Session.launch(program, options);
   try {

@@ -1,4 +1,4 @@
-// Frames, scopes and values, and changes of them.
+// Frames, scopes and values, and changes of values.
 const assert = require("node:assert/strict");
 const { join } = require("node:path");
 const { after, before, test } = require("node:test");

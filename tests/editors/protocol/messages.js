@@ -1,14 +1,14 @@
-// Holds every recorded message against the types of the protocol.
+// Validates every recorded message against the types of the protocol.
 const { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const Ajv = require("ajv").default;
 const { createGenerator } = require("ts-json-schema-generator");
 
 const TRACES = join(process.env.VAL3_OUTPUT, "traces");
-/** Clients that do not keep to the protocol: only what the server says to them is judged. */
+/** Clients that do not conform to the protocol: only the server's messages to them are validated. */
 const LIBERAL = new Set(["lsp-mode.jsonl"]);
 
-/** Made next to the packages, where TypeScript finds the types of the protocol. */
+/** Creates the schema next to the packages, where TypeScript finds the types of the protocol. */
 function makeSchema() {
   const folder = join(process.env.VAL3_TOOLS, "node", "schema");
   mkdirSync(folder, { recursive: true });
@@ -23,7 +23,7 @@ const schema = makeSchema();
 const ajv = new Ajv({ strict: false, allErrors: false });
 ajv.addSchema(schema, "protocol");
 
-/** The types that `Params` or `Results` has, by method. */
+/** Returns validators for the types in `Params` or `Results`, by method. */
 function validators(list) {
   const methods = schema.definitions[list].properties;
   const path = (method) => `protocol#/definitions/${list}/properties/${encodeURIComponent(method.replaceAll("~", "~0").replaceAll("/", "~1"))}`;
@@ -32,10 +32,10 @@ function validators(list) {
 
 const PARAMS = validators("Params");
 const RESULTS = validators("Results");
-/** Requests beyond the protocol need no types, but those that have types keep to them. */
+/** Requests beyond the protocol need no types, but must conform to existing types. */
 const isUntyped = (types, method) => method.startsWith("val3/") && !types.has(method);
 
-/** The fault of a message; nothing if it is valid. Remembers the requests, to which responses refer. */
+/** Returns the fault of a message; `undefined` if it is valid. Stores the requests, to which responses refer. */
 function fault({ from, message }, open) {
   if (message.jsonrpc !== "2.0") {
     return "not JSON-RPC 2.0";
@@ -79,7 +79,7 @@ for (const name of readdirSync(TRACES)) {
   }
 }
 
-// A judge that finds nothing wrong with anything would be of no use.
+// A validator that accepts everything would be useless.
 const refused = [["textDocument/hover", { contents: 5 }], ["textDocument/rename", { changes: [] }]];
 const tooKind = refused.filter(([method, answer]) => judge(RESULTS.get(method), method, answer) === undefined);
 faults.push(...tooKind.map(([method]) => `a wrong answer to ${method} is not noticed`));

@@ -1,8 +1,8 @@
-// The messages of the protocol that the server and its clients exchange, by their methods: from these types the schema
-// is made that messages.js holds every recorded message against.
+// Messages of the protocol that the server and its clients exchange, by method. messages.js generates the schema from
+// these types and validates every recorded message against it.
 import type * as p from "vscode-languageserver-protocol";
 
-/** The items of `val3/workspaceTree`. */
+/** Item of `val3/workspaceTree`. */
 interface TreeItem {
   name: string;
   detail: string;
@@ -28,7 +28,7 @@ interface TreeProject {
   types: TreeReference[];
 }
 
-/** A project that `val3/libraries` offers. */
+/** Project in the response to `val3/libraries`. */
 interface Candidate {
   uri: p.DocumentUri;
   kind: ProjectKind;
@@ -128,14 +128,14 @@ export interface Params {
   "val3/dataPoses": { uri: p.DocumentUri; names: string[] };
 }
 
-/** New items of a list in place of others. */
+/** Replacement of items in a list. */
 interface Replacement<Item> {
   start: p.uinteger;
   deleteCount: p.uinteger;
   items: Item[];
 }
 
-/** The difference between two results of `val3/data`. */
+/** Difference between two results of `val3/data`. */
 export interface DataChanges {
   resultId: string;
   version: p.integer | null;
@@ -294,7 +294,7 @@ export interface Results {
   "val3/dataPoses": DataPose[];
 }
 
-/** Requests of this server alone. */
+/** Requests beyond the protocol. */
 type Container = "element" | "array" | "collection";
 type Passing = "value" | "reference";
 

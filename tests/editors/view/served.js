@@ -28,7 +28,7 @@ class Served {
     this.faults = [];
   }
 
-  /** The addresses of the page, for operators and guests. */
+  /** Returns the addresses of the page, for operators and guests. */
   async addresses() {
     let output = "";
     for await (const bytes of this.process.stderr) {
@@ -52,7 +52,7 @@ class Served {
     return page;
   }
 
-  /** Ends the run as Ctrl-C does. */
+  /** Ends the run like Ctrl-C. */
   async end() {
     this.process.stderr.resume();
     this.process.kill("SIGINT");
@@ -65,7 +65,7 @@ class Served {
   }
 }
 
-/** Serves the palletiser, whose folder `prepare` has changed, and lets `work` use it. */
+/** Serves the palletiser, after `prepare` has changed its folder, and calls `work` with it. */
 async function served(options, work, prepare = () => undefined) {
   const run = new Served(options, prepare);
   try {

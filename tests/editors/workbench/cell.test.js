@@ -1,4 +1,4 @@
-// A user opens the example cell and works in it. Every step leaves a screenshot in target/editors/output.
+// A user opens the example cell and works in it. Every step saves a screenshot in target/editors/output.
 const assert = require("node:assert/strict");
 const { cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
@@ -14,7 +14,7 @@ const APPLICATION = join(cell, "usr/usrapp/palletiser");
 const read = (name) => readFileSync(join(APPLICATION, name), "utf8");
 const original = (name) => readFileSync(join(EXAMPLE, "usr/usrapp/palletiser", name), "utf8");
 
-/** The example's file after these replacements, each of which must apply. */
+/** Returns the example's file after these replacements, each of which must apply. */
 function after(name, ...replacements) {
   return replacements.reduce((text, [before, now]) => {
     assert.ok(text.includes(before), `${name} has no ${before}`);
@@ -22,7 +22,7 @@ function after(name, ...replacements) {
   }, original(name));
 }
 
-/** A program as a controller of the s6 series writes it. */
+/** A program in the format of s6 controllers. */
 const OLD = ['<?xml version="1.0" encoding="utf-8" ?>', '<programList xmlns="ProgramNameSpace" >', '  <program name="old" public="false" >',
   "    <source><code>begin", "  if nAbove&lt;3", "  endIf", "end", "    </code></source>", "  </program>", "</programList>", ""].join("\r\n");
 
@@ -31,7 +31,7 @@ const TWO = '<?xml version="1.0" encoding="utf-8"?>\n<Programs xmlns="http://www
   + ["two", "second"].map((name) => `  <Program name="${name}">\n    <Code><![CDATA[begin\n  bOverrun=${name === "second"}\nend]]></Code>\n  </Program>\n`).join("")
   + "</Programs>\n";
 
-/** Full-width punctuation, which VS Code takes for a mistyped one, and a full-width blank. */
+/** Full-width punctuation, which VS Code highlights as probably mistyped, and a full-width space. */
 const CHINESE = original("pick.pgx").replace('name="pick"', 'name="chinese"').replace("[begin\n", "[begin\n  logMsg(\"你好，世界（一）\u3000\")\n");
 
 const row = (text) => `.part.sidebar .monaco-list-row:has-text(${JSON.stringify(text)})`;
@@ -44,7 +44,7 @@ async function becomes(name, expected) {
   assert.equal(read(name), expected);
 }
 
-/** Extracts the value that is assigned in a line, and gives the variable this name. */
+/** Extracts the value that is assigned in a line, and renames the variable to `name`. */
 async function extracts(user, line, name) {
   await user.goTo(line, 11);
   await user.keys("Shift+End");
@@ -346,7 +346,7 @@ const STEPS = {
   },
 };
 
-/** Leaves version and arm of a new application to the command. */
+/** Accepts the defaults for version and arm of a new application. */
 async function acceptDefaults(user) {
   for (const question of ["The version of VAL 3 on the controller", "The arm"]) {
     await user.page.waitForSelector(`.quick-input-widget:visible input[placeholder=${JSON.stringify(question)}]`);

@@ -22,7 +22,7 @@ const read = (path) => readFileSync(join(APPLICATIONS, path), "latin1");
 const bytes = (text) => Buffer.from(text).toString("latin1");
 const ORIGINAL = read(DATA);
 
-/** A text after these replacements, each of which must apply once. */
+/** Returns a text after these replacements, each of which must apply once. */
 function after(text, ...replacements) {
   return replacements.map((pair) => pair.map(bytes)).reduce((text, [before, now]) => {
     assert.equal(text.split(before).length, 2, `${before} is not there once`);
@@ -38,7 +38,10 @@ async function becomes(path, expected) {
   assert.equal(read(path), expected);
 }
 
-/** Makes a change and saves it, then undoes it and saves again. Both files have exactly the expected bytes. */
+/**
+ * Executes a change and saves it, then undoes it and saves again. The file must have exactly the expected bytes both
+ * times.
+ */
 async function changes(tables, path, expected, change) {
   const before = read(path);
   await change();
@@ -51,7 +54,10 @@ async function changes(tables, path, expected, change) {
   await becomes(path, before);
 }
 
-/** Saves all files until they have their expected bytes: one may show a change that another does not have yet. */
+/**
+ * Saves all files until they have their expected bytes: one editor may show a change that another one does not have
+ * yet.
+ */
 async function savesAll(user, files) {
   const isSaved = () => Object.entries(files).every(([path, expected]) => read(path) === expected);
   for (let attempt = 0; attempt < 20 && !isSaved(); attempt += 1) {
@@ -274,7 +280,7 @@ const STEPS = {
     const elsewhere = after(ORIGINAL, ['vel="90"', 'vel="78"']);
     writeFileSync(join(APPLICATIONS, DATA), elsewhere, "latin1");
     await user.told("Another program has changed", "Discard My Changes");
-    // The text comes to the front for it, and takes the keyboard.
+    // The text becomes the active editor for it, and has the keyboard focus.
     await user.page.waitForSelector('.tab.active[data-resource-name="palletiser.dtx"]:not([aria-label*="↔"])');
     await user.page.waitForSelector(".editor-instance .monaco-editor.focused");
     tables = await Tables.open(user, "palletiser.dtx");
@@ -473,7 +479,7 @@ const STEPS = {
   },
 };
 
-/** The same for a file in ISO-8859-1, whose text is that of its bytes. */
+/** Like `after`, for a file in ISO-8859-1, whose text represents its bytes. */
 function afterLatin(text, ...replacements) {
   return replacements.reduce((text, [before, now]) => {
     assert.equal(text.split(before).length, 2, `${before} is not there once`);
@@ -483,7 +489,7 @@ function afterLatin(text, ...replacements) {
 
 const COFFEE_DATA = COFFEE["coffee/coffee.dtx"];
 
-/** The same as `changes` for the file of the s5 series. */
+/** Like `changes`, for the s5 file. */
 function changesOld(replacements, change) {
   return changes(tables, "coffee/coffee.dtx", afterLatin(COFFEE_DATA, ...replacements), change);
 }

@@ -1,9 +1,9 @@
-// Cells that the test of the tables writes: one of the s5 series in ISO-8859-1, and one with thousands of points.
+// Cells that the test of the tables writes: one in the s5 format and ISO-8859-1, and one with thousands of points.
 
 const HEAD = '<?xml version="1.0" encoding="iso-8859-1" ?>';
 const crlf = (...lines) => [...lines, ""].join("\r\n");
 
-/** Data as controllers of the s5 series write them. */
+/** Data in the format of s5 controllers. */
 const COFFEE = {
   "coffee/coffee.pjx": crlf(HEAD, '<project xmlns="ProjectNameSpace" >', '  <parameters version="s5.3.2" stackSize="5000" millimeterUnit="true" />',
     "  <programSection>", '    <program file="start.pgx" />', '    <program file="stop.pgx" />', "  </programSection>",
@@ -28,7 +28,7 @@ const COFFEE = {
   "coffee/stop.pgx": crlf(HEAD, '<programList xmlns="ProgramNameSpace" >', '  <program name="stop" public="false" >', "    <source><code>begin", "end", "    </code></source>", "  </program>", "</programList>"),
 };
 
-/** Number of points, and of elements of an array. */
+/** Number of points, and of array elements. */
 const POINTS = 10000;
 
 const lines = (...lines) => ["\xef\xbb\xbf" + '<?xml version="1.0" encoding="utf-8"?>', ...lines, ""].join("\n");

@@ -1,5 +1,5 @@
-// A user debugs the palletiser: program steps, motion steps, values, inputs and the pendant. The run is in real time, and
-// time stands still while it is stopped.
+// A user debugs the palletiser: program steps, motion steps, values, inputs and the pendant. The run is in real time,
+// and time does not advance while it is stopped.
 const assert = require("node:assert/strict");
 const { spawn } = require("node:child_process");
 const { cpSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } = require("node:fs");
@@ -20,7 +20,7 @@ function configure(...configurations) {
   writeFileSync(join(cell, ".vscode/launch.json"), JSON.stringify({ version: "0.2.0", configurations }));
 }
 
-/** The port through which a run can be debugged and its secret, which it prints. */
+/** Returns the port through which a run can be debugged and its secret, which the run prints. */
 function addressOf(run) {
   let output = "";
   return new Promise((resolve, reject) => {
@@ -35,7 +35,7 @@ function addressOf(run) {
   });
 }
 
-/** A box lies between the rails. The test lets the sensor see it. */
+/** A box lies between the rails. The test activates the sensor. */
 const SCRIPT = "[[at]]\nt = 0.1\nio = { 'BasicIO-1\\%I4' = true, 'BasicIO-1\\%I5' = true }\n";
 
 const STEPS = {

@@ -1,4 +1,4 @@
-// Files of the s5 series, which are in ISO-8859-1 and say so: what is saved is byte for byte what the user wrote.
+// s5 files, which are and declare to be in ISO-8859-1: the saved bytes are exactly what the user wrote.
 const assert = require("node:assert/strict");
 const { mkdirSync, mkdtempSync, readFileSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
@@ -25,10 +25,10 @@ const FILES = {
   "start.pgx": program("start", "  call cup()", "  call pot()"),
   "stop.pgx": program("stop", "  // arrêt", "  // total"),
 };
-/** A program as newer controllers write it, but in ISO-8859-1. */
+/** A program in the format of newer controllers, but in ISO-8859-1. */
 const SECTION = lines(HEAD, '<Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">', '  <Program name="section">',
   "    <Code><![CDATA[begin", "  // thé", "end]]></Code>", "  </Program>", "</Programs>");
-/** Says UTF-8, and is not. */
+/** A file that declares UTF-8 but is not in UTF-8. */
 const FALSE = Buffer.from(program("false", "  // crème").replace("iso-8859-1", "utf-8"), "latin1");
 
 const read = (name) => readFileSync(join(APPLICATION, name));

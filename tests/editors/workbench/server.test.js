@@ -1,4 +1,4 @@
-// The server as a user notices it: its death, a failing start, and changes of the open folders.
+// The server from the user's view: a crash, a failed start, and changes of the open folders.
 const { chmodSync, cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, realpathSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
@@ -9,7 +9,7 @@ const workspace = join(folder, "cells.code-workspace");
 const cell = (name) => join(folder, name);
 const SETTINGS = { "val3.server.path": "" };
 
-/** Makes the folders those of the workspace, as the dialogs for it would. */
+/** Sets the folders of the workspace, like the dialogs for it. */
 function setFolders(...names) {
   writeWorkspace(names.map((name) => ({ path: cell(name) })));
 }
@@ -18,20 +18,20 @@ function writeWorkspace(folders) {
   writeFileSync(workspace, JSON.stringify({ folders, settings: SETTINGS }, undefined, 2));
 }
 
-/** Names another server, as the editor of the settings would. */
+/** Sets another server, like the settings editor. */
 function setServer(path) {
   SETTINGS["val3.server.path"] = path;
   writeWorkspace(JSON.parse(readFileSync(workspace, "utf8")).folders);
 }
 
-/** A copy of the example under another name, with a mistake of its own in a program. */
+/** Copies the example under another name, with a separate fault in a program. */
 function makeCell(name) {
   cpSync(join(process.env.VAL3_ROOT, "examples/palletiser/usr"), join(cell(name), "usr"), { recursive: true });
   const program = join(cell(name), "usr/usrapp/palletiser/home.pgx");
   writeFileSync(program, readFileSync(program, "utf8").replace("begin\n", `begin\n  ${name}=1\n`));
 }
 
-/** The processes of this test's server. */
+/** Returns the processes of this test's server. */
 function servers() {
   const isServer = (id) => {
     try {
@@ -53,12 +53,12 @@ async function until(holds, what) {
   }
 }
 
-/** How many servers were begun with so far. */
+/** Returns the number of servers that were initialized so far. */
 function begun() {
   return readFileSync(join(process.env.VAL3_OUTPUT, "traces/val3-server.jsonl"), "utf8").split('"method": "initialized"').length;
 }
 
-/** Kills the one server that runs and waits until it is gone. */
+/** Kills the running server and waits until it has ended. */
 async function kill() {
   await until(() => servers().length === 1, "no server runs");
   const [id] = servers();

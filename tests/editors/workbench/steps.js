@@ -1,10 +1,11 @@
-// Runs the steps of one test in one workbench, one after the other; every step leaves a screenshot in target/editors/output.
+// Runs the steps of one test in one workbench, one after the other. Every step saves a screenshot in
+// target/editors/output.
 const { rmSync } = require("node:fs");
 const { join } = require("node:path");
 const { User } = require("./user");
 const { startVsCode } = require("./vscode");
 
-/** Does all that a test file does. `folder` is a scratch folder, `open` says what the workbench opens at first. */
+/** Runs a test file. `folder` is a scratch folder, `open` the first folder or workspace of the workbench. */
 function runSteps(test) {
   run(test).then((failed) => process.exit(failed), (fault) => {
     console.error(fault);

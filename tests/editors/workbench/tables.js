@@ -9,14 +9,14 @@ class Tables {
     this.frame = frame;
   }
 
-  /** Waits for the only tables that are open, with the keyboard in them. */
+  /** Waits for the only open tables, and focuses them. */
   static async of(user) {
     const tables = new Tables(user, await user.frame(GRID));
     await tables.focus();
     return tables;
   }
 
-  /** Opens a data file as tables. VS Code opens a file again in the editor in which it was last. */
+  /** Opens a data file as tables. VS Code opens a file again in the editor in which it was last open. */
   static async open(user, name) {
     await user.keys("Control+P");
     await user.choose(name);
@@ -77,11 +77,11 @@ class Tables {
     await this.row(label).and(this.frame.locator("[aria-expanded=true]")).waitFor();
   }
 
-  /** Answers the question of the page. */
+  /** Confirms the dialog of the page, optionally with a text. */
   async answer(text) {
     await this.frame.waitForSelector("dialog[open]");
     if (text !== undefined) {
-      // The frame may not have the keyboard yet.
+      // The frame may not have the keyboard focus yet.
       await this.frame.fill("dialog input", text);
     }
     await this.frame.click("dialog .primary");

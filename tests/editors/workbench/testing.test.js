@@ -10,7 +10,7 @@ const folder = mkdtempSync(join(tmpdir(), "val3-testing-"));
 const cell = join(folder, "cell");
 const TESTS = join(cell, "usr/usrapp/partBoxTest");
 
-/** A program as the runner writes its first test, with other code. */
+/** Writes a program in the format of the runner's first test, with other code. */
 function writeProgram(name, code) {
   const first = readFileSync(join(TESTS, "testFirst.pgx"), "utf8");
   const text = first.replace("testFirst", name).replace(/begin\n[^]*\nend/, () => `begin\n${code}\nend`);
@@ -19,14 +19,14 @@ function writeProgram(name, code) {
 
 const listed = (...names) => names.map((name) => `    <Program file="${name}.pgx" />\n`).join("");
 
-/** The row of the Testing view with this label and this state. */
+/** Returns the row of the Testing view with this label and this state. */
 const row = (label, state = "") => `.test-explorer .monaco-list-row[aria-label^=${JSON.stringify(`${label} (${state}`)}]`;
 
 const hasState = (user, label, state) => user.page.waitForSelector(row(label, state));
 
 /** Waits until the message of a failure is shown at a line of the editor with this text. */
 async function failsAt(user, message, line) {
-  // Both places are measured in one moment, because lines move when lenses come.
+  // Both positions are measured at the same moment, because lines move when lenses appear.
   const isBeside = ([message, line]) => {
     const top = (selector, text) => {
       const found = [...document.querySelectorAll(selector)].find((element) => element.textContent.includes(text));
@@ -38,10 +38,10 @@ async function failsAt(user, message, line) {
   await user.page.waitForFunction(isBeside, [message, line]);
 }
 
-/** Clicks a lens until the Testing view has a row, because a lens that is redrawn under the mouse misses the click. */
+/** Clicks a lens until the Testing view has a row, because a click can miss a lens that is being redrawn. */
 const runsLens = (user, lens, label, state) => user.opensLens(lens, row(label, state));
 
-/** Opens the view, in whose place the debugger may have shown its own. */
+/** Opens the view, which the debugger may have replaced by its own. */
 async function opensTestingView(user) {
   if (!(await user.page.isVisible(".test-explorer"))) {
     await user.page.click(".activitybar .action-item:has(.codicon-test-view-icon)");
@@ -124,7 +124,7 @@ const STEPS = {
 
   async "a new test appears, and a run that is cancelled ends"(user) {
     listPrograms("sum", "testSum", "testEndless");
-    // Each round takes long on this machine, and 2 µs of the 60 s of the controller's clock.
+    // Each iteration is slow on this machine, but has 2 µs of the 60 s on the controller's clock.
     const slow = Array.from({ length: 40 }, () => `${"sin(cos(".repeat(10)}1${"))".repeat(10)}`).join("+");
     writeProgram("testEndless", `  while ${slow}<1000\n  endWhile`);
     await user.openFile("testEndless.pgx");
@@ -143,7 +143,7 @@ const STEPS = {
     await hasState(user, "testOffset", "Passed");
     await user.page.click('.test-coverage-list-item:has-text("offset.pgx")');
     await user.tab("offset.pgx");
-    // The condition was false alone.
+    // The condition was only false.
     await hasColours(user, { 12: ["hit"], 13: ["hit", "miss"], 14: ["miss"] });
   },
 
@@ -153,12 +153,12 @@ const STEPS = {
   },
 };
 
-/** The code of a program that compares a sum with a number. */
+/** Returns the code of a program that compares a sum with a number. */
 function sumCode(number) {
   return `  ? "sum"\n  call assert:equalNum(1+1,${number},0)`;
 }
 
-/** Writes the project with the programs that the first test does not have. */
+/** Writes the project with the programs that the first test does not contain. */
 function listPrograms(...names) {
   const library = '    <Library alias="box" path="Disk://partBox/partBox.pjx" />\n  </Libraries>';
   const project = PROJECT.replace("  </Programs>", () => `${listed(...names)}  </Programs>`).replace("  </Libraries>", library);

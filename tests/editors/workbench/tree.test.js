@@ -10,13 +10,13 @@ const cell = join(folder, "cell");
 const USRAPP = join(cell, "usr/usrapp");
 const EXAMPLE = join(process.env.VAL3_ROOT, "examples/palletiser/usr/usrapp");
 
-/** What the editor and the server say to each other. */
+/** Recorded messages between the editor and the server. */
 const TRACE = join(process.env.VAL3_OUTPUT, "traces/val3-tree.jsonl");
 
 const read = (name) => readFileSync(join(USRAPP, name), "utf8");
 const original = (name) => readFileSync(join(EXAMPLE, name), "utf8");
 
-/** A text after these replacements, each of which must apply once. */
+/** Returns a text after these replacements, each of which must apply once. */
 function after(text, ...replacements) {
   return replacements.reduce((text, [before, now]) => {
     assert.equal(text.split(before).length, 2, `${before} is not there once`);
@@ -27,7 +27,7 @@ function after(text, ...replacements) {
 const MANIFEST = "palletiser/palletiser.pjx";
 const DATA = "palletiser/palletiser.dtx";
 
-/** An application as a controller of the s6 series writes it. */
+/** An application in the format of s6 controllers. */
 const OLD_MANIFEST = ['<?xml version="1.0" encoding="utf-8" ?>', '<project xmlns="ProjectNameSpace" >',
   '  <parameters version="s6.8" stackSize="5000" millimeterUnit="true" />', "  <programSection>", '    <program file="start.pgx" />',
   "  </programSection>", "  <dataSection>", '    <data file="old.dtx" />', "  </dataSection>", "  <aliasSection>",
@@ -56,19 +56,19 @@ async function becomes(name, expected, encoding = "utf8") {
   assert.equal(bytes(), expected);
 }
 
-/** How often the server was asked for the items of the view. */
+/** Returns the number of requests for the items of the view. */
 const requests = () => readFileSync(TRACE, "utf8").split('"val3/workspaceTree"').length - 1;
 
 const VIEW = '.part.sidebar .pane-body [role="tree"]';
-/** The row whose spoken text begins so; the number of items in a group is whole. */
+/** Returns the row whose label for screen readers begins with a text; a number of items must match completely. */
 const row = (text) => `${VIEW} .monaco-list-row[aria-label${/, \d+$/.test(text) ? "" : "^"}=${JSON.stringify(text)}]`;
 
-/** Waits until the view has no such item any more. When it is drawn again, it closes the menu that is open. */
+/** Waits until the view no longer contains an item. When the view is redrawn, it closes an open menu. */
 const leaves = (user, text) => user.page.waitForSelector(row(text), { state: "detached" });
 
 const labels = (user, level) => user.page.locator(`${VIEW} .monaco-list-row[aria-level="${level}"] .label-name`).allTextContents();
 
-/** Opens items of the view with the keyboard, again if an editor that has just been opened takes it meanwhile. */
+/** Opens items of the view with the keyboard, repeatedly if a newly opened editor receives the focus meanwhile. */
 async function opens(user, ...texts) {
   for (const text of texts) {
     const isOpen = `${row(text)}[aria-expanded=true]`;
@@ -83,10 +83,10 @@ async function opens(user, ...texts) {
   }
 }
 
-/** Rows that the view has at most in this test. */
+/** Largest number of rows of the view in this test. */
 const ROWS = 100;
 
-/** Moves the focus of the view to an item, with the keys of the arrows alone. It may be out of sight, or appear soon. */
+/** Moves the focus of the view to an item, only with the arrow keys. The item may be out of sight, or appear soon. */
 async function focuses(user, text) {
   await user.page.focus(".part.sidebar .pane-body .monaco-list");
   for (let step = 0; step < 3 * ROWS; step += 1) {
@@ -101,7 +101,7 @@ async function focuses(user, text) {
   throw new Error(`The focus does not reach ${text}`);
 }
 
-/** Takes an entry of the menu of an item, with the keyboard. */
+/** Selects an entry in the menu of an item, with the keyboard. */
 async function menu(user, text, entry) {
   await focuses(user, text);
   await user.keys("Shift+F10");
@@ -109,7 +109,7 @@ async function menu(user, text, entry) {
   for (let step = 0; step < 20; step += 1) {
     if (await user.page.locator(".monaco-menu .action-item.focused", { hasText: entry }).count() > 0) {
       await user.keys("Enter");
-      // The menu gives the focus back when it closes.
+      // The menu returns the focus when it closes.
       await user.page.waitForSelector(".monaco-menu", { state: "detached" });
       return;
     }
@@ -118,7 +118,7 @@ async function menu(user, text, entry) {
   throw new Error(`The menu of ${text} has no ${entry}`);
 }
 
-/** Replaces the text of the open input box and takes it. */
+/** Replaces the text of the open input box and accepts it. */
 async function enters(user, question, text) {
   await user.page.waitForSelector(`.quick-input-message:has-text(${JSON.stringify(question)})`);
   await user.keys("Control+A");
@@ -134,7 +134,7 @@ async function answersDialog(user, text, button) {
   await user.page.waitForSelector(".monaco-dialog-box", { state: "detached" });
 }
 
-/** The class and the colour of the icon of an item. */
+/** Returns the class and the colour of an item's icon. */
 const icon = (user, text) => user.page.locator(`${row(text)} .custom-view-tree-node-item-icon`).evaluate((icon) => {
   const name = [...icon.classList].find((name) => name.startsWith("codicon-"));
   return `${name} ${getComputedStyle(icon).color}`;
@@ -143,7 +143,7 @@ const icon = (user, text) => user.page.locator(`${row(text)} .custom-view-tree-n
 const STEPS = {
   async "applications come first, what none uses comes last"(user) {
     await user.command("View: Show VAL 3");
-    // The tree gets the room of the other view.
+    // The tree gets the space of the other view.
     await user.page.click('.pane-header[aria-label^="Variables"]');
     await user.page.waitForSelector(row("palletiser, application"));
     assert.deepEqual(await labels(user, 1), ["old", "palletiser", "Not Used by an Application"]);
@@ -185,7 +185,7 @@ const STEPS = {
     await user.goTo(34, 29);
     await user.keys("Delete");
     await user.type("3");
-    // Much longer than the pause after which a view that is seen asks.
+    // Much longer than the pause after which a visible view sends a request.
     await user.page.waitForTimeout(1500);
     assert.equal(requests(), before);
     await user.command("View: Show VAL 3");
@@ -196,7 +196,7 @@ const STEPS = {
   },
 
   async "the filter leaves names that contain a text"(user) {
-    // The actions of a view appear under the mouse.
+    // The actions of a view appear while the mouse is over it.
     await user.page.hover('.pane-header[aria-label^="Applications"]');
     await user.page.click('.part.sidebar .pane-header [aria-label^="Filter the View"]');
     await enters(user, "A part of the names", "GRIP");

@@ -1,4 +1,4 @@
-// A folder that the user does not trust is checked and shown, but nothing of it is executed. Trusting it needs no reload.
+// A folder that the user does not trust is checked and shown, but not executed. Trusting it needs no reload.
 const assert = require("node:assert/strict");
 const { execFileSync } = require("node:child_process");
 const { cpSync, mkdtempSync, readFileSync, realpathSync } = require("node:fs");
@@ -11,11 +11,11 @@ const cell = join(folder, "cell");
 cpSync(join(process.env.VAL3_ROOT, "examples/palletiser/usr"), join(cell, "usr"), { recursive: true });
 execFileSync(process.env.VAL3_SERVER, ["test", "--init", join(cell, "usr/usrapp/partBox")], { stdio: "ignore" });
 
-/** The commands of val3 that VS Code has started. */
+/** Returns the `val3` commands that VS Code has started. */
 const started = () => new Set(readFileSync(join(folder, "commands.log"), "utf8").split("\n").filter((command) => command !== ""));
 
 const lens = (text) => `.codelens-decoration a:text-is(${JSON.stringify(text)})`;
-/** The icon of the Testing view, which VS Code shows when an extension has tests. */
+/** Icon of the Testing view, which VS Code shows when an extension has tests. */
 const TESTING = ".activitybar .action-item:has(.codicon-test-view-icon)";
 
 const STEPS = {

@@ -1,7 +1,7 @@
 // Actions of a user in the workbench, with the keyboard wherever that works.
 const { chromium } = require("playwright-core");
 
-// Drawn by the processor, and by its emulation of a graphics card only where a page needs one: a third less work.
+// Software rendering, with emulation of a graphics card only where a page needs it, saves a third of the work.
 const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync", "--disable-gpu", "--enable-unsafe-swiftshader"];
 const PATIENCE = 60_000;
@@ -11,7 +11,7 @@ const VARIABLE = ".debug-variables .monaco-list-row";
 /** Rows of the view *Robot*. */
 const ROBOT = '.pane:has(.pane-header[aria-label^="Robot"]) .monaco-list-row';
 
-/** The row with this label; its description follows. */
+/** Returns the row with this label; its description follows. */
 const robotItem = (label) => `${ROBOT}[aria-label^=${JSON.stringify(`${label} `)}]`;
 
 class User {
@@ -21,7 +21,7 @@ class User {
     this.address = address;
   }
 
-  /** Opens the workbench; `query` says with what: `folder=…` or `workspace=…`. */
+  /** Opens the workbench; `query` is `folder=…` or `workspace=…`. */
   static async open(address, query) {
     const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args: FLAGS });
     const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
@@ -50,27 +50,30 @@ class User {
     await this.page.keyboard.type(text, { delay: 15 });
   }
 
-  /** Types into the open quick input, waits for the choice and takes it. */
+  /** Types into the open quick input, waits for the item and accepts it. */
   async choose(text) {
     await this.page.waitForSelector(".quick-input-widget:visible");
     await this.take(text);
     await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
   }
 
-  /** The same if the quick input stays open afterwards. */
+  /** Like `choose`, if the quick input stays open afterwards. */
   async take(text) {
     await this.type(text);
     await this.page.waitForSelector(`.quick-input-list .monaco-list-row.focused:has-text(${JSON.stringify(text)})`);
     await this.keys("Enter");
   }
 
-  /** Runs a command, perhaps with the choice for which it asks. */
+  /** Runs a command, optionally with the item that its quick input requires. */
   async command(title, choice) {
     await this.starts(title, choice);
     await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
   }
 
-  /** Starts a command, perhaps with a choice; it may ask for more. The palette lists only what is there when it opens. */
+  /**
+   * Starts a command, optionally with an item; it may open further inputs. The palette lists only the commands that
+   * exist when it opens.
+   */
   async starts(title, choice) {
     const row = this.page.locator(".quick-input-list .monaco-list-row.focused", { hasText: title });
     for (let attempt = 0; attempt < 5 && !(await row.isVisible()); attempt += 1) {
@@ -87,7 +90,7 @@ class User {
     }
   }
 
-  /** Answers the question of the open quick input, and reads what it says then. */
+  /** Enters a text in the open quick input, and waits for its reply, if any. */
   async answers(question, text, reply) {
     const message = (text) => `.quick-input-message:has-text(${JSON.stringify(text)})`;
     await this.page.waitForSelector(message(question));
@@ -95,14 +98,14 @@ class User {
     await this.type(text);
     if (reply === undefined) {
       await this.keys("Enter");
-      // The next question may open at once in the same place.
+      // The next prompt may open immediately in the same quick input.
       await this.page.waitForSelector(message(question), { state: "hidden" });
     } else {
       await this.page.waitForSelector(message(reply));
     }
   }
 
-  /** Runs a command that asks for a line of text, perhaps after a choice of which the first is taken, and answers. */
+  /** Runs a command that prompts for a line of text, optionally after a list whose first item is accepted. */
   async commandWith(title, question, answer, choice) {
     await this.starts(title);
     if (choice !== undefined) {
@@ -120,7 +123,7 @@ class User {
     await this.tab(name);
   }
 
-  /** Waits until the tab with this name is the active one. */
+  /** Waits until the tab with this name is active. */
   async tab(name) {
     await this.page.waitForSelector(`.tab.active[data-resource-name=${JSON.stringify(name)}]`);
     await this.page.waitForSelector(".editor-instance .view-line");
@@ -137,12 +140,12 @@ class User {
     await this.page.waitForSelector(`.statusbar-item [aria-label^="Ln ${line}, Col "]`);
   }
 
-  /** Waits for a line of the active editor that has this text. */
+  /** Waits for a line of the active editor with this text. */
   async sees(text) {
     await this.page.waitForSelector(`.editor-instance .view-line:has-text(${JSON.stringify(text)})`);
   }
 
-  /** Waits until a line has at least this many colours. */
+  /** Waits until a line has at least this number of colours. */
   async coloured(text, count) {
     await this.page.waitForFunction(([text, count]) => {
       const line = [...document.querySelectorAll(".editor-instance .view-line")].find((line) => line.textContent.includes(text));
@@ -164,7 +167,7 @@ class User {
     await this.page.waitForSelector(".editor-instance .squiggly-error", { state: "detached" });
   }
 
-  /** The text of the hover at the cursor, once it holds `text`. */
+  /** Waits until the hover at the cursor contains `text`. */
   async hovers(text) {
     await this.keys("Control+K", "Control+I");
     await this.page.waitForSelector(`.monaco-hover:visible :text(${JSON.stringify(text)})`);
@@ -198,7 +201,7 @@ class User {
     });
   }
 
-  /** Takes the completion `label` of the open list. */
+  /** Accepts the completion `label` in the open list. */
   async takes(label) {
     await this.page.click(`.suggest-widget.visible .monaco-list-row:has-text(${JSON.stringify(label)})`);
     await this.page.waitForSelector(".suggest-widget.visible", { state: "detached" });
@@ -212,7 +215,7 @@ class User {
     }, [text, count]);
   }
 
-  /** Waits until the terminal holds this text. */
+  /** Waits until the terminal contains this text. */
   async terminal(text) {
     await this.page.waitForFunction((text) => {
       const rows = [...document.querySelectorAll(".xterm-rows > div")].map((row) => row.textContent.replaceAll("\u00a0", " "));
@@ -220,7 +223,7 @@ class User {
     }, text);
   }
 
-  /** Waits for an icon of a file in the explorer or the tabs whose picture has this name. */
+  /** Waits for a file icon in the explorer or the tabs whose picture has this name. */
   async icon(file, picture) {
     await this.page.waitForFunction(([file, picture]) => {
       const labels = [...document.querySelectorAll(".explorer-folders-view .monaco-icon-label")];
@@ -229,7 +232,7 @@ class User {
     }, [file, picture]);
   }
 
-  /** Clicks a lens until its target is shown, because a lens that is redrawn under the mouse misses the click. */
+  /** Clicks a lens until its target is shown, because a click can miss a lens that is being redrawn. */
   async opensLens(text, shown) {
     const lens = this.page.locator(".codelens-decoration a", { hasText: text });
     for (let attempt = 0; attempt < 10 && !(await this.page.isVisible(shown)); attempt += 1) {
@@ -239,7 +242,7 @@ class User {
     await this.page.waitForSelector(shown);
   }
 
-  /** Waits for a message with this text; takes its button, or puts it away. */
+  /** Waits for a message with this text, and clicks its button or closes it. */
   async told(text, button) {
     const toast = this.page.locator(".notification-toast", { hasText: text }).first();
     await toast.waitFor();
@@ -257,7 +260,7 @@ class User {
     await this.frameWith(text);
   }
 
-  /** The frame of the web view that shows this text. */
+  /** Returns the frame of the web view that shows this text. */
   async frameWith(text) {
     const shows = (frame) => frame.evaluate((text) => document.body?.textContent.includes(text) === true, text).catch(() => false);
     for (const end = Date.now() + PATIENCE; Date.now() < end; await this.page.waitForTimeout(50)) {
@@ -271,14 +274,14 @@ class User {
     throw new Error(`No web view shows ${text}`);
   }
 
-  /** Closes a web view with the mouse, because the keyboard is in it only some time after its tab is clicked. */
+  /** Closes a web view with the mouse, because it gets the keyboard focus only some time after its tab is clicked. */
   async closesTab(name) {
     const tab = this.page.locator(`.tab[aria-label^=${JSON.stringify(name)}]`);
     await tab.click({ button: "middle" });
     await tab.waitFor({ state: "detached" });
   }
 
-  /** Opens these views of the debug sidebar, and closes the others, so that they have space. */
+  /** Opens these views of the debug sidebar, and closes all others to save space. */
   async views(...names) {
     for (const name of ["Variables", "Watch", "Call Stack", "Breakpoints", "Robot"]) {
       const header = this.page.locator(`.pane-header[aria-label^="${name}"]`);
@@ -288,12 +291,12 @@ class User {
     }
   }
 
-  /** Waits for an item of the view *Robot* with this label, and perhaps with this in its description. */
+  /** Waits for an item of the view *Robot* with this label, and optionally with a text in its description. */
   async robot(label, description = "") {
     await this.page.locator(ROBOT, { hasText: label }).filter({ hasText: description }).first().waitFor();
   }
 
-  /** Opens an item of the view *Robot* that is closed. */
+  /** Opens a closed item of the view *Robot*. */
   async expands(label) {
     const item = this.page.locator(robotItem(label));
     await item.waitFor();
@@ -303,7 +306,7 @@ class User {
     await this.page.waitForSelector(`${robotItem(label)}[aria-expanded=true]`);
   }
 
-  /** Clicks the action of an item of the view *Robot* whose title begins so. */
+  /** Clicks the action of an item in the view *Robot* whose title begins with a text. */
   async acts(label, action) {
     const item = this.page.locator(robotItem(label));
     await item.hover();
@@ -316,7 +319,7 @@ class User {
     await frame.click(`#pendant button:text-is(${JSON.stringify(label)})`);
   }
 
-  /** The frame of a web view with an element. */
+  /** Returns the frame of a web view with an element. */
   async frame(selector) {
     for (const end = Date.now() + PATIENCE; Date.now() < end; await this.page.waitForTimeout(50)) {
       for (const frame of this.page.frames()) {
@@ -349,14 +352,16 @@ class User {
     await row.waitFor({ timeout });
   }
 
-  /** Opens a scope or a variable of the sidebar, which contains another one. */
+  /** Opens a scope or variable in the sidebar, which contains another variable. */
   async opensVariable(text, inside) {
     await this.page.locator(VARIABLE, { hasText: text }).first().click();
     await this.page.locator(VARIABLE, { hasText: inside }).first().waitFor();
   }
 
-  /** Gives a variable of the sidebar another value. When VS Code draws the list again, which it does once more some time
-   * after a stop, the click misses or the box closes. */
+  /**
+   * Changes the value of a variable in the sidebar. If VS Code redraws the list, which it does once more some time
+   * after a stop, the click misses or the input closes.
+   */
   async changes(name, value) {
     const variable = this.page.locator(VARIABLE, { hasText: `${name} =` }).first();
     const input = this.page.locator(".debug-variables .inputBoxContainer input");
@@ -389,14 +394,16 @@ class User {
     await line.waitFor();
   }
 
-  /** Puts the focus into the first group of editors. */
+  /** Focuses the first group of editors. */
   async focusEditor() {
     await this.keys("Control+1");
     await this.page.waitForSelector(FOCUSED_EDITOR);
   }
 
-  /** Puts the focus from a web view that was just clicked into the first group of editors. VS Code notices the click some
-   * time later, and its group becomes the active one only then. */
+  /**
+   * Moves the focus from a web view that was just clicked to the first group of editors. VS Code notices the click some
+   * time later, and only then its group becomes active.
+   */
   async leavesWebview(name) {
     await this.page.waitForSelector(`.editor-group-container.active .tab[aria-label^=${JSON.stringify(name)}]`);
     await this.focusEditor();

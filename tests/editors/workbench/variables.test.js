@@ -1,4 +1,5 @@
-// The table of parameters and locals next to a program, with the keyboard alone: what it changes is compared byte for byte.
+// The table of parameters and locals next to a program, with only the keyboard: the changed files are compared byte for
+// byte.
 const assert = require("node:assert/strict");
 const { cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
@@ -13,15 +14,15 @@ const SETTINGS = join(cell, ".vscode/settings.json");
 
 const read = (name) => readFileSync(join(APPLICATION, name), "utf8");
 
-/** The expected texts of the files that the test changes. */
+/** Expected texts of the files that the test changes. */
 const FILES = {};
 
-/** A program of the s6 series, in ISO-8859-1 and with the line ends of Windows. */
+/** An s6 program in ISO-8859-1, with Windows line ends. */
 const OLD = ['<?xml version="1.0" encoding="iso-8859-1" ?>', '<programList xmlns="ProgramNameSpace" >', '  <program name="old" public="false" >',
   "    <description></description>", "    <paramSection/>", "    <localSection/>", "    <source><code>begin", "  // caf\u00e9", "  put(1&lt;2)", "end", "    </code></source>",
   "  </program>", "</programList>"].join("\r\n");
 
-/** The file has to become this after some replacements, each of which must apply. */
+/** Sets the expected text of a file by replacements, each of which must apply. */
 function expect(name, ...replacements) {
   FILES[name] = replacements.reduce((text, [before, now]) => {
     assert.ok(text.includes(before), `${name} has no ${before}`);
@@ -40,15 +41,15 @@ async function saved(user) {
   }
 }
 
-/** The frame of the table that shows this text. */
+/** Returns the frame of the table that shows this text. */
 const table = (user, text) => user.frameWith(text);
 
-/** Puts the focus into the table, by the command that VS Code has for each view. */
+/** Focuses the table with VS Code's command for each view. */
 async function focusView(user) {
   await user.command("VAL 3: Focus on Variables View");
 }
 
-/** Waits for a field of a row and puts the focus there. */
+/** Waits for a field of a row and focuses it. */
 async function focusField(user, label) {
   const frame = await table(user, "Parameters");
   const hasFocus = () => frame.evaluate(() => document.hasFocus());
@@ -60,7 +61,7 @@ async function focusField(user, label) {
   return frame;
 }
 
-/** The values of the first fields of a table. */
+/** Waits until the first fields of a table have these values. */
 async function names(user, list, expected) {
   const frame = await table(user, "Parameters");
   await frame.waitForFunction(([list, expected]) => {

@@ -1,10 +1,10 @@
-// VS Code as a server on this machine, with a profile and extensions of its own.
+// VS Code as a server on this machine, with a separate profile and extensions.
 const { spawn, spawnSync } = require("node:child_process");
 const { chmodSync, createWriteStream, mkdirSync, readdirSync, renameSync, writeFileSync } = require("node:fs");
 const { createServer } = require("node:net");
 const { basename, join } = require("node:path");
 
-/** Settings against access to the network, and against dialogs that would disturb the test. */
+/** Settings against network access, and against dialogs that would disturb the test. */
 const SETTINGS = {
   "telemetry.telemetryLevel": "off",
   "update.mode": "none",
@@ -33,8 +33,8 @@ const SETTINGS = {
 const RESTRICTED = { "security.workspace.trust.enabled": true, "security.workspace.trust.startupPrompt": "never" };
 
 /**
- * Starts VS Code with the extension installed. Returns the address of the workbench and how to stop it. VS Code shows no
- * modal dialogs with the driver of its own tests.
+ * Starts VS Code with the extension installed. Returns the address of the workbench and a function that stops VS Code.
+ * With the driver of its own tests, VS Code shows no modal dialogs.
  */
 async function startVsCode(folder, vsix, { showsDialogs = false, isRestricted = false } = {}) {
   const environment = { ...process.env, HOME: join(folder, "home"), EXTENSIONS_GALLERY: "{}" };
@@ -65,7 +65,7 @@ async function startVsCode(folder, vsix, { showsDialogs = false, isRestricted = 
   return { address, stop: () => server.kill() };
 }
 
-/** Puts a recorder in front of the server that came with the extension. `commands.log` lists the commands that are started. */
+/** Inserts a recorder before the server in the extension. `commands.log` lists the started commands. */
 function record(extensions) {
   const [extension] = readdirSync(extensions).filter((name) => /^[\w-]+\.val3-/.test(name));
   const server = join(extensions, extension, "server/val3");
@@ -75,7 +75,7 @@ function record(extensions) {
   const [test] = /^val3-[a-z]+/.exec(basename(join(extensions, "..")));
   const trace = join(process.env.VAL3_OUTPUT, `traces/${test}.jsonl`);
   const commands = join(extensions, "../commands.log");
-  // Only the language server speaks the protocol.
+  // Only the language server uses the protocol.
   const script = ["#!/bin/sh", `echo "$1" >>'${commands}'`, `export VAL3_SERVER='${recorded}' VAL3_TRACE='${trace}'`,
     `case $1 in lsp) exec '${recorder}' "$@" ;; *) exec '${recorded}' "$@" ;; esac`, ""];
   writeFileSync(server, script.join("\n"));

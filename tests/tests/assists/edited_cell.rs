@@ -1,4 +1,4 @@
-//! A cell to which changes are applied and taken back, with its findings.
+//! A cell with its findings, to which changes are applied and undone.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,13 +14,13 @@ use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_ide::{CheckSettings, FileEdit, SourceChange, project_diagnostics};
 use val3_syntax::SyntaxNode;
 
-/// The files of a cell, by absolute path.
+/// Files of a cell, by absolute path.
 pub(crate) type Files = BTreeMap<Utf8PathBuf, Vec<u8>>;
 
-/// Each item of a list with its number of occurrences.
+/// Items with their number of occurrences.
 pub(crate) type Counts = BTreeMap<String, usize>;
 
-/// The files that a change has touched, with their bytes before it.
+/// Files that a change has touched, with their previous bytes.
 pub(crate) type Before = Vec<(Utf8PathBuf, Option<Vec<u8>>)>;
 
 /// A cell in one database. Only the queries that a change affects run again.
@@ -42,7 +42,7 @@ impl EditedCell {
         &self.workspace.db
     }
 
-    /// The files of all projects, by path.
+    /// Returns the files of all projects, by path.
     pub(crate) fn project_files(&self) -> Vec<File> {
         let mut files: Vec<File> = Sources::get(self.db()).files(self.db()).values().copied().collect();
         files.retain(|file| !val3_ide::projects_of(self.db(), *file).is_empty());
@@ -54,16 +54,16 @@ impl EditedCell {
         parse(self.db(), file).root()
     }
 
-    /// The findings of all projects, without places.
+    /// Returns the findings of all projects, without locations.
     pub(crate) fn findings(&self) -> Counts {
         let (db, projects) = (self.db(), &self.workspace.projects);
         let found = projects.iter().flat_map(|project| project_diagnostics(db, self.settings, projects, *project));
         counted(found.map(|found| format!("{} {}: {}", found.rule.code, found.place.file.path(db), found.message)))
     }
 
-    /// The new texts of the files that a change edits.
+    /// Returns the new texts of the files that a change edits.
     ///
-    /// Edits that overlap, are not sorted, or lie outside of their file are an error.
+    /// Edits that overlap, are not sorted, or are outside their file cause an error.
     pub(crate) fn texts(&self, change: &SourceChange) -> Result<Vec<(File, String)>, String> {
         let mut texts = Vec::new();
         for edits in change.edits.chunk_by(|one, next| one.file == next.file) {
@@ -76,7 +76,7 @@ impl EditedCell {
         Ok(texts)
     }
 
-    /// Applies a change as an editor does.
+    /// Applies a change like an editor.
     pub(crate) fn apply(&mut self, change: &SourceChange) -> Result<Before, String> {
         let texts = self.texts(change)?;
         let mut before = Before::new();
@@ -104,7 +104,7 @@ impl EditedCell {
         Ok(before)
     }
 
-    /// Puts back the bytes before a change.
+    /// Restores the bytes before a change.
     pub(crate) fn restore(&mut self, before: &Before) {
         for (path, bytes) in before.iter().rev() {
             match bytes {
@@ -115,7 +115,7 @@ impl EditedCell {
         self.read(before);
     }
 
-    /// The bytes of a file.
+    /// Returns the bytes of a file.
     pub(crate) fn bytes(&self, path: &Utf8PathBuf) -> Option<&Vec<u8>> {
         self.files.get(path)
     }
@@ -140,13 +140,13 @@ impl EditedCell {
         file.set_text(&mut self.workspace.db).to(Arc::from(decoded.text));
     }
 
-    /// The file at a path, if the analysis has read it.
+    /// Returns the file at a path, if the analysis has read it.
     pub(crate) fn known(&self, path: &Utf8PathBuf) -> Option<File> {
         Sources::get(self.db()).files(self.db()).get(&path_key(path.as_str())).copied()
     }
 }
 
-/// A text after its edits.
+/// Returns a text after its edits.
 fn edited(text: &str, edits: &[FileEdit]) -> Result<String, String> {
     let mut new = String::with_capacity(text.len());
     let mut done = 0;
@@ -168,7 +168,7 @@ pub(crate) fn counted(texts: impl Iterator<Item = String>) -> Counts {
     counts
 }
 
-/// The texts that `one` has more often than `other`.
+/// Returns the texts that occur in `one` more often than in `other`.
 pub(crate) fn surplus(one: &Counts, other: &Counts) -> Vec<String> {
     let more = one.iter().filter(|(text, count)| other.get(*text).is_none_or(|known| known < count));
     more.map(|(text, _)| text.clone()).collect()

@@ -1,4 +1,4 @@
-//! A cell as an editor holds it: files that are changed as values.
+//! A cell as in an editor: files that are changed as values.
 
 use camino::Utf8PathBuf;
 use val3_analysis::db::{Database, File, FileRange, FileStatus, Sources};
@@ -12,10 +12,10 @@ use val3_ide::{FileEdit, SourceChange};
 use val3_syntax::{SyntaxKind, SyntaxNode, SyntaxToken};
 use val3_tests::cell::Cell;
 
-/// A name that no example has.
+/// A name that no example contains.
 pub(crate) const UNKNOWN: &str = "zUnknown";
 
-/// The files of a cell, and what the analysis knows of them.
+/// The files of a cell, and their analysis.
 pub(crate) struct Editor {
     cell: Cell,
     workspace: Workspace,
@@ -33,14 +33,14 @@ impl Editor {
         &self.workspace.db
     }
 
-    /// The tokens of all code but blanks and comments, file by file.
+    /// Returns the tokens of all code except whitespace and comments, file by file.
     pub(crate) fn tokens(&self) -> Vec<String> {
         let skipped = [SyntaxKind::WHITESPACE, SyntaxKind::NEWLINE, SyntaxKind::COMMENT];
         let of_file = |file: File| texts_of(&self.tree(file), |kind| !skipped.contains(&kind));
         self.files().into_iter().flat_map(of_file).collect()
     }
 
-    /// The files, by path.
+    /// Returns the files, by path.
     pub(crate) fn files(&self) -> Vec<File> {
         let mut files: Vec<File> = Sources::get(self.db()).files(self.db()).values().copied().collect();
         files.sort_by_key(|file| file.path(self.db()).clone());
@@ -51,7 +51,7 @@ impl Editor {
         parse(self.db(), file).root()
     }
 
-    /// The errors of all projects, without places, sorted.
+    /// Returns the errors of all projects, without locations, sorted.
     pub(crate) fn errors(&self) -> Vec<String> {
         let settings = WorkspaceSettings::default();
         let checked = units(self.db(), &self.workspace.projects).into_iter();
@@ -64,7 +64,7 @@ impl Editor {
         errors
     }
 
-    /// The files after a change.
+    /// Returns the files after a change.
     pub(crate) fn after(&self, change: &SourceChange) -> Cell {
         let mut cell = self.cell.clone();
         for (path, text) in &change.creates {
@@ -81,7 +81,7 @@ impl Editor {
         cell
     }
 
-    /// The new texts of the files that a change edits.
+    /// Returns the new texts of the files that a change edits.
     fn texts(&self, change: &SourceChange) -> Vec<(File, String)> {
         let edited = self.files().into_iter().filter(|file| change.edits.iter().any(|edit| edit.file == *file));
         let text = |file: File| {
@@ -98,7 +98,7 @@ impl Editor {
         edited.map(text).collect()
     }
 
-    /// A name in the code starts at a place.
+    /// Whether a name in the code starts at a range.
     pub(crate) fn is_name(&self, place: FileRange) -> bool {
         self.token(place).kind() == SyntaxKind::IDENT
     }
@@ -107,13 +107,13 @@ impl Editor {
         self.tree(place.file).token_at_offset(place.range.start()).right_biased().unwrap()
     }
 
-    /// The cell with an unknown name instead of the one at a place.
+    /// Returns the cell with an unknown name in place of the name at a range.
     pub(crate) fn with_unknown_name(&self, place: FileRange) -> Self {
         let edit = FileEdit { file: place.file, range: self.token(place).text_range(), text: UNKNOWN.to_owned() };
         Self::open(&self.after(&SourceChange { edits: vec![edit], ..SourceChange::default() }))
     }
 
-    /// A place of another editor in this one's file of the same path.
+    /// Returns the same range in this editor's file with the same path as in `other`.
     pub(crate) fn same_place(&self, other: &Self, place: FileRange) -> FileRange {
         let path = place.file.path(other.db());
         let file = self.files().into_iter().find(|file| file.path(self.db()) == path).unwrap();
@@ -121,13 +121,13 @@ impl Editor {
     }
 }
 
-/// The texts of the tokens of some kinds.
+/// Returns the texts of all tokens whose kind is wanted.
 fn texts_of(tree: &SyntaxNode, wanted: impl Fn(SyntaxKind) -> bool) -> Vec<String> {
     let tokens = tree.descendants_with_tokens().filter_map(|element| element.into_token());
     tokens.filter(|token| wanted(token.kind())).map(|token| token.text().trim().to_owned()).collect()
 }
 
-/// A statement of any kind.
+/// Whether the kind is a statement.
 pub(crate) fn is_stmt(kind: SyntaxKind) -> bool {
     use SyntaxKind as K;
     matches!(

@@ -1,4 +1,4 @@
-//! Programs do the same before and after an assist.
+//! Programs behave the same before and after an assist.
 
 use val3_analysis::db::FileRange;
 use val3_ide::{SourceChange, resolve_assist};
@@ -9,7 +9,7 @@ use val3_tests::running::Running;
 
 use crate::assists::editor::Editor;
 
-/// Programs that print what they evaluate.
+/// Programs that print the values that they evaluate.
 const PROGRAMS: &str = "
 num nA = 5
 num nB = 2
@@ -54,7 +54,7 @@ fn cell(listing: &str) -> (Cell, String, TextRange) {
     (files, path, range)
 }
 
-/// What the application prints, with the numbers of run-time errors.
+/// Returns the output of the application, with the numbers of run-time errors.
 fn printed(cell: &Cell) -> String {
     let text = |bytes: &Vec<u8>| String::from_utf8(bytes.clone()).unwrap();
     let raw = |(path, bytes): &(String, Vec<u8>)| {
@@ -128,7 +128,7 @@ fn an_inlined_variable_has_the_value_of_the_expression() {
     }
 }
 
-/// Values of the conditions, so that each side of each branch is executed.
+/// Returns the code with values of the conditions that execute each side of each branch.
 fn with_values(code: &str) -> impl Iterator<Item = String> {
     (0..8).map(move |bits| {
         let value = |bit: u32| bits >> bit & 1 == 1;

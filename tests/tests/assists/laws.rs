@@ -1,5 +1,5 @@
-//! The laws of refactorings: no new findings, no lost comment, the layout of the formatter where the file had it, and a
-//! way back to every byte.
+//! Laws of refactorings: no new findings, no lost comment, formatted code if the file was formatted, and an inverse
+//! that restores every byte.
 
 use val3_analysis::db::{File, FileRange, FileStatus};
 use val3_fmt::Style;
@@ -8,7 +8,7 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use crate::assists::edited_cell::{Before, Counts, EditedCell, counted, surplus};
 
-/// Each assist with the one that takes it back.
+/// Assists with their inverses.
 const INVERSES: [(&str, &str); 14] = [
     ("invert-if", "invert-if"),
     ("split-if", "merge-if"),
@@ -26,13 +26,13 @@ const INVERSES: [(&str, &str); 14] = [
     ("extract-program", "inline-program"),
 ];
 
-/// Assists whose inverse gives back the meaning, and not the layout of the lines or the keys of a collection.
+/// Assists whose inverse restores the behaviour, but not the lines or the keys of a collection.
 const LOSSY: [&str; 4] = ["switch-to-if", "if-to-switch", "extract-program", "collection-to-array"];
 
 /// Assists that move or copy code to another program, with its findings.
 const MOVES_CODE: [&str; 2] = ["extract-program", "inline-program"];
 
-/// Findings that are true after an assist, and no fault of it.
+/// Findings that an assist may add, because they are true and no fault of the assist.
 const MAY_COME: [(&str, &str); 16] = [
     // The user completes the condition `true` and the loop around old lines.
     ("surround-if", "V0301"),
@@ -41,45 +41,45 @@ const MAY_COME: [(&str, &str); 16] = [
     ("surround-while", "V0308"),
     ("surround-while", "V0342"),
     ("surround-for", "V0342"),
-    // The access decides which uses are known.
+    // The access determines which uses are known.
     ("toggle-access", "V0113"),
     ("toggle-access", "V0114"),
     ("toggle-access", "V0117"),
-    // The last call is inlined, and an unused local comes along under a new name.
+    // The last call is inlined, and an unused local is added under a new name.
     ("inline-program", "V0117"),
     ("inline-program", "V0115"),
-    // An empty `case` is usual, and an empty branch is not; so is storing a literal that is never used.
+    // An empty `case` is usual, but an empty branch is not; neither is storing a literal that is never used.
     ("switch-to-if", "V0330"),
     ("extract-constant", "V0312"),
     ("extract-variable", "V0312"),
     ("extract-variable-all", "V0312"),
-    // The new variable may be written alone.
+    // The new variable may only be written.
     ("create-local", "V0120"),
 ];
 
-/// The outcome at one place.
+/// Result at one range.
 #[derive(Debug, Default)]
 pub(crate) struct Outcome {
     /// Broken laws.
     pub(crate) failures: Vec<String>,
-    /// The texts of the edits, if there are failures.
+    /// Texts of the edits, if there are failures.
     pub(crate) texts: Vec<String>,
     /// Findings that the change removes.
     pub(crate) removed: Vec<String>,
-    /// What the inverse gave back; `None` if there is none, or it is not offered.
+    /// Result of the inverse; `None` if there is no inverse, or it is not offered.
     pub(crate) returned: Option<Returned>,
 }
 
-/// What is there after an assist and its inverse.
+/// Comparison between the original files and the files after an assist and its inverse.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Returned {
     Other,
-    /// The same lines, perhaps in another order or with other blanks.
+    /// The same lines, possibly in another order or with other whitespace.
     Lines,
     Bytes,
 }
 
-/// A cell on which assists are tried, with its findings.
+/// A cell to which assists are applied, with its findings.
 pub(crate) struct Laws {
     pub(crate) cell: EditedCell,
     pub(crate) findings: Counts,
@@ -91,7 +91,7 @@ impl Laws {
         Self { cell, findings }
     }
 
-    /// Applies the assist `id` at a place, and takes it back.
+    /// Applies the assist `id` at a range, and then its inverse.
     pub(crate) fn check(&mut self, id: &str, place: FileRange) -> Outcome {
         let mut outcome = Outcome::default();
         let Some(change) = resolve_assist(self.cell.db(), id, place) else {
@@ -138,7 +138,7 @@ impl Laws {
         Ok(())
     }
 
-    /// Why a name that a change made up cannot be replaced.
+    /// Returns the reason why a name that a change has invented cannot be renamed.
     fn not_renamed(&self, FileRange { file, range }: FileRange) -> Option<String> {
         match val3_ide::prepare_rename(self.cell.db(), FilePosition { file, offset: range.start() }) {
             Ok((found, _)) if found == range => None,
@@ -147,7 +147,7 @@ impl Laws {
         }
     }
 
-    /// The formatter has nothing to do in the file, and nothing in the code that may move to it.
+    /// Whether the file is formatted, and the code that may move to it too.
     fn keeps_layout(&self, id: &str, file: File) -> bool {
         if !MOVES_CODE.contains(&id) {
             return self.is_laid_out(file);
@@ -157,12 +157,12 @@ impl Laws {
         sources.chain([file]).all(|file| self.is_laid_out(file))
     }
 
-    /// The formatter changes nothing.
+    /// Whether the formatter changes nothing.
     fn is_laid_out(&self, file: File) -> bool {
         val3_ide::format_file(self.cell.db(), file, &Style::default()).is_empty()
     }
 
-    /// Syntax errors that a change adds, and comments that it loses.
+    /// Returns syntax errors that a change adds, and comments that it loses.
     fn lost(&self, change: &SourceChange) -> Result<Vec<String>, String> {
         let edited = self.cell.texts(change)?;
         let old = || edited.iter().map(|(file, _)| &**file.text(self.cell.db()));
@@ -173,7 +173,7 @@ impl Laws {
         Ok(faults.chain(comments.into_iter().map(|comment| format!("lost comment: {comment}"))).collect())
     }
 
-    /// Files whose bytes differ after the change is undone in an editor.
+    /// Returns files whose bytes differ after the change is undone in an editor.
     fn undo_differs(&self, change: &SourceChange) -> Result<Vec<String>, String> {
         let texts = self.cell.texts(change)?;
         let differs = texts.iter().filter(|(file, text)| !self.undo_restores(*file, text, change));
@@ -189,14 +189,14 @@ impl Laws {
         let mut undone = saved.clone();
         let edits: Vec<_> = change.edits.iter().filter(|edit| edit.file == file).collect();
         for edit in edits {
-            // All edits before this one are undone, so that it starts where it started in the old text.
+            // All previous edits are undone, so the edit starts at its offset in the old text.
             let start = usize::from(edit.range.start());
             undone.replace_range(start..start + edit.text.len(), &old[std::ops::Range::<usize>::from(edit.range)]);
         }
         saved == text && self.cell.bytes(file.path(db)) == Some(&encoding.encode(&undone))
     }
 
-    /// The most that the inverse gives back from some place; `None` if no place offers it.
+    /// Returns the best result of the inverse at these ranges; `None` if it is not offered at any.
     fn returns(&mut self, inverse: &str, places: &[FileRange], before: &Before) -> Option<Returned> {
         let mut returned = None;
         for place in places {
@@ -215,7 +215,7 @@ impl Laws {
         returned
     }
 
-    /// The files as they are now, against those `before`; `there` are the files that the inverse has touched.
+    /// Compares the present files with the files in `before`; `there` are the files that the inverse has touched.
     fn compared(&self, before: &Before, there: &Before) -> Returned {
         let is_same = |same: fn(&[u8], &[u8]) -> bool| {
             before.iter().all(|(path, bytes)| match (self.cell.bytes(path), bytes) {
@@ -240,12 +240,12 @@ fn sorted_lines(bytes: &[u8]) -> Vec<&[u8]> {
     lines
 }
 
-/// Another assist takes this one back.
+/// Whether an assist has an inverse.
 pub(crate) fn has_inverse(id: &str) -> bool {
     INVERSES.iter().any(|(one, _)| *one == id)
 }
 
-/// The inverse must give back at least this.
+/// Returns the minimal result that the inverse must reach.
 fn required(id: &str) -> Returned {
     match id {
         // A comment between two conditions moves into the block.
@@ -259,7 +259,7 @@ fn may_come(id: &str, finding: &str) -> bool {
     MAY_COME.iter().any(|(assist, code)| *assist == id && finding.starts_with(code))
 }
 
-/// The findings; where code moves, each once and without its file.
+/// Returns the findings; if code moves, without duplicates and files.
 fn comparable(id: &str, findings: &Counts) -> Counts {
     if !MOVES_CODE.contains(&id) {
         return findings.clone();
@@ -271,7 +271,7 @@ fn comparable(id: &str, findings: &Counts) -> Counts {
     findings.keys().map(message).collect()
 }
 
-/// Where the inverse may be offered: at the place itself, and at the start and within each edit.
+/// Returns the ranges at which the inverse may be offered: the original range, and each edit's start and inside.
 fn return_places(place: FileRange, change: &SourceChange) -> Vec<FileRange> {
     let cursor = |file, at: usize| FileRange { file, range: TextRange::empty(TextSize::try_from(at).unwrap()) };
     let mut places = vec![cursor(place.file, usize::from(place.range.start()))];

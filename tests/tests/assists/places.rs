@@ -1,4 +1,4 @@
-//! Places at which assists are tried.
+//! Ranges at which assists are applied.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use crate::assists::chance::Chance;
 use crate::assists::edited_cell::EditedCell;
 use crate::assists::editor::is_stmt;
 
-/// Every statement, every two neighbours, and every token of the code of a file.
+/// Returns every statement, every two neighbours, and every token of the code in a file.
 pub(crate) fn places(file: File, tree: &SyntaxNode) -> Vec<FileRange> {
     let mut places = Vec::new();
     let stmts: Vec<_> = tree.descendants().filter(|node| is_stmt(node.kind())).collect();
@@ -24,21 +24,21 @@ pub(crate) fn places(file: File, tree: &SyntaxNode) -> Vec<FileRange> {
     places
 }
 
-/// The start of every token that is no blank.
+/// Returns the start of every token except whitespace.
 fn cursors(file: File, tree: &SyntaxNode) -> impl Iterator<Item = FileRange> {
     let tokens = tree.descendants_with_tokens().filter_map(|element| element.into_token());
     let worth = tokens.filter(|token| !matches!(token.kind(), SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE));
     worth.map(move |token| FileRange { file, range: TextRange::empty(token.text_range().start()) })
 }
 
-/// The parts of statements.
+/// Returns the parts of statements.
 fn expressions(file: File, tree: &SyntaxNode) -> Vec<FileRange> {
     let code = tree.descendants().filter(|node| node.kind() == SyntaxKind::CODE);
     let nodes = code.flat_map(|code| code.descendants().skip(1)).filter(|node| !is_stmt(node.kind()));
     nodes.map(|node| FileRange { file, range: node.text_range() }).filter(|place| !place.range.is_empty()).collect()
 }
 
-/// The places of a file, by kind: cursors, selected statements, selected expressions.
+/// Ranges of a file, by kind: cursors, selected statements, selected expressions.
 type ByKind = [Vec<FileRange>; 3];
 
 fn by_kind(cell: &EditedCell, file: File) -> ByKind {
@@ -47,7 +47,8 @@ fn by_kind(cell: &EditedCell, file: File) -> ByKind {
     [cursors, stmts, expressions(file, &tree)]
 }
 
-/// Draws places until each assist has `most` of them or `draws` are made: for each assist, the places that offer it.
+/// Draws ranges until each assist has `most` ranges or after `draws` attempts. Returns for each assist the ranges at
+/// which it is offered.
 pub(crate) fn offering(cell: &EditedCell, draws: usize, most: usize) -> BTreeMap<&'static str, Vec<FileRange>> {
     let mut chance = Chance::new(24);
     let files: Vec<ByKind> = cell.project_files().into_iter().map(|file| by_kind(cell, file)).collect();

@@ -1,8 +1,8 @@
-//! The laws of refactorings over programs that are not part of this repository.
+//! Laws of refactorings for programs outside this repository.
 //!
-//! `VAL3_PROGRAMS=FOLDER cargo test -p val3-tests --test it assists::public -- --ignored --nocapture` applies every assist
-//! at 50 random places below the folder and prints a table. `VAL3_ASSIST` limits it to one assist, and `VAL3_DRAWS`
-//! is the number of places that are asked for offers.
+//! `VAL3_PROGRAMS=FOLDER cargo test -p val3-tests --test it assists::public -- --ignored --nocapture` applies every
+//! assist at 50 random ranges below the folder and prints a table. `VAL3_ASSIST` selects one assist, and `VAL3_DRAWS`
+//! is the number of ranges for which assists are requested.
 
 #![allow(clippy::disallowed_methods, reason = "the programs are named by the environment, not by this repository")]
 
@@ -18,13 +18,13 @@ use crate::assists::laws::{Laws, Outcome, Returned, has_inverse};
 use crate::assists::places::offering;
 use crate::assists::task_names;
 
-/// Number of places per assist.
+/// Number of ranges per assist.
 const PLACES: usize = 50;
 
-/// The default of `VAL3_DRAWS`.
+/// Default of `VAL3_DRAWS`.
 const DRAWS: usize = 20_000;
 
-/// Number of failures of one assist that are printed.
+/// Number of printed failures per assist.
 const SHOWN: usize = 6;
 
 #[test]
@@ -43,7 +43,7 @@ fn the_laws_hold_in_public_programs() {
     assert_eq!(failed, 0, "failures");
 }
 
-/// Prints the row of an assist, and what failed. The number of places that failed.
+/// Prints an assist's row and failures, and returns the number of failed ranges.
 fn report(laws: &mut Laws, id: &str, places: &[FileRange]) -> usize {
     let outcomes: Vec<(FileRange, Outcome)> = places.iter().map(|place| (*place, laws.check(id, *place))).collect();
     let failed = outcomes.iter().filter(|(_, outcome)| !outcome.failures.is_empty()).count();
@@ -66,7 +66,7 @@ fn report(laws: &mut Laws, id: &str, places: &[FileRange]) -> usize {
     failed
 }
 
-/// Prints the row of names of tasks. The number of names that failed.
+/// Prints the row of task names, and returns the number of failed names.
 fn report_tasks(laws: &mut Laws) -> usize {
     let tasks = task_names::tasks(&laws.cell, PLACES);
     let mut refusals = Vec::new();
@@ -84,7 +84,7 @@ fn report_tasks(laws: &mut Laws) -> usize {
     failed.len()
 }
 
-/// The codes of the findings that changes have removed, each with its number.
+/// Formats the codes of the removed findings with their numbers.
 fn gone(outcomes: &[(FileRange, Outcome)]) -> String {
     let mut codes: BTreeMap<&str, usize> = BTreeMap::new();
     let removed = outcomes.iter().flat_map(|(_, outcome)| &outcome.removed);
@@ -106,7 +106,7 @@ fn collect(root: &Path, folder: &Path, files: &mut Files) {
         match inside {
             Some(_) if path.is_dir() => collect(root, &path, files),
             Some(inside) => _ = files.insert(inside, fs::read(&path).unwrap()),
-            // The analysis leaves out such names.
+            // The analysis omits such names.
             None => {}
         }
     }

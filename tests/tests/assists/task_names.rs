@@ -1,4 +1,4 @@
-//! The laws of a rename for names of tasks, which are texts.
+//! Laws of the rename for task names, which are strings.
 
 use val3_analysis::db::FileRange;
 use val3_analysis::occurrences::{Symbol, Usage, occurrences};
@@ -10,7 +10,7 @@ use crate::assists::edited_cell::{Counts, EditedCell, counted, surplus};
 /// A name that no task has.
 const NEW: &str = "zqTask";
 
-/// The names in `taskCreate` that are texts, at most `most`.
+/// Returns the names in `taskCreate` that are string literals, at most `most`.
 pub(crate) fn tasks(cell: &EditedCell, most: usize) -> Vec<(FileRange, String)> {
     let db = cell.db();
     let mut tasks = Vec::new();
@@ -25,7 +25,7 @@ pub(crate) fn tasks(cell: &EditedCell, most: usize) -> Vec<(FileRange, String)> 
     tasks.into_iter().step_by(step).collect()
 }
 
-/// Renames a task there and back. `Err` says why it is refused; the failures otherwise.
+/// Renames a task to a new name and back. The error is the reason why this is rejected; otherwise returns the failures.
 pub(crate) fn there_and_back(
     cell: &mut EditedCell,
     findings: &Counts,

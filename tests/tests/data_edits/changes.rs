@@ -1,11 +1,11 @@
-//! Changes of the tables of a file, and those that take them back.
+//! Changes to a file's tables, with their inverses.
 
 use val3_ide::{
     CellEdit, ColumnKind, DataColumn, DataEdit, DataPlace, DataTables, DataType, Datum, Dialect, FieldStep, NewDatum,
 };
 use val3_lang::types::Container;
 
-/// For each cell that the file writes, a change to another text and the one back.
+/// Returns for each cell with a value in the file a change to another text and its inverse.
 pub(crate) fn other_texts(tables: &DataTables) -> Vec<(DataEdit, DataEdit)> {
     let mut found = Vec::new();
     for data in &tables.data {
@@ -17,7 +17,7 @@ pub(crate) fn other_texts(tables: &DataTables) -> Vec<(DataEdit, DataEdit)> {
 
 fn cells(tables: &DataTables, data: &Datum, place: &DataPlace, found: &mut Vec<(DataEdit, DataEdit)>) {
     let columns = columns(&tables.types, &data.type_name);
-    // In s5 and s6 one cell has the father of all values.
+    // In s5 and s6 one cell contains the father of all values.
     let is_shared = |column: &DataColumn| tables.dialect == Dialect::Old && column.kind == ColumnKind::Father;
     for (at, value) in data.values.iter().enumerate() {
         let place = with_key(place, &value.key);
@@ -54,7 +54,7 @@ fn pair(place: &DataPlace, column: &DataColumn, text: Option<&str>) -> (DataEdit
     (set(Some(&other_text(column, text))), set(text))
 }
 
-/// A text of the column that is neither `text` nor the default.
+/// Returns a text for the column that is neither `text` nor the default.
 fn other_text(column: &DataColumn, text: Option<&str>) -> String {
     let candidates = match column.kind {
         ColumnKind::Number => vec!["17.25", "-3e5"],
@@ -65,11 +65,11 @@ fn other_text(column: &DataColumn, text: Option<&str>) -> String {
         ColumnKind::Choice => column.choices.iter().map(String::as_str).collect(),
     };
     let is_other = |candidate: &&&str| Some(**candidate) != text && **candidate != column.default;
-    // The other value of a truth is its default.
+    // The other truth value is the default.
     (*candidates.iter().find(is_other).unwrap_or(&candidates[1])).to_owned()
 }
 
-/// The declarations of `count` variables of a type.
+/// Returns the declarations of `count` variables of a type.
 pub(crate) fn added(stem: &str, type_name: &str, sizes: &[u32], count: usize) -> Vec<DataEdit> {
     let container = match sizes {
         [] => Container::Collection,
@@ -86,7 +86,7 @@ pub(crate) fn added(stem: &str, type_name: &str, sizes: &[u32], count: usize) ->
     (0..count).map(|number| DataEdit::Add(new(number))).collect()
 }
 
-/// Changes of declarations, sizes and keys, each with the one back.
+/// Returns changes of declarations, sizes and keys with their inverses.
 pub(crate) fn pairs(tables: &DataTables) -> Vec<(&'static str, DataEdit, DataEdit)> {
     let mut pairs = Vec::new();
     for ty in &tables.types {

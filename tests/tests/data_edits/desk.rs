@@ -1,4 +1,4 @@
-//! A data file of a cell, and the tests of its changes.
+//! A cell's data file, and the checks of changes to it.
 
 use camino::Utf8PathBuf;
 use salsa::Setter as _;
@@ -22,7 +22,7 @@ pub(crate) struct Desk {
 }
 
 impl Desk {
-    /// Every data file of a cell, each in a workspace of its own.
+    /// Opens every data file of a cell, each in a separate workspace.
     pub(crate) fn open(cell: &[(String, Vec<u8>)]) -> Vec<Self> {
         let names: Vec<Utf8PathBuf> = cell.iter().map(|(path, _)| Utf8PathBuf::from("/").join(path)).collect();
         let open = |path: &Utf8PathBuf| {
@@ -60,18 +60,18 @@ impl Desk {
         text
     }
 
-    /// Makes changes for good.
+    /// Applies changes permanently.
     pub(crate) fn make(&mut self, edits: &[DataEdit]) {
         let text = self.after(&self.change(edits));
         self.file.set_text(&mut self.workspace.db).to(text.into());
     }
 
-    /// Changes that take each other back restore every byte.
+    /// Checks that the changes restore every byte.
     pub(crate) fn is_undone(&self, edits: &[DataEdit]) {
         assert_eq!(self.after(&self.change(edits)), self.text(), "{edits:?}");
     }
 
-    /// A change replaces nothing outside of the variable that it is about, and leaves a file that can be read.
+    /// Checks that a change replaces nothing outside the variable, and that the file remains readable.
     pub(crate) fn keeps_others(&self, edit: &DataEdit) {
         let change = self.change(std::slice::from_ref(edit));
         assert!(!change.is_empty(), "{edit:?}");
@@ -88,7 +88,7 @@ impl Desk {
         assert!(val3_syntax::parse(&after).errors().is_empty(), "{edit:?} {after}");
     }
 
-    /// The file has no error after a change that it does not have before.
+    /// Checks that changes add no error to the file.
     pub(crate) fn adds_no_error(&self, edits: &[DataEdit]) {
         let db = &self.workspace.db;
         let context = FixContext { db, system: &self.system, check_cancelled: &|| {} };

@@ -1,4 +1,4 @@
-//! How an application begins and ends (2.1.3, 5.2).
+//! Start and end of an application (2.1.3, 5.2).
 
 use expect_test::expect;
 use val3_machine::event::EventKind;
@@ -6,7 +6,7 @@ use val3_tests::running::Running;
 
 use crate::execution::check;
 
-/// The events of tasks and the output of `?`, one line each.
+/// Returns the events of tasks and the output of `?`, in lines.
 fn story(running: &Running) -> String {
     let line = |kind: &EventKind| match kind {
         EventKind::Task { state, name, .. } => Some(format!("{name} {state}\n")),
@@ -178,7 +178,7 @@ fn a_stop_after_the_end_of_start_is_seen_by_other_tasks() {
     .assert_eq(&story(&running.to_the_end()));
 }
 
-/// The way in which public programs end themselves.
+/// Public programs end themselves in this way.
 #[test]
 fn an_application_ends_where_it_kills_its_start_task() {
     let running = Running::start(

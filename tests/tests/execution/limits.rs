@@ -1,4 +1,4 @@
-//! Limits at both sides of the edge: bytes of a string, values of a variable, characters of a name.
+//! Limits on both sides: bytes of a string, values of a variable, characters of a name.
 
 use expect_test::expect;
 

@@ -1,4 +1,4 @@
-//! Applications of which something is missing: they start, and the line that needs it stops its task (6.4, 6.6).
+//! Applications with missing parts: they start, and the line that needs the part stops its task (6.4, 6.6).
 
 use expect_test::expect;
 

@@ -194,7 +194,7 @@ fn a_reference_passed_on_is_the_same_variable() {
     );
 }
 
-/// A program whose many numbers need a wide frame calls others with a narrow frame, and is called by them.
+/// A program with a wide frame, which many numbers need, calls programs with a narrow frame, and is called by them.
 #[test]
 fn frames_of_any_width_call_each_other() {
     let locals: String = (0..45).map(|number| format!("  trsf l_tr{number}\n")).collect();
@@ -209,7 +209,7 @@ fn frames_of_any_width_call_each_other() {
     );
     check(
         &listing,
-        // 46 times 2 and 1, and 1000 times each of them.
+        // 46 times 2 and 1, and 1000 times each of these.
         expect![[r#"
             3138
         "#]],

@@ -5,7 +5,7 @@ use expect_test::expect;
 
 use crate::execution::check;
 
-/// A frame that moves takes with it what is given in it, however the program names it.
+/// If a frame moves, all data relative to it move too, independent of the expression that names them.
 #[test]
 fn references_lead_through_elements_and_fields() {
     check(
@@ -45,7 +45,7 @@ fn references_lead_through_elements_and_fields() {
     );
 }
 
-/// A copy has the reference of what it was copied from; `world` and `flange` are their own.
+/// A copy has the father of the original; `world` and `flange` are their own fathers.
 #[test]
 fn a_copy_keeps_the_reference() {
     check(
@@ -89,7 +89,7 @@ fn a_copy_keeps_the_reference() {
     );
 }
 
-/// The project of a type declares the values of its fields, not their references (7.3).
+/// A type's project declares the values of fields, not their fathers (7.3).
 #[test]
 fn fields_have_no_reference_at_first() {
     let listing = r#"
@@ -135,7 +135,7 @@ fn fields_have_no_reference_at_first() {
     );
 }
 
-/// A program that is called can hang what it was given on what is its own only as long as both last.
+/// A called program can link a parameter to its own data, but the link exists only as long as both.
 #[test]
 fn a_reference_that_ends_with_a_program_is_none() {
     check(

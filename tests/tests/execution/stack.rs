@@ -1,4 +1,4 @@
-//! The stack of a task: error 41 (2.1.4.2).
+//! Stack of a task: error 41 (2.1.4.2).
 
 use expect_test::expect;
 use val3_tests::running::Running;
@@ -67,7 +67,7 @@ fn locals_fill_the_stack() {
     );
 }
 
-/// The depth of calls that a stack of this size allows.
+/// Returns the depth of calls that a stack of this size allows.
 fn depth(bytes: u32) -> u32 {
     let listing = format!(
         r#"

@@ -137,7 +137,7 @@ fn a_cycle_has_3000_lines() {
     );
 }
 
-/// 3,000 lines of 2 microseconds take 6 ms.
+/// 3,000 lines of 2 µs have a duration of 6 ms.
 #[test]
 fn the_cycle_after_an_overrun_is_skipped() {
     check(

@@ -1,4 +1,4 @@
-//! Tasks that others halt, resume and kill (5.2, 5.10).
+//! Tasks that other tasks halt, resume and kill (5.2, 5.10).
 
 use expect_test::{Expect, expect};
 
@@ -55,7 +55,7 @@ fn a_task_has_the_states_of_the_manual() {
     );
 }
 
-/// A task stops at the third of five lines and resumes this number of lines after it.
+/// A task stops at the third of five lines and resumes this number of lines later.
 #[track_caller]
 fn resumed(skip: &str, expected: Expect) {
     let listing = format!(

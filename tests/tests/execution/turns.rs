@@ -1,4 +1,4 @@
-//! The turns of asynchronous tasks (5.4).
+//! Turns of asynchronous tasks (5.4).
 
 use expect_test::expect;
 
@@ -101,7 +101,7 @@ fn the_start_task_has_ten_lines() {
     );
 }
 
-/// Whether an instruction in the middle of a long turn lets another task run.
+/// Whether an instruction in the middle of a long turn allows another task to run.
 #[track_caller]
 fn passes_the_turn(data: &str, line: &str) -> bool {
     let listing = format!(

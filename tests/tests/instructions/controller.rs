@@ -1,4 +1,4 @@
-//! The state of the controller (8.1), and what CS9 controllers add.
+//! State of the controller (8.1), and additions of CS9 controllers.
 
 use expect_test::expect;
 use val3_machine::controller_state::{Licence, WorkingMode};

@@ -6,7 +6,7 @@ use val3_machine::devices::Devices;
 use val3_machine::io::{Direction, Format, Kind, Signal, SignalFault};
 use val3_tests::running::Running;
 
-/// Data with links: `diSignals` to outputs 0 to 3 of `Io`, of the others what their names say.
+/// Data with links: `diSignals` to outputs 0 to 3 of `Io`, other data to the signals that their names describe.
 const DATA: &str = r#"
 === main/main.dtx
 <?xml version="1.0" encoding="utf-8"?>
@@ -43,7 +43,7 @@ fn devices() -> Devices {
     devices
 }
 
-/// Runs with what `prepare` does to the devices.
+/// Runs after `prepare` has changed the devices.
 #[track_caller]
 fn run(prepare: impl FnOnce(&mut Devices), body: &str) -> Running {
     let mut running = Running::on(devices(), &format!("{body}\n{DATA}"));

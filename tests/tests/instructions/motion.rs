@@ -5,7 +5,7 @@ use val3_machine::event::EventKind;
 use val3_machine::script::Script;
 use val3_tests::running::Running;
 
-/// Switches the power on and moves to where most programs begin.
+/// Switches the power on and moves to the start position of most programs.
 const READY: &str = "mdesc mSlow\nmdesc mStop\njoint jReady\npoint pNear\n  mStop.blend=off\n  enablePower()\n  \
                      wait(isPowered())\n  jReady={0,0,90,0,90,0}\n  movej(jReady,flange,mStop)\n  waitEndMove()\n";
 
@@ -14,7 +14,7 @@ fn check(body: &str, printed: &str) {
     assert_eq!(Running::start(body).to_the_end().printed(), printed, "{body}");
 }
 
-/// Prints of a program whose arm is ready.
+/// Checks the output of a program whose arm is ready.
 #[track_caller]
 fn check_ready(body: &str, printed: &str) {
     check(&format!("{READY}{body}"), printed);
@@ -74,7 +74,7 @@ fn a_circle_passes_its_intermediate_point() {
     );
 }
 
-/// The example of `setMoveId` in the manual.
+/// The manual's example of `setMoveId`.
 #[test]
 fn ids_count_the_moves() {
     check_ready(
@@ -86,7 +86,7 @@ fn ids_count_the_moves() {
     );
 }
 
-/// The first example of 10.6: the fraction is the part of the move that is done.
+/// The first example of 10.6: the fraction is the completed part of the move.
 #[test]
 fn the_fraction_of_the_id_is_the_part_of_the_move() {
     check_ready(
@@ -98,7 +98,7 @@ fn the_fraction_of_the_id_is_the_part_of_the_move() {
     );
 }
 
-/// 10.2.2: without the next move the arm runs to the leave point and waits there.
+/// 10.2.2: without the next move the arm moves to the leave point and waits there.
 #[test]
 fn the_arm_waits_at_the_leave_point_of_the_last_move() {
     check_ready(
@@ -193,7 +193,7 @@ fn impossible_moves_are_errors_at_their_line() {
     );
 }
 
-/// The events of moves: `phase type line`.
+/// Checks the events of moves: `phase type line`.
 #[track_caller]
 fn check_moves(body: &str, expected: &str) {
     let running = Running::start(&format!("{READY}{body}")).to_the_end();
@@ -222,7 +222,7 @@ fn follow(body: &str, script: &str) -> Running {
     running.to_the_end()
 }
 
-/// The arm stops on its path when its power goes, and continues when it comes back.
+/// The arm stops on its path when the power is switched off, and continues when it is on again.
 #[test]
 fn an_emergency_stop_holds_the_arm_on_its_path() {
     let body = format!(
@@ -307,7 +307,7 @@ end
 
 const PRESS: &str = "joint jPress\n  jPress={20,0,90,0,90,0}\n";
 
-/// 11.1.3: the sign of the force decides where the arm goes; a force from outside moves it as well.
+/// 11.1.3: the sign of the force determines the direction of the arm; an external force moves it as well.
 #[test]
 fn a_compliant_move_follows_forces() {
     check_ready(
@@ -336,7 +336,7 @@ fn compliant_moves_have_errors_of_their_own() {
     assert_eq!(running.to_the_end().printed(), "error 250\n");
 }
 
-/// A line of 200 mm along y that is deviated by a task of 4 ms, a twentieth of a millimetre a cycle, up to 5 mm.
+/// A line of 200 mm along y with a deviation by a task of 4 ms: a twentieth of a mm per cycle, up to 5 mm.
 const DEVIATED: &str = r"
 program start()
   num l_nStatus

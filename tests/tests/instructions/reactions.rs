@@ -1,11 +1,11 @@
-//! The reactions of scripts.
+//! Reactions of scripts.
 
 use expect_test::{Expect, expect};
 use val3_machine::event::Event;
 use val3_machine::script::{Condition, Script};
 use val3_tests::running::Running;
 
-/// The application of a listing with a script.
+/// Runs the application of a listing with a script.
 fn scripted(script: &str, listing: &str) -> Running {
     let mut running = Running::start(listing);
     running.controller.follow(Script::parse(script).unwrap());
@@ -18,7 +18,7 @@ fn check(script: &str, listing: &str, expected: Expect) {
     expected.assert_eq(&format!("{}{}", running.printed(), running.record()));
 }
 
-/// The data of a program with a valve, a cup and a scale.
+/// Data of a program with a valve, a cup and a scale.
 const CELL: &str = r#"
 === main/main.dtx
 <?xml version="1.0" encoding="utf-8"?>
@@ -184,7 +184,7 @@ fn record(events: &[Event]) -> String {
     events.iter().map(|event| serde_json::to_string(event).unwrap() + "\n").collect()
 }
 
-/// The rest of a run, step by step without skipped time.
+/// Runs step by step without skipped time, and returns the record of the rest.
 fn rest(running: &mut Running) -> String {
     while running.controller.now() < 400_000_000 && !running.controller.step().is_final() {}
     record(&running.controller.devices.take_events())

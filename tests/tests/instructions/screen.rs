@@ -14,7 +14,7 @@ fn check_record(listing: &str, expected: Expect) {
     expected.assert_eq(&Running::start(listing).to_the_end().record());
 }
 
-/// Runs with keys that the operator types as the program asks for them.
+/// Runs with keys that the operator presses when the program requests them.
 #[track_caller]
 fn check_typed(keys: &[u16], listing: &str, expected: Expect) {
     let mut running = Running::start(listing);

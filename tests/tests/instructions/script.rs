@@ -1,4 +1,4 @@
-//! The effects of scripts.
+//! Effects of scripts.
 
 use expect_test::{Expect, expect};
 use val3_machine::script::Script;

@@ -1,11 +1,11 @@
-//! Opening and closing tools while the arm is at rest (9.5.4).
+//! Opening and closing of tools while the arm is at rest (9.5.4).
 
 use val3_lang::types::BaseType;
 use val3_machine::devices::Devices;
 use val3_machine::io::{Direction, Kind, Signal};
 use val3_tests::running::Running;
 
-/// Tools on the signals of the device `Io`, each named after what it is for.
+/// Tools on the signals of the device `Io`, each named after its purpose.
 const DATA: &str = r#"
 === main/main.dtx
 <?xml version="1.0" encoding="utf-8"?>
@@ -44,7 +44,7 @@ fn run(body: &str) -> Running {
     Running::on(devices(), &format!("{}\n{DATA}", program(body))).to_the_end()
 }
 
-/// The lines as the program that starts, unless they are programs themselves.
+/// Returns the lines as the program `start`, unless they are programs themselves.
 fn program(body: &str) -> String {
     match body.starts_with("program") {
         true => body.to_owned(),
@@ -57,7 +57,7 @@ fn check(body: &str, printed: &str) {
     assert_eq!(run(body).printed(), printed, "{body}");
 }
 
-/// `waitEndMove`, the output, then `delay`, as the manual writes both instructions out.
+/// `waitEndMove`, the output, then `delay`, as the manual describes both instructions.
 #[test]
 fn the_output_is_set_and_the_time_of_the_tool_passes() {
     let running = run("  l_nStart=clock()\n  open(tHand)\n  ? clock()-l_nStart>=0.5 and clock()-l_nStart<0.51\n  \
@@ -72,7 +72,7 @@ fn the_output_is_set_and_the_time_of_the_tool_passes() {
     );
 }
 
-/// The output belongs to the program again as soon as it is set.
+/// After it is set, the output can be changed by the program again.
 #[test]
 fn the_output_is_set_once() {
     check(
@@ -108,7 +108,7 @@ fn tools_without_output_are_errors() {
     }
 }
 
-/// In s5 and s6 a tool names the `dio` of its gripper: of a library, or what the controller calls the signal.
+/// In s5 and s6 a tool names the `dio` of its gripper: in a library, or by the controller's name for the signal.
 #[test]
 fn a_tool_of_the_old_dialect_sets_its_output() {
     let tool = |alias: &str, name: &str| {

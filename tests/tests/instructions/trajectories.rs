@@ -1,32 +1,32 @@
-//! The programs of 10.1.2 and 10.6 of the manual. The arm is a TX2-90.
+//! Programs in 10.1.2 and 10.6 of the manual. The arm is a TX2-90.
 
 use val3_geometry::Vector3;
 use val3_motion::{Phase, Sample};
 use val3_tests::running::Running;
 
-/// The arm is at `pPick`, and `pDepart`, `pAppro` and `pPlace` make a U of 250, 600 and 250 mm.
+/// The arm is at `pPick`, and `pDepart`, `pAppro` and `pPlace` form a U of 250, 600 and 250 mm.
 const U: &str = "mdesc mDesc\njoint jReady\npoint pPick\npoint pDepart\npoint pAppro\npoint pPlace\nnum nStart\n  \
                  mDesc.blend=off\n  enablePower()\n  wait(isPowered())\n  jReady={0,0,90,0,90,0}\n  \
                  movej(jReady,flange,mDesc)\n  waitEndMove()\n  pPick=appro(here(flange,world),{0,300,200,0,0,0})\n  \
                  movel(pPick,flange,mDesc)\n  waitEndMove()\n  pDepart=appro(pPick,{0,0,-250,0,0,0})\n  \
                  pPlace=appro(pPick,{0,-600,0,0,0,0})\n  pAppro=appro(pPlace,{0,0,-250,0,0,0})\n  setMoveId(0)\n";
 
-/// The cycle of 10.1.1.
+/// The cycle in 10.1.1.
 const STOPS: &str = "  movel(pDepart,flange,mDesc)\n  movej(pAppro,flange,mDesc)\n  movel(pPlace,flange,mDesc)\n";
 
-/// The cycle of 10.1.2.1.
+/// The cycle in 10.1.2.1.
 const BLENDS: &str = "  mDesc.blend=joint\n  mDesc.leave=50\n  mDesc.reach=200\n  movel(pDepart,flange,mDesc)\n  \
                       mDesc.leave=200\n  mDesc.reach=50\n  movej(pAppro,flange,mDesc)\n  mDesc.blend=off\n  \
                       movel(pPlace,flange,mDesc)\n";
 
-/// The output of a cycle, and the arm while it moves by it.
+/// Returns the output of a cycle, and the samples of the arm during it.
 fn cycle(moves: &str) -> (String, Vec<Sample>) {
     let listing = format!("{U}  nStart=clock()\n{moves}  waitEndMove()\n  ? clock()-nStart");
     let (running, samples) = Running::start(&listing).sampled();
     (running.printed(), since_ids_begin_again(&samples))
 }
 
-/// The samples of the moves after `setMoveId(0)`.
+/// Returns the samples of the moves after `setMoveId(0)`.
 fn since_ids_begin_again(samples: &[Sample]) -> Vec<Sample> {
     let falls = samples.windows(2).rposition(|pair| pair[1].id < pair[0].id);
     samples[falls.unwrap() + 1..].to_vec()
@@ -36,23 +36,23 @@ fn place(sample: &Sample) -> Vector3<f64> {
     sample.pose.translation.vector
 }
 
-/// `pPick`, `pDepart`, `pAppro` and `pPlace`.
+/// Returns `pPick`, `pDepart`, `pAppro` and `pPlace`.
 fn corners() -> [Vector3<f64>; 4] {
     [[350.0, 125.0], [350.0, 375.0], [-250.0, 375.0], [-250.0, 125.0]].map(|[y, z]| Vector3::new(475.0, y, z))
 }
 
-/// How near the arm gets to a place, in mm.
+/// Returns the smallest distance of the arm to a position, in mm.
 fn nearest(samples: &[Sample], to: Vector3<f64>) -> f64 {
     samples.iter().map(|sample| (place(sample) - to).norm()).fold(f64::INFINITY, f64::min)
 }
 
-/// The slowest sample within 2 mm of a place, in mm/s.
+/// Returns the lowest speed within 2 mm of a position, in mm/s.
 fn slowest(samples: &[Sample], at: Vector3<f64>) -> f64 {
     let near = samples.iter().filter(|sample| (place(sample) - at).norm() < 2.0);
     near.map(|sample| sample.speed.0).fold(f64::INFINITY, f64::min)
 }
 
-/// 10.1.2.1: the arm does not stop at `pDepart` and `pAppro` any more, so the cycle is faster.
+/// 10.1.2.1: the arm no longer stops at `pDepart` and `pAppro`, so the cycle is faster.
 #[test]
 fn blends_make_the_cycle_faster() {
     let [_, depart, appro, end] = corners();
@@ -68,7 +68,7 @@ fn blends_make_the_cycle_faster() {
     assert_eq!((stops.as_str(), blends.as_str()), ("1.016\n", "0.844\n"));
 }
 
-/// At one per cent of the speed, samples are near enough to each other to see where each blend begins and ends.
+/// At 1 % of the speed, samples are close enough to each other to show where each blend begins and ends.
 #[test]
 fn leave_and_reach_are_distances_to_the_point() {
     let (_, samples) = cycle(&format!("  setMonitorSpeed(1)\n{BLENDS}"));
@@ -85,7 +85,8 @@ fn leave_and_reach_are_distances_to_the_point() {
 const POINTS: &str = "mdesc mDesc\njoint jA\njoint jB\njoint jC\njoint jD\n  enablePower()\n  wait(isPowered())\n  \
                       jA={0,20,90,0,70,0}\n  jB={40,20,90,0,70,0}\n  jC={40,0,110,0,70,0}\n  jD={0,0,110,0,70,0}\n";
 
-/// 10.1.2.2: `waitEndMove` ends `pB` without a blend; the others are not reached, and the arm waits before the last one.
+/// 10.1.2.2: `waitEndMove` ends `pB` without a blend; the other moves are not reached, and the arm waits before the
+/// last one.
 #[test]
 fn waiting_for_the_end_of_a_move_cancels_its_blend() {
     let listing = format!(
@@ -102,7 +103,8 @@ fn waiting_for_the_end_of_a_move_cancels_its_blend() {
     assert!((1.0..10.0).contains(&a) && b < 1e-9 && (1.0..10.0).contains(&c), "{a} {b} {c}");
 }
 
-/// 10.6, `getMoveId`: 15.8 where 80 % of the way to `pA` is done, 16.572 where 57.2 % of that to `pB` is, 17 at the end.
+/// 10.6, `getMoveId`: 15.8 after 80 % of the segment to `pA`, 16.572 after 57.2 % of the segment to `pB`, 17 at the
+/// end.
 #[test]
 fn ids_are_those_of_the_manual() {
     let listing = format!(
@@ -123,7 +125,7 @@ fn ids_are_those_of_the_manual() {
     }
 }
 
-/// The speed on a line is `tvel`, and the encoders follow the command after it has arrived.
+/// The speed on a line is `tvel`, and after the arrival the encoders reach the commanded position.
 #[test]
 fn the_tool_moves_at_tvel_and_settles() {
     let listing = format!(
@@ -133,7 +135,7 @@ fn the_tool_moves_at_tvel_and_settles() {
     assert_eq!(Running::start(&listing).to_the_end().printed(), "true\nfalse\ntrue\n");
 }
 
-/// Real programs write such descriptors.
+/// Real programs contain such descriptors.
 #[test]
 fn generous_descriptors_are_accepted() {
     let listing = format!(

@@ -1,4 +1,4 @@
-//! Slips that only the application as a whole shows: what it leaves unused, its names, its tasks, its files.
+//! Slips that only the entire application shows: unused items, names, tasks, files.
 
 use crate::mutations::mutation::{Mutation, slip};
 

@@ -4,17 +4,17 @@ use val3_tests::cell::{APPLICATIONS, Cell, place_of, text_of};
 
 use crate::mutations::mutation::{Edit, Mutation};
 
-/// The mark of an expected line in a replacement.
+/// Mark of an expected line in a replacement.
 const MARK: &str = "$0";
 
-/// A cell with one slip in it.
+/// A cell with a slip in it.
 pub(crate) struct Mutated {
     pub(crate) cell: Cell,
-    /// Expected location of the finding: file and line, from 1.
+    /// Expected locations of the finding: file and line, from 1.
     pub(crate) expected: Vec<(String, usize)>,
 }
 
-/// `cell` with the slip, or what is wrong with the slip's description.
+/// Returns `cell` with the slip, or the fault in the slip's description.
 pub(crate) fn apply(mutation: &Mutation, cell: &Cell) -> Result<Mutated, String> {
     let path = format!("{APPLICATIONS}{}", mutation.file);
     let index = cell.iter().position(|(known, _)| *known == path).ok_or_else(|| format!("no file {path}"))?;
@@ -35,7 +35,7 @@ pub(crate) fn apply(mutation: &Mutation, cell: &Cell) -> Result<Mutated, String>
     Ok(Mutated { cell, expected })
 }
 
-/// The text with `find` replaced, and the lines of the marks in `with`.
+/// Returns the text with `find` replaced, and the lines of the marks in `with`.
 fn replace(text: &str, find: &str, with: &str) -> Result<(String, Vec<usize>), String> {
     let (before, after) = text.split_once(find).ok_or_else(|| format!("{find:?} is not in the file"))?;
     if after.contains(find) {

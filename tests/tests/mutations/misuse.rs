@@ -1,4 +1,4 @@
-//! Slips that the controller accepts: misuse of instructions, tasks and values that the manual warns of.
+//! Slips that the controller accepts: misuse of instructions, tasks and values about which the manual warns.
 
 use crate::mutations::mutation::{Mutation, slip};
 

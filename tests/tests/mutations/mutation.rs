@@ -1,35 +1,35 @@
-//! One slip of a person: a single edit of the palletiser cell, and the finding it deserves.
+//! A slip: a single edit in the palletiser cell, and the finding that it must cause.
 
-/// The cell that is edited: `examples/palletiser`.
+/// The edited cell: `examples/palletiser`.
 pub(crate) const CELL: &str = "palletiser";
 
-/// One slip.
+/// A slip.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mutation {
-    /// The mistake, in words.
+    /// Description of the slip.
     pub(crate) name: &'static str,
-    /// The file edited, below `usr/usrapp`.
+    /// Edited file, below `usr/usrapp`.
     pub(crate) file: &'static str,
     pub(crate) edit: Edit,
-    /// The code of the finding.
+    /// Code of the finding.
     pub(crate) code: &'static str,
-    /// Another expected location, as file and text of its line; empty if the edit gives it.
+    /// Other expected locations, as file and text of the line; empty if the edit determines the location.
     pub(crate) places: &'static [(&'static str, &'static str)],
-    /// The code of a second finding, where the slip shows from two sides that both need to know.
+    /// Code of a second finding, if the slip has to be reported from two sides.
     pub(crate) also: Option<&'static str>,
 }
 
-/// The change of the file.
+/// Change of the file.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Edit {
-    /// `find`, which occurs in the file once, becomes `with`. The finding is on the lines that `$0` marks in `with`,
-    /// or else on the first one.
+    /// Replaces `find`, which occurs once in the file, by `with`. The finding is on the lines that `$0` marks in
+    /// `with`, otherwise on the first line.
     Replace { find: &'static str, with: &'static str },
-    /// The file is gone.
+    /// Removes the file.
     Remove,
 }
 
-/// A slip inside a file.
+/// Creates a slip inside a file.
 pub(crate) const fn slip(
     name: &'static str,
     file: &'static str,
@@ -40,19 +40,19 @@ pub(crate) const fn slip(
     Mutation { name, file, edit: Edit::Replace { find, with }, code, places: &[], also: None }
 }
 
-/// A file that got lost.
+/// Creates a slip that removes a file.
 pub(crate) const fn lost(name: &'static str, file: &'static str, code: &'static str) -> Mutation {
     Mutation { name, file, edit: Edit::Remove, code, places: &[], also: None }
 }
 
 impl Mutation {
-    /// The finding is on one of these lines instead of the edited one.
+    /// Sets other lines for the finding than the edited one.
     pub(crate) const fn at(mut self, places: &'static [(&'static str, &'static str)]) -> Mutation {
         self.places = places;
         self
     }
 
-    /// A second finding, of the rule `code`, shows the slip from another side.
+    /// Adds a second finding, of the rule `code`.
     pub(crate) const fn also(mut self, code: &'static str) -> Mutation {
         self.also = Some(code);
         self

@@ -115,7 +115,7 @@ pub(crate) const FILES: &[Mutation] = &[
     slip("project without a version", "palletiser/palletiser.pjx", " version=\"s7.11.3\"", "", "V0505"),
 ];
 
-/// The code of the program `stop`.
+/// Code of the program `stop`.
 const STOP_CODE: &str = "    <Code><![CDATA[begin
   // First the tasks that command the arm and the outputs, then what they left behind
   taskKill(\"production\")
@@ -253,7 +253,7 @@ pub(crate) const LINKS: &[Mutation] = &[
     slip("socket for an input", "io/io.dtx", "BasicIO-1\\%I3", "Socket\\host", "V0526"),
 ];
 
-/// Where a library that does not fulfil the interface of `part` is reported: where it is loaded.
+/// Location at which a library that does not fulfil the interface of `part` is reported: where it is loaded.
 const LOAD: (&str, &str) = ("palletiser/loadPart.pgx", "Disk://partBag");
 
 pub(crate) const LIBRARIES: &[Mutation] = &[

@@ -1,4 +1,4 @@
-//! Slips in the form of the code and of the XML around it.
+//! Slips in the syntax of the code and of the enclosing XML.
 
 use crate::mutations::mutation::{Mutation, slip};
 

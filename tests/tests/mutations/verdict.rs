@@ -1,4 +1,4 @@
-//! Judges what a checker finds in a cell with a slip.
+//! Compares the findings in a cell with a slip with the expected ones.
 
 use std::fmt;
 
@@ -8,14 +8,14 @@ use val3_tests::cell::Cell;
 use crate::mutations::edit::apply;
 use crate::mutations::mutation::Mutation;
 
-/// The result of the check for one mistake.
+/// Result of the check for a slip.
 #[derive(Debug)]
 pub(crate) struct Verdict {
     pub(crate) name: &'static str,
     pub(crate) code: &'static str,
     /// Whether the finding has the right code and is on the right line.
     pub(crate) found: bool,
-    /// Findings that neither the original cell had nor the slip deserves.
+    /// Unexpected findings: neither in the original cell nor caused by the slip as intended.
     pub(crate) others: Vec<Finding>,
     expected: Vec<(String, usize)>,
 }
@@ -38,7 +38,7 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// Applies the slip and judges the findings of `check`; `known` are those of the cell without it.
+/// Applies the slip and compares the findings of `check`; `known` are the findings in the original cell.
 pub(crate) fn judge(
     mutation: &Mutation,
     cell: &Cell,
@@ -63,7 +63,7 @@ pub(crate) fn judge(
     Ok(Verdict { name: mutation.name, code: mutation.code, found: hit.is_some(), others, expected })
 }
 
-/// How many slips are found, and what went wrong with the others.
+/// Formats the number of found slips, and the faults of all others.
 pub(crate) fn report(verdicts: &[Verdict]) -> String {
     let found = verdicts.iter().filter(|verdict| verdict.found).count();
     let mut lines = vec![format!("{found} of {} slips found", verdicts.len())];
@@ -71,7 +71,7 @@ pub(crate) fn report(verdicts: &[Verdict]) -> String {
     lines.join("\n")
 }
 
-/// `findings` less those of `known`, whatever lines they moved to.
+/// Returns `findings` without the findings in `known`, even if these moved to other lines.
 fn without(mut findings: Vec<Finding>, known: &[Finding]) -> Vec<Finding> {
     let mut known: Vec<&Finding> = known.iter().collect();
     findings.retain(|finding| {

@@ -1,4 +1,4 @@
-//! A cell whose programs get other signatures, with its findings.
+//! A cell with its findings, whose program signatures are changed.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use val3_analysis::system::Memory;
 use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_ide::{CheckSettings, SourceChange, Variables, project_diagnostics, variables};
 
-/// The files of a cell in one database. Only the queries that a change affects run again.
+/// Files of a cell in one database. Only the queries that a change affects run again.
 pub(crate) struct ChangedCell {
     workspace: Workspace,
     settings: CheckSettings,
@@ -30,7 +30,7 @@ impl ChangedCell {
         &self.workspace.db
     }
 
-    /// The programs that only programs call, with their variables, by path.
+    /// Returns the programs that are called only by programs, with their variables, by path.
     pub(crate) fn programs(&self) -> Vec<(File, Variables)> {
         let mut files: Vec<File> = Sources::get(self.db()).files(self.db()).values().copied().collect();
         files.sort_by_key(|file| file.path(self.db()).clone());
@@ -38,7 +38,8 @@ impl ChangedCell {
         found.filter(|(_, found)| found.fixed.is_none() && !found.program.is_empty()).collect()
     }
 
-    /// The findings without their places, each with its number. Those that mention a name are left out.
+    /// Counts the findings without locations. Findings that contain the name `without` are omitted; if it is the new
+    /// name of `renamed`, they are counted with the old name instead.
     pub(crate) fn findings(&self, without: &str, renamed: Option<&str>) -> BTreeMap<String, usize> {
         let (db, projects) = (self.db(), &self.workspace.projects);
         let found = projects.iter().flat_map(|project| project_diagnostics(db, self.settings, projects, *project));
@@ -53,7 +54,7 @@ impl ChangedCell {
         counts
     }
 
-    /// Makes a change. Returns the texts before it.
+    /// Applies a change. Returns the previous texts.
     pub(crate) fn apply(&mut self, change: &SourceChange) -> Vec<(File, Arc<str>)> {
         let mut texts: BTreeMap<Utf8PathBuf, (File, String)> = BTreeMap::new();
         for edit in change.edits.iter().rev() {
@@ -70,7 +71,7 @@ impl ChangedCell {
         before
     }
 
-    /// Gives files the texts that they had.
+    /// Restores the previous texts of files.
     pub(crate) fn restore(&mut self, before: Vec<(File, Arc<str>)>) {
         for (file, text) in before {
             file.set_text(&mut self.workspace.db).to(text);

@@ -1,19 +1,19 @@
-//! Reads the JSON schema into the types that are written.
+//! Reads the JSON schema into the types to be written.
 //!
-//! Names are sorted, because the order of a JSON object depends on the features that `serde_json` is built with.
+//! Names are sorted, because the order of a JSON object depends on the enabled features of `serde_json`.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::{Context, bail};
 use serde_json::Value;
 
-/// Definitions of the envelope of a message, which is written by hand.
+/// Definitions of a message's envelope, which is written by hand.
 const ENVELOPE: &[&str] = &["ProtocolMessage", "Request", "Response", "Event"];
 
 /// Arguments to which an adapter adds its own.
 const EXTENSIBLE: &[&str] = &["LaunchRequestArguments", "AttachRequestArguments"];
 
-/// Everything that the schema defines.
+/// All definitions of the schema.
 #[derive(Default)]
 pub(super) struct Protocol {
     pub(super) requests: Vec<Operation>,
@@ -22,20 +22,20 @@ pub(super) struct Protocol {
     pub(super) types: BTreeMap<String, Definition>,
 }
 
-/// A request, a response or an event: its name in a message, and the type of its arguments or its body.
+/// A request, response or event: its name in a message, and the type of its arguments or body.
 pub(super) struct Operation {
     pub(super) name: String,
     pub(super) content: Option<String>,
 }
 
-/// A type that is written.
+/// A type to be written.
 pub(super) struct Definition {
     pub(super) doc: String,
     pub(super) kind: Kind,
     pub(super) shape: Shape,
 }
 
-/// Selects the file of a definition.
+/// Kind of a definition, which selects its file.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Arguments,
@@ -50,7 +50,7 @@ pub(super) enum Shape {
         fields: Vec<Field>,
         extensible: bool,
     },
-    /// An open enumeration also has values that the specification does not list.
+    /// An enumeration. If it is open, other values than the listed ones are allowed.
     Enum {
         values: Vec<String>,
         open: bool,
@@ -58,13 +58,13 @@ pub(super) enum Shape {
 }
 
 pub(super) struct Field {
-    /// As in a message.
+    /// Name in a message.
     pub(super) name: String,
     pub(super) type_name: String,
     pub(super) required: bool,
 }
 
-/// The definition whose parts are read.
+/// The present definition.
 struct Owner<'a> {
     name: &'a str,
     kind: Kind,
@@ -89,7 +89,7 @@ impl Protocol {
                 let operation = self.operation(name, Kind::Arguments, part(definition)?, ("command", "arguments"))?;
                 self.requests.push(operation);
             }
-            // The body of a failed request has no command of its own.
+            // The body of a failed request has no separate command.
             Some("Response") if name == "ErrorResponse" => {
                 self.operation(name, Kind::Response, part(definition)?, ("command", "body"))?;
             }
@@ -106,7 +106,7 @@ impl Protocol {
         Ok(())
     }
 
-    /// `keys` are the properties with the operation's name and its content.
+    /// Adds an operation. `keys` are the properties with its name and its content.
     fn operation(
         &mut self,
         definition: &str,
@@ -152,7 +152,7 @@ impl Protocol {
         }
     }
 
-    /// A structure with the properties of all `parts`.
+    /// Adds a structure with the properties of all `parts`.
     fn structure(&mut self, owner: &Owner<'_>, doc: String, parts: &[&Value]) -> anyhow::Result<()> {
         let mut fields = Vec::new();
         for part in parts {
@@ -168,7 +168,7 @@ impl Protocol {
         Ok(())
     }
 
-    /// The type of a property. An enumeration inside a property is named after its owner and the property.
+    /// Returns the type of a property. An enumeration inside a property is named after its owner and the property.
     fn type_name(&mut self, owner: &Owner<'_>, field: &str, schema: &Value) -> anyhow::Result<String> {
         if schema.get("$ref").is_some() {
             return reference(schema);
@@ -233,12 +233,12 @@ impl Protocol {
     }
 }
 
-/// The definition that an `allOf` extends.
+/// Returns the definition that an `allOf` extends.
 fn base(definition: &Value) -> Option<&str> {
     definition.get("allOf")?.get(0)?.get("$ref")?.as_str()?.rsplit('/').next()
 }
 
-/// The properties that an `allOf` adds to its base.
+/// Returns the properties that an `allOf` adds to its base.
 fn part(definition: &Value) -> anyhow::Result<&Value> {
     definition.pointer("/allOf/1").context("an extension without properties")
 }
@@ -249,7 +249,7 @@ fn reference(schema: &Value) -> anyhow::Result<String> {
     Ok(name.context("a reference to no definition")?.to_owned())
 }
 
-/// The values of an enumeration, and whether it is open.
+/// Returns the values of an enumeration, and whether it is open.
 fn enumeration(schema: &Value) -> anyhow::Result<Option<(Vec<String>, bool)>> {
     let open = schema.get("_enum");
     let values = strings(open.or(schema.get("enum")))?;

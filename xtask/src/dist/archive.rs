@@ -1,4 +1,4 @@
-//! Archives: one folder with files. The same files give the same bytes.
+//! Archives with one folder. Equal files yield equal bytes.
 
 use std::fs::{self, File};
 use std::io::Write as _;
@@ -9,12 +9,12 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use zip::write::SimpleFileOptions;
 
-/// A file and its place in the archive.
+/// A file and its path in the archive.
 #[derive(Debug)]
 pub(super) struct PackedFile {
     /// Path below the archive's folder, with `/`.
     pub(super) path: String,
-    /// The file on the disk.
+    /// File on the disk.
     pub(super) source: Utf8PathBuf,
     /// Whether it can be executed.
     pub(super) is_program: bool,
@@ -34,7 +34,7 @@ impl PackedFile {
     }
 }
 
-/// Form of an archive.
+/// Format of an archive.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
     TarGz,
@@ -42,7 +42,7 @@ pub(super) enum Form {
 }
 
 impl Form {
-    /// Ending of the file name.
+    /// Returns the ending of the file name.
     pub(super) fn ending(self) -> &'static str {
         match self {
             Self::TarGz => "tar.gz",
@@ -54,7 +54,7 @@ impl Form {
 /// Writes `files` as the folder `name` of an archive.
 ///
 /// # Errors
-/// If a file cannot be read, or the archive cannot be written.
+/// A file cannot be read, or the archive cannot be written.
 pub(super) fn write(archive: &Utf8Path, form: Form, name: &str, files: &[PackedFile]) -> anyhow::Result<()> {
     match form {
         Form::TarGz => write_tar(File::create(archive)?, name, files),
@@ -95,7 +95,7 @@ mod tests {
 
     use super::*;
 
-    /// A folder with an archive of a program and a text.
+    /// Creates a folder with an archive that contains a program and a text.
     fn written(form: Form) -> (tempfile::TempDir, Utf8PathBuf) {
         let scratch = tempfile::tempdir().unwrap();
         let folder = Utf8Path::from_path(scratch.path()).unwrap();

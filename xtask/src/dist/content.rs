@@ -10,7 +10,7 @@ use super::generated;
 use crate::notices;
 use crate::project;
 
-/// Files of the project by their paths in the archive.
+/// Files of the project, by their paths in the archive.
 const FILES: &[(&str, &str)] = &[
     ("README.md", "packaging/README.md"),
     ("CHANGELOG.md", "CHANGELOG.md"),
@@ -18,7 +18,7 @@ const FILES: &[(&str, &str)] = &[
     ("LICENSE-APACHE", "LICENSE-APACHE"),
 ];
 
-/// Files and folders of the repository, which have the same path in the archive, as patterns of git.
+/// Files and folders of the repository with the same path in the archive, as git patterns.
 const PATHS: &[&str] = &[
     ":(glob)editors/*.md",
     "editors/emacs",
@@ -31,10 +31,10 @@ const PATHS: &[&str] = &[
     "examples/palletiser",
 ];
 
-/// Files of the archive, the command first.
+/// Returns the files of the archive, the command first.
 ///
 /// # Errors
-/// If the files cannot be listed, or the toolchain has no notices of the standard library.
+/// The files cannot be listed, or the toolchain contains no notices of the standard library.
 pub(super) fn of_archive(
     binary: &Utf8Path,
     notices: &Utf8Path,
@@ -51,7 +51,7 @@ pub(super) fn of_archive(
     Ok(files)
 }
 
-/// Files of the project in the archive.
+/// Returns the files of the project in the archive.
 fn of_project() -> anyhow::Result<Vec<PackedFile>> {
     let root = project::root();
     let mut files: Vec<_> = FILES.iter().map(|(path, source)| PackedFile::new(*path, root.join(source))).collect();
@@ -59,7 +59,7 @@ fn of_project() -> anyhow::Result<Vec<PackedFile>> {
     Ok(files)
 }
 
-/// Files of [`PATHS`] in the repository, without those that runs of the example have written.
+/// Returns the files that match [`PATHS`] in the repository, without files that runs of the example have written.
 fn tracked() -> anyhow::Result<Vec<String>> {
     let mut git = Command::new("git");
     git.args(["ls-files", "-z", "--"]).args(PATHS).current_dir(project::root());
@@ -71,7 +71,7 @@ fn tracked() -> anyhow::Result<Vec<String>> {
     Ok(list.split_terminator('\0').map(str::to_owned).collect())
 }
 
-/// Files of a folder of the packed command, in the order of their names.
+/// Returns the files in a folder of the packed command, sorted by name.
 fn listed(generated: &Utf8Path, folder: &str) -> anyhow::Result<Vec<PackedFile>> {
     let listed = || format!("cannot list {generated}/{folder}");
     let mut files = Vec::new();
@@ -90,13 +90,13 @@ mod tests {
 
     use super::*;
 
-    /// Targets of the links in a text of Markdown, without web addresses and without places in a page.
+    /// Returns the link targets in a Markdown text, without web addresses and anchors.
     fn links(text: &str) -> impl Iterator<Item = &str> {
         let targets = text.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next());
         targets.filter(|target| !target.is_empty() && !target.contains("://"))
     }
 
-    /// A path relative to a folder, without `..`.
+    /// Resolves a path relative to a folder, without `..`.
     fn joined(folder: &str, link: &str) -> String {
         let mut parts: Vec<&str> = folder.split('/').filter(|part| !part.is_empty()).collect();
         for part in link.split('/').filter(|part| !part.is_empty() && *part != ".") {

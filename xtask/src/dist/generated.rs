@@ -1,4 +1,4 @@
-//! Completions of shells and manual pages, which the packed command writes.
+//! Shell completions and manual pages, which the packed command writes.
 
 use std::fs;
 use std::process::{Command, Stdio};
@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use anyhow::{Context, bail};
 use camino::Utf8Path;
 
-/// Shells, and the files in which they look for completions.
+/// Shells, and the files in which they search completions.
 const COMPLETIONS: &[(&str, &str)] = &[
     ("bash", "val3.bash"),
     ("elvish", "val3.elv"),
@@ -15,13 +15,13 @@ const COMPLETIONS: &[(&str, &str)] = &[
     ("zsh", "_val3"),
 ];
 
-/// Folders that [`write()`] makes.
+/// Folders that [`write()`] creates.
 pub(super) const FOLDERS: &[&str] = &["completions", "man"];
 
 /// Writes the folders `completions` and `man` into `folder`.
 ///
 /// # Errors
-/// If the command does not start here, or a file cannot be written.
+/// The command does not start on this system, or a file cannot be written.
 pub(super) fn write(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> {
     let completions = folder.join("completions");
     fs::create_dir_all(&completions).with_context(|| format!("cannot make {completions}"))?;
@@ -34,7 +34,7 @@ pub(super) fn write(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> 
     Ok(())
 }
 
-/// Standard output of the packed command.
+/// Returns the standard output of the packed command.
 fn output(binary: &Utf8Path, arguments: &[&str]) -> anyhow::Result<Vec<u8>> {
     let mut command = Command::new(binary);
     command.args(arguments).stderr(Stdio::inherit());

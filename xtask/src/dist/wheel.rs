@@ -1,5 +1,5 @@
-//! The Python wheel with the command. maturin writes its description from `pyproject.toml`, and the package `wheel` packs it.
-//! The binary is that of the archive, so that nothing is built a second time.
+//! The Python wheel with the command. maturin writes its metadata from `pyproject.toml`, and the package `wheel` packs
+//! it. The binary is the same as in the archive, so that it is not built twice.
 
 use std::fs;
 
@@ -11,20 +11,19 @@ use crate::notices;
 use crate::packaging_tools::{self, Packages};
 use crate::project;
 
-/// The last line of the description about the project's own licences.
+/// Last line of the metadata about the project's own licences.
 const OWN_LICENCE: &str = "License-File: LICENSE-APACHE\n";
 
-/// Licence files of third-party software: the notices of packages, and those of the standard library.
+/// Licence files of third-party software: the notices of packages and of the standard library.
 const NOTICES: [&str; 2] = ["THIRD-PARTY.txt", "THIRD-PARTY-RUST.html"];
 
-/// Time of the files in a wheel, in seconds since 1970: the first that a zip archive can have.
+/// Time of the files in a wheel, in seconds since 1970: the earliest time in a zip archive.
 const TIME: &str = "315532800";
 
-/// Writes the wheel of `binary` into `folder` and returns its path. `scratch` has the third-party notices, and is a place for
-/// parts of the wheel.
+/// Writes the wheel of `binary` into `folder` and returns its path. `scratch` contains the third-party notices, and
+/// receives parts of the wheel.
 ///
-/// # Errors
-/// If a tool is missing or fails, or a file cannot be written.
+/// A tool is missing or fails, or a file cannot be written.
 pub(super) fn write(
     build: &Build,
     binary: &Utf8Path,
@@ -44,7 +43,7 @@ pub(super) fn write(
     Ok(folder.join(format!("val3-{version}-py3-none-{}.whl", platforms(build)?.join("."))))
 }
 
-/// Writes the description: the metadata of the project, the platforms, and the licences.
+/// Writes the metadata of the project, the platforms, and the licences.
 fn describe(build: &Build, packages: &Utf8Path, parts: &Utf8Path) -> anyhow::Result<()> {
     let mut describe = packaging_tools::command(Packages::Wheel, "maturin")?;
     describe.args(["pep517", "write-dist-info", "--metadata-directory", parts.as_str()]);
@@ -64,14 +63,14 @@ fn describe(build: &Build, packages: &Utf8Path, parts: &Utf8Path) -> anyhow::Res
         .with_context(|| format!("cannot write {wheel}"))
 }
 
-/// The metadata with the third-party notices as further licence files.
+/// Adds the third-party notices to the metadata as further licence files.
 fn with_notices(metadata: &str) -> anyhow::Result<String> {
     let (before, after) = metadata.split_once(OWN_LICENCE).context("the metadata of the wheel names no licence")?;
     let added: String = NOTICES.iter().map(|name| format!("License-File: {name}\n")).collect();
     Ok(format!("{before}{OWN_LICENCE}{added}{after}"))
 }
 
-/// Python's names of the platforms on which the binary runs. A static binary runs with every C library.
+/// Returns Python's names of the platforms on which the binary runs. A static binary runs with every C library.
 fn platforms(build: &Build) -> anyhow::Result<Vec<String>> {
     let target = build.target.as_str();
     let (processor, _) = target.split_once('-').context("a target names its processor")?;
@@ -85,7 +84,7 @@ fn platforms(build: &Build) -> anyhow::Result<Vec<String>> {
         }
         _ if target.ends_with("-linux-gnu") => match &build.glibc {
             Some(version) => vec![format!("manylinux_{}_{processor}", version.replace('.', "_"))],
-            // No registry accepts this name: which systems have the libraries of this one is unknown.
+            // No registry accepts this name, because it is unknown which systems have the same libraries as this one.
             None => vec![format!("linux_{processor}")],
         },
         _ => bail!("Python has no name for {target}"),

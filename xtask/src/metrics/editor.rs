@@ -1,4 +1,4 @@
-//! An editor that measures: it speaks to a language server over its standard input and output.
+//! An editor for measurements: it communicates with a language server over its standard input and output.
 
 use std::io::{BufRead, BufReader, Read as _, Write as _};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
@@ -14,12 +14,12 @@ pub(super) struct Editor {
     to: ChildStdin,
     from: BufReader<ChildStdout>,
     next: i64,
-    /// When the last message was there as a whole. To read it is the work of the client.
+    /// Time at which the last message was complete. Reading it is the client's work.
     arrived: Instant,
 }
 
 impl Editor {
-    /// Starts `val3 lsp` on a folder and opens the session.
+    /// Starts `val3 lsp` in a folder and opens the session.
     pub(super) fn open(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<Self> {
         let mut server = Command::new(binary)
             .args(["lsp", "--stdio"])
@@ -46,20 +46,20 @@ impl Editor {
         self.send(&json!({ "jsonrpc": "2.0", "method": method, "params": params }))
     }
 
-    /// Sends a request and gives its id.
+    /// Sends a request and returns its id.
     pub(super) fn request(&mut self, method: &str, params: &Value) -> anyhow::Result<i64> {
         self.next += 1;
         self.send(&json!({ "jsonrpc": "2.0", "id": self.next, "method": method, "params": params }))?;
         Ok(self.next)
     }
 
-    /// Asks and waits for the whole answer.
+    /// Sends a request and waits for the complete response.
     pub(super) fn ask(&mut self, method: &str, params: &Value) -> anyhow::Result<Value> {
         let id = self.request(method, params)?;
         self.wait_for(|message| message.get("id").is_some_and(|found| *found == id) && message.get("method").is_none())
     }
 
-    /// Asks and gives the time until the answer; one without a result is a fault of the measurement.
+    /// Sends a request and returns the time until the response; a response without a result is an error.
     pub(super) fn time(&mut self, method: &str, params: &Value) -> anyhow::Result<Duration> {
         let started = Instant::now();
         let answer = self.ask(method, params)?;
@@ -69,12 +69,12 @@ impl Editor {
         Ok(self.since(started))
     }
 
-    /// From `started` until the last message was there as a whole.
+    /// Returns the time from `started` until the last message was complete.
     pub(super) fn since(&self, started: Instant) -> Duration {
         self.arrived.duration_since(started)
     }
 
-    /// Waits for the findings of a version of a document.
+    /// Waits for the findings of a document version.
     pub(super) fn findings(&mut self, uri: &str, version: i64) -> anyhow::Result<Value> {
         let found = self.wait_for(|message| {
             message.get("method").is_some_and(|found| found == "textDocument/publishDiagnostics")
@@ -84,7 +84,7 @@ impl Editor {
         found.pointer("/params/diagnostics").cloned().context("no findings")
     }
 
-    /// Reads until a message is the one that is meant.
+    /// Reads messages until one matches.
     pub(super) fn wait_for(&mut self, is_meant: impl Fn(&Value) -> bool) -> anyhow::Result<Value> {
         loop {
             let message = self.read()?;
@@ -94,17 +94,17 @@ impl Editor {
         }
     }
 
-    /// The process of the server.
+    /// Returns the process id of the server.
     pub(super) fn process(&self) -> u32 {
         self.server.id()
     }
 
-    /// Ends the session; the time from `exit` to the end of the process, and its exit code.
+    /// Ends the session, and returns the time from `exit` to the end of the process, and its exit code.
     pub(super) fn close(mut self) -> anyhow::Result<(Duration, Option<i32>)> {
         self.ask("shutdown", &Value::Null)?;
         let started = Instant::now();
         self.notify("exit", &Value::Null)?;
-        // The input stays open: a server has to end all the same.
+        // The input stays open, because a server has to end nevertheless.
         let status = self.server.wait()?;
         Ok((started.elapsed(), status.code()))
     }
@@ -135,7 +135,7 @@ impl Editor {
     }
 }
 
-/// The URI of an absolute path without special characters.
+/// Returns the URI for an absolute path without special characters.
 pub(super) fn uri(path: &Utf8Path) -> String {
     format!("file://{path}")
 }

@@ -1,16 +1,16 @@
-//! How fast the packed binary answers an editor, over real pipes: `cargo xtask metrics --lsp`.
+//! Latency of the packed binary for an editor, over real pipes: `cargo xtask metrics --lsp`.
 //!
-//! On two cores, p50/p95 in milliseconds until the whole answer has arrived, on a program of 2,600 lines and on a
+//! On two cores, p50/p95 in ms until the complete response has arrived, for a program of 2,600 lines and for a
 //! workspace of 100,000 code lines:
 //!
 //! | | 2,600 lines | 100,000 lines |
 //! |---|---|---|
 //! | edit to findings | 2.8 / 4.0 | 2.2 / 3.4 |
 //! | hover, definition, completion, signature help | at most 0.8 / 1.0 | at most 0.5 / 0.8 |
-//! | semantic tokens of the whole program | 2.0 / 2.6 | 0.7 / 1.0 |
+//! | semantic tokens of the entire program | 2.0 / 2.6 | 0.7 / 1.0 |
 //! | references of a name used 1,000 times | 1.6 / 2.2 | 7.1 / 10.7 |
 //! | rename of a name used 1,000 times | 1.2 / 1.5 | 8.8 / 11.8 |
-//! | cancel to answer | 0.2 / 0.3 to 1.2 | 0.2 / 0.3 to 0.6 |
+//! | cancellation to response | 0.2 / 0.3 to 1.2 | 0.2 / 0.3 to 0.6 |
 //! | start to first findings | 12 to 58 | 47 to 70 |
 //! | exit | 3 to 20 | 3 to 6 |
 //! | peak memory, MB | 39 | 91 |
@@ -26,10 +26,10 @@ use super::long_application::{self, NAME, PROGRAM};
 use super::speed::{peak_kilobytes, write_workspace};
 use crate::project;
 
-/// Times that each thing is measured.
+/// Number of measurements per item.
 const TIMES: usize = 200;
 
-/// Measures on a program of 2,600 lines and on a generated workspace of `lines` code lines.
+/// Measures with a program of 2,600 lines and with a generated workspace of `lines` code lines.
 pub(super) fn measure(lines: usize) -> anyhow::Result<()> {
     let folder = project::root().join("target/metrics-lsp");
     if folder.exists() {
@@ -54,7 +54,7 @@ fn write_long(folder: &Utf8Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Any program that is long enough to look like one.
+/// Returns the largest program.
 fn largest_program(folder: &Utf8Path) -> anyhow::Result<camino::Utf8PathBuf> {
     let mut largest = None;
     for application in folder.join("usr/usrapp").read_dir_utf8()? {
@@ -69,7 +69,7 @@ fn largest_program(folder: &Utf8Path) -> anyhow::Result<camino::Utf8PathBuf> {
     largest.map(|(_, path)| path).context("the workspace has no program")
 }
 
-/// One session in which everything is measured on one program.
+/// Runs a session in which all items are measured with one program.
 fn session(folder: &Utf8Path, program: &Utf8Path) -> anyhow::Result<()> {
     let started = Instant::now();
     let mut editor = Editor::open(&project::binary(project::DIST)?, folder)?;
@@ -109,7 +109,7 @@ impl<'e> Open<'e> {
         Ok(Self { editor, uri, text, version: 1 })
     }
 
-    /// Types a faulty line and takes it back, at the beginning of the code.
+    /// Types a faulty line and removes it, at the beginning of the code.
     fn edits(&mut self, what: &str) -> anyhow::Result<()> {
         // Wait until the first check of the other files has ended.
         std::thread::sleep(Duration::from_secs(2));
@@ -129,7 +129,7 @@ impl<'e> Open<'e> {
             if found.to_string().contains("nUnknown") != (round % 2 == 0) {
                 bail!("version {} has the findings of another: {found}", self.version);
             }
-            // Faster than anyone types.
+            // Faster than any user types.
             std::thread::sleep(Duration::from_millis(30));
         }
         print(what, times);
@@ -154,7 +154,7 @@ impl<'e> Open<'e> {
         Ok(())
     }
 
-    /// Each time after an edit, so that no result is cached.
+    /// Measures requests, each after an edit, so that no result is cached.
     fn repeat(&mut self, what: &str, method: &str, params: &Value, times: usize) -> anyhow::Result<()> {
         let end = self.text.lines().count() - 1;
         let mut durations = Vec::new();
@@ -179,7 +179,7 @@ impl<'e> Open<'e> {
         )
     }
 
-    /// The position after the first of these texts that occurs in the code.
+    /// Returns the position after the first of these texts that occurs in the code.
     fn place(&self, parts: &[&str]) -> anyhow::Result<Value> {
         let begin = self.text.find("begin").context("no code")? + "begin".len();
         let code = self.text.get(begin..).unwrap_or("");
@@ -190,7 +190,7 @@ impl<'e> Open<'e> {
         Ok(json!({ "textDocument": { "uri": self.uri }, "position": { "line": line, "character": character } }))
     }
 
-    /// From the cancelling of a search through everything to its answer.
+    /// Measures the time from the cancellation of a workspace search to its response.
     fn cancel(&mut self) -> anyhow::Result<()> {
         let mut times = Vec::new();
         for round in 0..TIMES / 2 {
@@ -214,7 +214,7 @@ impl<'e> Open<'e> {
     }
 }
 
-/// The object with one more entry.
+/// Adds an entry to an object.
 fn with(mut object: Value, key: &str, value: Value) -> Value {
     if let Some(entries) = object.as_object_mut() {
         entries.insert(key.to_owned(), value);

@@ -1,4 +1,4 @@
-//! An application with one long program, which uses one of its names a thousand times.
+//! An application with one long program, in which a name is used a thousand times.
 
 /// Lines of the program.
 const LINES: usize = 2_600;
@@ -9,13 +9,13 @@ const BLOCK: &str = "  // one more layer\n  for l_i=0 to 9\n    if nCount>l_i an
 
 const LINES_OF_BLOCK: usize = 8;
 
-/// The path of the program below the folder.
+/// Path of the program below the folder.
 pub(super) const PROGRAM: &str = "usr/usrapp/long/start.pgx";
 
-/// The name that is used a thousand times.
+/// Name that is used a thousand times.
 pub(super) const NAME: &str = "nCount";
 
-/// Path and text of each file.
+/// Returns the files' paths and texts.
 pub(super) fn files() -> [(&'static str, String); 4] {
     let project = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n  \
         <Parameters version=\"s7.7.2\" stackSize=\"5000\" millimeterUnit=\"true\" />\n  <Programs>\n    \

@@ -1,4 +1,4 @@
-//! How fast applications run, against the same algorithms in Lua and CPython: `cargo xtask metrics --run`.
+//! Speed of applications in comparison with the same algorithms in Lua and CPython: `cargo xtask metrics --run`.
 
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
@@ -8,17 +8,17 @@ use camino::Utf8Path;
 
 use crate::project;
 
-/// The applications in `benches/programs`. Each but the last, which waits for an hour, is there in Lua and Python too.
+/// Applications in `benches/programs`. All except the last one, which waits for an hour, exist in Lua and Python too.
 pub const PROGRAMS: [&str; 9] =
     ["sieve", "loops", "arrays", "fibonacci", "functions", "texts", "transformations", "tasks", "waiting"];
 
-/// The fastest run counts: the others were disturbed.
+/// Number of runs. The fastest one counts, because the other ones were disturbed.
 const RUNS: usize = 3;
 
-/// Prints the seconds of each program, from the start of the process to its end.
+/// Prints the seconds per program, from the start of the process to the end.
 ///
 /// # Errors
-/// When a program fails, or two of them do not print the same.
+/// A program fails, or two versions of a program do not print the same.
 pub(super) fn measure() -> anyhow::Result<()> {
     println!("{:16} {:>8} {:>8} {:>8} {:>8} {:>8}", "seconds", "val3", "lua", "python", "x lua", "x python");
     PROGRAMS.iter().try_for_each(|name| row(name))
@@ -43,7 +43,7 @@ fn row(name: &str) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The output of a command, and its duration.
+/// Returns the output of a command, and its shortest duration.
 fn fastest(command: &[&str]) -> anyhow::Result<(String, Duration)> {
     let runs = (0..RUNS).map(|_| run(command)).collect::<anyhow::Result<Vec<_>>>()?;
     runs.into_iter().min_by_key(|(_, time)| *time).context("no run")

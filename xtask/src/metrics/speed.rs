@@ -1,4 +1,4 @@
-//! The packed binary on a generated workspace: time and memory.
+//! Time and memory of the packed binary for a generated workspace.
 
 use std::process::{Child, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
@@ -8,17 +8,17 @@ use camino::Utf8Path;
 
 use crate::{project, workspace};
 
-/// The fastest run counts: the others were disturbed.
+/// Number of runs. The fastest one counts, because the other ones were disturbed.
 const RUNS: usize = 5;
 
-/// Time and memory of one run.
+/// Time and memory of a run.
 struct Measurement {
     duration: Duration,
     /// Largest resident memory in kB, if the system reports it.
     peak_kilobytes: Option<u64>,
 }
 
-/// Generates a workspace of `lines` code lines, checks it and prints what it took.
+/// Generates a workspace of `lines` code lines, checks it, and prints time and memory.
 pub(super) fn measure(lines: usize) -> anyhow::Result<()> {
     let folder = project::root().join("target/metrics");
     let code_lines = write_workspace(&folder, lines)?;
@@ -57,7 +57,7 @@ fn check(folder: &Utf8Path) -> anyhow::Result<Measurement> {
     Ok(Measurement { duration: started.elapsed(), peak_kilobytes })
 }
 
-/// Waits for the end and looks at the memory meanwhile.
+/// Waits for the end of the process and polls its memory meanwhile.
 fn watch(child: &mut Child) -> anyhow::Result<(ExitStatus, Option<u64>)> {
     let mut peak = None;
     loop {
@@ -69,7 +69,7 @@ fn watch(child: &mut Child) -> anyhow::Result<(ExitStatus, Option<u64>)> {
     }
 }
 
-/// The `VmHWM` of a running process (Linux).
+/// Returns the `VmHWM` of a running process (Linux).
 pub(super) fn peak_kilobytes(process: u32) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

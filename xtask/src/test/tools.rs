@@ -14,19 +14,19 @@ use crate::{project, requirements};
 pub(super) struct Tools {
     state: State,
     has_editors: bool,
-    /// The installation of editors, which uses the other tools.
+    /// Installation of editors, which uses the other tools.
     editors: Option<Child>,
 }
 
 enum State {
     Installing(JoinHandle<anyhow::Result<OsString>>),
-    /// The `PATH` of steps.
+    /// `PATH` of steps.
     Installed(OsString),
     Failed,
 }
 
 impl Tools {
-    /// Begins to install what the steps need. Packages of the system are named before.
+    /// Begins to install the tools of the steps. Missing system packages are listed first.
     ///
     /// # Errors
     /// The steps need packages that cannot be installed here.
@@ -53,7 +53,7 @@ impl Tools {
         }
     }
 
-    /// The `PATH` of steps, after the end of the installation.
+    /// Returns the `PATH` of steps, after the end of the installation.
     ///
     /// # Errors
     /// The tools cannot be installed.
@@ -73,12 +73,12 @@ impl Tools {
         }
     }
 
-    /// Waits for the end of installations that no step has waited for.
+    /// Waits for the end of installations that no step has awaited.
     ///
     /// # Errors
     /// They cannot be awaited.
     pub(super) fn close(mut self) -> anyhow::Result<()> {
-        // A failed installation has made the steps fail that need it.
+        // If an installation has failed, the steps that need it have failed.
         if let Some(mut editors) = self.editors.take() {
             editors.wait()?;
         }
@@ -86,7 +86,7 @@ impl Tools {
     }
 }
 
-/// Begins to install what the editor tests use. The step waits for the end, and reports what fails.
+/// Begins to install the tools of the editor tests. The step waits for the end, and reports failures.
 fn install_editors(path: &OsString) -> anyhow::Result<Child> {
     let mut install = Command::new(project::root().join("tests/editors/install"));
     install.env("VAL3_TOOLS", project::target_folder()?.join("editors")).env("PATH", path).stdout(Stdio::null());

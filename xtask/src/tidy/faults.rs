@@ -1,17 +1,17 @@
-//! Finds what is untidy in a text.
+//! Finds faults in a text.
 
 use super::files::TextFile;
 
-/// Maximum number of lines of a source file.
+/// Largest number of lines in a source file.
 const MOST_LINES: usize = 600;
 
-/// Marks of unfinished work, in parts because this file is examined too.
+/// Marks of unfinished work, split because this file is checked too.
 const UNFINISHED: &[&str] = &[concat!("TO", "DO"), concat!("FIX", "ME"), concat!("XX", "X"), concat!("HA", "CK")];
 
-/// File names that say nothing about the content.
+/// File names that do not describe the content.
 const EMPTY_NAMES: &[&str] = &["utils", "util", "common", "helpers", "helper", "manager", "misc", "mod"];
 
-/// The faults of a file, one on each line: `path:line: fault`.
+/// Returns the faults of a file, in the form `path:line: fault`.
 pub(super) fn of(file: &TextFile) -> Vec<String> {
     let mut faults = name_faults(file);
     for (index, line) in file.text.split('\n').enumerate() {

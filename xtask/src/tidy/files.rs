@@ -1,4 +1,4 @@
-//! The hand-written texts of the project.
+//! Hand-written texts of the project.
 
 use anyhow::Context;
 use camino::{Utf8Path, Utf8PathBuf};
@@ -6,25 +6,25 @@ use camino::{Utf8Path, Utf8PathBuf};
 /// Folders with generated files, or with files in another program's format.
 const SKIPPED_FOLDERS: &[&str] = &["target", ".git", "node_modules", "examples", "corpus", "artifacts", "snapshots"];
 
-/// Extensions of the files that are examined.
+/// Extensions of the checked files.
 const EXTENSIONS: &[&str] = &["rs", "md", "toml"];
 
 /// A file with its text.
 #[derive(Debug)]
 pub(crate) struct TextFile {
-    /// Relative to the project's folder, with `/`.
+    /// Path relative to the project's folder, with `/`.
     pub(crate) path: Utf8PathBuf,
     pub(crate) text: String,
 }
 
 impl TextFile {
-    /// A Rust source file.
+    /// Whether this is a Rust source file.
     pub(crate) fn is_source(&self) -> bool {
         self.path.extension() == Some("rs")
     }
 }
 
-/// Every text below `root`, by path.
+/// Reads every text below `root`, sorted by path.
 pub(crate) fn all(root: &Utf8Path) -> anyhow::Result<Vec<TextFile>> {
     let mut paths = Vec::new();
     collect(root, &mut paths)?;

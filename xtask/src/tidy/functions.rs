@@ -1,33 +1,33 @@
-//! How long functions are, by the indentation that rustfmt gives them.
+//! Length of functions, determined by the indentation of rustfmt.
 
 use camino::Utf8PathBuf;
 
 use super::files::TextFile;
 
-/// One function.
+/// A function.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Function {
     pub(super) name: String,
     pub(super) path: Utf8PathBuf,
-    /// Where it starts, from 1.
+    /// First line, from 1.
     pub(super) line: usize,
-    /// From its head to its closing bracket.
+    /// Number of lines, from its head to its closing bracket.
     pub(super) lines: usize,
 }
 
-/// The functions of a file.
+/// Returns the functions of a file.
 pub(super) fn of(file: &TextFile) -> Vec<Function> {
     let lines: Vec<_> = file.text.lines().collect();
     let starts = 0..lines.len();
     starts.filter_map(|index| starting_at(index, lines.get(index..)?, file)).collect()
 }
 
-/// The function whose head is the first of `lines`.
+/// Returns the function whose head is the first of `lines`.
 fn starting_at(index: usize, lines: &[&str], file: &TextFile) -> Option<Function> {
     let head = lines.first()?;
     let name = name(head)?;
     let depth = indentation(head);
-    // Code inside a text has its lines at one depth.
+    // Code inside a string has its lines at the same depth.
     if head.ends_with('{') && lines.get(1).is_some_and(|line| indentation(line) <= depth) {
         return None;
     }
@@ -35,7 +35,7 @@ fn starting_at(index: usize, lines: &[&str], file: &TextFile) -> Option<Function
     Some(Function { name, path: file.path.clone(), line: index + 1, lines: length })
 }
 
-/// The name of the function whose head starts in `line`.
+/// Returns the name of the function whose head starts in `line`.
 fn name(line: &str) -> Option<String> {
     let head = line.trim_start();
     let modifiers = ["pub", "pub(crate)", "pub(super)", "const", "async"];
@@ -51,8 +51,8 @@ fn indentation(line: &str) -> usize {
     line.len() - line.trim_start().len()
 }
 
-/// Whether `line` ends a function whose head is at `depth`: on a line of its own, or on the same line (`fn f() {}`,
-/// `fn f();`).
+/// Whether `line` ends a function whose head is at `depth`: on a separate line, or on the same line (`fn f() {}`, `fn
+/// f();`).
 fn closes(line: &str, depth: usize) -> bool {
     let same_depth = indentation(line) == depth;
     same_depth && (line.trim() == "}" || line.ends_with("{}") || line.ends_with(';') || line.ends_with(" }"))

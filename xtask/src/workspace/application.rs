@@ -1,4 +1,4 @@
-//! An application: data, then programs that call the later ones.
+//! An application: data, then programs that call later ones.
 
 use std::collections::BTreeSet;
 
@@ -9,15 +9,15 @@ use super::scope::Scope;
 use super::shared;
 use super::words::{NOUNS, VERBS};
 
-/// The requested properties of an application.
+/// Requested properties of the application.
 pub(super) struct ApplicationPlan {
-    /// Its number, which makes its name.
+    /// Number, from which its name is derived.
     pub(super) number: usize,
-    /// No program is begun beyond this many code lines.
+    /// Number of code lines from which on no further program is begun.
     pub(super) most_lines: usize,
 }
 
-/// Types of data with how many of each an application has.
+/// Types of data with their number per application.
 const DATA: &[(Type, usize)] = &[
     (Type::Num, 24),
     (Type::Bool, 12),
@@ -32,11 +32,11 @@ const DATA: &[(Type, usize)] = &[
     (Type::Slot, 3),
 ];
 
-/// Types of parameters, by how often they occur.
+/// Types of parameters with their frequency.
 const PARAMETERS: &[(usize, Type)] =
     &[(50, Type::Num), (20, Type::Text), (15, Type::Bool), (10, Type::Point), (5, Type::Slot)];
 
-/// Builds one application.
+/// Generates an application.
 pub(super) fn build(plan: &ApplicationPlan, random: &mut Random) -> Project {
     let name = format!("cell{:03}", plan.number);
     let data = data(random);
@@ -93,7 +93,7 @@ struct Names {
 }
 
 impl Names {
-    /// A unique name of at most 15 characters.
+    /// Returns a unique name of at most 15 characters.
     fn fresh(&mut self, prefix: &str, random: &mut Random) -> String {
         loop {
             let name = format!("{prefix}{}{}", random.word(NOUNS), random.word(NOUNS));
@@ -130,7 +130,7 @@ fn parameters(random: &mut Random) -> Vec<Parameter> {
 }
 
 impl Names {
-    /// `x_nCount`
+    /// Returns a unique parameter name: `x_nCount`.
     fn short(&mut self, ty: Type, random: &mut Random) -> String {
         loop {
             let name = format!("x_{}{}", ty.prefix(), random.word(NOUNS));
@@ -141,7 +141,7 @@ impl Names {
     }
 }
 
-/// A program that may call those before it in the list, so that calls never go round in a circle.
+/// Generates a program that may call earlier programs in the list, so that calls are never recursive.
 fn program(signature: Signature, earlier: &[Program], scope: &Scope, random: &mut Random) -> Program {
     let mut callees = shared::library_programs();
     callees.extend(earlier.iter().skip(2).map(|program| program.signature.clone()));
@@ -158,7 +158,7 @@ fn program(signature: Signature, earlier: &[Program], scope: &Scope, random: &mu
     Program { signature, public, locals, lines }
 }
 
-/// Code lines of a program: most are short, a few long.
+/// Returns the number of code lines of a program: most are short, a few long.
 fn length(random: &mut Random) -> usize {
     match random.below(10) {
         0..=5 => random.between(4, 16),

@@ -1,4 +1,4 @@
-//! The code of one program while it is written.
+//! The code of a program under construction.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,7 +7,7 @@ use super::random::Random;
 use super::scope::Scope;
 use super::words::COMMENTS;
 
-/// The first assignments to a local of a position type, without which moves are not possible.
+/// Returns the first assignment to a local of a position type, without which moves are not possible.
 fn first_value(local: &Variable, scope: &Scope, random: &mut Random) -> Option<String> {
     match local.ty {
         Type::Trsf => Some("{0,0,0,0,0,0}".to_owned()),
@@ -18,7 +18,7 @@ fn first_value(local: &Variable, scope: &Scope, random: &mut Random) -> Option<S
     }
 }
 
-/// A line that reads a variable.
+/// Returns a line that reads a variable.
 fn last_use(variable: &Variable) -> Option<String> {
     let index = match variable.container {
         Container::One => "",
@@ -43,12 +43,12 @@ fn last_use(variable: &Variable) -> Option<String> {
 pub(super) struct Body<'a> {
     pub(super) random: &'a mut Random,
     pub(super) scope: Scope,
-    /// Programs it may call.
+    /// Programs that it may call.
     pub(super) callees: &'a [Signature],
-    /// Locals it may use; only those it names are declared.
+    /// Locals that it may use; only the used ones are declared.
     locals: &'a [Variable],
     used_locals: BTreeSet<String>,
-    /// The line that gives a local its first value.
+    /// Lines with the first assignments to locals.
     starts: BTreeMap<String, String>,
     lines: Vec<String>,
     code_lines: usize,
@@ -56,7 +56,7 @@ pub(super) struct Body<'a> {
 }
 
 impl<'a> Body<'a> {
-    /// An empty body.
+    /// Creates an empty body.
     pub(super) fn new(
         random: &'a mut Random,
         mut scope: Scope,
@@ -79,12 +79,12 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Lines of code written so far.
+    /// Returns the number of code lines written so far.
     pub(super) fn code_lines(&self) -> usize {
         self.code_lines
     }
 
-    /// How many blocks are open.
+    /// Returns the number of open blocks.
     pub(super) fn depth(&self) -> usize {
         self.depth
     }
@@ -97,7 +97,7 @@ impl<'a> Body<'a> {
         self.lines.push(format!("{indentation}{text}"));
     }
 
-    /// Sometimes a comment, sometimes a blank line.
+    /// Writes a comment or a blank line in some cases.
     pub(super) fn remark(&mut self) {
         if self.random.chance(12) {
             self.lines.push(String::new());
@@ -115,7 +115,7 @@ impl<'a> Body<'a> {
         self.depth -= 1;
     }
 
-    /// Remembers that the local at the start of `place` is used.
+    /// Marks the local at the start of `place` as used.
     pub(super) fn note(&mut self, place: String) -> String {
         let name = place.split(['[', '.']).next().unwrap_or_default();
         if self.locals.iter().any(|local| local.name == name) {
@@ -124,8 +124,8 @@ impl<'a> Body<'a> {
         place
     }
 
-    /// The lines from `begin` to `end`, and the locals to declare. At the end every variable is read once more, so
-    /// that none is there for nothing.
+    /// Returns the lines from `begin` to `end`, and the locals to declare. At the end every variable is read once more,
+    /// so that none is unused.
     pub(super) fn finish<'p>(self, parameters: impl IntoIterator<Item = &'p Variable>) -> (Vec<String>, Vec<Variable>) {
         let mut lines = vec!["begin".to_owned()];
         let starts = self.starts.iter().filter(|(local, _)| self.used_locals.contains(*local));

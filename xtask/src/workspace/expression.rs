@@ -1,14 +1,14 @@
-//! Expressions of a wanted type.
+//! Expressions of a requested type.
 
 use super::body::Body;
 use super::model::Type;
 use super::words::TEXTS;
 
-/// Deeper expressions are rare in real programs.
+/// Largest depth; deeper expressions are rare in real programs.
 const DEEPEST: usize = 2;
 
 impl Body<'_> {
-    /// An expression of a type.
+    /// Generates an expression of a type.
     pub(super) fn expression(&mut self, ty: Type) -> String {
         self.value(ty, 0)
     }
@@ -24,7 +24,7 @@ impl Body<'_> {
         }
     }
 
-    /// A variable's value.
+    /// Generates the value of a variable.
     pub(super) fn read(&mut self, ty: Type) -> String {
         match self.scope.readable(ty, self.random) {
             Some(place) => self.note(place),
@@ -56,7 +56,7 @@ impl Body<'_> {
         }
     }
 
-    /// A number above zero.
+    /// Generates a positive number.
     fn number_literal(&mut self) -> String {
         let whole = self.random.between(1, 250);
         if self.random.chance(3) { format!("{whole}.5") } else { whole.to_string() }
@@ -119,7 +119,7 @@ impl Body<'_> {
     }
 }
 
-/// A value where the program has no variable of the type.
+/// Returns a value for a program without a variable of the type.
 fn literal(ty: Type) -> &'static str {
     match ty {
         Type::Num => "1",

@@ -1,10 +1,10 @@
-//! Statements of one line: assignments, motion, screen, inputs and outputs.
+//! One-line statements: assignments, motion, screen, inputs and outputs.
 
 use super::body::Body;
 use super::model::Type;
 use super::shared::SIGNALS;
 
-/// Types of assigned variables, by how often they are assigned.
+/// Types of assigned variables with their frequency.
 const ASSIGNED: &[(usize, Type)] = &[
     (50, Type::Num),
     (20, Type::Bool),
@@ -18,7 +18,7 @@ const ASSIGNED: &[(usize, Type)] = &[
 type LineGenerator = for<'a, 'b> fn(&'a mut Body<'b>) -> String;
 
 impl Body<'_> {
-    /// `a=b`, now and then `a=b=c`.
+    /// Generates `a=b`, occasionally `a=b=c`.
     pub(super) fn assignment(&mut self) {
         if self.random.chance(6) {
             return self.output();
@@ -35,7 +35,7 @@ impl Body<'_> {
         self.line(format!("{target}{equals}{value}"));
     }
 
-    /// A variable to assign to. Every application has data of every type.
+    /// Returns a variable to assign to. Every application has data of every type.
     fn target(&mut self, ty: Type) -> String {
         let place = self.scope.writable(ty, self.random).unwrap_or_default();
         self.note(place)
@@ -48,7 +48,7 @@ impl Body<'_> {
         self.line(format!("io:dOut[{signal}]={value}"));
     }
 
-    /// An instruction alone on its line.
+    /// Generates an instruction on a separate line.
     pub(super) fn instruction(&mut self) {
         const LINES: &[(usize, LineGenerator)] = &[
             (22, |body| body.joint_move()),

@@ -1,6 +1,6 @@
-//! A VAL 3 project as the generator thinks of it.
+//! A VAL 3 project, as the generator represents it.
 
-/// The types that occur.
+/// Types in the workspace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Type {
     Num,
@@ -13,12 +13,12 @@ pub(super) enum Type {
     Tool,
     Mdesc,
     Dio,
-    /// The user type of the workspace: `shared::SLOT`.
+    /// User type of the workspace: `shared::SLOT`.
     Slot,
 }
 
 impl Type {
-    /// As a parameter or local names it.
+    /// Returns the name for parameters and locals.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Num => "num",
@@ -35,7 +35,7 @@ impl Type {
         }
     }
 
-    /// As a data file names it: positions belong to an arm.
+    /// Returns the name in data files, where positions belong to an arm.
     pub(super) fn file_name(self) -> &'static str {
         match self {
             Self::Point => "pointRx",
@@ -44,7 +44,7 @@ impl Type {
         }
     }
 
-    /// The customary start of a name.
+    /// Returns the customary prefix of a name.
     pub(super) fn prefix(self) -> &'static str {
         match self {
             Self::Num => "n",
@@ -62,7 +62,7 @@ impl Type {
     }
 }
 
-/// How many values a variable has.
+/// Number of values in a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Container {
     One,
@@ -80,7 +80,7 @@ pub(super) struct Variable {
 }
 
 impl Variable {
-    /// A variable of one value.
+    /// Creates a variable with one value.
     pub(super) fn one(name: impl Into<String>, ty: Type) -> Self {
         Self { name: name.into(), ty, container: Container::One }
     }
@@ -100,7 +100,7 @@ pub(super) struct Parameter {
     pub(super) by_reference: bool,
 }
 
-/// The signature of a program.
+/// Signature of a program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Signature {
     /// `name`, or `library:name`.
@@ -114,7 +114,7 @@ pub(super) struct Program {
     pub(super) signature: Signature,
     pub(super) public: bool,
     pub(super) locals: Vec<Variable>,
-    /// From `begin` to `end`.
+    /// Lines from `begin` to `end`.
     pub(super) lines: Vec<String>,
 }
 
@@ -122,7 +122,7 @@ pub(super) struct Program {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Project {
     pub(super) name: String,
-    /// Below `usrapp`.
+    /// Folder below `usrapp`.
     pub(super) folder: String,
     pub(super) data: Vec<Data>,
     pub(super) programs: Vec<Program>,
@@ -133,13 +133,13 @@ pub(super) struct Project {
 }
 
 impl Project {
-    /// Lines of code, without blank lines and comments.
+    /// Returns the number of code lines, without blank lines and comments.
     pub(super) fn code_lines(&self) -> usize {
         self.programs.iter().flat_map(|program| &program.lines).filter(|line| is_code(line)).count()
     }
 }
 
-/// The line is neither blank nor a comment.
+/// Whether the line is neither blank nor a comment.
 pub(super) fn is_code(line: &str) -> bool {
     let line = line.trim_start();
     !line.is_empty() && !line.starts_with("//")

@@ -1,4 +1,4 @@
-//! Numbers that look random and are the same on every machine (SplitMix64).
+//! Pseudo-random numbers that are the same on every machine (SplitMix64).
 
 /// A sequence of numbers.
 #[derive(Debug)]
@@ -7,7 +7,7 @@ pub(super) struct Random {
 }
 
 impl Random {
-    /// The sequence of a seed.
+    /// Creates the sequence of a seed.
     pub(super) fn new(seed: u64) -> Self {
         Self { state: seed }
     }
@@ -19,33 +19,33 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number from 0 to `end - 1`; 0 when `end` is 0.
+    /// Returns a number from 0 to `end - 1`; 0 if `end` is 0.
     pub(super) fn below(&mut self, end: usize) -> usize {
         let drawn = self.next().checked_rem(end as u64).unwrap_or(0);
         usize::try_from(drawn).unwrap_or(0)
     }
 
-    /// A number from `first` to `last`.
+    /// Returns a number from `first` to `last`.
     pub(super) fn between(&mut self, first: usize, last: usize) -> usize {
         first + self.below((last + 1).saturating_sub(first))
     }
 
-    /// True in `percent` of a hundred cases.
+    /// Returns true in `percent` of a hundred cases.
     pub(super) fn chance(&mut self, percent: usize) -> bool {
         self.below(100) < percent
     }
 
-    /// One of `items`; `None` when there is none.
+    /// Returns one of `items`; `None` if they are empty.
     pub(super) fn pick<'a, T>(&mut self, items: &'a [T]) -> Option<&'a T> {
         items.get(self.below(items.len()))
     }
 
-    /// One of `words`; the empty word when there is none.
+    /// Returns one of `words`; the empty word if they are empty.
     pub(super) fn word(&mut self, words: &[&'static str]) -> &'static str {
         self.pick(words).copied().unwrap_or_default()
     }
 
-    /// One of `choices`, each as likely as its weight.
+    /// Returns one of `choices` with a probability according to its weight.
     pub(super) fn weighted<T: Copy>(&mut self, choices: &[(usize, T)]) -> Option<T> {
         let sum = choices.iter().map(|(weight, _)| weight).sum();
         let mut rest = self.below(sum);

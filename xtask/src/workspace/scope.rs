@@ -1,22 +1,22 @@
-//! The variables that a program can name, by the type of value found there.
+//! Variables that a program can name, by the type of value.
 
 use super::model::{Container, Data, Parameter, Type, Variable};
 use super::random::Random;
 use super::shared::SIGNALS;
 
-/// A value inside a variable: the variable with its index, or a field of it.
+/// A value inside a variable: the variable with its index, or a field.
 #[derive(Debug, Clone)]
 struct ValueRef {
     name: String,
     container: Container,
-    /// `.trsf.z`, or nothing.
+    /// `.trsf.z`, or empty.
     field: &'static str,
     ty: Type,
-    /// A constant: only read by the program.
+    /// Whether the program only reads it.
     fixed: bool,
 }
 
-/// All places of one program.
+/// All values that a program can name.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scope {
     places: Vec<ValueRef>,
@@ -25,7 +25,7 @@ pub(super) struct Scope {
 }
 
 impl Scope {
-    /// The data of an application and of the libraries it uses.
+    /// Creates the scope with the data of the application and its libraries.
     pub(super) fn of_application(data: &[Data]) -> Self {
         let mut scope = Self::default();
         for data in data {
@@ -47,7 +47,7 @@ impl Scope {
         }
     }
 
-    /// Adds a parameter. One passed by value is only read.
+    /// Adds a parameter. A parameter by value is only read.
     pub(super) fn add_parameter(&mut self, parameter: &Parameter) {
         let before = self.places.len();
         self.add(&parameter.variable);
@@ -56,36 +56,36 @@ impl Scope {
         }
     }
 
-    /// From here on, a counter may be used as an index.
+    /// Adds a counter that may be used as an index from now on.
     pub(super) fn push_counter(&mut self, counter: &str) {
         self.counters.push(counter.to_owned());
     }
 
-    /// The innermost counter is gone.
+    /// Removes the innermost counter.
     pub(super) fn pop_counter(&mut self) {
         self.counters.pop();
     }
 
-    /// The counter is in use.
+    /// Whether the counter is in use.
     pub(super) fn has_counter(&self, counter: &str) -> bool {
         self.counters.iter().any(|other| other == counter)
     }
 
-    /// A value to read.
+    /// Returns a value to read.
     pub(super) fn readable(&self, ty: Type, random: &mut Random) -> Option<String> {
         let places: Vec<_> = self.places.iter().filter(|place| place.ty == ty).collect();
         let place = random.pick(&places)?;
         Some(self.spell(place, random))
     }
 
-    /// A variable to write to.
+    /// Returns a variable to write to.
     pub(super) fn writable(&self, ty: Type, random: &mut Random) -> Option<String> {
         let places: Vec<_> = self.places.iter().filter(|place| place.ty == ty && !place.fixed).collect();
         let place = random.pick(&places)?;
         Some(self.spell(place, random))
     }
 
-    /// A variable to pass by reference: no field.
+    /// Returns a variable to pass by reference: not a field.
     pub(super) fn reference(&self, ty: Type, random: &mut Random) -> Option<String> {
         let fits = |place: &&ValueRef| place.ty == ty && !place.fixed && place.field.is_empty();
         let places: Vec<_> = self.places.iter().filter(fits).collect();
@@ -93,7 +93,7 @@ impl Scope {
         Some(self.spell(place, random))
     }
 
-    /// The name of a whole array of one dimension.
+    /// Returns the name of a one-dimensional array.
     pub(super) fn array(&self, ty: Type, random: &mut Random) -> Option<String> {
         let fits = |place: &&ValueRef| {
             place.ty == ty && place.field.is_empty() && matches!(place.container, Container::Array(_))
@@ -115,7 +115,7 @@ impl Scope {
         format!("{name}{index}{field}")
     }
 
-    /// A counter, or a number that the array has.
+    /// Returns a counter, or an index within the array.
     fn index(&self, size: usize, random: &mut Random) -> String {
         match random.pick(&self.counters) {
             Some(counter) if random.chance(60) => counter.clone(),
@@ -124,7 +124,7 @@ impl Scope {
     }
 }
 
-/// The paths into a variable of a type: the variable itself, then its fields.
+/// Returns the paths into a variable of a type: the variable itself, then its fields.
 fn fields(ty: Type) -> &'static [(&'static str, Type)] {
     match ty {
         Type::Num => &[("", Type::Num)],

@@ -1,4 +1,4 @@
-//! The parts shared by all applications: inputs and outputs, a user type, and a library with programs.
+//! Parts that all applications share: inputs and outputs, a user type, and a library with programs.
 
 use super::model::{Container, Data, Parameter, Program, Project, Signature, Type, Variable};
 
@@ -9,10 +9,10 @@ pub(super) const IO: (&str, &str) = ("io", "io");
 /// Identifier and folder of the library with programs.
 pub(super) const LOGBOOK: (&str, &str) = ("logbook", "logbook");
 
-/// Digital signals in each direction.
+/// Number of digital signals in each direction.
 pub(super) const SIGNALS: usize = 16;
 
-/// The three projects.
+/// Returns the three projects.
 pub(super) fn projects() -> Vec<Project> {
     vec![io(), slot(), logbook()]
 }
@@ -55,7 +55,7 @@ fn logbook() -> Project {
     project(LOGBOOK, data, vec![note, count])
 }
 
-/// The programs that an application can call.
+/// Returns the programs that an application can call.
 pub(super) fn library_programs() -> Vec<Signature> {
     vec![note_signature("logbook:note"), count_signature("logbook:count")]
 }

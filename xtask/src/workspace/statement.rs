@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::model::{Container, Parameter, Signature, Type};
 
-/// Blocks inside blocks.
+/// Largest nesting of blocks.
 const DEEPEST: usize = 4;
 
 /// Counters of `for`, by depth of the block.
@@ -12,14 +12,14 @@ const COUNTERS: &[&str] = &["l_i", "l_j", "l_k"];
 type Writer = for<'a, 'b> fn(&'a mut Body<'b>);
 
 impl Body<'_> {
-    /// Some statements.
+    /// Generates some statements.
     pub(super) fn block(&mut self, most: usize) {
         for _ in 0..self.random.between(1, most) {
             self.statement();
         }
     }
 
-    /// One statement, and perhaps a comment above it.
+    /// Generates a statement, with a comment above it in some cases.
     pub(super) fn statement(&mut self) {
         const ALL: &[(usize, Writer)] = &[
             (155, |body| body.assignment()),
@@ -119,7 +119,7 @@ impl Body<'_> {
         self.line("break");
     }
 
-    /// `call` of a program of the application or of a library.
+    /// Generates the `call` of a program in the application or a library.
     pub(super) fn call(&mut self) {
         let Some(callee) = self.random.pick(self.callees) else { return self.assignment() };
         match self.arguments(callee) {
@@ -128,7 +128,7 @@ impl Body<'_> {
         }
     }
 
-    /// An argument for each parameter; `None` where the program has no variable to pass.
+    /// Returns an argument for each parameter; `None` if the program has no variable to pass.
     fn arguments(&mut self, callee: &Signature) -> Option<Vec<String>> {
         callee.parameters.iter().map(|parameter| self.argument(parameter)).collect()
     }

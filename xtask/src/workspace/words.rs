@@ -1,13 +1,13 @@
-//! The words that names, texts and comments are made of.
+//! Words for names, texts and comments.
 
-/// Parts of the names of data.
+/// Parts of data names.
 pub(super) const NOUNS: &[&str] = &[
     "Pick", "Place", "Home", "Tray", "Part", "Feed", "Safe", "Count", "Speed", "Limit", "State", "Mode", "Index",
     "Cycle", "Offset", "Height", "Layer", "Row", "Column", "Grip", "Door", "Clamp", "Camera", "Scan", "Label", "Batch",
     "Order", "Line", "Belt", "Press", "Drill", "Weld", "Glue", "Test", "Good", "Next", "Last", "Box", "Bag", "Pallet",
 ];
 
-/// First parts of the names of programs.
+/// First parts of program names.
 pub(super) const VERBS: &[&str] =
     &["init", "move", "pick", "place", "check", "read", "write", "show", "wait", "set", "get", "reset", "find", "run"];
 
@@ -30,7 +30,7 @@ pub(super) const TEXTS: &[&str] = &[
     "unknown product",
 ];
 
-/// Comments, without their slashes.
+/// Comments, without slashes.
 pub(super) const COMMENTS: &[&str] = &[
     "leave the press before the door closes",
     "the sensor needs one cycle",

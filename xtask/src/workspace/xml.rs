@@ -1,4 +1,4 @@
-//! The files of a project, as the Robotics Suite writes them.
+//! Files of a project in the format of the Robotics Suite.
 
 use super::GeneratedFile;
 use super::model::{Container, Data, Parameter, Program, Project, Type, Variable};
@@ -6,7 +6,7 @@ use super::model::{Container, Data, Parameter, Program, Project, Type, Variable}
 const NAMESPACE: &str = "http://www.staubli.com/robotics/VAL3";
 const INSTANCE: &str = "http://www.w3.org/2001/XMLSchema-instance";
 
-/// All files of a project.
+/// Returns all files of a project.
 pub(super) fn files(project: &Project) -> Vec<GeneratedFile> {
     let file = |name: &str, text: String| GeneratedFile {
         path: format!("usr/usrapp/{}/{name}", project.folder),
@@ -70,7 +70,7 @@ fn data_entry(data: &Data) -> String {
     }
 }
 
-/// The size as files write it: `3 4`.
+/// Formats the size as in data files: `3 4`.
 fn size(container: Container) -> String {
     match container {
         Container::One | Container::Collection(_) => "1".to_owned(),
@@ -79,7 +79,7 @@ fn size(container: Container) -> String {
     }
 }
 
-/// Values that differ from the default. Links to a father are always written.
+/// Formats values that differ from the default. Links to a father are always written.
 fn values(ty: Type, container: Container) -> String {
     let keys: Vec<String> = match container {
         Container::One => vec!["0".to_owned()],

@@ -10,7 +10,7 @@ use crate::import_circles::edges::Edges;
 /// Files that all reach each other.
 pub(crate) type Circle = BTreeSet<Utf8PathBuf>;
 
-/// The strongly connected components of more than `size` files, the largest first.
+/// Returns the strongly connected components of more than `size` files, the largest first.
 pub(crate) fn circles(edges: &Edges, size: usize) -> Vec<Circle> {
     let reached: BTreeMap<_, _> = edges.keys().map(|file| (file, reached(edges, file))).collect();
     let mut circles = BTreeSet::new();
@@ -23,7 +23,7 @@ pub(crate) fn circles(edges: &Edges, size: usize) -> Vec<Circle> {
     circles
 }
 
-/// The files that `file` reaches through one edge or more.
+/// Returns the files that `file` reaches through at least one edge.
 fn reached(edges: &Edges, file: &Utf8Path) -> BTreeSet<Utf8PathBuf> {
     let mut reached = BTreeSet::new();
     let mut open = vec![file];
@@ -34,7 +34,7 @@ fn reached(edges: &Edges, file: &Utf8Path) -> BTreeSet<Utf8PathBuf> {
     reached
 }
 
-/// A shortest way within `circle` that leads back to its beginning, which is at both ends.
+/// Returns a shortest path within `circle` that returns to its beginning, which is at both ends.
 pub(crate) fn shortest_cycle<'a>(edges: &'a Edges, circle: &'a Circle) -> Vec<&'a Utf8Path> {
     let cycles = circle.iter().filter_map(|start| cycle_from(edges, circle, start));
     cycles.min_by_key(Vec::len).unwrap_or_default()
@@ -62,7 +62,7 @@ fn cycle_from<'a>(edges: &'a Edges, circle: &'a Circle, start: &'a Utf8Path) -> 
     Some(cycle)
 }
 
-/// The files of a circle, and a shortest cycle with the names that cause it.
+/// Describes a circle by its files, and by a shortest cycle with the names that cause it.
 pub(crate) fn describe(edges: &Edges, circle: &Circle, root: &Utf8Path) -> String {
     let short = |file: &Utf8Path| file.strip_prefix(root).unwrap_or(file).to_string();
     let mut text = format!("{} files in a circle:\n", circle.len());

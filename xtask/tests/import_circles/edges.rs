@@ -1,4 +1,4 @@
-//! Which file names which items of another file.
+//! Dependencies between files: for each file, the items that it names in other files.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,10 +6,10 @@ use camino::Utf8PathBuf;
 
 use crate::import_circles::modules::{Crate, Module, ModuleId, Segments};
 
-/// For each file the files whose items it names, with the paths by which it names them.
+/// For each file, the files whose items it names, with the paths by which it names them.
 pub(crate) type Edges = BTreeMap<Utf8PathBuf, BTreeMap<Utf8PathBuf, BTreeSet<String>>>;
 
-/// The edges between the files of a crate. A re-export or `mod` alone makes none.
+/// Returns the edges between the files of a crate. A mere re-export or `mod` causes none.
 pub(crate) fn edges(krate: &Crate) -> Edges {
     let mut edges = Edges::new();
     for (id, module) in krate.modules.iter().enumerate() {
@@ -19,7 +19,7 @@ pub(crate) fn edges(krate: &Crate) -> Edges {
         }
         let imports = module.imports.iter().filter(|import| !import.is_exported).map(|import| &import.path);
         let imports = imports.map(|path| (path, resolve(krate, id, path)));
-        // Of an import that is a module and an item at once, the uses decide.
+        // If an import is both a module and an item, its uses decide.
         let imports = imports.filter(|(_, targets)| !targets.iter().any(|target| matches!(target, Target::Module(_))));
         let paths = module.paths.iter().map(|path| (path, resolve(krate, id, path)));
         for (path, targets) in imports.chain(paths) {
@@ -47,16 +47,16 @@ enum Target {
     Module(ModuleId),
     /// An item, by the module that defines it.
     Item(ModuleId),
-    /// An item of another crate that is imported.
+    /// An item that is imported from another crate.
     Foreign,
 }
 
-/// The module or the first item that a path in `module` names. Empty if it is in another crate.
+/// Returns the module or the first item that a path in `module` names. Empty if it is in another crate.
 fn resolve(krate: &Crate, module: ModuleId, path: &[String]) -> BTreeSet<Target> {
     resolve_path(krate, module, path, &mut BTreeSet::new())
 }
 
-/// Names that are being looked up, against imports that lead back to themselves.
+/// Names that are being looked up, to stop at circular imports.
 type Open = BTreeSet<(ModuleId, String)>;
 
 fn resolve_path(krate: &Crate, module: ModuleId, path: &[String], open: &mut Open) -> BTreeSet<Target> {
@@ -91,7 +91,7 @@ fn follow(krate: &Crate, targets: BTreeSet<Target>, rest: &[String], open: &mut 
     }
 }
 
-/// The meaning of `name` in a module.
+/// Returns the meaning of `name` in a module.
 fn lookup(krate: &Crate, id: ModuleId, name: &str, open: &mut Open) -> BTreeSet<Target> {
     let module = &krate.modules[id];
     let mut found = BTreeSet::new();
@@ -122,7 +122,7 @@ fn lookup(krate: &Crate, id: ModuleId, name: &str, open: &mut Open) -> BTreeSet<
 fn lookup_in_glob(krate: &Crate, id: ModuleId, glob: &Segments, name: &str, open: &mut Open) -> BTreeSet<Target> {
     let path: Segments = glob.iter().cloned().chain([name.to_owned()]).collect();
     let modules = resolve_path(krate, id, glob, open);
-    // The variants of an enum are not looked up: the path of the glob names the enum.
+    // The variants of an enum are not looked up, because the path of the glob names the enum.
     if modules.iter().any(|target| matches!(target, Target::Module(_))) {
         resolve_path(krate, id, &path, open)
     } else {

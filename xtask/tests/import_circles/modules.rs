@@ -1,4 +1,4 @@
-//! The modules of a crate with the names that they define, import and use. Tests are left out.
+//! Modules of a crate with the names that they define, import and use, without tests.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,12 +6,12 @@ use camino::{Utf8Path, Utf8PathBuf};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
 
-/// The names between the `::` of a path.
+/// Names between the `::` of a path.
 pub(crate) type Segments = Vec<String>;
 
 pub(crate) type ModuleId = usize;
 
-/// The modules of a crate. The first is its root.
+/// Modules of a crate. The first one is its root.
 #[derive(Debug, Default)]
 pub(crate) struct Crate {
     pub(crate) modules: Vec<Module>,
@@ -23,14 +23,14 @@ pub(crate) struct Module {
     pub(crate) file: Utf8PathBuf,
     pub(crate) children: BTreeMap<String, ModuleId>,
     pub(crate) items: BTreeSet<String>,
-    /// Identifiers in macros and in calls of macros, which may define items.
+    /// Identifiers in macros and in macro calls, which may define items.
     pub(crate) macro_idents: BTreeSet<String>,
     pub(crate) imports: Vec<Import>,
     pub(crate) globs: Vec<Segments>,
     pub(crate) paths: BTreeSet<Segments>,
 }
 
-/// One name that a `use` brings into scope.
+/// A name that a `use` adds to the scope.
 #[derive(Debug)]
 pub(crate) struct Import {
     pub(crate) name: String,
@@ -38,7 +38,7 @@ pub(crate) struct Import {
     pub(crate) is_exported: bool,
 }
 
-/// Reads the crate whose root is `file`.
+/// Reads the crate with the root `file`.
 pub(crate) fn read(file: &Utf8Path) -> Crate {
     let mut result = Crate::default();
     let items = parse(file);
@@ -90,7 +90,7 @@ impl Crate {
         if let Some(name) = defined_name(item) {
             self.modules[id].items.insert(name.clone());
             if attributes(item).iter().any(|attribute| attribute.path().is_ident("macro_export")) {
-                // The name is one of the root, but its definition is here.
+                // The name belongs to the root, but its definition is here.
                 let path = self.path(id).into_iter().chain([name.clone()]).collect();
                 self.modules[0].imports.push(Import { name, path, is_exported: true });
             }
@@ -98,7 +98,7 @@ impl Crate {
         Names { module: &mut self.modules[id] }.visit_item(item);
     }
 
-    /// The path of a module, beginning with `crate`.
+    /// Returns the path of a module, beginning with `crate`.
     fn path(&self, id: ModuleId) -> Segments {
         if id == 0 {
             return vec!["crate".to_owned()];
@@ -126,7 +126,7 @@ fn attributes(item: &syn::Item) -> &[syn::Attribute] {
     }
 }
 
-/// Whether an item exists in tests alone.
+/// Whether an item exists only in tests.
 fn is_test(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().filter(|attribute| attribute.path().is_ident("cfg")).any(|attribute| {
         let condition = attribute.meta.require_list().unwrap().tokens.to_string();
@@ -160,7 +160,7 @@ fn add_idents(tokens: TokenStream, idents: &mut BTreeSet<String>) {
     }
 }
 
-/// Collects the paths and imports of an item.
+/// Collects an item's paths and imports.
 struct Names<'a> {
     module: &'a mut Module,
 }
@@ -227,7 +227,7 @@ impl Names<'_> {
         self.module.imports.push(Import { name, path, is_exported });
     }
 
-    /// The paths in the tokens of a macro: names that `::` joins, except fields and methods.
+    /// Adds the paths in the tokens of a macro: names that are joined by `::`, except fields and methods.
     fn add_token_paths(&mut self, tokens: TokenStream) {
         let mut path = Segments::new();
         let mut before = String::new();

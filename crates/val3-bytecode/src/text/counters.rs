@@ -1,4 +1,4 @@
-//! Counters of lines and of sides of branches.
+//! Counters of lines and branch sides.
 
 use super::error::Result;
 use super::reader::Reader;
@@ -6,7 +6,7 @@ use super::writer::Writer;
 use crate::{LineMark, Program, Side};
 
 impl Writer<'_> {
-    /// The branches of a program.
+    /// Writes the branches of a program.
     pub(super) fn branches(&mut self, program: &Program) {
         for branch in &program.counters.branches {
             self.put(&format!("    branch {}", branch.row));
@@ -19,14 +19,14 @@ impl Writer<'_> {
         }
     }
 
-    /// The counter of a line, after its place.
+    /// Writes the counter of a line, after the line's location.
     pub(super) fn line_counter(&mut self, mark: LineMark) {
         if let LineMark::CountedLine(counter) = mark {
             self.put(&format!(" counter {counter}"));
         }
     }
 
-    /// The counter of a side that is not the counter of a line too.
+    /// Writes the counter of a branch side that has no counted line.
     pub(super) fn side_counter(&mut self, mark: LineMark) {
         if let LineMark::CountedSide(counter) = mark {
             self.put(&format!("    side {counter}\n"));
@@ -35,7 +35,7 @@ impl Writer<'_> {
 }
 
 impl Reader<'_> {
-    /// The mark of the operation after a line.
+    /// Reads the mark of the operation after `line`.
     pub(super) fn line_mark(&mut self) -> Result<LineMark> {
         if self.is_label() || !self.accept("counter") {
             return Ok(LineMark::Line);
@@ -43,13 +43,13 @@ impl Reader<'_> {
         Ok(LineMark::CountedLine(self.number()?))
     }
 
-    /// `side 3`
+    /// Reads `side 3`.
     pub(super) fn side_mark(&mut self) -> Result<LineMark> {
         self.take();
         Ok(LineMark::CountedSide(self.number()?))
     }
 
-    /// `branch 12 "true" 3 "false" 4`
+    /// Reads `branch 12 "true" 3 "false" 4`.
     pub(super) fn branch(&mut self) -> Result<()> {
         let row = self.after_word()?;
         let mut sides = Vec::new();
@@ -61,7 +61,7 @@ impl Reader<'_> {
     }
 }
 
-/// The number of counters of a program, each of which its code names.
+/// Returns the number of counters that the program's code contains.
 pub(super) fn counted(program: &Program) -> u32 {
     program.code.iter().filter_map(|step| step.mark.counter()).map(|counter| u32::from(counter) + 1).max().unwrap_or(0)
 }

@@ -1,17 +1,17 @@
-//! Faults of texts that are to be assembled.
+//! Faults in texts to be assembled.
 
 use std::fmt;
 
 pub(super) type Result<T> = std::result::Result<T, AssemblyError>;
 
-/// A fault of a text that was to be assembled.
+/// A fault in a text to be assembled.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AssemblyError {
-    /// The line, from 1.
+    /// Line, from 1.
     pub line: u32,
-    /// The character of the line, from 1.
+    /// Character of the line, from 1.
     pub column: u32,
-    /// The fault.
+    /// Description of the fault.
     pub message: String,
 }
 

@@ -1,4 +1,4 @@
-//! Forms that are put together from others.
+//! Forms that consist of other forms.
 
 use std::marker::PhantomData;
 use std::str::FromStr;
@@ -25,7 +25,7 @@ macro_rules! sequences {
     )+};
 }
 
-/// Enumerations: a word for each variant, then its fields. The last variants may have a form of their own.
+/// Enumerations: a word for each variant, then its fields. The last variants may have a separate form.
 macro_rules! choices {
     ($($type:ty, $expected:literal {
         $($word:literal $variant:ident $(($($field:ident: $form:ty),+))?,)+ $(_ => $other:ty,)?
@@ -58,12 +58,12 @@ macro_rules! choices {
 
 pub(super) use {choices, sequences};
 
-/// A word of the text.
+/// A word of the text form.
 pub(super) trait Word {
     const WORD: &str;
 }
 
-/// Words that mark what may be absent.
+/// Words that mark optional parts.
 macro_rules! words {
     ($($name:ident $word:literal;)+) => {$(
         #[doc = concat!("`", $word, "`")]
@@ -86,7 +86,7 @@ words! {
     To "->";
 }
 
-/// A word, or nothing.
+/// An optional word.
 pub(super) struct Flag<W>(PhantomData<W>);
 
 impl<W: Word> Form for Flag<W> {
@@ -101,7 +101,7 @@ impl<W: Word> Form for Flag<W> {
     }
 }
 
-/// A word with something after it, or nothing.
+/// An optional word that is followed by another form.
 pub(super) struct Optional<W, F>(PhantomData<(W, F)>);
 
 impl<W: Word, F: Form> Form for Optional<W, F> {
@@ -137,7 +137,7 @@ impl<F: Form> Form for Listed<F> {
     }
 }
 
-/// One form after the other.
+/// Tuples: one form after the other.
 macro_rules! tuples {
     ($(($($form:ident $value:ident),+);)+) => {$(
         impl<$($form: Form),+> Form for ($($form),+) {
@@ -174,7 +174,7 @@ impl<N: FromStr + ToString> Form for Number<N> {
     }
 }
 
-/// A name, quoted if it is no identifier.
+/// A name, quoted if it is not an identifier.
 pub(super) struct Name;
 
 impl Form for Name {
@@ -189,7 +189,7 @@ impl Form for Name {
     }
 }
 
-/// A text in quotation marks.
+/// A string in quotation marks.
 pub(super) struct Quoted;
 
 impl Form for Quoted {

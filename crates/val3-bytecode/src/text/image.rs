@@ -1,4 +1,4 @@
-//! Images: everything apart from the code of the programs.
+//! Images without the code of the programs.
 
 use val3_lang::memory::PartInit;
 use val3_lang::types::LengthUnit;
@@ -82,7 +82,7 @@ impl<'i> Writer<'i> {
         }
     }
 
-    /// Lines with a word and an item.
+    /// Writes one line for each item, which begins with a word.
     pub(super) fn each<F: Form>(&mut self, word: &str, items: &[F::Value]) {
         for item in items {
             self.put(word);
@@ -136,7 +136,7 @@ impl Reader<'_> {
         Version::parse(token).map_or_else(|| self.fail(&format!("`{token}` is no version")), Ok)
     }
 
-    /// Gives calls the numbers of the programs that they name.
+    /// Resolves the program names in calls to numbers.
     fn connect(&mut self) -> Result<()> {
         let mut numbers = Vec::new();
         for callee in &self.callees {

@@ -1,4 +1,4 @@
-//! Registers, containers, texts, and values where they are.
+//! Registers, containers, strings and other values by location.
 
 use val3_lang::memory::Lanes;
 use val3_lang::number_functions::NumberFunction;
@@ -39,7 +39,7 @@ registers! {
     Part 'c' "a container of the frame, such as `c0`,";
 }
 
-/// The target of a jump.
+/// Target of a jump.
 pub(super) struct Target;
 
 impl Form for Target {
@@ -56,7 +56,7 @@ impl Form for Target {
     }
 }
 
-/// The number of a name that may be declared later.
+/// Returns the number of a name that may be declared later.
 pub(super) fn number(labels: &mut Vec<Label>, label: Label) -> u32 {
     let known = labels.iter().position(|known| known.name == label.name);
     let number = known.unwrap_or(labels.len());
@@ -115,9 +115,9 @@ impl Form for ContainerRef {
     }
 }
 
-/// The name of the built-in frame.
+/// Name of the built-in frame.
 pub(super) const WORLD: &str = "world";
-/// The name of the built-in tool.
+/// Name of the built-in tool.
 pub(super) const FLANGE: &str = "flange";
 const TOO_HIGH: &str = "the highest possible number here is 8191";
 
@@ -151,7 +151,7 @@ impl Form for TextOperand {
     }
 }
 
-/// A constant by its text, if it is the first one with this text.
+/// Writes a constant as its text, if it is the first constant with this text, otherwise as its number.
 fn constant(number: u16, to: &mut Writer<'_>) {
     if !to.constants.contains(&number) {
         to.constants.push(number);
@@ -174,14 +174,14 @@ fn new_constant(from: &mut Reader<'_>) -> Result<u16> {
     Ok(u16::try_from(number).unwrap_or(u16::MAX))
 }
 
-/// A text of VAL 3, which has at most 128 bytes.
+/// Reads a VAL 3 string, which has at most 128 bytes.
 pub(super) fn text(from: &mut Reader<'_>) -> Result<Text> {
     let written = from.quoted()?;
     let text = Text::from(written.as_str());
     if text.as_str() == written { Ok(text) } else { from.fail("this text has more than 128 bytes") }
 }
 
-/// Lanes by the letters of their sorts: those that are not 0, and those that a value of this size has.
+/// Writes the lanes of a value with this size, with a letter for the kind of each lane.
 fn write_lanes(lanes: Lanes, size: Lanes, to: &mut Writer<'_>) {
     let Lanes { num, text, link, part } = lanes;
     let sorts = [('n', num, size.num), ('t', text, size.text), ('l', link, size.link), ('c', part, size.part)];
@@ -190,7 +190,7 @@ fn write_lanes(lanes: Lanes, size: Lanes, to: &mut Writer<'_>) {
     write_numbers(if shown.is_empty() { &[('n', 0)] } else { &shown }, to);
 }
 
-/// Numbers with their letters: `n3/l1`.
+/// Writes numbers with their letters: `n3/l1`.
 pub(super) fn write_numbers(numbers: &[(char, u32)], to: &mut Writer<'_>) {
     to.list(numbers, "/", |(letter, number), to| to.put(&format!("{letter}{number}")));
 }
@@ -200,7 +200,7 @@ pub(super) fn read_lanes(from: &mut Reader<'_>) -> Result<Lanes> {
     Ok(Lanes { num, text, link, part })
 }
 
-/// Numbers in the order of these letters; 0 for a letter that is absent.
+/// Reads numbers and returns them in the order of these letters; 0 for an omitted letter.
 pub(super) fn read_numbers<const N: usize>(letters: [char; N], from: &mut Reader<'_>) -> Result<[u32; N]> {
     let mut numbers = [0; N];
     loop {
@@ -217,7 +217,7 @@ pub(super) fn read_numbers<const N: usize>(letters: [char; N], from: &mut Reader
     }
 }
 
-/// Where a value of this size is.
+/// Writes the location of a value with this size.
 pub(super) fn write_operand(operand: Operand, size: Lanes, to: &mut Writer<'_>) {
     let offset = match operand {
         Operand::Frame(lanes) => return write_lanes(lanes, size, to),

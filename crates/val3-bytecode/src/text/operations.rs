@@ -1,4 +1,4 @@
-//! The operations with their operands.
+//! Operations with their operands.
 
 use val3_lang::number_functions::NumberFunction;
 
@@ -11,7 +11,7 @@ use super::sites::{Calls, Copies, Instructions, Tasks};
 use super::writer::Writer;
 use crate::{ContainerRef, Op, TextOperand};
 
-/// Reads and writes operations: the name, then each operand in its form.
+/// Reads and writes operations: the name, then the operands in their forms.
 macro_rules! operations {
     ($($name:ident $($field:ident: $form:ty),*;)+) => {
         impl Form for Op {

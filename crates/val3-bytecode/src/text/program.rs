@@ -1,4 +1,4 @@
-//! Programs: their head, then operations with labels and the lines of the source.
+//! Programs: the head, then operations with labels and source lines.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -24,7 +24,7 @@ impl<'i> Writer<'i> {
         self.put("\n");
         self.each::<(Flag<Public>, Name)>("program", &[(program.public, program.name.clone())]);
         self.head(program);
-        // The order of the first use gives the numbers of the constants, unless the compiler has used another order.
+        // Constants are numbered in the order of first use. A list is needed only if the compiler used another order.
         if !self.constants.iter().copied().map(usize::from).eq(0..program.texts.len()) {
             self.put("    texts ");
             self.list(&program.texts, ", ", |text, to| to.quoted(text));
@@ -87,13 +87,13 @@ impl<'i> Writer<'i> {
     }
 }
 
-/// A variable without its location.
+/// Returns a variable without its location.
 fn declared(variable: &Variable) -> (String, Arc<Kind>, Container) {
     (variable.name.clone(), variable.kind.clone(), variable.container)
 }
 
 impl Reader<'_> {
-    /// A program after its first word.
+    /// Reads a program after its first word.
     pub(super) fn program(&mut self) -> Result<()> {
         let (public, name) = <(Flag<Public>, Name)>::read(self)?;
         self.code = Program { public, name, ..Program::default() };
@@ -136,7 +136,7 @@ impl Reader<'_> {
         self.number()
     }
 
-    /// `line 5 at 120 131`: the row, and the bytes of the file.
+    /// Reads `line 5 at 120 131`: the row, and the byte range in the file.
     fn line(&mut self) -> Result<()> {
         let row = self.after_word()?;
         let range = if self.accept("at") {
@@ -149,7 +149,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The number of the next operation.
+    /// Returns the number of the next operation.
     fn here(&self) -> u32 {
         u32::try_from(self.code.code.len()).unwrap_or(u32::MAX)
     }
@@ -170,7 +170,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `frame n2/t1`: the numbers, texts, links, places and views of a frame.
+    /// Reads `frame n2/t1`: the numbers, texts, links, places and views of a frame.
     fn frame(&mut self) -> Result<()> {
         self.take();
         let [num, text, link, places, views] = operands::read_numbers(['n', 't', 'l', 'p', 'v'], self)?;
@@ -179,7 +179,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `nums n0=2.5, n3=1`: numbers of a new frame.
+    /// Reads `nums n0=2.5, n3=1`: numbers of a new frame.
     fn nums(&mut self) -> Result<()> {
         self.after_each_comma(|from| {
             let register = Num::read(from)?;
@@ -202,7 +202,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Reads items after a word and after each comma that follows.
+    /// Reads items after a word and after each following comma.
     fn after_each_comma(&mut self, read: impl Fn(&mut Self) -> Result<()>) -> Result<()> {
         loop {
             self.take();
@@ -231,7 +231,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The frame, the lines and the jumps of the program, now that all of it is known.
+    /// Completes the frame, the lines and the jumps at the end of the program.
     fn end_program(&mut self) -> Result<()> {
         if let Some(label) = self.labels.iter().find(|label| label.target.is_none()) {
             return self.fail_at(label.used, &format!("the label `{}` is missing", label.name));
@@ -240,7 +240,7 @@ impl Reader<'_> {
         for target in program.code.iter_mut().filter_map(|operation| operation.op.target_mut()) {
             *target = self.labels.get(*target as usize).and_then(|label| label.target).unwrap_or(u32::MAX);
         }
-        // Lines are in the order of the text, in which the head of a `while` comes before its block.
+        // Lines are in source order, in which the head of a `while` precedes its block.
         program.lines.sort_by_key(|line| line.range.start);
         program.counters.count = counted(&program);
         program.frame.lanes.part = u32::try_from(program.parts.len()).unwrap_or(u32::MAX);

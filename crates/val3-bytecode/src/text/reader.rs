@@ -1,4 +1,4 @@
-//! The tokens of a text, and the image that grows while they are read.
+//! Tokenizer, and the image that is built while tokens are read.
 
 use std::str::FromStr;
 use std::sync::Arc;
@@ -9,29 +9,29 @@ use val3_lines::{Columns, LineColumn, LineIndex};
 use super::error::{AssemblyError, Result};
 use crate::{Image, Program};
 
-/// The tokens of a text with what was read so far.
+/// Tokens of a text, with the image so far.
 pub(super) struct Reader<'t> {
     text: &'t str,
     tokens: Vec<(usize, &'t str)>,
-    /// The index of the next token.
+    /// Index of the next token.
     next: usize,
     pub(super) image: Image,
-    /// The user types.
+    /// User types.
     pub(super) kinds: Vec<Arc<Kind>>,
-    /// The program that is read.
+    /// Current program.
     pub(super) code: Program,
-    /// The labels of the program: until its end, jumps have indexes into this list.
+    /// Labels of the current program. Until its end, jumps contain indexes into this list.
     pub(super) labels: Vec<Label>,
-    /// The called programs: until the end of the text, calls have indexes into this list.
+    /// Called programs. Until the end of the text, calls contain indexes into this list.
     pub(super) callees: Vec<Label>,
 }
 
-/// A name that can be used before it is declared.
+/// A name that can be used before its declaration.
 pub(super) struct Label {
     pub(super) name: String,
-    /// The index of the token that uses it.
+    /// Index of the token that uses the name.
     pub(super) used: usize,
-    /// The operation or program that it names.
+    /// Operation or program with this name.
     pub(super) target: Option<u32>,
 }
 
@@ -59,12 +59,12 @@ impl<'t> Reader<'t> {
         Ok(reader)
     }
 
-    /// The next token; empty at the end.
+    /// Returns the next token; empty at the end.
     pub(super) fn peek(&self) -> &'t str {
         self.tokens.get(self.next).map_or("", |(_, token)| token)
     }
 
-    /// The next token is a name with a colon after it.
+    /// Whether the next token is a name that is followed by a colon.
     pub(super) fn is_label(&self) -> bool {
         self.tokens.get(self.next + 1).is_some_and(|(_, token)| *token == ":")
     }
@@ -79,12 +79,12 @@ impl<'t> Reader<'t> {
         self.next >= self.tokens.len()
     }
 
-    /// The index of the token that was taken last.
+    /// Returns the index of the last token read.
     pub(super) fn last(&self) -> usize {
         self.next.saturating_sub(1)
     }
 
-    /// Takes the next token if it is this one.
+    /// Skips the next token if it is this one, and returns whether it was skipped.
     pub(super) fn accept(&mut self, token: &str) -> bool {
         let is_it = self.peek() == token;
         self.next += usize::from(is_it);
@@ -95,7 +95,7 @@ impl<'t> Reader<'t> {
         if self.accept(token) { Ok(()) } else { self.unexpected(&format!("`{token}`")) }
     }
 
-    /// Items until the token `end`, with a separator between them unless it is empty.
+    /// Reads items up to the token `end`, with a separator between them unless `separator` is empty.
     pub(super) fn list<T>(
         &mut self,
         (separator, end): (&str, &str),
@@ -111,7 +111,7 @@ impl<'t> Reader<'t> {
         Ok(items)
     }
 
-    /// A whole number.
+    /// Reads a whole number.
     pub(super) fn number<N: FromStr>(&mut self) -> Result<N> {
         let token = self.take();
         match token.parse() {
@@ -123,7 +123,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A text in quotation marks.
+    /// Reads a string in quotation marks.
     pub(super) fn quoted(&mut self) -> Result<String> {
         let token = self.take();
         let Some(inner) = token.strip_prefix('"').and_then(|token| token.strip_suffix('"')) else {
@@ -132,7 +132,7 @@ impl<'t> Reader<'t> {
         Ok(unescaped(inner))
     }
 
-    /// A name, quoted or not.
+    /// Reads a name, quoted or not.
     pub(super) fn name(&mut self) -> Result<String> {
         let token = self.peek();
         if token.starts_with('"') {
@@ -143,7 +143,7 @@ impl<'t> Reader<'t> {
         if is_name { Ok(token.to_owned()) } else { self.wrong(token, "a name") }
     }
 
-    /// The number of an item by its name, or the number itself.
+    /// Reads an item's name or number, and returns the number.
     pub(super) fn item(&mut self, what: &str, names: impl Fn(&Self) -> Vec<String>) -> Result<u16> {
         let is_name = !self.peek().starts_with(|first: char| first.is_ascii_digit());
         let name = self.name()?;
@@ -156,7 +156,7 @@ impl<'t> Reader<'t> {
         found.map_or_else(|| self.fail(&format!("there is no {what} `{name}`")), Ok)
     }
 
-    /// A letter with a number: `n3`.
+    /// Reads a letter with a number: `n3`.
     pub(super) fn register(&mut self, letter: char, what: &str) -> Result<u16> {
         let token = self.take();
         match token.strip_prefix(letter).map(str::parse) {
@@ -165,7 +165,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// The next token is a letter with a number.
+    /// Whether the next token is one of these letters with a number.
     pub(super) fn is_register(&self, letters: &str) -> bool {
         let mut rest = self.peek().chars();
         rest.next().is_some_and(|letter| letters.contains(letter))
@@ -173,7 +173,7 @@ impl<'t> Reader<'t> {
             && rest.all(|digit| digit.is_ascii_digit())
     }
 
-    /// A fault at the next token, which is not what is expected.
+    /// Returns an error about the next token, which is not the expected one.
     pub(super) fn unexpected<T>(&mut self, expected: &str) -> Result<T> {
         let token = self.take();
         self.wrong(token, expected)
@@ -186,7 +186,7 @@ impl<'t> Reader<'t> {
         self.fail(&format!("`{token}` is found where {expected} is expected"))
     }
 
-    /// A fault at the token that was taken last.
+    /// Returns an error about the last token read.
     pub(super) fn fail<T>(&self, message: &str) -> Result<T> {
         self.fail_at(self.last(), message)
     }
@@ -198,10 +198,10 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Bytes of stack of each task where the text does not say.
+/// Default stack size per task, in bytes.
 const STACK_SIZE: u32 = 5000;
 
-/// The length of the token or comment at the beginning of a text.
+/// Returns the length of the token or comment at the beginning of a text.
 fn token(text: &str) -> usize {
     let is_word = |other: char| other.is_alphanumeric() || other == '_' || other == '.';
     let rest = text.get(1..).unwrap_or_default();
@@ -215,7 +215,7 @@ fn token(text: &str) -> usize {
     }
 }
 
-/// The length of a text up to its second quotation mark, which is on the same line.
+/// Returns the length up to and including the closing quotation mark on the same line.
 fn quoted(rest: &str) -> usize {
     let mut is_escaped = false;
     for (at, other) in rest.char_indices() {
@@ -228,7 +228,7 @@ fn quoted(rest: &str) -> usize {
     rest.len()
 }
 
-/// A text without its escapes: `\n` is a line break, any other character after a backslash is itself.
+/// Removes escapes: `\n` is a line break, any other character after a backslash is itself.
 fn unescaped(text: &str) -> String {
     let (mut plain, mut is_escaped) = (String::new(), false);
     for other in text.chars() {

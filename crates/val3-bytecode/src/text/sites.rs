@@ -1,4 +1,4 @@
-//! Entries of the tables of a program: copies, instructions, calls, tasks. The text has them at their operation.
+//! Entries of a program's tables: copies, instructions, calls, tasks. In the text they appear at their operation.
 
 use val3_lang::instructions;
 use val3_lang::memory::Kind;
@@ -18,7 +18,7 @@ use crate::{
     TextOperand,
 };
 
-/// Tables of a program: the form of the number of an entry is the entry.
+/// Tables of a program: the text contains the entry in place of the entry's number.
 macro_rules! tables {
     ($($form:ident $field:ident: $site:ty;)+) => {$(
         #[doc = concat!("An entry of `", stringify!($field), "`.")]
@@ -124,7 +124,7 @@ impl Form for InstructionSite {
     }
 }
 
-/// A form of an instruction by its number, the first one without a number: `sin`, `insert#1`.
+/// An instruction form, with its number unless it is the first form: `sin`, `insert#1`.
 struct InstructionForm;
 
 impl Form for InstructionForm {
@@ -152,7 +152,7 @@ impl Form for InstructionForm {
     }
 }
 
-/// The symbol of an operator.
+/// Operator symbol.
 struct Operator<O>(std::marker::PhantomData<O>);
 
 macro_rules! operators {

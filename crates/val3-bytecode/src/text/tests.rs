@@ -9,7 +9,7 @@ fn error(text: &str) -> String {
     assemble(text).map_err(shown).unwrap_err()
 }
 
-/// Everything of an image but programs.
+/// All parts of the image except programs.
 const DECLARATIONS: &str = r#"image "odd name" "Disk://main/main.pjx"
 version s8.3
 unit inch

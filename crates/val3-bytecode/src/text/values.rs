@@ -1,4 +1,4 @@
-//! Types, containers and their values at the start.
+//! Types, containers and their initial values.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -82,7 +82,7 @@ fn user_name(kind: &Kind) -> &str {
     }
 }
 
-/// Adds a user type to those that are declared, after the types of its fields.
+/// Adds a user type to the declared types, after its fields' types.
 fn declare(kind: &Arc<Kind>, to: &mut Writer<'_>) -> usize {
     let declaration = to.aside(|to| {
         to.put("type ");
@@ -105,7 +105,7 @@ sequences! {
 }
 
 impl Reader<'_> {
-    /// The declaration of a user type after its first word.
+    /// Reads the declaration of a user type after its first word.
     pub(super) fn user_type(&mut self) -> Result<()> {
         let name = self.name()?;
         self.expect("{")?;
@@ -166,8 +166,8 @@ impl Form for PartInit {
     }
 }
 
-/// The lanes of a value in parentheses: numbers, texts, links unless all are empty, and the containers of its fields. A
-/// single number or text has no parentheses.
+/// A value's lanes in parentheses: numbers, texts, links unless all are empty, and the fields' containers. A single
+/// number or string has no parentheses.
 impl Form for Element {
     type Value = Self;
 
@@ -210,7 +210,7 @@ impl Form for Element {
     }
 }
 
-/// A value of a type, with the lanes that it has to have.
+/// Reads a value with this type, and checks the number of lanes.
 fn value(kind: &Kind, from: &mut Reader<'_>) -> Result<Element> {
     let mut value = Element::read(from)?;
     if value.links.is_empty() {
@@ -225,7 +225,7 @@ fn value(kind: &Kind, from: &mut Reader<'_>) -> Result<Element> {
     from.fail(&format!("a value of this type has {nums} numbers, {texts} texts, {links} links and {parts} containers"))
 }
 
-/// The links that values of files have; all others are made when the data exist.
+/// Links that values in files can have; all other links are set after the data are created.
 const LINKS: [Link; 3] =
     [Link::None, Link::Data(Place::first(Memory::WORLD)), Link::Data(Place::first(Memory::FLANGE))];
 
@@ -239,7 +239,7 @@ fn link_name(link: Link) -> &'static str {
     }
 }
 
-/// The container of a parameter or local, after its type: nothing, `[]`, `[,]`, `[""]`.
+/// Container of a parameter or local, after its type: nothing, `[]`, `[,]`, `[""]`.
 pub(super) struct Brackets;
 
 impl Form for Brackets {

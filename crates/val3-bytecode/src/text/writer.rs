@@ -1,4 +1,4 @@
-//! The text that grows while an image is written.
+//! Writer of the text form.
 
 use std::sync::Arc;
 
@@ -7,16 +7,16 @@ use val3_lang::memory::Kind;
 use super::forms::{Public, Word};
 use crate::{Image, Program};
 
-/// The text so far, and what names in it refer to.
+/// Text so far, and the objects to which its names refer.
 pub(super) struct Writer<'i> {
     pub(super) image: &'i Image,
-    /// The program that is written.
+    /// Current program.
     pub(super) code: Option<&'i Program>,
-    /// The user types that were needed so far.
+    /// User types in use.
     pub(super) kinds: Vec<Arc<Kind>>,
-    /// The declarations of these types.
+    /// Declarations of these types.
     pub(super) types: String,
-    /// The text constants of the program in the order of their first use.
+    /// The program's string constants in the order of first use.
     pub(super) constants: Vec<u16>,
     pub(super) text: String,
 }
@@ -31,7 +31,7 @@ impl<'i> Writer<'i> {
         self.text.push_str(text);
     }
 
-    /// Adds a text with a blank before it, unless it is empty or continues a word.
+    /// Adds a part, after a space unless the part is empty or continues a word.
     pub(super) fn part(&mut self, write: impl FnOnce(&mut Self)) {
         let part = self.aside(write);
         let is_apart = !part.is_empty() && !part.starts_with(['[', '&']);
@@ -46,7 +46,7 @@ impl<'i> Writer<'i> {
         self.put(&format!("\"{escaped}\""));
     }
 
-    /// A name, quoted if it could be read as something else.
+    /// Writes a name, quoted if it could be read as something else.
     pub(super) fn name(&mut self, name: &str) {
         let is_plain = name.starts_with(|first: char| first.is_ascii_alphabetic())
             && name.chars().all(|other| other.is_ascii_alphanumeric() || other == '_')
@@ -54,7 +54,7 @@ impl<'i> Writer<'i> {
         if is_plain { self.put(name) } else { self.quoted(name) }
     }
 
-    /// An item by its name, or by its number if another item has the same name.
+    /// Writes an item as its name, or as its number if an earlier item has the same name.
     pub(super) fn item<'n>(&mut self, names: impl IntoIterator<Item = &'n str>, number: usize) {
         let mut names: Vec<&str> = names.into_iter().collect();
         names.truncate(number + 1);
@@ -64,7 +64,7 @@ impl<'i> Writer<'i> {
         }
     }
 
-    /// Items with a separator between them.
+    /// Writes items with a separator.
     pub(super) fn list<T>(
         &mut self,
         items: impl IntoIterator<Item = T>,
@@ -79,7 +79,7 @@ impl<'i> Writer<'i> {
         }
     }
 
-    /// The text that `write` adds, apart from the text so far.
+    /// Returns the text that `write` adds, without adding it.
     pub(super) fn aside(&mut self, write: impl FnOnce(&mut Self)) -> String {
         let before = std::mem::take(&mut self.text);
         write(self);

@@ -1,4 +1,4 @@
-//! Every VAL 3 example on the pages of rules and of the language is checked.
+//! Every VAL 3 example on the pages is checked.
 
 use val3_lang::{glossary, instructions, page, statements};
 use val3_test::{Fixture, ROOT};
@@ -54,7 +54,8 @@ fn the_good_example_of_a_rule_is_clean() {
     assert!(faults.is_empty(), "{} rules\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Rules whose fault no listing can have: bytes in a wrong encoding, control characters, files that cannot be read, files
+/// Rules whose fault a listing cannot show: bytes in a wrong encoding, control characters, and files that cannot be
+/// read, are outside the allowed folders, belong to no project, or are unread archives.
 const WITHOUT_LISTING: [&str; 6] = ["V0005", "V0007", "V0502", "V0509", "V0543", "V0544"];
 
 #[test]

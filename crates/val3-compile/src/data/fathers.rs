@@ -1,4 +1,4 @@
-//! The fathers of frames, tools and points at the start, and the grippers of tools (9.4 to 9.6).
+//! Initial fathers of frames, tools and points, and the grippers of tools (9.4 to 9.6).
 
 use val3_analysis::data_check::steps;
 use val3_analysis::xml::Element as Xml;
@@ -9,29 +9,29 @@ use val3_lang::types::BaseType;
 
 use super::Found;
 
-/// The father that a value names in the dialect of s7 and s8.
+/// Returns the father in a value of the s7 and s8 dialect.
 pub(super) fn of(value: Xml<'_>) -> Option<FatherLink> {
     parse(&value.value("fatherId")?)
 }
 
-/// The father that the old dialect names once for all values of the data that `element` declares.
+/// Returns the father that the old dialect declares once for all values of `element`.
 pub(super) fn of_all_values(element: Xml<'_>) -> Option<FatherLink> {
     named(element.elements().find(|part| part.name().ends_with("Father"))?, "fatherIndex")
 }
 
-/// The `dio` that is the gripper of a tool in the old dialect.
+/// Returns the `dio` of a tool's gripper in the old dialect.
 pub(super) fn gripper(value: Xml<'_>) -> Option<FatherLink> {
     named(value.elements().find(|element| element.name() == "io")?, "ioIndex")
 }
 
-/// The reference in an element of the old dialect.
+/// Reads the reference in an element of the old dialect.
 fn named(element: Xml<'_>, index: &str) -> Option<FatherLink> {
     let written = |name: &str| element.value(name).filter(|text| !text.is_empty()).map(|text| text.into_owned());
     let at = written(index).unwrap_or_else(|| "0".to_owned());
     Some(FatherLink { library: written("alias"), name: written("name")?, at, fields: Vec::new() })
 }
 
-/// `fTray[0]`, `tSlot["a"].fFrame[0]`
+/// Parses `fTray[0]` or `tSlot["a"].fFrame[0]`.
 fn parse(reference: &str) -> Option<FatherLink> {
     let mut steps = steps(reference)?.into_iter().map(|step| {
         let at = step.index.unwrap_or_else(|| "0".to_owned());
@@ -41,7 +41,7 @@ fn parse(reference: &str) -> Option<FatherLink> {
     Some(FatherLink { library: None, name, at, fields: steps.collect() })
 }
 
-/// Links a value to its father: immediately if every controller has it, otherwise when all data exist.
+/// Links a value to its father: immediately if the father is built in, otherwise after all data exist.
 pub(super) fn attach_father(value: &mut Element, father: FatherLink, number: u32, links: &mut Vec<Found>) {
     let builtin = builtins::find(&father.name).filter(|builtin| builtin.is_variable && father.library.is_none());
     match builtin {
@@ -53,7 +53,7 @@ pub(super) fn attach_father(value: &mut Element, father: FatherLink, number: u32
     }
 }
 
-/// Takes the links to built-in variables out of these values.
+/// Removes the links to built-in variables from these values.
 pub(crate) fn detach_fathers(init: &mut PartInit) {
     for value in init.values.iter_mut().flatten() {
         value.links.iter_mut().filter(|link| matches!(link, Link::Data(_))).for_each(|link| *link = Link::None);

@@ -12,14 +12,14 @@ use val3_lang::values::Text;
 
 use super::{Found, fathers};
 
-/// The default of files for a value, where it differs from the one of programs (`mdesc`).
+/// Returns the value for an omitted element, if it differs from the default in programs (`mdesc`).
 pub(super) fn unwritten(base: Base, kind: &Kind) -> Option<Element> {
     let Base::Builtin(base, arm) = base else { return None };
     let value = default_of(base, arm, kind);
     (value != kind.default).then_some(value)
 }
 
-/// Reads the value that `value` writes; `common` is the father that the data names for all its values.
+/// Reads a value. `common` is the father that the data declare for all values.
 pub(super) fn read(
     value: Xml<'_>,
     common: Option<&FatherLink>,
@@ -54,7 +54,7 @@ pub(super) fn read(
     read
 }
 
-/// The value of an element that writes nothing.
+/// Returns the value for an element without attributes.
 fn default_of(base: BaseType, arm: Option<Arm>, kind: &Kind) -> Element {
     let mut value = kind.default.clone();
     for attribute in attributes(base, arm) {
@@ -68,7 +68,7 @@ fn default_of(base: BaseType, arm: Option<Arm>, kind: &Kind) -> Element {
     value
 }
 
-/// The text of an attribute: of the value, or in the old dialect of an element in it.
+/// Returns an attribute's text: from the value, or in the old dialect from an element in it.
 fn written<'g>(value: Xml<'g>, attribute: &Attribute) -> Option<Cow<'g, str>> {
     let in_parts = || value.elements().find_map(|part| part.value(attribute.old_name()));
     value.value(attribute.name).or_else(in_parts)
@@ -83,7 +83,7 @@ fn read_number(attribute: &Attribute, text: &str) -> Option<f64> {
     }
 }
 
-/// The lanes before a field: `trsf.x`.
+/// Returns the offset of a field: `trsf.x`.
 fn offset(base: BaseType, arm: Option<Arm>, path: &str) -> Option<Lanes> {
     let names = path.split('.').filter(|name| !name.is_empty());
     let (_, offset) = names.into_iter().try_fold((base, Lanes::default()), |(base, offset), name| {

@@ -1,4 +1,4 @@
-//! Looking values up: their places, and those of their fields (2.5.2, 2.5.3).
+//! Lookup of values and their fields (2.5.2, 2.5.3).
 
 use val3_bytecode::{ContainerKind, ContainerRef, Op, Register, Subscript};
 use val3_lang::memory::Lanes;
@@ -8,7 +8,7 @@ use crate::error::{Limit, Result};
 use crate::location::{Location, Value};
 
 impl Emitter<'_, '_> {
-    /// Looks a value up: its place, and its offset from there.
+    /// Looks up a value, and returns its place and the offset from there.
     pub(crate) fn located(&mut self, location: Location) -> Result<(Register, Lanes)> {
         if let Location::Place(place, lanes) = location {
             return Ok((place, lanes));
@@ -33,7 +33,7 @@ impl Emitter<'_, '_> {
         }
     }
 
-    /// The location at an offset from another.
+    /// Returns the location at an offset from `location`.
     pub(crate) fn after(&mut self, location: Location, offset: Lanes) -> Result<Location> {
         Ok(match location {
             Location::Frame(lanes) => Location::Frame(lanes + offset),
@@ -45,7 +45,7 @@ impl Emitter<'_, '_> {
         })
     }
 
-    /// The container of a field, by the number of the field, in a view.
+    /// Looks up the container of the field with this number in a view.
     pub(crate) fn field_view(&mut self, of: Location, field: u16) -> Result<Register> {
         let op: Box<dyn Fn(Register) -> Op> = match of {
             Location::First(container, _) => Box::new(move |to| Op::FirstField { to, container, field }),
@@ -62,7 +62,7 @@ impl Emitter<'_, '_> {
         Ok(to)
     }
 
-    /// The first value of a field of a user type, by the number of the field.
+    /// Returns the first value of the field with this number, in a user type.
     pub(crate) fn first_of_field(&mut self, of: Value, number: usize) -> Result<Location> {
         let field = u16::try_from(number).map_err(|_| Limit::Items)?;
         let view = self.field_view(of.location, field)?;

@@ -1,4 +1,4 @@
-//! Reading and writing values.
+//! Reading and writing of values.
 
 use val3_analysis::ty::Base;
 use val3_bytecode::{
@@ -15,7 +15,7 @@ use crate::location::num_register;
 use crate::location::{Location, Value, is_number};
 
 impl Emitter<'_, '_> {
-    /// The register with a number, truth value or enumerator. The state of an input is read.
+    /// Loads a number, truth value or enumerator into a register. For an input, its state is read.
     pub(crate) fn load(&mut self, value: Value, want: Option<Lanes>) -> Result<Register> {
         if value.base.builtin() == Some(BaseType::Dio) {
             return self.read_digital(value, want);
@@ -56,7 +56,7 @@ impl Emitter<'_, '_> {
         Ok(to)
     }
 
-    /// Writes a number, truth value or enumerator.
+    /// Stores a number, truth value or enumerator.
     pub(crate) fn store(&mut self, to: Location, from: Register) -> Result<()> {
         match to {
             Location::Frame(lanes) => self.move_num(num_register(lanes), from),
@@ -85,7 +85,7 @@ impl Emitter<'_, '_> {
         }
     }
 
-    /// A text as operations take it: where it is, if it need not be looked up.
+    /// Returns a string as an operand: its location if no lookup is necessary.
     pub(crate) fn text_operand(&mut self, location: Location) -> Result<TextOperand> {
         let source = match location {
             Location::Frame(lanes) => TextSource::Register(narrow(lanes.text)),
@@ -96,7 +96,7 @@ impl Emitter<'_, '_> {
         TextOperand::new(source).ok_or(Limit::Registers)
     }
 
-    /// A text in a register of its own, which nothing else changes.
+    /// Copies a string to a separate register, which other code does not change.
     pub(crate) fn kept_text(&mut self, from: TextOperand) -> Result<Register> {
         let register = self.frame.text()?;
         let to = text_register(register)?;
@@ -104,7 +104,7 @@ impl Emitter<'_, '_> {
         Ok(register)
     }
 
-    /// Where a value is, for operations that take it in place.
+    /// Returns a value's location, for operations that use it in place.
     pub(crate) fn operand(&mut self, location: Location) -> Result<Operand> {
         match location {
             Location::Frame(lanes) => Ok(Operand::Frame(lanes)),
@@ -121,7 +121,7 @@ impl Emitter<'_, '_> {
         }
     }
 
-    /// Makes a variable hold a value of its own type.
+    /// Assigns a value of the same type to a variable.
     pub(crate) fn copy(&mut self, to: Value, from: Value) -> Result<()> {
         match to.base.builtin() {
             Some(base) if is_number(base) => {
@@ -146,14 +146,14 @@ impl Emitter<'_, '_> {
         }
     }
 
-    /// The copy of a value, or the comparison of two, as an entry of the table.
+    /// Adds a copy or comparison to the table.
     pub(crate) fn copy_site(&mut self, base: Base, from: Location, to: Location) -> Result<u32> {
         let kind = self.kind(base)?;
         let (from, to) = (self.operand(from)?, self.operand(to)?);
         Ok(self.code.copy_site(CopySite { kind, from, to }))
     }
 
-    /// A container of the frame that holds one value, and that value.
+    /// Creates a container of the frame with one value, and returns both.
     pub(crate) fn own_container(&mut self, base: Base) -> Result<(ContainerRef, Value)> {
         let kind = self.kind(base)?;
         let number = self.frame.part(kind, val3_lang::memory::Shape::ELEMENT)?;
@@ -168,7 +168,7 @@ impl Emitter<'_, '_> {
         Ok(to)
     }
 
-    /// A value as an argument.
+    /// Returns an argument for a value.
     pub(crate) fn argument_of(&mut self, value: Value) -> Result<ArgumentSite> {
         match value.base.builtin() {
             Some(base) if is_number(base) => {
@@ -179,7 +179,7 @@ impl Emitter<'_, '_> {
         }
     }
 
-    /// The place of a variable as an argument.
+    /// Returns an argument for a variable's place.
     pub(crate) fn place_of(&mut self, value: Value) -> Result<ArgumentSite> {
         let operand = self.operand(value.location)?;
         match value.base {
@@ -189,7 +189,7 @@ impl Emitter<'_, '_> {
         }
     }
 
-    /// Looks a value up immediately, so that it can be used several times.
+    /// Looks up a value immediately, so that it can be used several times.
     pub(crate) fn settled(&mut self, value: Value) -> Result<Value> {
         let base = value.base.builtin();
         let location = match value.location {
@@ -207,13 +207,13 @@ impl Emitter<'_, '_> {
     }
 }
 
-/// Whether the container is known to exist while the program runs. Data of a library may be missing, which is found out
-/// where the text of the program names them.
+/// Whether the container is known to exist while the program runs. A library's data may be missing, which is detected
+/// where the program uses them.
 fn is_there(container: ContainerRef) -> bool {
     matches!(container.kind(), ContainerKind::Data(_) | ContainerKind::Part(_) | ContainerKind::View(_))
 }
 
-/// A register for texts as an operand.
+/// Returns a string register as an operand.
 pub(crate) fn text_register(register: Register) -> Result<TextOperand> {
     TextOperand::new(TextSource::Register(register)).ok_or(Limit::Registers)
 }

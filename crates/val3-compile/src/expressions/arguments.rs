@@ -14,24 +14,24 @@ use crate::error::{Limit, Result};
 use crate::expressions::Expressions;
 use crate::location::{Value, is_number};
 
-/// The requirement of a parameter on its argument.
+/// Requirement of a parameter on its argument.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Formal {
-    /// Its type; `None` for any.
+    /// Type; `None` for any type.
     pub(crate) base: Option<Base>,
-    /// The required shape of the argument.
+    /// Required form of the argument.
     pub(crate) shape: Shape,
 }
 
 impl Formal {
-    /// The requirement of a parameter of a program.
+    /// Returns the requirement of a program's parameter.
     pub(crate) fn of(param: &Param) -> Self {
         Self { base: Some(param.base), shape: param.shape() }
     }
 }
 
-/// A value that is no container of its own, passed as one (2.3.4): a copy in a container, and the variable that gets
-/// its value when the call is done.
+/// A value that is passed as a container without being one (2.3.4): the copy in a container, and the variable to which
+/// the copy is assigned after the call.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Boxed {
     copy: Value,
@@ -39,7 +39,7 @@ pub(crate) struct Boxed {
 }
 
 impl Expressions<'_, '_> {
-    /// The arguments of a call, from left to right.
+    /// Compiles the arguments of a call, from left to right.
     pub(crate) fn arguments(
         &mut self,
         formals: &[Formal],
@@ -69,7 +69,7 @@ impl Expressions<'_, '_> {
         }
     }
 
-    /// Copies a number by value that a later argument may change.
+    /// Copies a number passed by value if a later argument may change it.
     fn kept_argument(&mut self, formal: Formal, site: ArgumentSite, later: &[ExprId]) -> Result<ArgumentSite> {
         match site {
             ArgumentSite::Value(Operand::Frame(lanes), base)
@@ -82,7 +82,7 @@ impl Expressions<'_, '_> {
         }
     }
 
-    /// A value: a number in a register, any other value in place.
+    /// Compiles an argument by value: a number in a register, any other value in place.
     fn by_value(&mut self, formal: Option<Base>, id: ExprId) -> Result<ArgumentSite> {
         let value = self.value_as(id, formal.unwrap_or(Base::Unknown))?;
         let read = formal.and_then(Base::builtin) == Some(BaseType::Bool);
@@ -98,7 +98,7 @@ impl Expressions<'_, '_> {
         self.out.place_of(variable)
     }
 
-    /// A container, an array from an index on.
+    /// Compiles a container, or an array from an index on.
     fn view(
         &mut self,
         formal: Option<Base>,
@@ -131,12 +131,12 @@ impl Expressions<'_, '_> {
         Ok(container)
     }
 
-    /// Copies the values that the call has left in boxes back to their variables.
+    /// Assigns the boxed values to their variables after a call.
     pub(crate) fn unbox(&mut self, boxes: &[Boxed]) -> Result<()> {
         boxes.iter().try_for_each(|Boxed { copy, variable }| self.out.copy(*variable, *copy))
     }
 
-    /// A place that need not exist.
+    /// Compiles an argument for a value that may not exist.
     fn slot(&mut self, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<ArgumentSite> {
         let Expr::Index(of, indexes) = self.body.expr(id) else {
             let container = match self.slot_of(id)? {
@@ -147,7 +147,7 @@ impl Expressions<'_, '_> {
         };
         let container = self.slot_of(*of)?.ok_or(Limit::Unclear)?;
         let at = match self.subscript(indexes)? {
-            // The key is passed by its place, which a constant does not have.
+            // The key is passed by place, which a constant does not have.
             Subscript::Key(key) if matches!(key.source(), TextSource::Constant(_)) => {
                 Subscript::Key(text_register(self.out.kept_text(key)?)?)
             }
@@ -156,7 +156,7 @@ impl Expressions<'_, '_> {
         Ok(ArgumentSite::Slot(container, at))
     }
 
-    /// The container of a place that need not exist, even in a library that nothing declares.
+    /// Returns the container of a value that may not exist, even if no interface declares it.
     fn slot_of(&mut self, id: ExprId) -> Result<Option<ContainerRef>> {
         match self.body.expr(id) {
             Expr::Path { library, item } if !self.out.unit().has_item(library, item) => {

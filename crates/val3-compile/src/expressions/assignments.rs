@@ -1,4 +1,4 @@
-//! Assignments, which also yield what they have written (2.4, 3.5.2, 3.7.2).
+//! Assignments, which also return the written value (2.4, 3.5.2, 3.7.2).
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
@@ -10,9 +10,9 @@ use crate::expressions::Expressions;
 use crate::location::{Location, Value, is_number};
 
 impl Expressions<'_, '_> {
-    /// `target = value`; the value that was written.
+    /// Compiles `target = value`, and returns the written value.
     ///
-    /// The order is: the indexes or key of the variable, the value, the lookup of the variable.
+    /// The order is: index or key of the variable, value, lookup of the variable.
     pub(crate) fn assign(&mut self, target: ExprId, value: ExprId) -> Result<Value> {
         let to = self.variable(target)?.ok_or(Limit::Unclear)?;
         if let Expr::Struct(values) = self.body.expr(self.body.without_parentheses(value)) {
@@ -36,7 +36,7 @@ impl Expressions<'_, '_> {
         }
     }
 
-    /// `dioOut = condition` sets an output.
+    /// Compiles `dioOut = condition`, which sets an output.
     fn write_digital(&mut self, to: Value, from: Value) -> Result<Value> {
         let register = self.out.load(from, None)?;
         let state = Value::num(BaseType::Bool, register);
@@ -46,7 +46,7 @@ impl Expressions<'_, '_> {
         Ok(state)
     }
 
-    /// `sioOut = text` and `sioOut = number` send; what was sent is the value.
+    /// Compiles `sioOut = text` or `sioOut = number`, which sends. The result is the sent value.
     fn write_serial(&mut self, to: Value, from: Value, base: BaseType) -> Result<Value> {
         let sent = self.out.result(base, None)?;
         let mut site = InstructionSite::new(Callee::Assignment(BaseType::Sio, base));
@@ -56,7 +56,7 @@ impl Expressions<'_, '_> {
         Ok(Value::on_frame(base, sent))
     }
 
-    /// `text = sioIn` and `number = sioIn` receive.
+    /// Compiles `text = sioIn` or `number = sioIn`, which receives.
     fn read_serial(&mut self, to: Value, from: Value, base: BaseType) -> Result<Value> {
         let received = self.out.result(base, wanted(to))?;
         let mut site = InstructionSite::new(Callee::Assignment(base, BaseType::Sio));
@@ -68,7 +68,7 @@ impl Expressions<'_, '_> {
         Ok(value)
     }
 
-    /// The value of an expression where a value of `base` is needed: `{…}` takes its type from there.
+    /// Compiles an expression where a value of type `base` is expected, which `{…}` requires.
     pub(crate) fn value_as(&mut self, id: ExprId, base: Base) -> Result<Value> {
         match self.body.expr(self.body.without_parentheses(id)) {
             Expr::Struct(values) => self.literal(base, values),
@@ -77,7 +77,8 @@ impl Expressions<'_, '_> {
     }
 }
 
-/// The lanes that a result may go to at once. A variable is written as a whole or not at all.
+/// Returns the lanes into which a result may be computed directly. Only variables on the frame allow it, because other
+/// variables are written completely or remain unchanged.
 fn wanted(to: Value) -> Option<val3_lang::memory::Lanes> {
     match to.location {
         Location::Frame(lanes) => Some(lanes),

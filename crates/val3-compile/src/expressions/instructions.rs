@@ -1,4 +1,4 @@
-//! Calls of instructions.
+//! Instruction calls.
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
@@ -16,12 +16,12 @@ use crate::expressions::arguments::Formal;
 use crate::location::num_register;
 use crate::location::{Value, is_number};
 
-/// A call whose form is known.
+/// A call whose form is resolved.
 struct ChosenForm {
     site: InstructionSite,
     formals: Vec<Formal>,
     result: Option<BaseType>,
-    /// The function that it computes, if it has no effect apart from that.
+    /// Function that the call computes, if it has no other effect.
     function: Option<NumberFunction>,
 }
 
@@ -40,7 +40,7 @@ impl ChosenForm {
         }
     }
 
-    /// The operation that replaces the whole call: a function of numbers needs no call.
+    /// Returns the operation that replaces the call, if it is a function of numbers.
     fn operation(&self) -> Option<Op> {
         let number =
             |operand: &Operand| if let Operand::Frame(lanes) = operand { Some(num_register(*lanes)) } else { None };
@@ -55,7 +55,7 @@ impl ChosenForm {
 }
 
 impl Expressions<'_, '_> {
-    /// A call where its value is needed.
+    /// Compiles a call whose value is used.
     pub(crate) fn instruction_value(
         &mut self,
         id: ExprId,
@@ -80,7 +80,7 @@ impl Expressions<'_, '_> {
         })
     }
 
-    /// A call that is a whole statement.
+    /// Compiles a call that is a statement.
     pub(crate) fn instruction_stmt(&mut self, id: ExprId) -> Result<()> {
         let Expr::Call(callee, args) = self.body.expr(id) else { return Err(Limit::Unclear) };
         if let Some(stand_in) = self.stand_in(id) {
@@ -117,8 +117,8 @@ impl Expressions<'_, '_> {
             return Ok(ChosenForm::of((call.instruction, form), form.result, version));
         }
         let call = self.types.add_on_call(id).ok_or(Limit::Unclear)?;
-        // An instruction that the catalogue has too behaves as there, and the form of the catalogue says how arguments
-        // are passed.
+        // An instruction that the catalogue contains too behaves as there, and the catalogue's form determines how
+        // arguments are passed.
         if let Some((instruction, form)) = call.form.known(&call.name) {
             return Ok(ChosenForm::of((instruction, form), call.form.result, version));
         }
@@ -129,13 +129,13 @@ impl Expressions<'_, '_> {
         Ok(ChosenForm { site, formals, result: call.form.result, function: None })
     }
 
-    /// The instruction that waits for a condition which `id` calls, by its name.
+    /// Returns the name of the instruction if it waits for a condition.
     fn waits(&self, id: ExprId) -> Option<&'static str> {
         let name = self.types.call(id)?.instruction.name;
         matches!(name, instructions::WAIT | instructions::WATCH).then_some(name)
     }
 
-    /// `wait(condition)`: the condition is computed again in each turn (5.10).
+    /// Compiles `wait(condition)`: the condition is computed again in each turn (5.10).
     fn wait(&mut self, args: &[ExprId]) -> Result<()> {
         let &[condition] = args else { return Err(Limit::Unclear) };
         let retry = self.out.code().here();
@@ -144,7 +144,7 @@ impl Expressions<'_, '_> {
         Ok(())
     }
 
-    /// `watch(condition, seconds)`: the time is computed once, then the condition in each turn (5.10).
+    /// Compiles `watch(condition, seconds)`: the time is computed once, the condition in each turn (5.10).
     fn watch(&mut self, args: &[ExprId], want: Option<Lanes>) -> Result<Value> {
         let &[condition, seconds] = args else { return Err(Limit::Unclear) };
         let seconds = self.num(seconds)?;
@@ -157,7 +157,7 @@ impl Expressions<'_, '_> {
     }
 }
 
-/// The only form of an instruction. It applies even if an argument is missing.
+/// Returns the instruction's form if there is only one, which applies even if an argument is missing.
 fn only_form(instruction: &'static Instruction) -> Option<&'static Overload> {
     match instruction.overloads {
         [form] => Some(form),

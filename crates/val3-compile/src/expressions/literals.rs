@@ -1,4 +1,4 @@
-//! `{…}`: the values of a structure. Omitted values are 0 (2.4.2).
+//! `{…}`: values of a structure. Omitted values are 0 (2.4.2).
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
@@ -10,11 +10,11 @@ use crate::expressions::Expressions;
 use crate::frame::narrow;
 use crate::location::{Location, Value};
 
-/// The values between braces.
+/// Values between braces.
 type Values = [Option<ExprId>];
 
 impl Expressions<'_, '_> {
-    /// `{values}` as a value of type `base`.
+    /// Compiles `{values}` as a value of type `base`.
     pub(crate) fn literal(&mut self, base: Base, values: &Values) -> Result<Value> {
         let Base::Builtin(builtin, arm) = base else {
             let (_, own) = self.out.own_container(base)?;
@@ -26,7 +26,7 @@ impl Expressions<'_, '_> {
         if let Some(nums) = self.constants(builtin, arm, values) {
             return self.constant_literal(base, &kind, nums);
         }
-        // Nothing else may leave a link in its lanes.
+        // The link lanes must stay empty, so they are not shared with temporaries.
         let lanes = if kind.size.link > 0 {
             self.out.frame_mut().lasting(&kind)?
         } else {
@@ -36,7 +36,7 @@ impl Expressions<'_, '_> {
         Ok(Value { location: Location::Frame(lanes), base })
     }
 
-    /// A constant structure lies in the frame from the start.
+    /// Stores a constant structure in the frame's initial values.
     fn constant_literal(&mut self, base: Base, kind: &Kind, nums: Vec<f64>) -> Result<Value> {
         let mut kind = kind.clone();
         let length = kind.default.nums.len();
@@ -46,7 +46,7 @@ impl Expressions<'_, '_> {
         Ok(Value { location: Location::Frame(lanes), base })
     }
 
-    /// The numbers of a structure where all of its values are constants.
+    /// Returns the structure's numbers if all values are constants.
     fn constants(&self, base: BaseType, arm: Option<Arm>, values: &Values) -> Option<Vec<f64>> {
         let mut nums = Vec::new();
         for (at, field) in fields(base, arm).iter().enumerate() {
@@ -61,7 +61,7 @@ impl Expressions<'_, '_> {
         Some(nums)
     }
 
-    /// Writes every number of a structure on the frame.
+    /// Writes all numbers of a structure on the frame.
     fn fill(&mut self, lanes: Lanes, (base, arm): (BaseType, Option<Arm>), values: &Values) -> Result<()> {
         let mut end = 0;
         for (at, field) in fields(base, arm).iter().enumerate() {
@@ -88,7 +88,7 @@ impl Expressions<'_, '_> {
         Ok(())
     }
 
-    /// `variable = {values}`: a frame, tool or point keeps what it is linked to (9.4 to 9.6).
+    /// Compiles `variable = {values}`. A frame, tool or point keeps its links (9.4 to 9.6).
     pub(crate) fn literal_to(&mut self, to: Value, values: &Values) -> Result<()> {
         let Base::Builtin(base, arm) = to.base else { return self.user_literal(to, values) };
         let from = self.literal(to.base, values)?;
@@ -109,7 +109,7 @@ impl Expressions<'_, '_> {
         Ok(())
     }
 
-    /// Writes the values of the fields of a user type, in the order of its data. Omitted fields keep their values.
+    /// Writes the fields of a user type, in the order of its data. Omitted fields keep their values.
     fn user_literal(&mut self, to: Value, values: &Values) -> Result<()> {
         let (kind, bases) = (self.out.kind(to.base)?, self.out.unit_mut().kinds.field_bases(to.base)?);
         for (number, (value, base)) in values.iter().zip(bases).enumerate().take(kind.fields.len()) {

@@ -1,4 +1,4 @@
-//! Operators between two values.
+//! Binary and unary operators.
 
 use val3_analysis::body::ExprId;
 use val3_analysis::ty::Base;
@@ -13,7 +13,7 @@ use crate::expressions::Expressions;
 use crate::location::{Value, is_number};
 
 impl Expressions<'_, '_> {
-    /// `left op right`
+    /// Compiles `left op right`.
     pub(crate) fn binary(
         &mut self,
         op: BinaryOp,
@@ -30,8 +30,8 @@ impl Expressions<'_, '_> {
         }
     }
 
-    /// `and` and `or` compute their right side only if the left one does not decide (3.1.2). The result has a register
-    /// of its own, because the right side may read the wanted one.
+    /// Compiles `and` or `or`, whose right side is computed only if the left side does not decide (3.1.2). The result
+    /// has a separate register, because the right side may read the wanted one.
     fn logic(&mut self, op: BinaryOp, left: ExprId, right: ExprId) -> Result<Value> {
         let condition = self.out.frame_mut().num()?;
         let end = self.out.code().label();
@@ -79,7 +79,7 @@ impl Expressions<'_, '_> {
         self.negated(op, to)
     }
 
-    /// The truth value in a register, or its contrary for `!=`.
+    /// Returns the truth value in a register, negated for `!=`.
     fn negated(&mut self, op: BinaryOp, to: u16) -> Result<Value> {
         if op == BinaryOp::NotEqual {
             self.out.emit(Op::Not { to, a: to });
@@ -106,13 +106,14 @@ impl Expressions<'_, '_> {
         self.handled(site, result, want)
     }
 
-    /// An operator on structures that has a handler. Others compare field by field.
+    /// Returns the instruction for an operator on structures that has a handler. Other structures are compared field by
+    /// field.
     fn binary_site(&self, op: BinaryOp, base: BaseType) -> Option<InstructionSite> {
         let site = InstructionSite::new(Callee::Binary(op, base, self.out.unit().items.arm));
         site.run.is_some().then_some(site)
     }
 
-    /// `!trA`
+    /// Compiles `!trA`.
     pub(crate) fn unary_handler(
         &mut self,
         op: UnaryOp,
@@ -134,7 +135,7 @@ impl Expressions<'_, '_> {
         Ok(Value::on_frame(result, lanes))
     }
 
-    /// `==` and `!=`, field by field.
+    /// Compiles `==` or `!=`, field by field.
     fn compared(&mut self, op: BinaryOp, left: ExprId, right: ExprId, want: Option<Lanes>) -> Result<Value> {
         let left = self.value(left, None)?;
         let right = self.value(right, None)?;
@@ -144,7 +145,7 @@ impl Expressions<'_, '_> {
         self.negated(op, to)
     }
 
-    /// Whether two values are equal, where the first was computed before.
+    /// Compiles the comparison with a value that was already computed.
     pub(crate) fn is_equal(&mut self, left: Value, right: ExprId) -> Result<u16> {
         let right = self.value_as(right, left.base)?;
         let to = self.out.frame_mut().num()?;

@@ -1,4 +1,4 @@
-//! Names, indexes and fields: the variable, or the part of one, that an expression names (2.5.2, 2.5.3).
+//! Names, indexes and fields: the variable, or part of a variable, that an expression names (2.5.2, 2.5.3).
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
@@ -13,7 +13,7 @@ use crate::expressions::Expressions;
 use crate::location::{Location, Value};
 
 impl Expressions<'_, '_> {
-    /// The variable that an expression names; `None` for a value that is computed.
+    /// Returns the variable that an expression names; `None` for a computed value.
     pub(crate) fn variable(&mut self, id: ExprId) -> Result<Option<Value>> {
         let base = self.base(id);
         let location = match self.body.expr(id) {
@@ -34,7 +34,7 @@ impl Expressions<'_, '_> {
         Ok(location.map(|location| Value { location, base }))
     }
 
-    /// The container that an expression names without an index; `None` where it is no container of its own.
+    /// Returns the container that an expression names without an index; `None` if the variable is not a container.
     pub(crate) fn container(&mut self, id: ExprId) -> Result<Option<ContainerRef>> {
         let kind = match self.body.expr(id) {
             Expr::Name(name) => match self.out.frame().find(name) {
@@ -55,7 +55,7 @@ impl Expressions<'_, '_> {
         kind.map(|kind| ContainerRef::new(kind).ok_or(Limit::Containers)).transpose()
     }
 
-    /// Global data, or a variable that every application has.
+    /// Returns global data, or a built-in variable.
     fn global(&self, name: &str) -> Option<ContainerKind> {
         let builtin = || builtins::BUILTINS.iter().position(|builtin| builtin.is_variable && builtin.name == name);
         let number = |at| u16::try_from(at).ok();
@@ -66,14 +66,14 @@ impl Expressions<'_, '_> {
             .or_else(|| builtin().and_then(number).map(ContainerKind::Builtin))
     }
 
-    /// `of[indexes]`
+    /// Compiles `of[indexes]`.
     fn element(&mut self, of: ExprId, indexes: &[ExprId], base: Base) -> Result<Location> {
         let Some(container) = self.container(of)? else { return self.only_element(of, indexes) };
         let plain = matches!(base.builtin(), Some(BaseType::Num | BaseType::Bool));
         Ok(Location::Element { container, at: self.subscript(indexes)?, plain })
     }
 
-    /// `of[0]` of a variable that is one value and no container. A fragment may use a local as an array although its
+    /// Compiles `of[0]` for a variable that is a single value. A fragment may use a local as an array although its
     /// program does not.
     fn only_element(&mut self, of: ExprId, indexes: &[ExprId]) -> Result<Location> {
         let is_first =
@@ -82,8 +82,8 @@ impl Expressions<'_, '_> {
         variable.map(|variable| variable.location).ok_or(Limit::Unclear)
     }
 
-    /// The indexes or the key between brackets. A key is read when the element is looked up, or before if the statement
-    /// may change it.
+    /// Compiles the indexes or the key between brackets. A key is read when the element is looked up, or earlier if the
+    /// statement may change it.
     pub(crate) fn subscript(&mut self, indexes: &[ExprId]) -> Result<Subscript> {
         Ok(match *indexes {
             [key] if self.base(key).builtin() == Some(BaseType::String) => {
@@ -100,7 +100,7 @@ impl Expressions<'_, '_> {
         })
     }
 
-    /// The numbers of expressions in consecutive registers. Returns the first of them.
+    /// Compiles numbers into consecutive registers, and returns the first register.
     pub(crate) fn run(&mut self, ids: &[ExprId]) -> Result<Register> {
         let first = self.out.frame_mut().nums(u32::try_from(ids.len()).map_err(|_| Limit::Registers)?)?;
         for (to, id) in (first..).zip(ids) {
@@ -109,7 +109,7 @@ impl Expressions<'_, '_> {
         Ok(first)
     }
 
-    /// A field of a built-in type: lanes of its value.
+    /// Compiles a field of a built-in type: lanes within the value.
     fn field(&mut self, of: ExprId, field: &str) -> Result<Location> {
         let value = self.value(of, None)?;
         let Base::Builtin(base, arm) = value.base else { return Err(Limit::Unclear) };
@@ -117,7 +117,7 @@ impl Expressions<'_, '_> {
         self.out.after(value.location, offset)
     }
 
-    /// The container of a field of a user type, looked up into a view.
+    /// Looks up the container for a field of a user type in a view.
     fn user_field(&mut self, of: ExprId, field: &str) -> Result<Register> {
         let value = self.variable(of)?.ok_or(Limit::Unclear)?;
         let kind = self.out.kind(value.base)?;
@@ -126,7 +126,7 @@ impl Expressions<'_, '_> {
         self.out.field_view(value.location, field)
     }
 
-    /// The number of an enumerator, unless a variable hides its name.
+    /// Returns an enumerator's number, unless a variable hides the name.
     pub(crate) fn enumerator(&self, name: &str) -> Option<f64> {
         let hidden = self.out.frame().find(name).is_some() || self.global(name).is_some();
         enumerations::find(name).filter(|_| !hidden).map(|found| enumerator(found.name))

@@ -1,4 +1,4 @@
-//! Values and programs in place of instructions of add-ons (`run.add-ons` in `val3.toml`).
+//! Values and programs that replace add-on instructions (`run.add-ons` in `val3.toml`).
 
 use val3_analysis::add_on_programs::{self, AddOnProgram};
 use val3_analysis::body::{Expr, ExprId};
@@ -13,15 +13,15 @@ use crate::expressions::Expressions;
 use crate::expressions::arguments::Formal;
 use crate::location::{Location, Value};
 
-/// The stand-in of the instruction that a call names.
+/// Replacement for an add-on instruction.
 pub(crate) enum StandIn {
     Value(StandInValue),
     Program(AddOnProgram),
 }
 
 impl Expressions<'_, '_> {
-    /// The stand-in for the instruction of an add-on that `call` calls. A program with other parameters than the form of the
-    /// call is none.
+    /// Returns the replacement for the add-on instruction in `call`. A program is ignored if its parameters differ from
+    /// the form of the call.
     pub(crate) fn stand_in(&self, call: ExprId) -> Option<StandIn> {
         let Expr::Call(callee, _) = self.body.expr(call) else { return None };
         let Expr::Name(name) = self.body.expr(*callee) else { return None };
@@ -36,7 +36,7 @@ impl Expressions<'_, '_> {
         }
     }
 
-    /// A call whose value is needed.
+    /// Compiles a call whose value is used.
     pub(crate) fn stand_in_value(&mut self, call: ExprId, stand_in: &StandIn, args: &[ExprId]) -> Result<Value> {
         match stand_in {
             StandIn::Value(value) => self.stand_in_constant(value),
@@ -44,7 +44,7 @@ impl Expressions<'_, '_> {
         }
     }
 
-    /// A call that is a whole statement. A value has no effect.
+    /// Compiles a call that is a statement. A constant value has no effect.
     pub(crate) fn stand_in_stmt(&mut self, call: ExprId, stand_in: &StandIn, args: &[ExprId]) -> Result<()> {
         match stand_in {
             StandIn::Value(_) => Ok(()),
@@ -52,8 +52,7 @@ impl Expressions<'_, '_> {
         }
     }
 
-    /// A value as a constant. A `string` is converted to no other type, nor are numbers and truth values to each other:
-    /// the type of the value is that of the call.
+    /// Returns the value as a constant. Values are not converted: their type is the type of the call.
     fn stand_in_constant(&mut self, value: &StandInValue) -> Result<Value> {
         let mut number = |ty, number| Ok(Value::num(ty, self.out.frame_mut().constant(number)?));
         match value {
@@ -66,7 +65,7 @@ impl Expressions<'_, '_> {
         }
     }
 
-    /// Calls the program. Its last parameter receives the result of the instruction, if that returns one.
+    /// Compiles the program call. If the instruction has a result, the program's last parameter receives it.
     fn call_stand_in(&mut self, call: ExprId, program: &AddOnProgram, args: &[ExprId]) -> Result<Option<Value>> {
         let result = self.types.add_on_call(call).and_then(|call| call.form.result);
         let params = program.params(self.unit().db);
@@ -95,7 +94,7 @@ impl Expressions<'_, '_> {
         unit.import_program(&library.alias, name, (library.project, *file)).map(ProgramRef::Import)
     }
 
-    /// A new variable with the default value of its type, and the argument that passes it by reference.
+    /// Creates a variable with its type's default value, and the argument that passes the variable by reference.
     fn result_variable(&mut self, base: BaseType, shape: Shape) -> Result<(Value, ArgumentSite)> {
         let kind = self.out.builtin_kind(base)?;
         let default = Value::on_frame(base, self.out.frame_mut().lasting(&kind)?);

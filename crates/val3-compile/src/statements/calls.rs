@@ -1,4 +1,4 @@
-//! Calls of programs, and tasks that run them (5.10).
+//! Program calls, and creation of tasks (5.10).
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::db::{File, Project};
@@ -10,7 +10,7 @@ use crate::expressions::arguments::{Boxed, Formal};
 use crate::statements::Statements;
 
 impl Statements<'_, '_> {
-    /// `call program(…)`
+    /// Compiles `call program(…)`.
     pub(crate) fn call_stmt(&mut self, call: ExprId) -> Result<()> {
         let mut boxes = Vec::new();
         let site = self.call_site(call, &mut boxes)?;
@@ -18,7 +18,7 @@ impl Statements<'_, '_> {
         self.values.unbox(&boxes)
     }
 
-    /// The program that is called, and its arguments.
+    /// Compiles the called program and its arguments.
     pub(crate) fn call_site(&mut self, call: ExprId, boxes: &mut Vec<Boxed>) -> Result<CallSite> {
         let Expr::Call(callee, args) = self.values.body().expr(call) else { return Err(Limit::Unclear) };
         let (program, project, file) = self.called_program(*callee)?;
@@ -48,7 +48,7 @@ impl Statements<'_, '_> {
         }
     }
 
-    /// `taskCreate name, priority, program(…)` and `taskCreateSync name, period, overrun, program(…)`
+    /// Compiles `taskCreate name, priority, program(…)` or `taskCreateSync name, period, overrun, program(…)`.
     pub(crate) fn task_create(&mut self, synchronous: bool, arguments: &[ExprId]) -> Result<()> {
         let (name, rate, overrun, call) = match (synchronous, arguments) {
             (false, &[name, rate, call]) => (name, rate, None, call),
@@ -63,7 +63,7 @@ impl Statements<'_, '_> {
             }
             None => None,
         };
-        // The task outlives the line, so its arguments are not copied back.
+        // The task outlives the line, so boxed arguments are not assigned back.
         let call = self.call_site(call, &mut Vec::new())?;
         self.out().code().task(TaskSite { name, rate, overrun, call });
         Ok(())

@@ -1,4 +1,4 @@
-//! Conditions as jumps: comparisons are one operation with the jump, `and` and `or` compute no truth value.
+//! Conditions as jumps: a comparison and its jump are one operation, and `and` and `or` compute no truth value.
 
 use val3_analysis::body::{Constant, Expr, ExprId};
 use val3_bytecode::Op;
@@ -11,7 +11,8 @@ use crate::location::is_number;
 use crate::statements::Statements;
 
 impl Statements<'_, '_> {
-    /// Jumps to `label` if the expression is `when`, otherwise continues with the next operation.
+    /// Compiles a jump to `label` if the expression equals `when`; otherwise execution continues with the next
+    /// operation.
     pub(crate) fn branch(&mut self, id: ExprId, when: bool, label: Label) -> Result<()> {
         match self.values.body().expr(id) {
             Expr::Paren(inner) => self.branch(*inner, when, label),
@@ -41,7 +42,7 @@ impl Statements<'_, '_> {
         Ok(())
     }
 
-    /// The deciding side jumps to the label, or past the other side.
+    /// Compiles `and` or `or`: if one side decides, it jumps to the label, or past the other side.
     fn branch_logic(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), when: bool, label: Label) -> Result<()> {
         let decides = op == BinaryOp::Or;
         if when == decides {
@@ -55,7 +56,8 @@ impl Statements<'_, '_> {
         Ok(())
     }
 
-    /// `x == true` is `x`. Numbers are compared and jumped on in one operation; NaN equals nothing.
+    /// Compiles an equality. `x == true` is `x`. The comparison of numbers and the jump are one operation; NaN equals
+    /// no number.
     fn branch_equality(
         &mut self,
         id: ExprId,
@@ -82,8 +84,8 @@ impl Statements<'_, '_> {
         Ok(())
     }
 
-    /// A comparison and the jump are one operation. No comparison with NaN holds, so the contrary of `a < b` is not `b
-    /// <= a`.
+    /// Compiles a comparison and its jump as one operation. Comparisons with NaN are false, so the contrary of `a < b`
+    /// is not `b <= a`.
     fn branch_order(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), when: bool, label: Label) -> Result<()> {
         let ((left, right), to) = (self.values.nums(left, right)?, label.0);
         let swapped = matches!(op, BinaryOp::Greater | BinaryOp::GreaterOrEqual);

@@ -12,19 +12,19 @@ use crate::location::{Location, Value};
 use crate::statements::Statements;
 use crate::statements::head;
 
-/// The counter of a `for`, with its registers.
+/// Counter of a `for`, with its registers.
 struct Counter {
     variable: Value,
-    /// The register that counts.
+    /// Register that counts.
     register: Register,
-    /// The register with the limit. The register after it has the step.
+    /// Register with the limit. The next register contains the step.
     limit: Register,
-    /// Whether the step is known to be above 0.
+    /// Whether the step is known to be positive.
     is_up: bool,
 }
 
 impl Statements<'_, '_> {
-    /// The condition follows the block, so that a round takes one jump.
+    /// Compiles a `while`. The condition follows the block, so that an iteration needs one jump.
     pub(crate) fn while_stmt(&mut self, stmt: &Stmt, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
         let condition = condition.ok_or(Limit::Unclear)?;
         let range = head(stmt, self.values.body().range(condition));
@@ -56,7 +56,8 @@ impl Statements<'_, '_> {
         }
     }
 
-    /// The condition of `until`. Its side `false` is no operation that is also reached by the way into the block.
+    /// Compiles the condition of a counted `until`. The side `false` has a separate operation, which the entry into the
+    /// loop does not execute.
     fn counted_end(&mut self, condition: ExprId, again: Label, branch: Option<BranchId>) -> Result<()> {
         let end = self.out().code().label();
         self.condition(condition, true, end)?;
@@ -67,7 +68,8 @@ impl Statements<'_, '_> {
         Ok(())
     }
 
-    /// Start, limit and step are computed once, in this order, before the counter gets its first value.
+    /// Compiles a `for`. Start, limit and step are computed once, in this order, before the first assignment to the
+    /// counter.
     pub(crate) fn for_stmt(&mut self, stmt: &Stmt, parts: [Option<ExprId>; 4], block: &[Stmt]) -> Result<()> {
         let [Some(counter), Some(start), Some(stop), step] = parts else { return Err(Limit::Unclear) };
         let range = head(stmt, self.values.body().range(step.unwrap_or(stop)));
@@ -102,8 +104,8 @@ impl Statements<'_, '_> {
         Ok(Counter { variable, register, limit, is_up })
     }
 
-    /// The registers with limit and step if both are constants. They are right even if `taskResume` has jumped past the
-    /// head of the loop.
+    /// Returns the registers with limit and step if both are constants. They are valid even if `taskResume` has jumped
+    /// past the head of the loop.
     fn fixed_end(&mut self, stop: ExprId, step: Option<ExprId>) -> Result<Option<Register>> {
         let Some((_, limit)) = self.values.constant(stop) else { return Ok(None) };
         let step = step.map_or(Some(1.0), |step| self.values.constant(step).map(|(_, step)| step));
@@ -139,7 +141,8 @@ impl Statements<'_, '_> {
         }
     }
 
-    /// A counter outside the frame is counted in a register and written back before and after each round.
+    /// Stores a counter that is not on the frame. It is counted in a register, and stored before and after each
+    /// iteration.
     fn store_counter(&mut self, variable: Value, counter: Register) -> Result<()> {
         match variable.location {
             Location::Frame(_) => Ok(()),
@@ -147,7 +150,7 @@ impl Statements<'_, '_> {
         }
     }
 
-    /// The same variable, even if the block changes the variables in its index.
+    /// Returns the location of the same variable, even if the block changes the variables in the index.
     fn pinned(&mut self, location: Location) -> Result<Location> {
         let Location::Element { container, at, plain } = location else { return Ok(location) };
         let at = match at {

@@ -1,5 +1,5 @@
-//! Lines that use what is missing: a library whose interface is not there, an instruction of an add-on, a user type.
-//! The application starts all the same, and such a line stops its task when it is reached.
+//! Lines that use something unresolved: a library without an interface, an add-on instruction, a user type. The
+//! application starts nevertheless, and such a line stops its task when it is reached.
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::items::program::Header;
@@ -9,7 +9,7 @@ use val3_bytecode::{Callee, InstructionSite};
 use crate::expressions::Expressions;
 use crate::statements::Statements;
 
-/// Finds what a line lacks.
+/// Finds unresolved parts of a line.
 pub(crate) struct Missing<'a, 'u, 'db> {
     values: &'a Expressions<'u, 'db>,
     header: &'db Header,
@@ -20,7 +20,7 @@ impl<'a, 'u, 'db> Missing<'a, 'u, 'db> {
         Self { values: &statements.values, header: statements.header }
     }
 
-    /// The instruction that stops a line with this expression, for the first of its parts that is missing.
+    /// Returns the instruction that stops the line, for the first unresolved part in an expression.
     pub(crate) fn of(&self, id: ExprId) -> Option<InstructionSite> {
         let calls = || self.values.body().within(id).filter_map(|id| self.callee(id));
         self.values.body().within(id).find_map(|id| match self.values.body().expr(id) {
@@ -54,7 +54,7 @@ impl<'a, 'u, 'db> Missing<'a, 'u, 'db> {
         }
     }
 
-    /// The declared type of a variable.
+    /// Returns the declared type of a variable.
     fn type_name(&self, variable: &str) -> Option<&str> {
         let param = self.header.params.iter().find(|param| param.name == variable).map(|param| &param.type_name);
         let local = || self.header.locals.iter().find(|local| local.name == variable).map(|local| &local.type_name);
@@ -63,7 +63,7 @@ impl<'a, 'u, 'db> Missing<'a, 'u, 'db> {
     }
 }
 
-/// The instruction for a line that the analysis has accepted although the compiler does not know its meaning.
+/// Returns the instruction for a line that the analysis has accepted without resolving it.
 pub(crate) fn unknown_meaning() -> InstructionSite {
     InstructionSite::new(Callee::Invalid)
 }

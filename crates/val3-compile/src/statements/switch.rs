@@ -1,4 +1,4 @@
-//! `switch`: the cases are compared in sequence, all with the line of the statement (2.2.5).
+//! `switch`: the cases are compared in sequence, all in the line of the statement (2.2.5).
 
 use val3_analysis::body::{ExprId, Stmt};
 use val3_bytecode::Op;
@@ -13,7 +13,7 @@ use crate::location::{Value, is_number};
 use crate::statements::Statements;
 use crate::statements::head;
 
-/// The values of a `case`, none for `default`, and its block.
+/// The values of a `case`, empty for `default`, and its block.
 type Case = (Vec<ExprId>, Vec<Stmt>);
 
 impl Statements<'_, '_> {
@@ -30,7 +30,7 @@ impl Statements<'_, '_> {
         self.case_blocks(cases, &labels, range)
     }
 
-    /// The blocks, and the way past them.
+    /// Compiles the blocks, and the jump past them.
     fn case_blocks(&mut self, cases: &[Case], labels: &[Label], range: TextRange) -> Result<()> {
         let branch = self.out().code().branch(range);
         let (end, none) = (self.out().code().label(), self.out().code().label());
@@ -51,7 +51,7 @@ impl Statements<'_, '_> {
         Ok(())
     }
 
-    /// The name of a case among the sides of its branch, as the program writes it.
+    /// Returns the name of a case as a branch side, as in the source.
     fn case_name(&mut self, values: &[ExprId]) -> String {
         let ranges = values.iter().map(|id| self.values.body().range(*id)).reduce(TextRange::cover);
         ranges.map_or_else(|| "default".to_owned(), |range| format!("case {}", self.out().source(range)))
@@ -75,7 +75,7 @@ impl Statements<'_, '_> {
         Ok(())
     }
 
-    /// The selector is compared in place if no case can change it.
+    /// Compiles the comparisons with a string, which is compared in place if no case can change it.
     fn text_cases(&mut self, selector: Value, cases: &[Case], labels: &[Label]) -> Result<()> {
         let a = self.out().text_operand(selector.location)?;
         let a = if self.values.is_stable(a) { a } else { text_register(self.out().kept_text(a)?)? };

@@ -1,4 +1,4 @@
-//! Calls of programs and creation of tasks (2.6, 5.10).
+//! Program calls, and creation of tasks (2.6, 5.10).
 
 use expect_test::{Expect, expect};
 

@@ -1,4 +1,4 @@
-//! Listings as applications on the disk of a controller, run to their end.
+//! Listings as applications on the disk of a controller, which are run to their end.
 
 use std::sync::Arc;
 
@@ -22,12 +22,12 @@ use crate::text_form;
 const LINE_COST: Time = 2_000;
 const LONGEST: Time = 10_000_000_000;
 
-/// A cell in a folder of its own.
+/// A cell in a temporary folder.
 pub(crate) struct Cell {
     dir: TempDir,
 }
 
-/// Compiles what is on the disk at the moment.
+/// Compiles the present files on the disk.
 struct OnDisk(Utf8PathBuf);
 
 impl Libraries for OnDisk {
@@ -40,7 +40,7 @@ impl Libraries for OnDisk {
         let is_it = |project: &&val3_analysis::db::Project| *folder(db, **project) == wanted;
         let project = *workspace.projects.iter().find(is_it).ok_or("no such project")?;
         let problems = program_files(db, project).iter().flat_map(|file| infer::problems(db, project, *file));
-        // The virtual controller has the add-ons that no table names.
+        // The virtual controller supports the add-ons that no table declares.
         let mut problems = problems.filter(|problem| !matches!(problem.kind, ProblemKind::MissingAddOn { .. }));
         if let Some(problem) = problems.next() {
             return Err(format!("{problem:?}"));
@@ -63,7 +63,7 @@ fn collect(folder: &Utf8Path, files: &mut Vec<(Utf8PathBuf, Vec<u8>)>) {
 }
 
 impl Cell {
-    /// The applications of a listing on the disk.
+    /// Writes the applications of a listing to the disk.
     pub(crate) fn new(listing: &str) -> Self {
         let cell = Self { dir: tempfile::tempdir().unwrap() };
         for (path, text) in Fixture::parse(listing).files {
@@ -73,7 +73,7 @@ impl Cell {
         cell
     }
 
-    /// A path below `usr`.
+    /// Returns a path below `usr`.
     pub(crate) fn path(&self, path: &str) -> Utf8PathBuf {
         Utf8Path::from_path(self.dir.path()).unwrap().join("usr").join(path)
     }
@@ -88,12 +88,12 @@ impl Cell {
         std::fs::read_to_string(self.path(path)).unwrap()
     }
 
-    /// The application `main` on the controller, about to begin.
+    /// Creates a controller with the application `main` at its beginning.
     pub(crate) fn controller(&self) -> Controller {
         self.controller_with(|_| {})
     }
 
-    /// As [`controller`](Self::controller), with what `prepare` does to the devices before.
+    /// Like [`controller`](Self::controller), after `prepare` has changed the devices.
     pub(crate) fn controller_with(&self, prepare: impl FnOnce(&mut Devices)) -> Controller {
         let mut roots = Roots::default();
         roots.mount("Disk", &self.path("usrapp")).unwrap();
@@ -107,12 +107,12 @@ impl Cell {
         controller
     }
 
-    /// The output of `main`, and the errors that stop its tasks.
+    /// Runs `main`, and returns its output and the errors that stop its tasks.
     pub(crate) fn run(&self) -> String {
         shown(&run(&mut self.controller(), |_| {}))
     }
 
-    /// The events about libraries while `main` runs.
+    /// Runs `main`, and returns the events about libraries.
     pub(crate) fn library_events(&self) -> String {
         let shown = |event: Event| match event.kind {
             EventKind::Lib { op, alias, path, code } => Some(format!("{op} {alias}:{path} {code}\n")),
@@ -122,7 +122,7 @@ impl Cell {
     }
 }
 
-/// Runs a controller to its end; `outside` acts before each cycle.
+/// Runs a controller to its end, and calls `outside` before each cycle.
 pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Controller)) -> Vec<Event> {
     let mut events = Vec::new();
     while controller.now() < LONGEST {
@@ -138,7 +138,7 @@ pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Cont
     panic!("goes on: {}", shown(&events));
 }
 
-/// The printed lines and the errors.
+/// Returns the printed lines and the errors.
 pub(crate) fn shown(events: &[Event]) -> String {
     let shown = |event: &Event| match &event.kind {
         EventKind::Print { text } => Some(format!("{text}\n")),

@@ -1,4 +1,4 @@
-//! Counters of lines and of sides of branches.
+//! Counters of lines and branch sides.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use crate::execution::{LINE_COST, rest, started};
 use crate::show::counted_image;
 use val3_test::Fixture;
 
-/// The lines of the program `start` after it was executed, each with its count and the counts of its sides.
+/// Runs the program `start`, and returns its lines with their counts and the counts of their sides.
 fn counted(listing: &str) -> String {
     let image = Arc::new(counted_image(listing));
     let mut controller = started(&image, LINE_COST);
@@ -27,7 +27,7 @@ fn counted(listing: &str) -> String {
     shown.skip(1).collect()
 }
 
-/// The counts of the program `start` by rows, as text.
+/// Returns the counts of the program `start` by row, as text.
 fn counts(image: &Image, hits: &[u64]) -> BTreeMap<u32, String> {
     let program = image.programs.iter().find(|program| program.name == "start").unwrap();
     let hits = |counter: u16| hits[program.counters.first as usize + usize::from(counter)];
@@ -122,7 +122,7 @@ fn each_case_is_counted() {
     );
 }
 
-/// Loops in blocks: the way into the block is counted once, its rounds with the loop.
+/// Loops in blocks: the entry into the block is counted once, the iterations by the loop's counter.
 #[test]
 fn sides_that_begin_with_loops_are_counted_once() {
     check(
@@ -169,7 +169,7 @@ fn conditions_that_the_compiler_knows_are_no_branches() {
     );
 }
 
-/// A line whose instruction waits is executed once, and one that stops its task is executed.
+/// A line with a waiting instruction counts once. A line that stops its task counts as executed.
 #[test]
 fn waiting_lines_are_counted_once() {
     check(

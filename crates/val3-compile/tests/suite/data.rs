@@ -1,4 +1,4 @@
-//! Data with their values and links at the start.
+//! Data with their initial values and links.
 
 use std::fmt::Write;
 
@@ -12,7 +12,7 @@ fn check(listing: &str, expected: Expect) {
     expected.assert_eq(&shown(&image(listing)));
 }
 
-/// Every data with its values, then the links.
+/// Formats all data with their values, then the links.
 fn shown(image: &Image) -> String {
     let mut text = String::new();
     for data in &image.data {

@@ -9,7 +9,7 @@ use val3_machine::io::{Direction, Kind, Signal};
 
 use crate::cell::{Cell, run};
 
-/// Numbers, each with lines that raise it.
+/// Error numbers with lines that raise them.
 const LINES: [(u16, &str); 24] = [
     (10, "nZero=1/nZero"),
     (11, "nZero=ln(nZero)"),
@@ -51,8 +51,8 @@ taskResume("one",99)"#,
     (165, "link(fTable,l_fPart)"),
 ];
 
-/// The numbers that no program of this suite raises: those of moves and options, which the controller does not have yet, and
-/// those that programs do not cause.
+/// Numbers that no program in this suite raises: errors of moves and options, which the controller does not have yet,
+/// and errors that programs do not cause.
 const OTHERS: [(RangeInclusive<u16>, &str); 9] = [
     (50..=50, "the controller's own messages, which 12.1 lacks"),
     (60..=61, "faults of the interpreter"),
@@ -65,8 +65,7 @@ const OTHERS: [(RangeInclusive<u16>, &str); 9] = [
     (270..=999, "the controller's own messages, which 12.1 lacks"),
 ];
 
-/// The declarations that the lines use. `Io` is a device with an input, an output of the system and an output that
-/// fails.
+/// Declarations for the lines. `Io` is a device with an input, a system output and an output that fails.
 const SURROUNDINGS: &str = r#"
 library io "Disk://io/io.pjx"
 library part "Disk://part/part.pjx"
@@ -133,7 +132,7 @@ fn connect(devices: &mut Devices) {
     devices.state.io.set_device_fault("Bus", Some(5));
 }
 
-/// The first error of a program with these lines.
+/// Runs a program with these lines, and returns the first error.
 fn error(lines: &str) -> Option<u16> {
     let cell = Cell::new(&SURROUNDINGS.replace("LINES", lines));
     let events = run(&mut cell.controller_with(connect), |_| {});

@@ -1,4 +1,4 @@
-//! Compiled programs as they run: what `?` prints, and the error that stops them.
+//! Execution of compiled programs: the output of `?`, and the error that stops them.
 
 use std::sync::Arc;
 
@@ -20,13 +20,13 @@ impl Libraries for NoLibraries {
     }
 }
 
-/// Maximum duration of an application, in nanoseconds of its own time.
+/// Longest duration of an application, in ns of its own time.
 const LONGEST: Time = 1_000_000_000_000;
 
-/// The time of a line, in nanoseconds.
+/// Duration of a line, in ns.
 pub(crate) const LINE_COST: Time = 2_000;
 
-/// A controller whose application has begun.
+/// Creates a controller whose application has begun.
 pub(crate) fn started(image: &Arc<Image>, line_cost: Time) -> Controller {
     let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
     let mut controller = Controller::new(devices, Arc::clone(image), "Disk://main".to_owned(), line_cost).unwrap();
@@ -34,12 +34,12 @@ pub(crate) fn started(image: &Arc<Image>, line_cost: Time) -> Controller {
     controller
 }
 
-/// The events of an application, until it has ended.
+/// Runs an application, and returns its events.
 pub(crate) fn events(image: &Arc<Image>, line_cost: Time) -> Vec<Event> {
     rest(&mut started(image, line_cost))
 }
 
-/// The events from now on until an application has ended.
+/// Runs an application to its end, and returns the remaining events.
 pub(crate) fn rest(controller: &mut Controller) -> Vec<Event> {
     let mut events = Vec::new();
     while controller.now() < LONGEST {
@@ -54,13 +54,13 @@ pub(crate) fn rest(controller: &mut Controller) -> Vec<Event> {
     panic!("goes on: {events:?}");
 }
 
-/// The lines that an application prints until it has ended, and the errors of its tasks.
+/// Runs an application, and returns the printed lines and its tasks' errors.
 #[track_caller]
 pub(crate) fn run(listing: &str) -> String {
     run_at(listing, LINE_COST)
 }
 
-/// As [`run`], with lines that take `line_cost` nanoseconds.
+/// Like [`run`], with a line duration of `line_cost` ns.
 #[track_caller]
 pub(crate) fn run_at(listing: &str, line_cost: Time) -> String {
     let image = Arc::new(image(listing));
@@ -325,7 +325,7 @@ fn powers_of_negative_numbers() {
     assert_eq!(powers("s7.11"), "error 11 in line 6\n");
 }
 
-/// An index is rounded as floor(x + 0.5), and exactly so: the largest number below a half is index 0.
+/// An index is rounded as floor(x + 0.5) without rounding errors: the largest number below one half is index 0.
 #[test]
 fn indexes_are_rounded() {
     check(

@@ -1,4 +1,4 @@
-//! Calls of instructions.
+//! Instruction calls.
 
 use expect_test::{Expect, expect};
 

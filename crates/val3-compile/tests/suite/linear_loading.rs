@@ -1,4 +1,5 @@
-//! Loading takes work in proportion to the number of values: each value visits the same number of nodes of its file.
+//! The work of loading is proportional to the number of values: every value visits the same number of nodes in its
+//! file.
 
 use std::fmt::Write;
 
@@ -53,7 +54,7 @@ const OLD_VALUES: &[(&str, &str, &str)] = &[
     ("mdesc", "", r#"><mdescValue vel="20" /></valueMdesc><valueMdesc index="-1""#),
 ];
 
-/// Visited nodes and tokens of the files while the application with these data is compiled.
+/// Compiles an application with these data, and returns the number of visited nodes and tokens.
 fn visits_to_compile(listing: &str) -> u64 {
     let workspace = workspace(listing);
     let main = project(&workspace, "main");

@@ -25,7 +25,8 @@ const DATA: &str = r#"
   </Datas>
 </Database>"#;
 
-/// The program `start` with these lines, and the line that `siHost` is linked to.
+/// Creates a cell with the program `start`, which consists of these lines, and with the channel that `siHost` is linked
+/// to.
 fn cell(lines: &str) -> Cell {
     Cell::new(&format!("program start()\nbegin\n{lines}\nend\n{DATA}"))
 }
@@ -170,7 +171,7 @@ fn other_tasks_run_while_one_waits() {
     assert_eq!(shown(&events), "five 5\n");
 }
 
-/// Two tasks send while the peer takes nothing: the one that exceeds the limit fails.
+/// Two tasks send while the peer receives nothing: the task that exceeds the limit fails.
 #[test]
 fn the_bytes_that_tasks_have_to_send_are_limited() {
     let lines = |bytes: usize| {
@@ -188,7 +189,7 @@ fn the_bytes_that_tasks_have_to_send_are_limited() {
     assert!(lines(19).starts_with("error 40"), "{}", lines(19));
 }
 
-/// A cycle whose events need too much memory stops until the caller has taken them, and the events are the same.
+/// If the events of a cycle need too much memory, it stops until the caller has read them. The events are the same.
 #[test]
 fn a_cycle_with_too_many_events_is_suspended() {
     let cell = cell("while nByte<100\nnByte=nByte+1\n? nByte\nendWhile");

@@ -107,7 +107,7 @@ fn files_are_copied_moved_and_deleted() {
     assert!(!cell.path("usrapp/data").exists());
 }
 
-/// The table of the cell says `void` and a single variable where the catalogue has a number and an array.
+/// The cell's table may declare `void` and a single variable where the catalogue has a number and an array.
 #[test]
 fn the_table_of_a_cell_may_have_other_forms() {
     let cell = Cell::new(
@@ -167,7 +167,7 @@ fn the_old_forms_of_insert_and_delete() {
     assert_eq!(cell.run(), "3\n2\n2\nerror 20 in start\n");
 }
 
-/// Access to a medium takes controller time, so a loop of accesses reaches its limit. Other tasks run meanwhile.
+/// Access to a medium uses controller time, so a loop of accesses reaches the time limit. Other tasks run meanwhile.
 #[test]
 fn access_takes_time() {
     let cell = Cell::new(
@@ -214,7 +214,7 @@ fn access_takes_time() {
     .assert_eq(&cell.run());
 }
 
-/// Control returns to the caller after each instruction while the interrupt is set.
+/// While the interrupt is set, control returns to the caller after each instruction.
 #[test]
 fn an_interrupt_ends_the_cycle_after_the_instruction() {
     let cell = Cell::new(
@@ -254,7 +254,7 @@ const WRITING: &str = r#"
     end
     "#;
 
-/// The limit of a run ends it after the access that reaches the limit, not at the end of the cycle.
+/// Checks that the limit ends a run after the access that reaches it, not at the end of the cycle.
 #[track_caller]
 fn stops_at_its_limit(start: &str) {
     const LIMIT: u64 = 9_000_000;
@@ -281,7 +281,7 @@ fn the_limit_of_a_run_ends_a_synchronous_task() {
     stops_at_its_limit("taskCreateSync \"sync\",0.004,bLate,write()");
 }
 
-/// The lines of a synchronous task wait for a medium, and its cycle is too short then.
+/// A synchronous task waits for a medium, so its period is too short.
 #[test]
 fn access_in_a_synchronous_task() {
     let cell = Cell::new(

@@ -1,4 +1,4 @@
-//! Programs that ask for more memory than a controller has (error 40), and memory that is given back.
+//! Programs that need more memory than a controller has (error 40), and the release of memory.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::show::{image, project, workspace};
 
 const MEGABYTE: u64 = 1 << 20;
 
-/// A controller with `bytes` of free memory once the application has started.
+/// Creates a controller with `bytes` of free memory after the start of the application.
 fn with_memory(image: Image, bytes: u64) -> Controller {
     let mut controller = started(&Arc::new(image), LINE_COST);
     let taken = controller.vm.space.memory.stores.room.taken();
@@ -21,7 +21,7 @@ fn with_memory(image: Image, bytes: u64) -> Controller {
     controller
 }
 
-/// The output and the errors of tasks, until the application has ended or is stuck.
+/// Runs the application until it has ended or is stuck, and returns its output and its tasks' errors.
 fn run(controller: &mut Controller) -> String {
     let mut shown = String::new();
     loop {
@@ -41,7 +41,7 @@ fn run(controller: &mut Controller) -> String {
     }
 }
 
-/// The application fails with error 40 somewhere, within a megabyte.
+/// Checks that the application fails with error 40 in some line, within a megabyte.
 #[track_caller]
 fn fails(listing: &str) {
     let printed = run(&mut with_memory(image(listing), MEGABYTE));
@@ -204,7 +204,7 @@ fn local_screens_take_memory() {
     );
 }
 
-/// The sizes in files are checked before a value exists.
+/// The sizes in files are checked before values are created.
 #[test]
 fn data_beyond_all_memory_are_refused() {
     for data in [

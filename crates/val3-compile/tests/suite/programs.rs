@@ -1,4 +1,4 @@
-//! Images of whole projects: source maps, old programs, limits.
+//! Images of complete projects: source maps, old programs, limits.
 
 use expect_test::expect;
 use val3_compile::{CompileError, Limit};

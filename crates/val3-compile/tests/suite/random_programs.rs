@@ -1,4 +1,4 @@
-//! Laws of running programs, over random programs.
+//! Laws of execution, over random programs.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ enum Statement {
     For(String, Vec<Self>),
     While(Vec<Self>),
     Call(&'static str, String, String),
-    /// With the whole numbers `l_nU` and `l_nV` and the truth value `l_bIs`.
+    /// A statement with the whole numbers `l_nU` and `l_nV` and the truth value `l_bIs`.
     Count(&'static str),
     Print(String),
     Leave(String),
@@ -34,7 +34,7 @@ fn variable() -> impl Strategy<Value = String> {
     prop_oneof![6 => plain, 1 => indexed, 2 => computed]
 }
 
-/// Functions of numbers, with the number of their arguments.
+/// Functions of numbers, with their number of arguments.
 const FUNCTIONS: [(&str, usize); 17] = [
     ("abs", 1),
     ("bAnd", 2),
@@ -55,7 +55,7 @@ const FUNCTIONS: [(&str, usize); 17] = [
     ("sqrt", 1),
 ];
 
-/// Statements on whole numbers, also on those that are too large to be exact, and on truth values.
+/// Statements on whole numbers, including numbers that are too large to be exact, and on truth values.
 const COUNTS: [&str; 19] = [
     "l_nU=0",
     "l_nU=l_nU+1",
@@ -124,7 +124,7 @@ fn statements() -> impl Strategy<Value = Vec<Statement>> {
     prop::collection::vec(statement, 2..7)
 }
 
-/// The text of statements; each loop has a counter of its own, so that it ends.
+/// Writes statements as source. Each loop has a separate counter, so that it ends.
 fn write(statements: &[Statement], loops: &mut u32, text: &mut String) {
     for statement in statements {
         match statement {
@@ -159,7 +159,7 @@ fn write(statements: &[Statement], loops: &mut u32, text: &mut String) {
     }
 }
 
-/// An application whose program `work` consists of statements.
+/// Creates an application whose program `work` consists of the statements.
 fn application(statements: &[Statement]) -> String {
     let (mut body, mut loops) = (String::new(), 0);
     write(statements, &mut loops, &mut body);
@@ -181,7 +181,7 @@ fn application(statements: &[Statement]) -> String {
     )
 }
 
-/// Lets a synchronous and two asynchronous tasks take turns in an application of [`application`].
+/// Creates a synchronous and two asynchronous tasks in an [`application`].
 fn with_tasks(application: &str) -> String {
     application.replace(
         "begin\ncall rounds()\nend\n",
@@ -193,15 +193,15 @@ fn with_tasks(application: &str) -> String {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// The end of a cycle interrupts a turn between two lines, and the turn resumes in the next cycle: a program that
-    /// does not read the clock gives the same results wherever the cycles end.
+    /// A cycle that ends within a turn interrupts it between two lines, and the next cycle resumes it. A program that
+    /// does not read the clock therefore has the same results for all line durations.
     #[test]
     fn results_do_not_depend_on_where_cycles_end(statements in statements(), line_cost in 20_000_u64..400_000) {
         let listing = application(&statements);
         prop_assert_eq!(run_at(&listing, LINE_COST), run_at(&listing, line_cost));
     }
 
-    /// A suspended cycle resumes where it stopped: the events are those of a run without a stop.
+    /// A suspended cycle resumes where it stopped: the events are the same as without a stop.
     #[test]
     fn suspended_cycles_resume(
         statements in statements(),
@@ -228,7 +228,7 @@ proptest! {
         prop_assert_eq!(resumed, whole);
     }
 
-    /// Counters change neither the events of an application nor their times.
+    /// Counters change neither an application's events nor their times.
     #[test]
     fn counted_programs_have_the_same_events(statements in statements(), line_cost in 2_000_u64..400_000) {
         let listing = with_tasks(&application(&statements));
@@ -236,7 +236,7 @@ proptest! {
         prop_assert_eq!(counted, record(&events(&Arc::new(image(&listing)), line_cost)));
     }
 
-    /// A controller that returns to a snapshot, taken anywhere in a cycle, repeats its events to the byte.
+    /// A controller that is restored to a snapshot, taken anywhere in a cycle, repeats its events exactly.
     #[test]
     fn restored_controllers_repeat_their_events(
         statements in statements(),
@@ -255,7 +255,7 @@ proptest! {
     }
 }
 
-/// Events as the record of a run has them.
+/// Formats events as in the record of a run.
 fn record(events: &[Event]) -> String {
     events.iter().map(|event| serde_json::to_string(event).unwrap() + "\n").collect()
 }

@@ -1,10 +1,10 @@
-//! References of frames, tools and points from one project to another (9.4 to 9.6, errors 80 and 82).
+//! References from frames, tools and points to another project (9.4 to 9.6, errors 80 and 82).
 
 use expect_test::{Expect, expect};
 
 use crate::cell::Cell;
 
-/// The program `start` with a library `part`, whose own library is `base`.
+/// Checks the program `start` with a library `part`, which uses the library `base`.
 #[track_caller]
 fn check(code: &str, expected: Expect) {
     let listing = format!(
@@ -61,7 +61,7 @@ fn data_of_a_library_are_references_and_have_them() {
     );
 }
 
-/// A local variable may refer to it, because nothing can name the reference of a local variable.
+/// A local variable may refer to them, because its reference cannot be named.
 #[test]
 fn private_data_of_a_library_cannot_be_referred_to_by_global_data() {
     check(
@@ -81,7 +81,7 @@ fn data_of_an_undeclared_library_cannot_be_referred_to_by_global_data() {
     check("  call part:hang()\n  ? 1\n  fCell=part:fTable", expect!["1\nerror 82 in start\n"]);
 }
 
-/// A refused assignment changes nothing.
+/// A rejected assignment changes nothing.
 #[test]
 fn a_refused_assignment_leaves_the_variable() {
     check(
@@ -95,7 +95,7 @@ fn a_refused_assignment_leaves_the_variable() {
     );
 }
 
-/// A library that has left memory takes its frames with it.
+/// If a library is unloaded, its frames no longer exist.
 #[test]
 fn a_reference_leaves_with_its_library() {
     check(

@@ -4,7 +4,7 @@ use expect_test::expect;
 
 use crate::cell::{Cell, run, shown};
 
-/// A library with data of every type and container, and a program for each of two runs.
+/// A library with data of all types and containers, and a program for each of the two runs.
 const EVERYTHING: &str = r#"
     library all "Disk://all/all.pjx" autoload=false
     num nCode

@@ -1,4 +1,4 @@
-//! Images of listings, and what tests show of them.
+//! Images of listings in text form.
 
 use camino::Utf8PathBuf;
 use val3_analysis::db::{Database, Project};
@@ -11,26 +11,26 @@ use val3_test::{Fixture, ROOT};
 
 use crate::text_form;
 
-/// Every project of a listing.
+/// Loads all projects of a listing.
 pub(crate) fn workspace(listing: &str) -> Workspace {
     let fixture = Fixture::parse(listing);
     let files = fixture.files.into_iter().map(|(path, text)| (Utf8PathBuf::from(ROOT).join(path), text));
     load(&Memory::new(files), &[ROOT.into()]).unwrap()
 }
 
-/// The project in a folder of this name.
+/// Returns the project in a folder with this name.
 pub(crate) fn project(workspace: &Workspace, name: &str) -> Project {
     let is_it = |project: &&Project| folder(&workspace.db, **project).file_name() == Some(name);
     *workspace.projects.iter().find(is_it).unwrap()
 }
 
-/// The image of the project `main`, whose programs have no fault.
+/// Compiles the project `main`, which must not have faults.
 #[track_caller]
 pub(crate) fn image(listing: &str) -> Image {
     compiled(listing, |db, main| val3_compile::compile(db, main).unwrap())
 }
 
-/// As [`image`], with counters.
+/// Like [`image`], with counters.
 #[track_caller]
 pub(crate) fn counted_image(listing: &str) -> Image {
     compiled(listing, |db, main| val3_compile::compile_counted(db, main).unwrap())
@@ -54,19 +54,19 @@ fn assert_sound(db: &Database, project: Project) {
     }
 }
 
-/// A program of an image.
+/// Returns the image's program with this name.
 #[track_caller]
 pub(crate) fn program<'i>(image: &'i Image, name: &str) -> &'i Program {
     image.programs.iter().find(|program| program.name == name).unwrap()
 }
 
-/// The program `start` as text.
+/// Compiles the program `start`, and returns it as text.
 #[track_caller]
 pub(crate) fn code(listing: &str) -> String {
     text_of(&image(listing), "start")
 }
 
-/// A program as text, without the bytes of its lines.
+/// Formats a program without its lines' byte ranges.
 pub(crate) fn text_of(image: &Image, name: &str) -> String {
     let text = disassemble_program(image, program(image, name));
     let lines = text

@@ -56,7 +56,7 @@ fn connected(cell: &Cell) -> (Controller, Peer) {
     (controller, peer)
 }
 
-/// The actions of the peer and the operator before each cycle. `last` is the last cycle with actions.
+/// Executes the peer's and the operator's actions before a cycle. `last` is the previous cycle with actions.
 fn outside(controller: &mut Controller, peer: &Peer, last: &mut u64) {
     let cycle = controller.now() / CYCLE;
     if std::mem::replace(last, cycle) == cycle {
@@ -81,7 +81,7 @@ fn record(events: &[Event]) -> String {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    /// A restored controller repeats its events to the byte, while nothing outside is read or changed again.
+    /// A restored controller repeats its events exactly, without reading or changing anything outside again.
     #[test]
     fn restored_controllers_repeat_their_inputs(cycle in 0_u64..40, rest in 0..CYCLE) {
         let cell = Cell::new(LISTING);

@@ -1,13 +1,13 @@
-//! Images as text: the text of an image assembles to an equal image.
+//! Text form of images: it assembles to an equal image.
 //!
-//! The helpers of the other tests check this for every image that they make.
+//! The helpers of other tests check this for every image.
 
 use camino::Utf8PathBuf;
 use val3_analysis::load::load;
 use val3_analysis::system::Disk;
 use val3_bytecode::{Image, assemble, disassemble};
 
-/// Checks that the text of an image assembles to an equal image.
+/// Checks that the text form of an image assembles to an equal image.
 #[track_caller]
 pub(crate) fn check(image: &Image) {
     let text = disassemble(image);

@@ -1,4 +1,4 @@
-//! A look at values in the memory.
+//! Reads values from the memory.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -16,23 +16,23 @@ use super::names::Names;
 use super::text::{Format, index, key, radians, shown, sizes, type_name};
 use super::{Inside, Node, Path, Value, positions};
 
-/// The values of a page, where the memory has them.
+/// Values of a page, as the memory has them.
 pub(super) enum Page {
-    /// Variables of a frame.
+    /// Variables of a stack frame.
     Variables(Frame, Vec<Variable>),
-    /// Data with their names. Some cannot be named by the program that the page is for.
+    /// Data: name, whether the program of the page can name it, and values.
     Data(Vec<(String, bool, View)>),
-    /// Values of an array or collection.
+    /// Array or collection elements.
     Values(View, Range<usize>),
     /// Fields of a value.
     Fields(Arc<Kind>, Place, Range<usize>),
 }
 
-/// Looks at values while the stack of a task is in the memory.
+/// Reader of values while the stack of a task is in the memory.
 #[derive(Clone, Copy)]
 pub(super) struct Look<'a> {
     pub(super) task: Option<TaskNumber>,
-    /// The path of what the values are inside of.
+    /// Path of the enclosing value.
     pub(super) path: &'a Path,
     pub(super) names: &'a Names,
     pub(super) devices: &'a Devices,
@@ -40,7 +40,7 @@ pub(super) struct Look<'a> {
 }
 
 impl Look<'_> {
-    /// The values of a page.
+    /// Reads the values of a page.
     pub(super) fn page(self, memory: &mut Memory, page: Page) -> Vec<Value> {
         match page {
             Page::Variables(frame, variables) => {
@@ -60,9 +60,9 @@ impl Look<'_> {
         }
     }
 
-    /// The value of an expression.
+    /// Reads an expression's value.
     pub(super) fn argument(self, memory: &Memory, name: &str, argument: Argument, kind: &Arc<Kind>) -> Value {
-        // The path is that of the value, not of what it is inside of.
+        // The path is the value's own, not the enclosing value's.
         let path = Path { text: Some(String::new()), ..self.path.clone() };
         let look = Look { path: &path, ..self };
         let (value, refers_to) = match argument {
@@ -75,7 +75,7 @@ impl Look<'_> {
         Value { refers_to: refers_to.filter(|found| found != name), ..value }
     }
 
-    /// Reads all that is inside of a result, which does not remain on the stack.
+    /// Reads all nested values of a result, because a result does not remain on the stack.
     pub(super) fn complete(self, memory: &Memory, value: Value) -> Value {
         let Some(Inside { node: Node::Fields(kind, place), path, .. }) = &value.inside else { return value };
         if place.store != StoreId::STACK {
@@ -131,7 +131,7 @@ impl Look<'_> {
         }
     }
 
-    /// An array or collection, or its value if there is no more than one.
+    /// Reads an array or collection, or its only element.
     pub(super) fn container(self, memory: &Memory, name: String, view: View) -> Value {
         or_gone(name, |name| {
             let store = memory.store(view.store)?;
@@ -145,7 +145,7 @@ impl Look<'_> {
         })
     }
 
-    /// One value.
+    /// Reads a single value.
     pub(super) fn single(self, memory: &Memory, name: String, kind: &Arc<Kind>, place: Place) -> Value {
         or_gone(name, |name| {
             let has_fields = match &kind.base {
@@ -188,7 +188,7 @@ impl Look<'_> {
     }
 }
 
-/// The number of fields of a value, with those that are computed.
+/// Returns the number of fields and computed parts of a value.
 pub(super) fn fields_of(kind: &Kind, place: Place) -> usize {
     match &kind.base {
         KindBase::User(_) => kind.fields.len(),
@@ -196,7 +196,8 @@ pub(super) fn fields_of(kind: &Kind, place: Place) -> usize {
     }
 }
 
-/// The value, or that it is gone: a library that was unloaded, a task that has ended.
+/// Returns the value, or a text for a value that no longer exists because its library was unloaded or its task has
+/// ended.
 fn or_gone(name: String, value: impl FnOnce(String) -> Result<Value>) -> Value {
     value(name.clone()).unwrap_or_else(|_| gone(name))
 }
@@ -206,7 +207,7 @@ pub(super) fn gone(name: String) -> Value {
     Value { name, type_name: String::new(), shown, path: None, refers_to: None, inside: None }
 }
 
-/// A value that the program of the frame cannot name.
+/// Returns a value that the program of the stack frame cannot name.
 fn unseen(value: Value) -> Value {
     let hide = |inside: Inside| Inside { path: Path { prefix: None, ..inside.path }, ..inside };
     Value { path: None, inside: value.inside.map(hide), ..value }

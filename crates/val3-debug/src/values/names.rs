@@ -1,4 +1,4 @@
-//! Names of places: which variable a reference refers to.
+//! Names of places: the variable to which a reference refers.
 
 use std::sync::Arc;
 
@@ -10,20 +10,20 @@ use val3_vm::{FragmentContext, Frame, Instance, Vm};
 
 use super::text::{index, key};
 
-/// The containers within user types that are searched at most.
+/// Largest number of containers within user types that are searched.
 const SEARCHED: usize = 10_000;
 
-/// The names that a program has for data and for the variables of its task.
+/// Names by which a program accesses data and its task's variables.
 #[derive(Debug, Default)]
 pub(crate) struct Names {
-    /// Applications and libraries, with what precedes the names of their data.
+    /// Applications and libraries, with the prefix of their data names.
     data: Vec<(String, Arc<Image>, Arc<[StoreId]>)>,
-    /// The frames of the task, the innermost first.
+    /// Stack frames of the task, the innermost first.
     frames: Vec<(Frame, Arc<Image>)>,
 }
 
 impl Names {
-    /// The names in a context. The frames are those of a task.
+    /// Returns the names in a context, with the stack frames of a task.
     pub(super) fn of(vm: &Vm, task: Option<TaskNumber>, context: FragmentContext) -> Self {
         let found = task.and_then(|task| vm.tasks().iter().find(|known| known.id == task));
         let frames = found.into_iter().flat_map(|task| task.thread.frames.iter().rev());
@@ -44,7 +44,7 @@ impl Names {
         Self { data: vm.space.loaded().map(prefix).collect(), frames }
     }
 
-    /// The name of a value of this type.
+    /// Returns the name for a value with this type.
     pub(super) fn of_place(&self, memory: &Memory, place: Place, kind: &Kind) -> Option<String> {
         if place.store == StoreId::STACK {
             return self.on_stack(place, kind);
@@ -56,13 +56,13 @@ impl Names {
         Some(self.of_container(memory, place.store)? + &subscript(&store.shape, number)? + &field)
     }
 
-    /// The name of a container, an array from an index on.
+    /// Returns the name for a container, or for an array from an index on.
     pub(super) fn of_view(&self, memory: &Memory, view: View) -> Option<String> {
         let name = self.of_container(memory, view.store)?;
         Some(if view.start == 0 { name } else { format!("{name}[{}]", view.start) })
     }
 
-    /// The name of a frame, a tool or another whole value.
+    /// Returns the name of a frame, tool or other complete value.
     pub(super) fn of_value(&self, memory: &Memory, place: Place) -> Option<String> {
         let kind = Arc::clone(&memory.store(place.store).ok()?.kind);
         self.of_place(memory, place, &kind)
@@ -111,7 +111,7 @@ impl Names {
     }
 }
 
-/// The name of a container within the values of another one.
+/// Returns the name of a container that is nested in the values of container `id`.
 fn within(memory: &Memory, (name, id): (String, StoreId), wanted: StoreId, left: &mut usize) -> Option<String> {
     let store = memory.store(id).ok()?;
     let KindBase::User(_) = store.kind.base else { return None };
@@ -135,8 +135,7 @@ fn within(memory: &Memory, (name, id): (String, StoreId), wanted: StoreId, left:
     None
 }
 
-/// The subscript of a value by its number among all; empty for a single value.
-/// The index or key of a value of data in brackets; empty for an array of one value.
+/// Returns the index or key in brackets for the container's value `number`; empty for an array with one value.
 #[must_use]
 pub fn subscript(shape: &Shape, number: u32) -> Option<String> {
     match shape {
@@ -146,13 +145,13 @@ pub fn subscript(shape: &Shape, number: u32) -> Option<String> {
     }
 }
 
-/// The number of the value of a container that holds a place.
+/// Returns the number of the container's value that contains the place.
 fn number_of(place: Place, size: Lanes) -> Option<u32> {
     let lanes = [(place.num, size.num), (place.text, size.text), (place.link, size.link), (place.part, size.part)];
     lanes.into_iter().find(|(_, size)| *size > 0).map(|(at, size)| at / size)
 }
 
-/// The lanes of a place after another one.
+/// Returns the offset of `place` from `start`, in lanes.
 fn lanes_between(start: Place, place: Place) -> Option<Lanes> {
     Some(Lanes {
         num: place.num.checked_sub(start.num)?,
@@ -162,7 +161,7 @@ fn lanes_between(start: Place, place: Place) -> Option<Lanes> {
     })
 }
 
-/// The way to a part of this type within a value: `.trsf.x`, or nothing for the value itself.
+/// Returns the field path of a part with this type and offset: `.trsf.x`, or empty for the value itself.
 fn field_path(kind: &Kind, offset: Lanes, wanted: &Kind) -> Option<String> {
     if offset == Lanes::default() && kind.suits(wanted) {
         return Some(String::new());

@@ -1,4 +1,4 @@
-//! The fathers of points, frames and tools, and their positions in `world` or at `flange` (9.4 to 9.6).
+//! Fathers of points, frames and tools, and their placement in `world` or at `flange` (9.4 to 9.6).
 
 use val3_geometry::{Trsf, chain};
 use val3_lang::call::{FrameRef, PointRef, ToolRef};
@@ -11,17 +11,17 @@ use val3_lang::values::printed;
 use super::look::Look;
 use super::{Inside, Value};
 
-/// The most references of a chain that are shown.
+/// Largest number of fathers in a chain that are shown.
 const MOST: usize = 16;
 
-/// The number of parts that are computed of a value: its father, and its position in `world` or at `flange`.
+/// Returns the number of computed parts of a value: its father, and its placement in `world` or at `flange`.
 pub(super) fn count(base: BaseType, place: Place) -> usize {
     let is_position = matches!(base, BaseType::Point | BaseType::Frame | BaseType::Tool);
     let is_root = [Memory::WORLD, Memory::FLANGE].contains(&place.store);
     if is_position && !is_root { 2 } else { 0 }
 }
 
-/// A part that is computed.
+/// Returns a computed part.
 pub(super) fn part(look: Look<'_>, memory: &Memory, (base, place): (BaseType, Place), number: usize) -> Option<Value> {
     match number {
         0 => Some(father(look, memory, place)),
@@ -30,7 +30,7 @@ pub(super) fn part(look: Look<'_>, memory: &Memory, (base, place): (BaseType, Pl
     }
 }
 
-/// The frame or tool that a position refers to, with the names of all up to `world` or `flange`.
+/// Returns the father of a position, with the names of all fathers up to `world` or `flange`.
 fn father(look: Look<'_>, memory: &Memory, place: Place) -> Value {
     let mut names = Vec::new();
     let mut next = reference(memory, place);
@@ -53,12 +53,12 @@ fn father(look: Look<'_>, memory: &Memory, place: Place) -> Value {
 
 const FATHER: &str = "father";
 
-/// The reference of a position. `world` and `flange` refer to themselves.
+/// Returns the father of a position; `None` for `world` and `flange`, which are their own fathers.
 fn reference(memory: &Memory, place: Place) -> Option<Place> {
     references::reference(memory, place).ok().flatten().filter(|reference| *reference != place)
 }
 
-/// Where a position is in `world`, or at `flange`.
+/// Returns the placement of a position in `world`, or at `flange`.
 fn position(memory: &Memory, base: BaseType, place: Place) -> Value {
     let (name, chain) = match base {
         BaseType::Tool => ("flange", references::of_tool(memory, ToolRef(place))),

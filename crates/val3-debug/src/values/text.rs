@@ -6,19 +6,19 @@ use val3_lang::types::BaseType;
 use val3_lang::values::printed;
 use val3_machine::devices::Devices;
 
-/// Fields that the text of a value of a user type shows.
+/// Number of fields in the text for a user-type value.
 const SHOWN_FIELDS: usize = 4;
 
-/// How numbers are shown.
+/// Format of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Format {
-    /// Whole numbers are hexadecimal: `0xFF`.
+    /// Whether whole numbers are hexadecimal: `0xFF`.
     pub hex: bool,
-    /// The angles of positions are in radians: `1.570796 rad`.
+    /// Whether the angles of positions are in radians: `1.570796 rad`.
     pub radians: bool,
 }
 
-/// A value as text: of a user type its first fields.
+/// Formats a value; of a user type only the first fields.
 pub(super) fn shown(
     memory: &Memory,
     devices: &Devices,
@@ -39,12 +39,12 @@ pub(super) fn shown(
     }
 }
 
-/// Degrees in radians.
+/// Formats degrees as radians.
 pub(super) fn radians(degrees: f64) -> String {
     format!("{} rad", printed::num(degrees.to_radians()))
 }
 
-/// A whole number within 53 bits; `None` for any other.
+/// Formats a whole number within 53 bits; `None` for any other number.
 fn hexadecimal(value: f64) -> Option<String> {
     const EXACT: f64 = 9_007_199_254_740_992.0;
     if value.fract() != 0.0 || value.abs() > EXACT {
@@ -55,7 +55,7 @@ fn hexadecimal(value: f64) -> Option<String> {
     Some(format!("{}0x{digits:X}", if value < 0.0 { "-" } else { "" }))
 }
 
-/// The state of an input, output or line and its link.
+/// Formats the state and link of inputs, outputs and channels.
 fn port(devices: &Devices, base: BaseType, link: Link) -> String {
     let Link::Port(port) = link else { return "not linked".to_owned() };
     let name = devices.port_name(base, port).unwrap_or_default();
@@ -95,7 +95,7 @@ pub(super) fn type_name(kind: &Kind) -> String {
     }
 }
 
-/// The sizes of a container, of which `count` values can be reached.
+/// Formats the sizes of a container, of which `count` elements can be reached.
 pub(super) fn sizes(shape: &Shape, count: u32) -> String {
     match shape {
         Shape::Collection(_) => "[\"\"]".to_owned(),
@@ -107,7 +107,7 @@ pub(super) fn sizes(shape: &Shape, count: u32) -> String {
     }
 }
 
-/// The subscript of a value of an array of this shape: `[1,0]`.
+/// Formats an element's index for an array with this shape: `[1,0]`.
 pub(super) fn index(dims: u8, [_, rows, columns]: [u32; 3], number: u32) -> String {
     match dims {
         2 => format!("[{},{}]", number / rows.max(1), number % rows.max(1)),
@@ -119,12 +119,12 @@ pub(super) fn index(dims: u8, [_, rows, columns]: [u32; 3], number: u32) -> Stri
     }
 }
 
-/// The subscript of a value of a collection.
+/// Formats the key for a collection element.
 pub(super) fn key(key: &str) -> String {
     format!("[{}]", literal(key))
 }
 
-/// An expression for a text. Quotation marks, which a literal cannot hold, are outside of the quotes.
+/// Returns an expression for a string. Quotation marks, which a literal cannot contain, are written as `chr(34)`.
 fn literal(text: &str) -> String {
     let parts: Vec<String> = text.split('"').map(printed::string).collect();
     parts.join("+chr(34)+")

@@ -1,4 +1,4 @@
-//! Pauses, other next lines, and restarts.
+//! Pauses, changes of the next line, and restarts.
 
 use expect_test::expect;
 use val3_debug::{Debugger, GotoFault, PastLimits, RestartFault, StepKind, Stop};
@@ -65,7 +65,7 @@ fn a_pause_stops_a_loop_without_waits() {
     assert!(global(&debugger, "nFirst") > count);
 }
 
-/// The frame of a task that waits shows the line that waits.
+/// The stack frame of a waiting task shows its waiting line.
 #[test]
 fn a_pause_shows_the_line_that_waits() {
     let mut debugger = debugger(COUNTING);
@@ -105,7 +105,7 @@ fn a_task_stops_alone_while_the_others_run() {
     let counts = (global(&debugger, "nFirst"), global(&debugger, "nSecond"));
     cycles(&mut debugger, 5);
     assert!(global(&debugger, "nFirst") > counts.0 && global(&debugger, "nSecond").to_bits() == counts.1.to_bits());
-    // The step of one task does not end where another one stops.
+    // The step of one task does not end when another task stops.
     let first = task(&debugger, "first");
     debugger.step(first, StepKind::Out);
     debugger.pause_task(second, false);
@@ -167,7 +167,7 @@ fn a_task_continues_only_in_its_innermost_program() {
     assert_eq!(shown(&debugger, stop), "step main~: start:3");
 }
 
-/// As `taskResume` does.
+/// Like `taskResume`.
 #[test]
 fn a_failed_task_continues_at_another_line() {
     let mut debugger = debugger("program start()\nnum l_nZero\nbegin\n  ? 1/l_nZero\n  ? 2\nend\n");
@@ -200,7 +200,7 @@ fn a_frame_restarts_where_its_program_was_called() {
     "#]]
     .assert_eq(&(seen.join("\n") + "\n"));
     assert_eq!(debugger.restart_frame(task, 1), Err(RestartFault::NoFrame));
-    // The run goes the same way again.
+    // The run repeats the same course.
     set(&mut debugger, "add", &[(2, None)]);
     let again = run(&mut debugger);
     assert_eq!(shown(&debugger, again), "[0] main~: add:2 < start:2");
@@ -218,7 +218,7 @@ fn a_frame_out_of_reach_does_not_restart() {
     assert_eq!(debugger.controller.now(), now);
 }
 
-/// Breakpoints, watched data, paused tasks and the past are gone: the run is one without a debugger.
+/// Breakpoints, watched data, pauses and the history are removed: the run continues as without a debugger.
 #[test]
 fn a_controller_that_is_let_go_runs_on() {
     let mut debugger = debugger(COUNTING);

@@ -13,7 +13,7 @@ use val3_vm::FragmentContext;
 use crate::debugger::{CALLS, debugger, first_row, run, set, shown, task_of};
 use crate::past::WAITS;
 
-/// Sets data breakpoints on what these paths name in the frame of the first task.
+/// Sets data breakpoints on these paths in the frame of the first task.
 fn watch(debugger: &mut Debugger, paths: &[(&str, Option<&str>)]) {
     watch_access(debugger, paths, DataAccess::Write);
 }
@@ -30,7 +30,7 @@ fn watch_access(debugger: &mut Debugger, paths: &[(&str, Option<&str>)], access:
     debugger.set_data_breakpoints(breakpoints);
 }
 
-/// `task line: old -> new`.
+/// Formats a data stop: `task line: old -> new`.
 fn change(debugger: &Debugger, stop: &Stop) -> String {
     let Stop::Data(stop) = stop else { return shown(debugger, Some(stop.clone())) };
     let DataStop { task, line, changes } = &**stop;
@@ -143,7 +143,7 @@ fn changes_are_counted() {
     );
 }
 
-/// Locals are those of a frame, and are gone with it.
+/// Locals belong to a stack frame, and no longer exist after it.
 #[test]
 fn a_local_is_watched_until_its_program_ends() {
     let mut debugger = debugger(
@@ -199,8 +199,8 @@ fn identities_name_the_data() {
     assert!(WatchedData::signal(&debugger.controller, "Io\\none").is_err());
 }
 
-/// A run back stops at the last change before, and the run then makes the same changes again. The memory is that of each
-/// change, also of those that the end of a wait makes.
+/// A run back stops at the previous change, and the run then makes the same changes again. At each change, also at the
+/// end of a wait, the memory is the same.
 #[test]
 fn a_run_back_stops_at_the_last_change() {
     for (listing, path) in [(DATA, "nCount"), (WAITS, "bSeen"), (WAITS, "bGo")] {
@@ -211,7 +211,7 @@ fn a_run_back_stops_at_the_last_change() {
             let Controller { vm, .. } = &debugger.controller;
             let threads: Vec<_> = vm.tasks().iter().map(|task| &task.thread).collect();
             let memory = format!("{:?}", vm.space.memory.stores);
-            // The bytes that are taken follow the capacities of the vectors.
+            // The reported size follows the capacities of the vectors, which may differ.
             let (values, _) = memory.split_once(", room").unwrap();
             (change(debugger, stop), debugger.controller.now(), format!("{values} {threads:?}"))
         };
@@ -271,7 +271,7 @@ fn with_signals(listing: &str, path: &str, access: DataAccess) -> Debugger {
     debugger
 }
 
-/// Links the elements of an array, if there is one.
+/// Links the array's elements, if it exists.
 fn link_all(Controller { vm, devices, .. }: &mut Controller, array: &str, paths: &[&str]) {
     let (_, application) = vm.space.loaded().next().unwrap();
     let Some(number) = application.image.data(array) else { return };
@@ -280,7 +280,7 @@ fn link_all(Controller { vm, devices, .. }: &mut Controller, array: &str, paths:
     vm.space.memory.store_mut(store).unwrap().links = links.collect();
 }
 
-/// A change of an input comes from outside, before the first line of a cycle.
+/// An input changes from outside, before the first line of a cycle.
 #[test]
 fn signals_are_watched() {
     let listing = "program start()\nbegin\n  while true\n    delay(0)\n  endWhile\nend\n";
@@ -295,7 +295,7 @@ fn signals_are_watched() {
     assert_eq!(change(&debugger, &stop), "outside : [20] false -> true");
 }
 
-/// Reads through any variable or instruction count, those of other elements of an array do not.
+/// Reads through any variable or instruction count; reads of other elements in the array do not.
 #[test]
 fn reads_of_signals_are_watched() {
     let listing = r#"
@@ -382,7 +382,7 @@ begin
 end
 "#;
 
-/// The lines that read data.
+/// Returns the lines that access the data.
 fn readers(path: &str, access: DataAccess) -> String {
     let mut debugger = debugger(READS);
     watch_access(&mut debugger, &[(path, None)], access);

@@ -9,12 +9,12 @@ use val3_machine::controller::Outcome;
 use val3_session::Pace;
 use val3_tests::running::Running;
 
-/// A debugger at the beginning of an application.
+/// Creates a debugger at the beginning of the application.
 pub(crate) fn debugger(listing: &str) -> Debugger {
     Debugger::new(Running::start(listing).controller)
 }
 
-/// The file of a program of the application.
+/// Returns the file of the application's program.
 pub(crate) fn file(debugger: &Debugger, program: &str) -> String {
     let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
     let image = &application.image;
@@ -22,7 +22,8 @@ pub(crate) fn file(debugger: &Debugger, program: &str) -> String {
     image.files[image.programs[usize::from(number)].file as usize].clone()
 }
 
-/// Sets breakpoints at lines of the code of a program, counted from the line after `begin`, and gives where they are.
+/// Sets breakpoints at lines of a program's code, counted from the line after `begin`, and returns their resolved
+/// lines.
 pub(crate) fn set(debugger: &mut Debugger, program: &str, lines: &[(u32, Option<&str>)]) -> Vec<Option<u32>> {
     let file = file(debugger, program);
     let first = first_row(debugger, program);
@@ -40,7 +41,7 @@ pub(crate) fn first_row(debugger: &Debugger, program: &str) -> u32 {
     application.image.programs[usize::from(number)].lines[0].row
 }
 
-/// Runs to the next stop, or to the end.
+/// Runs to the next stop or to the end.
 pub(crate) fn run(debugger: &mut Debugger) -> Option<Stop> {
     for _ in 0..1_000_000 {
         match debugger.advance() {
@@ -64,7 +65,7 @@ pub(crate) fn task_of(stop: &Stop) -> Option<TaskNumber> {
     }
 }
 
-/// `why task: program:line < caller:line`, lines counted as in [`set`].
+/// Formats a stop: `why task: program:line < caller:line`, lines counted as in [`set`].
 pub(crate) fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
     let (why, task) = match stop {
         None => return "end".to_owned(),
@@ -89,7 +90,7 @@ pub(crate) fn shown(debugger: &Debugger, stop: Option<Stop>) -> String {
     format!("{why} {name}: {}", frames.join(" < "))
 }
 
-/// The stops of a run in which each stop is followed by what `then` does.
+/// Checks the stops of a run that calls `then` after each stop.
 pub(crate) fn stops(debugger: &mut Debugger, mut then: impl FnMut(&mut Debugger, &Stop), expected: Expect) {
     let mut all = String::new();
     loop {
@@ -248,7 +249,7 @@ fn a_step_out_ends_in_the_caller() {
     );
 }
 
-/// The breakpoint at the line where a step ends counts one hit.
+/// The breakpoint on the line where a step ends counts one hit.
 #[test]
 fn a_step_that_ends_at_a_breakpoint_hits_it_once() {
     let mut debugger = debugger("program start()\nbegin\n  ? 1\n  ? 2\n  ? 3\nend\n");
@@ -333,7 +334,7 @@ fn a_debugged_run_has_the_same_events() {
     assert_eq!(running.printed(), expected);
 }
 
-/// Going back from the end of `CALLS`, step by step, passes the lines of the steps forward in the other direction.
+/// Going back step by step from the end of `CALLS` passes the same lines as the steps forward, in reverse order.
 #[test]
 fn steps_back_pass_the_lines_of_the_steps_forward() {
     for kind in [StepKind::In, StepKind::Over] {
@@ -358,7 +359,7 @@ fn steps_back_pass_the_lines_of_the_steps_forward() {
         back.reverse();
         forward.pop();
         assert_eq!(back, forward[1..], "{kind:?}");
-        // The run goes the same way again.
+        // The run repeats the same course.
         let again = run(&mut debugger);
         assert_eq!(shown(&debugger, again), "[0] main~: start:1");
     }
@@ -416,7 +417,7 @@ begin
 end
 "#;
 
-/// Whatever the debugger does, the state at a moment is the same as when the run has passed it the first time.
+/// Reverse execution restores exactly the state that the run had at a moment the first time.
 #[test]
 fn a_long_run_goes_back_to_the_same_states() {
     let mut debugger = debugger(LONG);

@@ -1,10 +1,10 @@
-//! Which run-time errors stop the run.
+//! Run-time errors that stop the run.
 
 use val3_debug::{Debugger, Errors, PastLimits, StepKind, Stop, handler};
 
 use crate::debugger::{debugger, run, set};
 
-/// A task with an error, and another one with these lines and programs.
+/// Whether an error stops the run of a task that fails, next to a task with these lines and programs.
 fn stops(lines: &str, errors: Errors) -> bool {
     let mut debugger = debugger(&format!(
         "program start()\nbegin\n  taskCreate \"work\",10,work()\n  {lines}\nend\nprogram work()\nnum l_nZero\nbegin\n  \
@@ -58,7 +58,7 @@ fn errors_of_motion_descriptors_are_motion_errors() {
     }
 }
 
-/// A task that is gone, or halted, handles nothing.
+/// A task that no longer exists or is halted handles nothing.
 #[test]
 fn a_failed_task_does_not_handle_its_own_error() {
     let mut debugger =
@@ -68,7 +68,7 @@ fn a_failed_task_does_not_handle_its_own_error() {
     assert_eq!(handler(&debugger.controller.vm, task), None);
 }
 
-/// The blend between two lines past axis 1 of a TX2-90 would lead the wrist through the axis.
+/// The blend between two lines past axis 1 of a TX2-90 would move the wrist through the axis.
 const CUT_CORNER: &str = "program start()\nmdesc m\npoint p\nbegin\n  p=jointToPoint(flange,world,{0,0,90,0,90,0})\n  \
                           p.trsf={80,300,p.trsf.z,180,0,180}\n  m.blend=off\n  movej(p,flange,m)\n  m.blend=Cartesian\n  \
                           m.leave=200\n  m.reach=200\n  p.trsf.y=-80\n  movel(p,flange,m)\n  p.trsf.x=-300\n  \
@@ -92,7 +92,7 @@ fn an_arm_that_stops_before_an_impossible_path_is_a_motion_error() {
     }
 }
 
-/// Going back stops there as well, by breakpoints as well as by lines, and the run can continue from there.
+/// Going back stops there as well, by breakpoints and by lines, and the run can continue from there.
 #[test]
 fn going_back_stops_before_an_impossible_path() {
     let mut debugger = debugger(&CUT_CORNER.replace("delay(5)", "delay(5)\n  delay(1)"));

@@ -1,4 +1,4 @@
-//! The step mode of the motion (10.2.2), with programs. The arm is a TX2-90.
+//! Step mode of the motion (10.2.2), with programs. The arm is a TX2-90.
 
 use expect_test::{Expect, expect};
 use val3_debug::{Breakpoint, BreakpointId, Debugger, MotionStop, PastLimits, Progress, StepKind, Stop, frames};
@@ -12,7 +12,7 @@ mod laws;
 
 const READY: [f64; 6] = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];
 
-/// The four moves of 10.2.2. Lines are counted from the one after `begin`.
+/// The four moves of 10.2.2. Lines are counted from the line after `begin`.
 const MANUAL: &str = "\
 program start()
 mdesc mDesc
@@ -34,12 +34,12 @@ begin
 end
 ";
 
-/// As [`MANUAL`], with a `waitEndMove` after the second move (10.2.3).
+/// [`MANUAL`] with a `waitEndMove` after the second move (10.2.3).
 fn manual_with_wait() -> String {
     MANUAL.replace("  movej(jC", "  waitEndMove()\n  movej(jC")
 }
 
-/// A debugger at the beginning of an application, whose arm is ready and has power.
+/// Creates a debugger at the beginning of the application, with the arm ready and powered.
 fn debugger(listing: &str, mode: MotionMode) -> Debugger {
     let mut controller = Running::start(listing).controller;
     controller.devices.state.robot.set_power(true);
@@ -55,7 +55,7 @@ fn first_row(debugger: &Debugger, program: &str) -> u32 {
     application.image.programs[usize::from(number)].lines[0].row
 }
 
-/// A breakpoint at a line of `start`.
+/// Sets a breakpoint on a line of `start`.
 fn stop_at(debugger: &mut Debugger, line: u32) {
     let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
     let number = application.image.program("start").unwrap();
@@ -64,7 +64,7 @@ fn stop_at(debugger: &mut Debugger, line: u32) {
     debugger.set_breakpoints(&file, vec![Breakpoint::new(BreakpointId(0), row)]);
 }
 
-/// Runs to the next stop, or to the end.
+/// Runs to the next stop or to the end.
 fn run(debugger: &mut Debugger) -> Option<Stop> {
     for _ in 0..100_000 {
         match debugger.advance() {
@@ -79,7 +79,7 @@ fn run(debugger: &mut Debugger) -> Option<Stop> {
     panic!("it does not stop");
 }
 
-/// Where the first task is, where the arm is, and why the run has stopped.
+/// Formats the location of the first task, the position of the arm and the reason for the stop.
 fn shown(debugger: &Debugger, stop: Option<&Stop>) -> String {
     let row = |program: &str, row: u32| format!("{program}:{}", row + 1 - first_row(debugger, program));
     let task = debugger.controller.vm.tasks().first().map(|task| task.id);
@@ -107,7 +107,7 @@ fn shown(debugger: &Debugger, stop: Option<&Stop>) -> String {
     format!("{at} {:.3?} {why}", debugger.controller.devices.state.arm.joint())
 }
 
-/// The stops of a run in which each stop is followed by what `then` does.
+/// Checks the stops of a run that calls `then` after each stop.
 fn stops(debugger: &mut Debugger, mut then: impl FnMut(&mut Debugger, &Stop), expected: Expect) {
     let mut all = String::new();
     for _ in 0..40 {
@@ -193,7 +193,7 @@ fn a_step_over_a_move_ends_when_the_arm_has_arrived() {
     );
 }
 
-/// The arm passes all points in the middle of a program that is stepped over, and no task goes on before it has arrived.
+/// The arm passes all points within a program that is stepped over, and no task continues before the arm has arrived.
 #[test]
 fn a_step_over_a_call_waits_for_each_move_in_it() {
     let listing = "\
@@ -279,7 +279,7 @@ fn nothing_moves_in_step_mode_without_a_release() {
     run(&mut debugger).unwrap();
     debugger.set_motion_mode(MotionMode::Step);
     assert_eq!(debugger.controller.motion_queue().len(), 4);
-    // Cycles of the controller, which no debugger watches.
+    // Controller cycles without a debugger.
     for _ in 0..100 {
         debugger.controller.step();
         assert_eq!(debugger.controller.devices.state.arm.joint(), READY);
@@ -287,7 +287,7 @@ fn nothing_moves_in_step_mode_without_a_release() {
     assert!(debugger.controller.motion_awaits_release());
 }
 
-/// A task that can only continue once the arm has moved releases it.
+/// A task that can continue only after the arm has moved releases it.
 #[test]
 fn a_step_over_a_wait_for_the_arm_releases_it() {
     for wait in ["waitEndMove()", "wait(isEmpty())", "wait(getMoveId()>=3.5)"] {
@@ -348,7 +348,7 @@ fn a_step_of_the_motion_says_why_the_arm_does_not_move() {
     assert_eq!(shown(&debugger, stop.as_ref()), "start:1 [0.000, 0.000, 90.000, 0.000, 90.000, 0.000] no piece");
 }
 
-/// The order of printed lines and positions are those of the continuous run, with two tasks that move the arm.
+/// The order of printed lines and positions is the same as in the continuous run, with two tasks that move the arm.
 #[test]
 fn two_tasks_move_the_arm_in_the_same_order() {
     let listing = "\
@@ -422,7 +422,7 @@ fn the_queue_lists_each_move() {
     assert_eq!(queue[0].leave.map(|leave| leave.joints), Some(debugger.controller.devices.state.arm.joint()));
 }
 
-/// Going back passes motions; the arm and the program are where they were.
+/// Going back passes motions; the arm and the program are at their earlier positions.
 #[test]
 fn steps_back_pass_the_motions_of_the_steps_forward() {
     let mut debugger = debugger(MANUAL, MotionMode::Continuous);
@@ -444,7 +444,7 @@ fn steps_back_pass_the_motions_of_the_steps_forward() {
     }
     back.reverse();
     assert_eq!(back, forward[1..]);
-    // The run goes the same way again.
+    // The run repeats the same course.
     run(&mut debugger).unwrap();
     for expected in &forward[1..] {
         debugger.step(task, StepKind::Over);
@@ -463,8 +463,7 @@ fn the_continuous_mode_goes_on_where_the_step_mode_waits() {
     assert_eq!(joint, [-30.0, 10.0, 80.0, 0.0, 90.0, 0.0]);
 }
 
-/// Something holds the arm in the middle of a motion: the run stops. Without it, the arm moves on to where it was released
-/// to.
+/// If the arm is held within a motion, the run stops. Afterwards the arm continues to where it was released.
 #[test]
 fn an_arm_that_is_held_in_the_middle_of_a_motion_stops_the_run() {
     type Change = fn(&mut val3_machine::controller_state::Robot);
@@ -494,7 +493,7 @@ fn an_arm_that_is_held_in_the_middle_of_a_motion_stops_the_run() {
 }
 
 trait TravelTime {
-    /// Cycles since the arm has left its first position.
+    /// Returns the number of cycles since the arm left its first position.
     fn travel_time(&self) -> u64;
 }
 

@@ -1,4 +1,4 @@
-//! The memory that the past takes.
+//! Memory use of the history.
 
 use std::ops::ControlFlow;
 
@@ -6,7 +6,7 @@ use val3_debug::{Debugger, Goal, PastLimits, StepKind, Stop};
 
 use crate::debugger::{LONG, debugger, run, set, shown, task_of};
 
-/// A run to its fifth wait.
+/// Runs to the fifth wait.
 fn run_on(limits: PastLimits) -> Debugger {
     let mut debugger = debugger(LONG);
     debugger.record(limits);
@@ -39,7 +39,7 @@ fn a_run_is_in_the_past_until_it_is_where_it_was() {
     assert!(!debugger.is_in_past(), "what has followed is gone");
 }
 
-/// The bytes of the snapshots are bounded, and the run goes back as far as it reports.
+/// The size of the snapshots is bounded, and the run goes back as far as it reports.
 #[test]
 fn a_budget_of_bytes_bounds_the_past() {
     let bytes = run_on(PastLimits::default()).reach().unwrap().bytes;
@@ -56,7 +56,7 @@ fn a_budget_of_bytes_bounds_the_past() {
     }
 }
 
-/// A large array is part of each snapshot.
+/// Each snapshot contains the large array.
 #[test]
 fn snapshots_count_the_data() {
     let bytes = |listing: &str| {
@@ -75,7 +75,7 @@ fn a_run_that_is_not_recorded_has_no_past() {
     assert_eq!(debugger(LONG).reach(), None);
 }
 
-/// A search that is given up leaves the run where it was. The watcher has seen its progress.
+/// A cancelled search leaves the run at its moment. The watcher has received the progress.
 #[test]
 fn a_search_can_be_given_up() {
     let mut debugger = run_on(PastLimits::default());
@@ -91,7 +91,7 @@ fn a_search_can_be_given_up() {
     assert_eq!(debugger.controller.now(), 0);
 }
 
-/// A change of data does not hide the line at which it was made.
+/// A change of data does not hide the line before which it was made.
 #[test]
 fn a_run_goes_back_to_where_data_were_changed() {
     let mut debugger = debugger(LONG);
@@ -112,7 +112,7 @@ fn a_run_goes_back_to_where_data_were_changed() {
     assert_eq!(debugger.controller.now(), changed, "run back");
 }
 
-/// Lines that wait in each way, next to a task that changes what they wait for.
+/// Lines that wait in every way, next to a task that ends the waits.
 pub(crate) const WAITS: &str = r#"
 bool bGo
 bool bSeen
@@ -152,7 +152,7 @@ begin
 end
 "#;
 
-/// A step back over a line that waits leads to where the line began.
+/// A step back over a waiting line goes to the beginning of the line.
 #[test]
 fn a_step_back_over_a_wait_leads_to_its_beginning() {
     for kind in [StepKind::In, StepKind::Over] {

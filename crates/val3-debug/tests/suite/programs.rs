@@ -1,4 +1,4 @@
-//! Breakpoints at the beginning of programs.
+//! Breakpoints on programs.
 
 use expect_test::expect;
 use val3_debug::{BreakpointId, Debugger, PastLimits, PlacedProgram, ProgramBreakpoint, StepKind, Stop};
@@ -6,7 +6,7 @@ use val3_tests::running::Running;
 
 use crate::debugger::{CALLS, debugger, first_row, run, set, shown, stops, task_of};
 
-/// Sets breakpoints on programs, with conditions on their hits, and gives where they are.
+/// Sets breakpoints on programs, with hit conditions, and returns their resolved lines.
 fn on(debugger: &mut Debugger, programs: &[(&str, Option<&str>)]) -> Vec<PlacedProgram> {
     let breakpoint = |(id, (name, hits)): (u32, &(&str, Option<&str>))| ProgramBreakpoint {
         hits: hits.map(|hits| hits.parse().unwrap()),

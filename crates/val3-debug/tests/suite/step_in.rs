@@ -1,4 +1,4 @@
-//! Steps into the program or task that a line leads to.
+//! Steps into called programs and created tasks.
 
 use std::fmt::Write as _;
 
@@ -57,7 +57,7 @@ fn a_line_leads_into_a_program_or_a_task() {
     .assert_eq(&steps);
 }
 
-/// The name is taken: the line fails, and no task begins.
+/// The name is in use: the line fails, and no task begins.
 #[test]
 fn a_line_that_creates_no_task_leads_nowhere() {
     let mut debugger = debugger(LEADING);

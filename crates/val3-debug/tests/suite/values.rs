@@ -6,7 +6,7 @@ use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_tests::running::Running;
 
-/// The application at its first line that prints in a program `show`.
+/// Runs the application to its first line that prints in a program `show`.
 fn stopped(listing: &str) -> (Controller, TaskNumber) {
     let mut debugger = Debugger::new(Running::start(listing).controller);
     let (_, application) = debugger.controller.vm.space.loaded().next().unwrap();
@@ -22,13 +22,13 @@ fn stopped(listing: &str) -> (Controller, TaskNumber) {
     panic!("it does not stop: {:?}", debugger.controller.devices.take_events());
 }
 
-/// A value with everything inside, indented.
+/// Appends a value and all nested values, indented.
 fn tree(controller: &mut Controller, inside: &Inside, indent: usize, text: &mut String) {
     let all = count(&mut controller.vm, inside);
     for value in values(controller, inside, 0..all, Format::default()) {
         let refers_to = value.refers_to.map_or_else(String::new, |name| format!(" -> {name}"));
         *text += &format!("{:indent$}{}{refers_to}: {} = {}\n", "", value.name, value.type_name, value.shown);
-        // The fields of transformations are in their text, and a father is shown with its own name.
+        // The fields of a transformation are in its text, and a father is listed under its own name.
         let is_shown = value.type_name != "trsf" && value.name != "father";
         if let Some(inside) = value.inside.filter(|_| is_shown) {
             tree(controller, &inside, indent + 2, text);

@@ -4,7 +4,7 @@ use val3_kinematics::{Arm, Dh, Joints};
 
 use crate::{apart, arm, difference, positions};
 
-/// Parameters as a measurement finds them: lengths off by up to 0.5 mm, angles by up to 0.1 degrees.
+/// Returns parameters as from a measurement: lengths differ by up to 0.5 mm, angles by up to 0.1 degrees.
 fn measured(arm: &Arm) -> Dh {
     let mut dh = arm.default_dh();
     let mut state = 1_u32;
@@ -78,7 +78,7 @@ fn parameters_far_from_the_nominal_ones_are_refused() {
     assert_eq!(arm.dh(), accepted);
 }
 
-/// What a controller returns for a TX2-40.
+/// Values that a controller returns for a TX2-40.
 #[test]
 fn nominal_parameters_are_those_of_the_controller() {
     let dh = arm("TX2-40").default_dh();

@@ -1,14 +1,14 @@
-//! Laws that hold for every joint position of every arm.
+//! Laws that hold for all joint positions of all arms.
 
 use proptest::prelude::*;
 use val3_kinematics::{Arm, Joints, RequestedConfiguration};
 
 use crate::{apart, arm, difference, positions};
 
-/// Positions an arm.
+/// Number of positions per arm.
 const POSITIONS: usize = 100;
 
-/// Away from singular positions, where one pose has many joint positions.
+/// Whether the position is not near a singular one, where a pose has many joint positions.
 fn is_regular(arm: &Arm, joints: &Joints) -> bool {
     if arm.is_scara() {
         return joints[1].abs() > 0.1 && (180.0 - joints[1].abs()) > 0.1;

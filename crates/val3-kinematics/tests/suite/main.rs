@@ -1,4 +1,4 @@
-//! Tests of the arms that are shipped.
+//! Tests of the shipped arms.
 
 #![allow(missing_docs, reason = "tests are named by their functions")]
 #![allow(
@@ -24,18 +24,18 @@ fn arm(name: &str) -> Arm {
     Arm::by_name(name).unwrap()
 }
 
-/// The distance of two poses in mm, and of their rotations as the greatest difference of an entry.
+/// Returns the distance between two poses in mm, and the largest difference between their rotation matrices' entries.
 fn difference(left: &IsometryMatrix3<f64>, right: &IsometryMatrix3<f64>) -> (f64, f64) {
     let rotation = (left.rotation.matrix() - right.rotation.matrix()).amax();
     ((left.translation.vector - right.translation.vector).norm(), rotation)
 }
 
-/// The greatest difference of an axis.
+/// Returns the largest difference between two positions of the same axis.
 fn apart(left: &Joints, right: &Joints) -> f64 {
     left.iter().zip(right).map(|(left, right)| (left - right).abs()).fold(0.0, f64::max)
 }
 
-/// Joint positions in the ranges of an arm, the same ones in every run.
+/// Returns joint positions in the arm's ranges, the same in every run.
 fn positions(arm: &Arm, count: usize) -> impl Iterator<Item = Joints> {
     let mut state = 0x2545_f491_4f6c_dd1d_u64;
     std::iter::repeat_with(move || {

@@ -8,7 +8,7 @@ use val3_kinematics::{Arm, Joints};
 
 use crate::{arm, positions};
 
-/// Positions an arm.
+/// Number of positions per arm.
 const POSITIONS: usize = 10_000;
 
 fn peer(arm: &Arm) -> OPWKinematics {
@@ -31,13 +31,13 @@ fn six_axis_arms() -> impl Iterator<Item = Arm> {
     Arm::names().map(arm).filter(|arm| !arm.is_scara())
 }
 
-/// The greatest difference of an axis, without whole turns.
+/// Returns the largest difference between two positions of the same axis, without whole turns.
 fn apart(left: &Joints, right: &Joints) -> f64 {
     let one = |(left, right): (&f64, &f64)| ((left - right) - ((left - right) / 360.0).round() * 360.0).abs();
     left.iter().zip(right).map(one).fold(0.0, f64::max)
 }
 
-/// Away from singular positions, where the two may choose differently.
+/// Whether the position is not near a singular one, where the two libraries may choose differently.
 fn is_regular(arm: &Arm, joints: &Joints) -> bool {
     let links = arm.links(joints);
     let centre = links[4].translation.vector;
@@ -70,7 +70,7 @@ fn poses_joints_and_configurations_are_those_of_the_peer() {
     }
 }
 
-/// Each solution of either side within the limits is one of the other's.
+/// Checks that each regular solution of one library within the limits is also a solution from the other library.
 fn assert_same_solutions(arm: &Arm, joints: &Joints, theirs: &[Joints]) {
     let flange = arm.flange(joints);
     let theirs: Vec<_> = theirs.iter().map(|joints| joints.map(f64::to_degrees)).collect();

@@ -1,4 +1,4 @@
-//! Poses of controllers and data sheets (manual 11.4.1).
+//! Poses from controllers and data sheets (manual 11.4.1).
 
 use val3_geometry::Trsf;
 use val3_kinematics::{Arm, Configuration, Elbow, Joints, Shoulder, Wrist};
@@ -11,7 +11,7 @@ fn assert_flange(name: &str, joints: Joints, translation: [f64; 3]) {
     assert!(off < 1e-9, "{name} {joints:?}: {flange:?}");
 }
 
-/// The answer of a controller for a TX2-40, in radians and mm.
+/// Values that a controller returns for a TX2-40, in radians and mm.
 #[test]
 fn a_controller_computes_the_same_pose() {
     let joints = [
@@ -59,7 +59,7 @@ fn a_bent_arm_points_forwards() {
     assert_flange("RX160", bent, [775.0, 0.0, 715.0]);
 }
 
-/// The distance between the centre of the wrist and axis 2, as data sheets give it for the folded and the stretched arm.
+/// Distance between the centre of the wrist and axis 2, as in data sheets for the folded and the stretched arm.
 #[test]
 fn data_sheets_give_the_same_radii() {
     let radius = |name: &str, j3: f64| {

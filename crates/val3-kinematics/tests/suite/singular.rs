@@ -22,7 +22,7 @@ fn with_axes_4_and_6_in_line_axis_4_stays() {
 #[test]
 fn with_the_wrist_above_axis_1_this_axis_stays() {
     let arm = arm("TX200");
-    // The wrist is on axis 1 at this elbow.
+    // With this elbow the wrist is on axis 1.
     let flange = Trsf::new([0.0, 0.0, 1400.0 + 194.0], [0.0, 0.0, 25.0]);
     let near = [77.0, 0.0, 60.0, 0.0, 10.0, 0.0];
     let found = arm.solve(&flange, &near, RequestedConfiguration::FREE).unwrap();

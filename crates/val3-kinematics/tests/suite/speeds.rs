@@ -30,7 +30,7 @@ fn maximum_speeds_of_the_model_limit_nothing() {
     assert_eq!(excess("TS2-60", 1000.0, &[0, 1, 2, 3]), None);
 }
 
-/// 150 % of a nominal speed of 0.66 times the maximum is 99 % of it, and 151 % is 99.66 %.
+/// 150 % of a nominal speed of 0.66 times the maximum is 99 % of the maximum, and 151 % is 99.66 %.
 #[test]
 fn the_greatest_vel_is_allowed() {
     for name in Arm::names() {

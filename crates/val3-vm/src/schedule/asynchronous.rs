@@ -5,17 +5,17 @@ use val3_lang::ports::{TaskNumber, Time};
 use super::{Flow, Schedule};
 use crate::{Grant, Host, Outcome, Rate, Task, Vm};
 
-/// The rounds of a cycle. In a round each task that can run has one turn.
+/// Rounds of a cycle. In a round each task that can run has one turn.
 #[derive(Debug, Clone)]
 pub(super) struct Rounds {
     /// Whether a task has run in this cycle.
     any: bool,
     round: Round,
-    /// The task whose turn was suspended in the middle of a line.
+    /// Task whose turn was suspended within a line.
     suspended: Option<TaskNumber>,
 }
 
-/// The activity of the tasks since each had its last turn.
+/// Activity of the tasks in the present round.
 #[derive(Debug, Clone, Copy, Default)]
 struct Round {
     has_run: bool,
@@ -23,14 +23,14 @@ struct Round {
 }
 
 impl Schedule {
-    /// The first round of a cycle. One that the end of the last cycle has interrupted does not show that all tasks
-    /// wait.
+    /// Returns the first round of a cycle. A round that the end of the previous cycle interrupted counts as active,
+    /// because it does not show that all tasks wait.
     pub(super) fn first_round(&self) -> Rounds {
         let round = Round { has_run: self.next != TaskNumber(0), reads_clock: false };
         Rounds { any: false, round, suspended: None }
     }
 
-    /// Gives tasks turns until the cycle ends or all of them wait.
+    /// Runs turns of tasks until the cycle ends or all tasks wait.
     pub(super) fn asynchronous(&mut self, rounds: &mut Rounds, end: Time, vm: &mut Vm, host: &mut dyn Host) -> Flow {
         if let Some(id) = rounds.suspended.take()
             && let Some((id, grant)) = self.suspended_turn(id, vm, end)
@@ -60,7 +60,7 @@ impl Schedule {
         let is_suspended = matches!(turn.outcome, Outcome::Suspended | Outcome::AtStop(_));
         rounds.suspended = is_suspended.then_some(id);
         self.next = if turn.left > 0 || is_suspended { id } else { TaskNumber(id.0 + 1) };
-        // A task that ends right after what it waited for executes no line, but others can see that it has ended.
+        // A task that ends directly after its wait executes no line, but its end is visible to other tasks.
         let has_run = turn.lines > 0 || !(is_suspended || matches!(turn.outcome, Outcome::Waiting(_)));
         rounds.round.has_run |= has_run;
         rounds.round.reads_clock |= turn.reads_clock;
@@ -74,7 +74,7 @@ impl Schedule {
         self.check_watch(id, &turn)
     }
 
-    /// Begins another round, at the next time that a task waits for if all of them wait.
+    /// Begins another round. If all tasks wait, it begins at the next wake-up time.
     fn end_round(&mut self, rounds: &mut Rounds, end: Time, vm: &Vm) -> Flow {
         self.next = TaskNumber(0);
         let round = std::mem::take(&mut rounds.round);
@@ -84,21 +84,21 @@ impl Schedule {
         let wake = self.wake(vm);
         match wake.filter(|wake| *wake < end) {
             Some(wake) => self.now = self.now.max(wake),
-            // No time may be skipped while a task reads the clock.
+            // No time may be skipped while a task polls the clock.
             None if rounds.any || round.reads_clock => return Flow::Break(Outcome::Busy),
             None => return Flow::Break(Outcome::Waiting(wake)),
         }
         Flow::Continue(())
     }
 
-    /// The rest of a suspended turn; `None` if the task no longer exists.
+    /// Returns the rest of a suspended turn; `None` if the task no longer exists.
     fn suspended_turn(&self, id: TaskNumber, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
         let task = vm.tasks().iter().find(|task| task.id == id && task.can_run())?;
         let lines = self.lines(task)?;
         Some((id, self.grant(task, (task.left, lines), vm, end)))
     }
 
-    /// The next asynchronous task that can run, with the lines of its turn.
+    /// Returns the next asynchronous task that can run, with the lines for its turn.
     fn next_turn(&self, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
         let tasks = vm.tasks();
         let from = vm.roster.first_from(self.next);
@@ -113,7 +113,7 @@ impl Schedule {
         Grant { first, per_turn, limit }
     }
 
-    /// The lines of a turn of an asynchronous task that can run.
+    /// Returns the lines per turn, if this is an asynchronous task that can run.
     fn lines(&self, task: &Task) -> Option<u32> {
         match task.rate {
             Rate::Priority(lines) if task.can_run() && !self.sleeps(task) => Some(lines),
@@ -121,7 +121,8 @@ impl Schedule {
         }
     }
 
-    /// No other asynchronous task can run before `end` unless this one enables it: its turns follow one another.
+    /// Whether no other asynchronous task can run before `end` unless this task enables it, so that its turns follow
+    /// one another.
     fn is_alone(&self, task: &Task, tasks: &[Box<Task>], end: Time) -> bool {
         let wakes = |other: &Task| other.thread.wait.and_then(|wait| wait.wake).is_some_and(|wake| wake < end);
         let is_other = |other: &Task| other.id != task.id && matches!(other.rate, Rate::Priority(_));
@@ -132,7 +133,7 @@ impl Schedule {
         task.thread.wait.is_some_and(|wait| wait.sleeps && wait.wake.is_some_and(|wake| wake > self.now))
     }
 
-    /// The earliest time after now that a task waits for, or at which a period begins.
+    /// Returns the earliest future wake-up time of a waiting task or beginning of a period.
     fn wake(&self, vm: &Vm) -> Option<Time> {
         let running = vm.tasks().iter().filter(|task| task.can_run());
         let times = running.filter_map(|task| match task.rate {

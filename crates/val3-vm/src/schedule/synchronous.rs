@@ -7,15 +7,15 @@ use val3_lang::ports::{TaskNumber, Time};
 use super::{Flow, Schedule};
 use crate::{Grant, Host, Outcome, Rate, Task, Vm};
 
-/// The maximum number of lines of a synchronous task in a cycle (5.5).
+/// Largest number of lines that a synchronous task executes in a cycle (5.5).
 const SYNCHRONOUS_LINES: u32 = 3000;
 
-/// The synchronous tasks that are due in a cycle and have not had their turn.
+/// Synchronous tasks that are due in a cycle and have not had their turn.
 #[derive(Debug, Clone)]
 pub(super) struct DueTasks {
-    /// Tasks with their periods, the next one first.
+    /// Tasks with their periods in ns, the next one first.
     tasks: VecDeque<(Time, TaskNumber)>,
-    /// The turn that has begun and is not over.
+    /// Turn that has begun and not ended.
     turn: Option<SynchronousTurn>,
 }
 
@@ -25,9 +25,9 @@ struct SynchronousTurn {
     id: TaskNumber,
     period: Time,
     start: Time,
-    /// The number of lines that may still be executed.
+    /// Number of lines that may still be executed.
     lines: u32,
-    /// It ends where it is.
+    /// Whether the turn ends here.
     is_over: bool,
 }
 
@@ -38,7 +38,7 @@ impl DueTasks {
 }
 
 impl Schedule {
-    /// The synchronous tasks whose time has come: short periods first, then in the order of creation.
+    /// Returns the due synchronous tasks: short periods first, then in the order of creation.
     pub(super) fn due_tasks(&self, vm: &Vm) -> DueTasks {
         let mut due: Vec<(Time, TaskNumber)> = vm.tasks().iter().filter_map(|task| self.due(task)).collect();
         due.sort_unstable();
@@ -52,7 +52,7 @@ impl Schedule {
         }
     }
 
-    /// Gives each due task its turn.
+    /// Runs each due task's turn.
     pub(super) fn synchronous(&mut self, due: &mut DueTasks, vm: &mut Vm, host: &mut dyn Host) -> Flow {
         loop {
             if due.turn.is_none() {
@@ -67,7 +67,7 @@ impl Schedule {
         }
     }
 
-    /// The turn of the next task that is not halted or killed by those before it.
+    /// Begins the turn of the next task that earlier tasks have not halted or killed.
     fn begin_turn(&self, due: &mut VecDeque<(Time, TaskNumber)>, vm: &mut Vm) -> Option<SynchronousTurn> {
         while let Some((period, id)) = due.pop_front() {
             if can_run(vm, id) {
@@ -78,7 +78,7 @@ impl Schedule {
         None
     }
 
-    /// Executes the lines of a turn. An instruction that takes time outside the program delays the rest of the cycle.
+    /// Executes the lines of a turn. An instruction that uses time outside the program delays the rest of the cycle.
     fn synchronous_turn(&mut self, turn: &mut SynchronousTurn, vm: &mut Vm, host: &mut dyn Host) -> Flow {
         while !turn.is_over && can_run(vm, turn.id) {
             self.check_limit()?;
@@ -100,16 +100,16 @@ impl Schedule {
         Flow::Continue(())
     }
 
-    /// Reports to the task whether its last period was too short (5.6), and sets the beginning of the next one.
+    /// Reports to the task whether its last period was too short (5.6), and sets the beginning of the next period.
     fn begin_period(&self, vm: &mut Vm, id: TaskNumber) {
         let Some(Rate::Period { period, next, overrun, late, .. }) = vm.rate_mut(id) else { return };
         let (overrun, was_late) = (*overrun, std::mem::take(late));
         *next = (self.now / *period + 1) * *period;
-        // Writing fails if the variable was in a library that has left memory.
+        // Writing fails if the variable was in a library that was unloaded.
         let _ = vm.space.memory.set_num(overrun, 0, f64::from(u8::from(was_late)));
     }
 
-    /// Leaves out the next period of a task that has overrun (5.6).
+    /// Skips the next period of a task that has overrun (5.6).
     fn skip_period(&self, vm: &mut Vm, id: TaskNumber) {
         if let Some(Rate::Period { period, next, late, overruns, .. }) = vm.rate_mut(id) {
             *late = true;
@@ -118,7 +118,7 @@ impl Schedule {
         }
     }
 
-    /// Lets the periods of halted tasks pass, so that a resumed task continues at the beginning of a period.
+    /// Skips the periods of halted tasks, so that a resumed task continues at the beginning of a period.
     pub(super) fn pass_periods(&self, vm: &mut Vm) {
         let halted = vm.tasks().iter().filter(|task| !task.can_run());
         let is_passed = |task: &Task| matches!(task.rate, Rate::Period { next, .. } if next <= self.now);

@@ -1,4 +1,4 @@
-//! Calls of programs and their parameters (2.6), and the stack (2.1.4.2).
+//! Program calls and their parameters (2.6), and the stack (2.1.4.2).
 
 use expect_test::expect;
 

@@ -1,4 +1,4 @@
-//! Counters of lines and of sides of branches.
+//! Counters of lines and of branch sides.
 
 use std::collections::BTreeSet;
 
@@ -6,7 +6,7 @@ use val3_vm::Outcome;
 
 use crate::host::Bench;
 
-/// A loop of three rounds, whose condition has two sides. `start` calls `library` in each round.
+/// A loop of three iterations, whose condition has two sides. `start` calls `library` in each iteration.
 const LOOP: &str = r#"
 image main ""
 file "start"
@@ -44,7 +44,7 @@ program public add
 end
 "#;
 
-/// The names of counted images with their counters.
+/// Returns the names of the counted images with their counters.
 fn counts(bench: &Bench) -> Vec<(String, Vec<u64>)> {
     bench.vm.space.counts.images().map(|(image, hits)| (image.name.clone(), hits.to_vec())).collect()
 }
@@ -56,7 +56,7 @@ fn lines_and_sides_are_counted_in_applications_and_libraries() {
     assert_eq!(counts(&bench), expected);
 }
 
-/// A side takes no line of the budget and no time.
+/// A side uses no line of the budget and no time.
 #[test]
 fn counters_change_neither_time_nor_turns() {
     let plain = |text: &str| {
@@ -87,13 +87,13 @@ fn a_copy_of_the_machine_keeps_its_own_counters() {
     assert_eq!(counts(&before)[0].1, [0; 6]);
 }
 
-/// A stop replaces the mark of its line alone.
+/// A stop replaces only the mark on its line.
 #[test]
 fn other_lines_of_a_file_with_stops_are_counted() {
     let mut bench = Bench::with_libraries(LOOP, &[LIBRARY]);
     bench.vm.set_stops("start", BTreeSet::from([9]));
     bench.vm.set_stops("start", BTreeSet::new());
     let counted = bench.run();
-    // The stop came after the image had been loaded, so its counters remain those of the image.
+    // The stop was set after loading, so the image's counters remain.
     assert_eq!(counts(&counted)[0].1, [1, 4, 3, 1, 0, 0]);
 }

@@ -1,4 +1,4 @@
-//! The smallest host: a virtual clock, and a record of what tasks do.
+//! The smallest host: a virtual clock, and a record of the tasks' output.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -11,24 +11,24 @@ use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
 use val3_lang::types::BaseType;
 use val3_vm::{InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, Outcome, Schedule, Space, Vm};
 
-/// The time of a line in nanoseconds. A cycle has 2,000 lines.
+/// Duration of a line, in ns. A cycle has 2,000 lines.
 pub(crate) const LINE: Time = 2_000;
 
-/// The time after which a test that has not ended is a fault.
+/// Time by which every test has to end, in ns.
 const LONGEST: Time = 1_000_000_000_000;
 
-/// The outside of the tasks.
+/// Host of the tests.
 #[derive(Default)]
 pub(crate) struct Host {
-    /// The output of `?`, and the run-time errors with their rows.
+    /// Output of `?`, and run-time errors with their rows.
     pub(crate) record: String,
     /// Creation, end and other changes of tasks.
     pub(crate) changes: String,
-    /// The cycle has to stop after the current instruction.
+    /// Whether the cycle has to stop after the current instruction.
     pub(crate) is_interrupted: bool,
-    /// The libraries on the medium, under their names.
+    /// Libraries on the medium.
     libraries: Vec<Arc<Image>>,
-    /// The images in memory by their numbers.
+    /// Images in memory, by number.
     images: Vec<Arc<Image>>,
     origin: Origin,
 }
@@ -112,7 +112,7 @@ impl Bench {
         Self::with_libraries(text, &[])
     }
 
-    /// As [`new`](Self::new), with libraries that it can load.
+    /// Like [`new`](Self::new), with libraries that it can load.
     #[track_caller]
     pub(crate) fn with_libraries(text: &str, libraries: &[&str]) -> Self {
         let image = image_of(text);
@@ -125,12 +125,12 @@ impl Bench {
         Self { vm, schedule: Schedule::new(LINE), host, start }
     }
 
-    /// One cycle, or its rest.
+    /// Runs one cycle, or the rest of a cycle.
     pub(crate) fn cycle(&mut self) -> Outcome {
         self.schedule.cycle(&mut self.vm, &mut self.host)
     }
 
-    /// Cycles until no task runs.
+    /// Runs cycles until no task runs.
     #[track_caller]
     pub(crate) fn run(mut self) -> Self {
         while self.vm.tasks().iter().any(|task| task.state == val3_vm::TaskState::Running) {
@@ -144,7 +144,7 @@ impl Bench {
     }
 }
 
-/// Checks the record of an application.
+/// Checks an application's record.
 #[track_caller]
 pub(crate) fn check(text: &str, expected: Expect) {
     expected.assert_eq(&Bench::new(text).run().host.record);

@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 
 use crate::host::Bench;
 
-/// Checks the record of an application that loads the library `part` with it.
+/// Checks the record when `application` runs with the autoload library `part`.
 #[track_caller]
 fn check(application: &str, library: &str, expected: Expect) {
     let application = format!("library part \"part\" autoload\n{application}");
@@ -109,7 +109,7 @@ end"#;
     .assert_eq(&Bench::with_libraries(application, &libraries).run().host.record);
 }
 
-/// Both create a task `own`. Each sees only its own task.
+/// Both create a task `own`. Only their own task is visible to each.
 #[test]
 fn a_task_is_visible_only_to_the_library_that_has_created_it() {
     let programs = r#"

@@ -1,10 +1,10 @@
-//! Memory of calls and tasks: error 40, and memory that is given back.
+//! Memory of calls and tasks: error 40, and the release of memory.
 
 use crate::host::Bench;
 
 const MEGABYTE: u64 = 1 << 20;
 
-/// The record of an application that has this much free memory when it begins.
+/// Returns the record when the application begins with this much free memory.
 #[track_caller]
 fn record(text: &str, bytes: u64) -> String {
     let mut bench = Bench::new(text);

@@ -1,4 +1,4 @@
-//! The ports of a host without devices: `?` is recorded, every other call is a fault of the test.
+//! Ports of a host without devices: `?` is recorded, every other call fails the test.
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Dh};

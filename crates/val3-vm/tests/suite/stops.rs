@@ -8,7 +8,7 @@ use val3_vm::{Outcome, Watch};
 
 use crate::host::{Bench, LINE};
 
-/// `start` calls `add` in a loop of three rounds, while another task and a synchronous one count.
+/// `start` calls `add` in a loop of three iterations, while an asynchronous and a synchronous task count.
 const TASKS: &str = r#"
 file "add"
 file "count"
@@ -58,7 +58,7 @@ end
 
 const FILES: [&str; 4] = ["add", "count", "each", "start"];
 
-/// `program:row` of the line that a task is before.
+/// Returns the line before which a task is: `program:row`.
 fn position(bench: &Bench, task: TaskNumber) -> String {
     let task = bench.vm.tasks().iter().find(|known| known.id == task).unwrap();
     let frame = task.thread.frames.last().unwrap();
@@ -67,7 +67,7 @@ fn position(bench: &Bench, task: TaskNumber) -> String {
     format!("{}:{}", program.name, program.lines[line].row)
 }
 
-/// The stops of a run up to a time, and its record.
+/// Returns the stops of a run up to a time.
 fn stops(bench: &mut Bench, until: u64) -> String {
     let mut stops = Vec::new();
     bench.schedule.limit = Some(until);
@@ -154,7 +154,7 @@ fn a_held_task_gets_no_turns_and_continues_where_it_was() {
     assert_eq!(bench.host.record.lines().count(), 3);
 }
 
-/// The rest of a line after a wait is executed alone.
+/// The rest of a line after a wait is a separate stop.
 #[test]
 fn a_watched_task_stops_after_the_line_that_it_has_waited_in() {
     let mut bench = Bench::new(

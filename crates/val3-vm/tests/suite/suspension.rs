@@ -4,7 +4,7 @@ use val3_vm::{Grant, Outcome, TaskState};
 
 use crate::host::{Bench, LINE};
 
-/// Counts in `$nCount` without an end, a line each.
+/// Counts in `$nCount` without an end, in one-line steps.
 const COUNT: &str = r#"
 data nCount num[1]
 program start
@@ -91,7 +91,7 @@ fn a_cycle_stops_at_the_limit_and_resumes_with_a_later_one() {
     assert!(!bench.schedule.is_within_cycle());
 }
 
-/// Prints numbers from 1 on, three of them in a line.
+/// Prints numbers from 1 on, three in a line.
 const PRINT: &str = r#"
 program print
     frame n2

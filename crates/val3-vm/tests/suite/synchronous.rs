@@ -62,7 +62,7 @@ end"#
     );
 }
 
-/// Programs that add a mark to the trace once a period.
+/// Programs that add a mark to the trace once in a period.
 const MARK: &str = r#"
 data bLate bool[1]
 data sTrace string[1]

@@ -1,4 +1,4 @@
-//! States of tasks, and tasks that others halt, resume and kill (5.1 to 5.3, 5.10).
+//! Task states, and tasks that other tasks halt, resume and kill (5.1 to 5.3, 5.10).
 
 use expect_test::{Expect, expect};
 
@@ -30,7 +30,7 @@ program kill
 end
 "#;
 
-/// Fails while `$nZero` is 0, one second after it has begun.
+/// Fails while `$nZero` is 0, one second after its beginning.
 const WORK: &str = r#"
 program work
     frame n3
@@ -117,7 +117,7 @@ fn a_task_that_has_ended_is_no_longer_there() {
     );
 }
 
-/// The delay began at 0 and ends one second later, although the task was halted for a part of it.
+/// The delay begins at 0 and ends one second later, although the task is halted during a part of the delay.
 #[test]
 fn a_halted_task_resumes_its_wait() {
     check_control(
@@ -221,7 +221,7 @@ end"#
     );
 }
 
-/// The task fails at the third of five lines, and resumes `skip` lines after it.
+/// The task fails at the third of five lines, and resumes `skip` lines later.
 fn resumed(skip: i32) -> String {
     let text = format!(
         r#"{CONTROL}
@@ -275,7 +275,7 @@ fn a_task_cannot_resume_where_its_program_has_no_line() {
     assert_eq!([-3, 5, -1000].map(resumed), ["error 90 at row 1\n"; 3]);
 }
 
-/// Creates a task with this name; the error, if there is one.
+/// Creates a task with this name, and returns the error, if any.
 fn created(name: &str) -> String {
     let text = format!(
         "program work\nReturn\nend\nprogram start\nframe n1\nnums n0=10\nline 1 CreateTask {name:?} n0 work ()\nReturn\nend"

@@ -1,10 +1,10 @@
-//! The turns of asynchronous tasks (5.4).
+//! Turns of asynchronous tasks (5.4).
 
 use expect_test::expect;
 
 use crate::host::{Bench, check};
 
-/// Adds a mark to the trace six times, each in a line.
+/// Adds a mark to the trace six times, in six lines.
 const MARK: &str = r#"
 data sTrace string[1]
 program mark
@@ -73,7 +73,7 @@ end"#,
     );
 }
 
-/// A task that waits for another one in the middle of its turn.
+/// The task waits for another task in the middle of a turn.
 #[test]
 fn an_instruction_that_waits_ends_the_turn() {
     check(
@@ -214,7 +214,8 @@ end"#
     }
 }
 
-/// A task that is alone executes several turns in a row. A task that waits for a condition is checked in each round.
+/// A task without competitors executes several turns in a row. A task that waits for a condition is checked in each
+/// round.
 #[test]
 fn a_task_that_is_alone_has_the_same_turns_as_among_others() {
     let record = |wait: &str| {

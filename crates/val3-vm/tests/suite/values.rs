@@ -1,4 +1,4 @@
-//! Numbers, texts, arrays and collections, and the run-time errors at their lines (2.2 to 2.5, 3.1 to 3.4).
+//! Numbers, strings, arrays and collections, and the run-time errors at their lines (2.2 to 2.5, 3.1 to 3.4).
 
 use expect_test::{Expect, expect};
 

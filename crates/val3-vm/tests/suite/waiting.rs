@@ -54,7 +54,7 @@ end"#,
     );
 }
 
-/// `watch($bGo, seconds)`; its answer and the time.
+/// Returns a program that calls `watch($bGo, seconds)` and prints the result and the time.
 fn watch(seconds: &str) -> String {
     format!(
         r#"
@@ -137,7 +137,7 @@ end"#,
     );
 }
 
-/// The example of the manual (5.8): each task adds its mark, then waits for the two others.
+/// The manual's example (5.8): each task adds its mark, then waits for the two other tasks.
 #[test]
 fn tasks_that_synchronize_continue_together() {
     check(

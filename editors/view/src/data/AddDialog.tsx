@@ -48,7 +48,7 @@ interface NewDatum {
   size: string;
 }
 
-/** A sentence if the size is none. */
+/** Returns the edit, or a sentence if the size is invalid. */
 function addEdit({ size, ...datum }: NewDatum, after: string | undefined): DataEdit | string {
   const numbers = datum.container === "array" ? sizeFrom(size) : [];
   return numbers === undefined ? `A size is up to three whole numbers, such as "10" or "3 4", not "${size}".` : { kind: "add", ...datum, size: numbers, ...(after !== undefined && { after }) };

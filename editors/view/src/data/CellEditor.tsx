@@ -1,4 +1,4 @@
-// The field in which the text of a cell is typed.
+// Field in which the text of a cell is typed.
 
 import type { JSX, TargetedKeyboardEvent } from "preact";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
@@ -15,7 +15,7 @@ interface Props {
   editing: Editing;
   row: Row;
   column: GridColumn;
-  /** Gives the focus back to the table and moves by cells. */
+  /** Returns the focus to the table, and moves by cells. */
   onEnd: (down: number, right: number) => void;
 }
 
@@ -27,7 +27,7 @@ export function CellEditor({ model, editing, row, column, onEnd }: Props): JSX.E
   const field = useRef<Field>(null);
   const isEnding = useRef(false);
   const verdict = useChecked(model, checkedEdit(row, column, text));
-  // Before the next key arrives.
+  // Synchronous, so that the next key reaches the field.
   useLayoutEffect(() => {
     const input = field.current;
     input?.focus({ preventScroll: true });
@@ -62,7 +62,7 @@ export function CellEditor({ model, editing, row, column, onEnd }: Props): JSX.E
     }
   };
   const left = (): void => {
-    // Elsewhere was clicked, or the window lost the focus: the text counts if it is possible.
+    // The user clicked elsewhere, or the window lost the focus: the text is applied if it is valid.
     if (!isEnding.current && document.hasFocus()) {
       isEnding.current = true;
       void setCell(model, row, column, text).then(() => (model.editing.value = undefined));
@@ -95,7 +95,7 @@ function Input({ common, column, field }: { common: object; column: Column | und
   );
 }
 
-/** The edit to check; a new name is checked when it is applied, because other files change too. */
+/** Returns the edit to check. A new name is checked only when it is applied, because other files change too. */
 function checkedEdit(row: Row, column: GridColumn, text: string): DataEdit | string | undefined {
   const isUnchanged = contentOf(row, column).text === text;
   return isUnchanged || (column.kind === "name" && row.kind === "datum") ? undefined : editOf(row, column, text);

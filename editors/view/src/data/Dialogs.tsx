@@ -1,4 +1,4 @@
-// The questions of the page.
+// Dialogs of the page.
 
 import type { JSX } from "preact";
 import { AddDialog } from "./AddDialog";

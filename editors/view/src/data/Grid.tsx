@@ -1,4 +1,4 @@
-// The table of one type: a tree of rows in which the keys move, of which only those on the screen are in the document.
+// Table of one type: a tree of rows with keyboard navigation. Only the visible rows are in the document.
 
 import type { JSX, TargetedClipboardEvent, TargetedKeyboardEvent, TargetedMouseEvent } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
@@ -13,7 +13,7 @@ import { pressed } from "./keys";
 import type { DataModel } from "./model";
 import { widthsOf } from "./widths";
 
-/** Pixels. */
+/** In pixels. */
 const ROW_HEIGHT = 24;
 const HEAD_HEIGHT = 26;
 
@@ -93,12 +93,12 @@ export function Grid({ model, label, empty }: { model: DataModel; label: string;
   );
 }
 
-/** The rows of one screen. */
+/** Returns the number of visible rows. */
 function pageRows(box: HTMLElement | null): number {
   return Math.max(1, Math.floor(((box?.clientHeight ?? 0) - HEAD_HEIGHT) / ROW_HEIGHT) - 1);
 }
 
-/** Scrolls as little as possible until a row is on the screen. */
+/** Scrolls as little as possible until a row is visible. */
 function scrollTo(box: HTMLElement, row: number): void {
   const top = row * ROW_HEIGHT;
   const height = box.clientHeight - HEAD_HEIGHT;

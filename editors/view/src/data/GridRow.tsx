@@ -1,4 +1,4 @@
-// One row of the table.
+// Row of the table.
 
 import type { JSX } from "preact";
 import { isNamed } from "./actions";
@@ -17,16 +17,16 @@ interface RowProps {
   row: Row;
   index: number;
   columns: readonly GridColumn[];
-  /** The selected columns; both are -1 if there are none. */
+  /** Selected columns; both are -1 if there are none. */
   left: number;
   right: number;
-  /** The column of the active cell, or -1. */
+  /** Column of the active cell, or -1. */
   active: number;
   editing: Editing | undefined;
   onEnd: (down: number, right: number) => void;
 }
 
-/** Reads a signal, so that it is drawn again only if its properties have changed. */
+/** Reads a signal, so that the row is drawn again only if its properties have changed. */
 export function GridRow({ model, row, index, columns, left, right, active, editing, onEnd }: RowProps): JSX.Element {
   const findings = model.findings.value;
   const isPosed = columns.some(({ kind }) => kind === "world");
@@ -72,7 +72,7 @@ function isPose({ kind }: GridColumn): boolean {
   return kind === "world" || kind === "reach";
 }
 
-/** A finding about a whole datum is shown at its name alone. */
+/** A finding about an entire datum is shown only at its name. */
 function ownFindings(found: readonly DataFinding[], { kind }: GridColumn): readonly DataFinding[] {
   return kind === "name" || kind === "value" ? found : [];
 }

@@ -1,4 +1,4 @@
-// The headings of the columns, which sort the table.
+// Column headings, which sort the table.
 
 import type { JSX } from "preact";
 import type { GridColumn } from "./columns";

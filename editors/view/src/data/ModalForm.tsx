@@ -1,4 +1,4 @@
-// A question in front of the page. Escape closes it.
+// Modal dialog of the page. Escape closes it.
 
 import type { ComponentChildren, JSX, TargetedSubmitEvent } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
@@ -8,18 +8,18 @@ import type { DataModel } from "./model";
 interface Props {
   model: DataModel;
   title: string;
-  /** The text of the button that confirms. */
+  /** Text of the button that confirms. */
   confirm: string;
-  /** The reason why it cannot be confirmed. */
+  /** Reason why the form cannot be confirmed. */
   reason?: string | undefined;
   children: ComponentChildren;
-  /** Returns whether the form is done. */
+  /** Returns whether the form is complete. */
   onConfirm: () => Promise<boolean>;
 }
 
 export function ModalForm({ model, title, confirm, reason, children, onConfirm }: Props): JSX.Element {
   const dialog = useRef<HTMLDialogElement>(null);
-  // Before the next key arrives.
+  // Synchronous, so that the next key reaches the dialog.
   useLayoutEffect(() => {
     model.notice.text.value = "";
     const element = dialog.current;

@@ -1,4 +1,4 @@
-// Questions for a name: of a copy, and of a new key.
+// Dialogs for a name: of a copy, and of a new key.
 
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
@@ -56,7 +56,7 @@ function NameForm({ model, title, label, confirm, text, edit, onText, onConfirm 
   );
 }
 
-/** `pPick` gives `pPick2`, `pPick9` gives `pPick10`; names in `taken` are in lower case. */
+/** Returns the next free name: `pPick2` for `pPick`, `pPick10` for `pPick9`. Names in `taken` are in lower case. */
 export function freeName(name: string, taken: ReadonlySet<string>): string {
   const [, head = name, digits = ""] = /^(.*?)(\d*)$/.exec(name) ?? [];
   let number = digits === "" ? 2 : Number(digits) + 1;

@@ -1,4 +1,4 @@
-// The active cell in words: its text in full and its findings.
+// Details of the active cell: its full text and its findings.
 
 import type { JSX } from "preact";
 import { cellId } from "./cells";

@@ -1,4 +1,4 @@
-// The search, the filters and the buttons above the table.
+// Search, filters and buttons above the table.
 
 import type { JSX } from "preact";
 import { Button } from "../panels/shared/Button";

@@ -1,4 +1,4 @@
-// The types of the file, with the number of their data.
+// Types in the file, with their number of data.
 
 import type { JSX, TargetedKeyboardEvent } from "preact";
 import { useRef } from "preact/hooks";

@@ -1,4 +1,4 @@
-// Changes that the user asks for with the keyboard, the mouse or the buttons.
+// Changes by keyboard, mouse or buttons.
 
 import { contentOf, editOf, isKey, isTyped } from "./cells";
 import { merged, pasted, toText } from "./clipboard";
@@ -7,7 +7,7 @@ import type { DataModel } from "./model";
 import type { DataEdit } from "./protocol";
 import { keyOf, type Row } from "./rows";
 
-/** Begins to edit the active cell, or does what Enter does on a cell without a text of its own. */
+/** Begins to edit the active cell, or does what Enter does on a cell without editable text. */
 export function enter(model: DataModel, text?: string): void {
   const [row, column] = [model.activeRow(), model.activeColumn()];
   if (row === undefined || column === undefined || refusedAll(model)) {
@@ -36,7 +36,7 @@ async function setActive(model: DataModel, text: string | null): Promise<boolean
   return row !== undefined && column !== undefined && (await setCell(model, row, column, text));
 }
 
-/** Gives a cell another text. */
+/** Changes the text of a cell. */
 export async function setCell(model: DataModel, row: Row, column: GridColumn, text: string | null): Promise<boolean> {
   const before = contentOf(row, column);
   if (before.text === text) {
@@ -62,7 +62,7 @@ export async function switchAccess(model: DataModel): Promise<void> {
   }
 }
 
-/** Sets the selected values to their defaults. On names, asks whether the data or keys are to be deleted. */
+/** Sets the selected values to their defaults. On names, opens the dialog that deletes data or keys. */
 export async function clear(model: DataModel): Promise<void> {
   const rectangle = model.rectangle.value;
   if (rectangle === undefined || refusedAll(model)) {
@@ -83,7 +83,7 @@ function defaultEdit(row: Row, column: GridColumn): DataEdit[] {
   return typeof edit === "string" ? [] : [edit];
 }
 
-/** Deletes the selected keys, or asks about the selected data, whose uses are shown. */
+/** Deletes the selected keys, or opens the dialog with the uses of the selected data. */
 export async function remove(model: DataModel): Promise<void> {
   const rows = model.selectedRows();
   const keys = rows.filter(isKey);
@@ -97,7 +97,7 @@ export async function remove(model: DataModel): Promise<void> {
   }
 }
 
-/** The names of the data that rows belong to. */
+/** Returns the names of the data to which rows belong. */
 export function namesOf(rows: readonly Row[]): string[] {
   return [...new Set(rows.map(({ container }) => container.name))];
 }
@@ -120,7 +120,7 @@ export async function paste(model: DataModel, text: string): Promise<void> {
   }
 }
 
-/** Reports why the file cannot be edited, if it cannot. */
+/** Shows the reason if the file cannot be edited, and returns whether there is one. */
 function refusedAll(model: DataModel): boolean {
   const reason = model.blocked.value;
   if (reason !== undefined) {

@@ -1,16 +1,16 @@
-// The content of cells, and what an edit of a cell means.
+// Content of cells, and the edits that change it.
 
 import type { GridColumn } from "./columns";
 import { placeId } from "./place";
 import type { Column, DataEdit } from "./protocol";
 import { isScalar, keyOf, type Row } from "./rows";
 
-/** What the cell of a row and a column holds. */
+/** Cell content. */
 export interface CellContent {
   text: string;
-  /** Nothing is written in the file. */
+  /** Whether the file does not contain the value. */
   isDefault: boolean;
-  /** The column of the value, if the cell shows one. */
+  /** Column of the value, if the cell shows one. */
   column?: Column;
 }
 
@@ -45,7 +45,7 @@ function valueContent({ columns, value }: Row, index: number): CellContent {
   return { text: text ?? column.default, isDefault: text === null, column };
 }
 
-/** Whether typing changes a cell. Names are changed by renaming, access by switching. */
+/** Whether typing changes a cell. Names are changed by a rename, access by a switch. */
 export function isTyped(row: Row, column: GridColumn): boolean {
   return (column.kind === "value" && contentOf(row, column).column !== undefined) || (column.kind === "size" && isResizable(row));
 }
@@ -58,7 +58,10 @@ export function isKey(row: Row): boolean {
   return row.kind === "element" && row.datum.container === "collection";
 }
 
-/** The edit that gives a cell another text; null sets the default. A sentence if there is none. */
+/**
+ * Returns the edit that changes the text of a cell; null sets the default. Returns a sentence if the edit is not
+ * possible.
+ */
 export function editOf(row: Row, column: GridColumn, text: string | null): DataEdit | string {
   const { datum, element, container } = row;
   const value = contentOf(row, column).column;
@@ -75,13 +78,13 @@ export function editOf(row: Row, column: GridColumn, text: string | null): DataE
   return `${column.title || "The cell"} of ${datum.name} is not changed by a text.`;
 }
 
-/** The dimensions in a text; the server knows the limits. */
+/** Parses the dimensions in a text. The server checks the limits. */
 export function sizeFrom(text: string): number[] | undefined {
   const size = text.trim().split(/[\s,]+/).map(Number);
   return size.length <= 3 && size.every((length) => Number.isInteger(length) && length > 0) ? size : undefined;
 }
 
-/** Identifies the cell of a place and a column among the findings. */
+/** Returns the id of a cell among the findings. */
 export function cellId(row: Row, column: GridColumn): string {
   const value = contentOf(row, column).column;
   return value === undefined ? placeId(row.container) : `${placeId(row.element ?? row.container)}\u0003${value.id}`;

@@ -1,4 +1,4 @@
-// Tables after changes. Data and findings that are not replaced stay the same objects.
+// Applies changes to tables. Data and findings that are not replaced remain the same objects.
 
 import type { DataChanges, DataTables, Datum, Replacement } from "./protocol";
 
@@ -13,7 +13,7 @@ export function withChanges(tables: DataTables, { version, problem, data, values
   };
 }
 
-/** A datum with the values of its earlier state, of which some are replaced. */
+/** Returns a datum with its previous values, some of which are replaced. */
 function withValues(datum: Datum, before: Datum | undefined, { start, deleteCount }: { start: number; deleteCount: number }): Datum {
   return { ...datum, values: replaced(before?.values ?? [], { start, deleteCount, items: datum.values }) };
 }

@@ -1,4 +1,4 @@
-// Rectangles of cells as text, in the form that spreadsheets exchange: tabs between cells, line ends between rows.
+// Rectangles of cells as text, in the format of spreadsheets: tabs between cells, line ends between rows.
 
 import { contentOf, editOf, isTyped } from "./cells";
 import type { GridColumn } from "./columns";
@@ -15,7 +15,7 @@ function quoted(text: string): string {
   return /[\t\n\r"]/.test(text) ? `"${text.replaceAll("\"", "\"\"")}"` : text;
 }
 
-/** The cells of a text from a spreadsheet. A line end after the last row is not a row. */
+/** Splits a text from a spreadsheet into cells. A line end after the last row is not a row. */
 export function fromText(text: string): string[][] {
   const rows: string[][] = [[]];
   for (const [, cell = "", end = ""] of text.matchAll(/("(?:[^"]|"")*"(?=[\t\r\n]|$)|[^\t\r\n]*)(\t|\r\n|\r|\n|$)/g)) {
@@ -33,8 +33,8 @@ export function fromText(text: string): string[][] {
 }
 
 /**
- * The edits that write cells of a spreadsheet from the upper left corner of a rectangle on. A single cell fills the
- * rectangle. Unchanged cells are left out. A sentence if a cell cannot be written.
+ * Returns the edits that write spreadsheet cells, starting at the upper left corner of a rectangle. A single cell fills
+ * the rectangle. Unchanged cells are omitted. Returns a sentence if a cell cannot be written.
  */
 export function pasted(text: string, rows: readonly Row[], columns: readonly GridColumn[], target: Rectangle): DataEdit[] | string {
   const cells = fromText(text);
@@ -70,7 +70,10 @@ function cellEdit(row: Row, column: GridColumn, text: string | undefined): DataE
   return typeof edit === "string" ? edit : [edit];
 }
 
-/** A text of a spreadsheet as files write it: a decimal comma and capitals of truth values are those of a language. */
+/**
+ * Converts spreadsheet text to the format of data files: a decimal comma and the capitals of truth values depend on the
+ * language.
+ */
 export function plain(text: string, { kind }: Column): string {
   const trimmed = text.trim();
   switch (kind) {
@@ -81,7 +84,7 @@ export function plain(text: string, { kind }: Column): string {
   }
 }
 
-/** All changes of values as one edit. */
+/** Merges all changes of values into one edit. */
 export function merged(edits: readonly DataEdit[]): DataEdit[] {
   const cells: CellChange[] = edits.flatMap((edit) => (edit.kind === "set" ? edit.cells : []));
   const others = edits.filter(({ kind }) => kind !== "set");

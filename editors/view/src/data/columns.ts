@@ -1,4 +1,4 @@
-// The columns of a table: those of every datum, then those of the values.
+// Columns of a table: the common ones, then the columns of values.
 
 import type { Column, DataType, Datum } from "./protocol";
 
@@ -7,7 +7,7 @@ export interface GridColumn {
   title: string;
   unit: string | null;
   kind: "name" | "type" | "access" | "container" | "size" | "value" | "world" | "reach";
-  /** Numbers, at the right. */
+  /** Whether the cells are numbers, which are aligned to the right. */
   isFigure?: boolean;
   /** Index among the columns of a value. */
   value?: number;
@@ -30,7 +30,10 @@ export function hasPose({ columns }: { columns: readonly Column[] }): boolean {
   return columns.some(({ kind }) => kind === "father");
 }
 
-/** The columns of the table of one type, or of all types; cells of values in columns without a title name themselves. */
+/**
+ * Returns the columns of the table for one type, or for all types. Cells in value columns without a title show their
+ * own name.
+ */
 export function gridColumns(shown: DataType | undefined, types: ReadonlyMap<string, DataType>, data: readonly Datum[]): GridColumn[] {
   if (shown !== undefined && shown.fields.length === 0) {
     const values = shown.columns.map(({ id, title, unit, kind }, value): GridColumn => ({ id, title, unit, kind: "value", isFigure: kind === "number", value }));
@@ -41,7 +44,7 @@ export function gridColumns(shown: DataType | undefined, types: ReadonlyMap<stri
   return [NAME, TYPE, ...COMMON, ...values];
 }
 
-/** The largest number of columns of these types and of the types of their fields. */
+/** Returns the largest number of columns among these types and their fields' types. */
 function widest(names: readonly string[], types: ReadonlyMap<string, DataType>): number {
   const seen = new Set<string>();
   const reach = (name: string): void => {

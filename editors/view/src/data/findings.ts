@@ -1,4 +1,4 @@
-// The findings of the file by the cells that show them.
+// Findings in the file by the cells that show them.
 
 import { placeId } from "./place";
 import type { DataFinding, DataTables } from "./protocol";
@@ -14,12 +14,12 @@ export class Findings {
     }
   }
 
-  /** Those of one cell; see `cellId`. */
+  /** Returns the findings of a cell; see `cellId`. */
   of(cell: string): readonly DataFinding[] {
     return this.byCell.get(cell) ?? [];
   }
 
-  /** Those of a datum with all its elements. */
+  /** Returns the findings of a datum with all its elements. */
   below(name: string): readonly DataFinding[] {
     return this.byName.get(name) ?? [];
   }
@@ -38,7 +38,7 @@ function push<Key, Value>(map: Map<Key, Value[]>, key: Key, value: Value): void 
   }
 }
 
-/** All messages as one text. */
+/** Joins all messages. */
 export function messagesOf(findings: readonly DataFinding[]): string {
   return findings.map(({ message, code }) => (code === "" ? message : `${message} (${code})`)).join(" ");
 }

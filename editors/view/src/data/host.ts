@@ -1,4 +1,4 @@
-// The editor around the page: it keeps the file, applies edits and sends the tables.
+// Editor around the page: it stores the file, applies edits and sends the tables.
 
 import type { FromEditor, Requests } from "./protocol";
 
@@ -19,7 +19,7 @@ export class Host {
 
   private constructor(private readonly editor: Editor) {}
 
-  /** Nothing outside of an editor. `take` gets the messages that answer no request. */
+  /** Connects to the editor; `undefined` outside an editor. `take` receives messages that are not responses. */
   static connect(take: (message: EditorMessage) => void): Host | undefined {
     const editor = (window as { acquireVsCodeApi?: () => Editor }).acquireVsCodeApi?.();
     if (editor === undefined) {

@@ -1,11 +1,13 @@
-// The keys of the table.
+// Keys of the table.
 
 import { clear, enter } from "./actions";
 import { contentOf, isTyped } from "./cells";
 import type { DataModel } from "./model";
 import { moved } from "./selection";
 
-/** Handles a key of the table outside of fields. Returns whether it had a meaning. `page`: rows of one screen. */
+/**
+ * Handles a key of the table outside fields, and returns whether it was handled. `page` is the number of visible rows.
+ */
 export function pressed(model: DataModel, event: KeyboardEvent, page: number): boolean {
   const isControl = event.ctrlKey || event.metaKey;
   if (event.altKey) {

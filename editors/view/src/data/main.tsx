@@ -1,4 +1,4 @@
-// The page that shows a data file as tables.
+// Page that shows a data file as tables.
 
 import { effect } from "@preact/signals";
 import { type JSX, render } from "preact";
@@ -65,7 +65,7 @@ function take(model: DataModel, message: EditorMessage): void {
   }
 }
 
-/** Ctrl+F goes to the search, wherever the focus is. */
+/** Moves the focus to the search with Ctrl+F from any element. */
 function searchKeys(event: KeyboardEvent): void {
   if ((event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey && event.key.toLowerCase() === "f") {
     event.preventDefault();
@@ -84,6 +84,6 @@ render(<Page model={model} />, document.body);
 document.addEventListener("keydown", searchKeys);
 model.host = Host.connect((message) => take(model, message));
 effect(() => {
-  // For the button of the editor that opens the text.
+  // For the editor's button that opens the text.
   model.host?.notify("selected", { name: model.activeRow()?.container.name });
 });

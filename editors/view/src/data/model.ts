@@ -1,4 +1,4 @@
-// The state of the page: the tables, what of them is shown, and where the user is.
+// State of the page: the tables, their shown part, and the active cell.
 
 import { computed, type ReadonlySignal, signal, type Signal } from "@preact/signals";
 import { contentOf } from "./cells";
@@ -14,12 +14,12 @@ import { type Filter, matches, matchingKeys, wordsOf } from "./search";
 import { type Rectangle, rectangleOf, type Selection } from "./selection";
 import { type Order, sorted } from "./sorting";
 
-/** The pseudo type of the table with all data. */
+/** Pseudo type of the table with all data. */
 export const ALL = "";
 
 export type Dialog = "add" | "duplicate" | "delete" | "addKey";
 
-/** The cell in which the user types. */
+/** Cell that is being edited. */
 export interface Editing {
   row: string;
   column: string;
@@ -43,14 +43,14 @@ export class DataModel {
   readonly types: ReadonlySignal<ReadonlyMap<string, DataType>> = computed(() => new Map((this.tables.value?.types ?? []).map((type) => [type.name, type])));
   readonly findings = computed(() => new Findings(this.tables.value?.findings));
   readonly shownType = computed(() => this.types.value.get(this.shown.value));
-  /** The reason why nothing can be edited. */
+  /** Reason why nothing can be edited. */
   readonly blocked = computed(() => this.tables.value?.problem ?? undefined);
   private readonly found = computed(() => this.search());
   readonly columns: ReadonlySignal<readonly GridColumn[]> = computed(() => gridColumns(this.shownType.value, this.types.value, this.tables.value?.data ?? []));
   readonly rows: ReadonlySignal<readonly Row[]> = computed(() => this.makeRows());
   private readonly rowIndices = computed(() => new Map(this.rows.value.map(({ id }, index) => [id, index])));
   readonly rectangle: ReadonlySignal<Rectangle | undefined> = computed(() => this.makeRectangle());
-  /** Number of data of each type, all and matching. */
+  /** Number of data by type, total and matching. */
   readonly counts = computed(() => this.count());
 
   take(tables: DataTables): void {
@@ -62,7 +62,7 @@ export class DataModel {
     if (isFirst) {
       this.shown.value = tables.data[0]?.type ?? ALL;
     } else if (before !== undefined && this.rectangle.peek() === undefined) {
-      // The row is gone: another one has its place.
+      // The row was removed: another row is at its index now.
       const column = this.columns.peek().findIndex(({ id }) => id === this.selection.peek()?.active.column);
       this.select(Math.min(before.top, this.rows.peek().length - 1), Math.max(column, 0));
     }
@@ -72,13 +72,13 @@ export class DataModel {
     this.poses.forget();
   }
 
-  /** The indices of a cell. */
+  /** Returns the indices of a cell. */
   positionOf({ row, column }: { row: string; column: string }): { row: number; column: number } | undefined {
     const at = { row: this.rowIndices.value.get(row), column: this.columns.value.findIndex(({ id }) => id === column) };
     return at.row === undefined || at.column < 0 ? undefined : { row: at.row, column: at.column };
   }
 
-  /** The row with the active cell. */
+  /** Returns the row with the active cell. */
   activeRow(): Row | undefined {
     const { row } = this.selection.value?.active ?? {};
     return row === undefined ? undefined : this.rows.value[this.rowIndices.value.get(row) ?? -1];
@@ -88,13 +88,13 @@ export class DataModel {
     return this.columns.value.find(({ id }) => id === this.selection.value?.active.column);
   }
 
-  /** The rows of the selected rectangle. */
+  /** Returns the rows of the selected rectangle. */
   selectedRows(): readonly Row[] {
     const rectangle = this.rectangle.value;
     return rectangle === undefined ? [] : this.rows.value.slice(rectangle.top, rectangle.bottom + 1);
   }
 
-  /** Selects the cell at these indices; `extends` keeps the anchor. */
+  /** Selects the cell at these indices; `isExtended` keeps the anchor. */
   select(row: number, column: number, isExtended = false): void {
     const to = this.rows.value[row];
     const at = this.columns.value[column];
@@ -112,7 +112,7 @@ export class DataModel {
     this.expanded.value = next;
   }
 
-  /** Shows a datum or one of its elements, whatever is filtered. */
+  /** Shows a datum or one of its elements, regardless of filters. */
   reveal(name: string, key?: string): void {
     const datum = this.tables.peek()?.data.find((datum) => datum.name === name);
     if (datum === undefined) {
@@ -127,7 +127,7 @@ export class DataModel {
     this.select(row, 0);
   }
 
-  /** Applies edits. A refusal becomes the notice. */
+  /** Applies edits. If they are rejected, the notice shows the reason. */
   async edit(edits: readonly DataEdit[]): Promise<boolean> {
     return edits.length === 0 || this.settle((host) => host.request("edit", { edits, check: false }));
   }
@@ -136,7 +136,7 @@ export class DataModel {
     return this.settle((host) => host.request("rename", { name, as }));
   }
 
-  /** The answer to edits that are not applied. */
+  /** Checks edits without applying them. */
   async check(edits: readonly DataEdit[]): Promise<EditAnswer> {
     return this.editor().request("edit", { edits, check: true });
   }
@@ -198,7 +198,7 @@ export class DataModel {
     return counts;
   }
 
-  /** The finding of the active cell, and its text in full, for the line below the table. */
+  /** Returns the finding of the active cell, and its full text, for the line below the table. */
   activeText(): { text: string; title: string } {
     const [row, column] = [this.activeRow(), this.activeColumn()];
     if (row === undefined || column === undefined) {

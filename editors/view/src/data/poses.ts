@@ -1,4 +1,4 @@
-// The poses of elements, requested for the rows that are on the screen.
+// Poses of elements, requested for the visible rows.
 
 import { signal } from "@preact/signals";
 import type { Host } from "./host";
@@ -9,24 +9,27 @@ import type { DataPose } from "./protocol";
 const PAUSE = 120;
 
 export class Poses {
-  /** By place. A new map when poses arrive. */
+  /** Poses by data path; a new map after each response. */
   readonly known = signal<ReadonlyMap<string, DataPose>>(new Map());
   private readonly requested = new Set<string>();
   private names: readonly string[] = [];
   private timer: ReturnType<typeof setTimeout> | undefined;
-  /** Grows when the file changes; older answers are outdated. */
+  /** Revision of the file; responses for earlier revisions are ignored. */
   private round = 0;
 
   constructor(private readonly host: () => Host | undefined, private readonly report: (fault: unknown) => void) {}
 
-  /** The file has changed: poses depend on other data, so all are outdated. The old ones are shown until the new ones arrive. */
+  /**
+   * Invalidates all poses after a change of the file, because they depend on other data. The stale poses remain visible
+   * until the new ones arrive.
+   */
   forget(): void {
     this.round += 1;
     this.requested.clear();
     this.show(this.names);
   }
 
-  /** Requests what is not known of these data, when the reader has stopped to scroll. */
+  /** Requests the missing poses of these data when scrolling has stopped. */
   show(names: readonly string[]): void {
     this.names = names;
     clearTimeout(this.timer);
@@ -54,7 +57,7 @@ export function worldText({ world }: DataPose): string {
   return world === null ? "" : world.map((part) => (Number(part.toFixed(1)) + 0).toFixed(1)).join("  ");
 }
 
-/** One word for the cell, and the sentences for its title. */
+/** Returns the text of the cell; the title contains the details. */
 export function reachText({ reach }: DataPose): string {
   return reach === null ? "" : reach === "reachable" ? "reachable" : "out of reach";
 }

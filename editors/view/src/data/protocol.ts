@@ -1,37 +1,40 @@
-// The messages between the page and the editor around it. The tables are those of the request `val3/data`.
+// Messages between the page and the editor around it. The tables are the result of the request `val3/data`.
 
 export interface DataTables {
   version: number | null;
   dialect: "old" | "new";
-  /** The reason why the file cannot be edited as tables. */
+  /** Reason why the file cannot be edited as tables. */
   problem: string | null;
   types: readonly DataType[];
   data: readonly Datum[];
   findings: readonly DataFinding[];
 }
 
-/** New items of a list in place of others. */
+/** Replacement of items in a list. */
 export interface Replacement<Item> {
   start: number;
   deleteCount: number;
   items: readonly Item[];
 }
 
-/** The difference between the tables and those before. */
+/** Difference between the tables and the previous ones. */
 export interface DataChanges {
   version: number | null;
   problem: string | null;
   data: Replacement<Datum>;
-  /** null if the data have all their values. Otherwise the only new datum has some, which replace these of the earlier one. */
+  /**
+   * null if the data contain all their values. Otherwise the only new datum contains some values, which replace these
+   * values of the previous datum.
+   */
   values: { start: number; deleteCount: number } | null;
-  /** null if the findings are not known yet: those before remain. */
+  /** null if the findings are not computed yet: the previous ones remain. */
   findings: Replacement<DataFinding> | null;
 }
 
 export interface DataType {
   name: string;
   columns: readonly Column[];
-  /** Those of a user type, which has no columns. */
+  /** Fields of a user type, which has no columns. */
   fields: readonly FieldType[];
   containers: readonly Container[];
 }
@@ -60,9 +63,9 @@ export interface Datum {
   access: Access;
   type: string;
   container: Container;
-  /** A number for each dimension; of a collection the number of its keys. */
+  /** Sizes by dimension; for a collection the number of keys. */
   size: readonly number[];
-  /** Only the values that the file has; those of a collection are complete. */
+  /** Only the values that the file contains; complete for a collection. */
   values: readonly Value[];
 }
 
@@ -76,7 +79,7 @@ export interface Value {
 export interface Place {
   name: string;
   key?: string;
-  /** The path of fields below the element. */
+  /** Path of fields below the element. */
   within?: readonly Step[];
 }
 
@@ -111,11 +114,11 @@ export type DataEdit =
   | { kind: "removeKey"; place: Place; keys: readonly string[] }
   | { kind: "renameKey"; place: Place; key: string; as: string };
 
-/** The pose of an element, and whether the arm reaches it. */
+/** An element's pose, and whether the arm reaches it. */
 export interface DataPose {
   name: string;
   key: string;
-  /** null if it is not known. */
+  /** null if it is unknown. */
   world: readonly number[] | null;
   chain: string;
   reach: "reachable" | "outOfReach" | null;
@@ -123,7 +126,7 @@ export interface DataPose {
   joints: readonly number[] | null;
 }
 
-/** A use of a datum: the text of its line, and where it is. */
+/** Use of a datum: the text and location of its line. */
 export interface Use {
   name: string;
   file: string;
@@ -134,13 +137,13 @@ export interface Use {
 }
 
 export interface EditAnswer {
-  /** The reason why nothing was changed. */
+  /** Reason why nothing was changed. */
   refused: string | null;
   /** Findings that the edit adds, if it was only checked. */
   findings: readonly DataFinding[];
 }
 
-/** From the editor. */
+/** Messages from the editor. */
 export type FromEditor =
   | { kind: "tables"; tables: DataTables }
   | { kind: "changes"; changes: DataChanges }
@@ -148,7 +151,7 @@ export type FromEditor =
   | { kind: "reveal"; name: string; key?: string }
   | { kind: "answer"; id: number; answer?: unknown; fault?: string };
 
-/** The requests of the page: parameters and answers. */
+/** Requests of the page: parameters and responses. */
 export interface Requests {
   edit: [{ edits: readonly DataEdit[]; check: boolean }, EditAnswer];
   rename: [{ name: string; as: string }, EditAnswer];

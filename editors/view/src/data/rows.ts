@@ -1,20 +1,20 @@
-// The rows of a table: data, and below them their elements and fields as far as they are expanded.
+// Rows of a table: data, and below them their expanded elements and fields.
 
 import { arrayKeys, containerOf, elementOf, fieldOf, placeId, subscript } from "./place";
 import type { Column, DataType, Datum, Place, Value } from "./protocol";
 
 export interface Row {
-  /** The same for as long as the place exists. */
+  /** Constant as long as the data path exists. */
   id: string;
   kind: "datum" | "element" | "field";
   depth: number;
   label: string;
-  /** Of its container if the row has one to resize, else of the element. */
+  /** Path of the container if the row has one that can be resized, otherwise of the element. */
   container: Place;
-  /** The element whose values the row shows; undefined for a container with several. */
+  /** Element whose values the row shows; undefined for a container with several elements. */
   element: Place | undefined;
   datum: Datum;
-  /** The values of that element that the file has. */
+  /** Values of this element that the file contains. */
   value: Value | undefined;
   columns: readonly Column[];
   isExpandable: boolean;
@@ -24,11 +24,11 @@ export interface Row {
 export interface Shape {
   typeOf: (name: string) => DataType | undefined;
   isExpanded: (id: string) => boolean;
-  /** The elements of a container that are shown. */
+  /** Returns the visible elements of a container. */
   shownKeys?: (datum: Datum, container: Place, keys: readonly string[]) => readonly string[];
 }
 
-/** The keys of all elements. */
+/** Returns the keys of all elements. */
 export function keysOf({ container, size, values }: Datum): string[] {
   return container === "collection" ? values.map(({ key }) => key) : arrayKeys(size);
 }
@@ -79,19 +79,19 @@ function fieldRows(fields: readonly Datum[], element: Place, depth: number, shap
   return fields.flatMap((field) => containerRows(field, fieldOf(element, field.name), "field", depth, shape));
 }
 
-/** The fields of a value: those of the file, then those of its type that the file does not mention. */
+/** Returns the fields of a value: the fields in the file, then the other fields of the type. */
 function fieldsOf(value: Value | undefined, type: DataType | undefined): readonly Datum[] {
   const written = value?.fields ?? [];
   const missing = (type?.fields ?? []).filter(({ name }) => !written.some((field) => field.name === name));
   return [...written, ...missing.map((field): Datum => ({ ...field, access: "private", values: [] }))];
 }
 
-/** The key of the element that a row shows. */
+/** Returns the key of the element that a row shows. */
 export function keyOf({ element }: Row): string | undefined {
   return element === undefined ? undefined : (element.within?.at(-1) ?? element).key;
 }
 
-/** The rows that have to be expanded so that a place is visible. */
+/** Returns the rows that must be expanded so that a data path is visible. */
 export function rowsAbove(place: Place): string[] {
   const above: string[] = [];
   const { name, key, within = [] } = place;

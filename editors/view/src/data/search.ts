@@ -1,29 +1,29 @@
-// Which data and elements match the words of a search.
+// Search for data and elements that match words.
 
 import type { Access, Datum, Value } from "./protocol";
 
 export interface Filter {
   text: string;
   access: Access | "all";
-  /** Shows only data with findings. */
+  /** Whether to show only data with findings. */
   isFaultyOnly: boolean;
 }
 
-/** The texts of each datum in lower case, as long as the tables exist. */
+/** Texts by datum in lower case, cached as long as the tables exist. */
 const texts = new WeakMap<Datum, string>();
 
 export function wordsOf(text: string): string[] {
   return text.toLowerCase().split(/\s+/).filter((word) => word !== "");
 }
 
-/** Each word is in the name, a key or a value. */
+/** Whether a datum passes the filter: each word must be in the name, a key or a value. */
 export function matches(datum: Datum, { text, access, isFaultyOnly }: Filter, isFaulty: (name: string) => boolean): boolean {
   const words = wordsOf(text);
   return (access === "all" || datum.access === access) && (!isFaultyOnly || isFaulty(datum.name))
     && (words.length === 0 || hasWords(textOf(datum), words));
 }
 
-/** The elements that a search leaves: all of them if the name alone matches. */
+/** Returns the elements that match a search: all of them if the datum's name already matches. */
 export function matchingKeys(datum: Datum, text: string, keys: readonly string[]): readonly string[] {
   const words = wordsOf(text);
   if (words.length === 0 || hasWords(datum.name.toLowerCase(), words)) {

@@ -1,6 +1,6 @@
-// The active cell and the rectangle from an anchor to it.
+// Active cell, and the rectangle from an anchor to it.
 
-/** By the id of the row, so that it follows the row when rows are sorted, filtered or changed. */
+/** Cell by row id, so that it follows the row when rows are sorted, filtered or changed. */
 export interface CellName {
   row: string;
   column: string;
@@ -27,11 +27,11 @@ export interface Position {
 export interface Extent {
   rows: number;
   columns: number;
-  /** Rows of one page of the screen. */
+  /** Number of visible rows. */
   page: number;
 }
 
-/** The cell to which a key moves; undefined if the key does not move. */
+/** Returns the cell to which a key moves; undefined if the key does not move. */
 export function moved({ row, column }: Position, key: string, isControl: boolean, { rows, columns, page }: Extent): Position | undefined {
   const at = (row: number, column: number): Position => ({ row: clamp(row, rows), column: clamp(column, columns) });
   switch (key) {

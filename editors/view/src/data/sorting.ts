@@ -1,4 +1,4 @@
-// The order of the data of a table by one column.
+// Order of a table's data by one column.
 
 import type { GridColumn } from "./columns";
 import { contentOf } from "./cells";
@@ -12,7 +12,7 @@ export interface Order {
 
 const words = new Intl.Collator("en", { numeric: true });
 
-/** The next order when the heading of a column is pressed: ascending, descending, that of the file. */
+/** Returns the next order after a click on a column heading: ascending, descending, file order. */
 export function nextOrder(order: Order | undefined, column: string): Order | undefined {
   if (order?.column !== column) {
     return { column, isDescending: false };
@@ -20,7 +20,7 @@ export function nextOrder(order: Order | undefined, column: string): Order | und
   return order.isDescending ? undefined : { column, isDescending: true };
 }
 
-/** Data without a value in the column, such as arrays, follow those with one. */
+/** Sorts data. Data without a value in the column, for example arrays, come last. */
 export function sorted(data: readonly Datum[], column: GridColumn | undefined, isDescending: boolean, types: ReadonlyMap<string, DataType>): readonly Datum[] {
   if (column === undefined) {
     return data;

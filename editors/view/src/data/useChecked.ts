@@ -1,22 +1,22 @@
-// Edits that are checked while they are typed.
+// Edits that are checked during typing.
 
 import { useEffect, useState } from "preact/hooks";
 import { messagesOf } from "./findings";
 import type { DataModel } from "./model";
 import type { DataEdit } from "./protocol";
 
-/** Milliseconds without a key before the server is asked. */
+/** Milliseconds without a key before the server is queried. */
 const PAUSE = 200;
 
 export interface Verdict {
-  /** The edit is not possible. */
+  /** Whether the edit is not possible. */
   isRefused: boolean;
   message: string;
 }
 
 const FINE: Verdict = { isRefused: false, message: "" };
 
-/** What is wrong with an edit; a sentence instead of an edit is wrong itself. */
+/** Returns the problem with an edit. A sentence in place of an edit is a problem itself. */
 export function useChecked(model: DataModel, edit: DataEdit | string | undefined): Verdict {
   const [verdict, setVerdict] = useState(FINE);
   const asked = JSON.stringify(edit);

@@ -1,4 +1,4 @@
-// The widths of columns, from the longest texts. Widths that the browser computes would change while rows scroll by.
+// Column widths from the longest texts. Widths computed by the browser would change during scrolling.
 
 import type { GridColumn } from "./columns";
 import type { Column, Datum } from "./protocol";
@@ -7,13 +7,13 @@ import type { Row } from "./rows";
 /** Widths in characters. */
 const NARROWEST = 6;
 const WIDEST = 36;
-/** Of a text that is the only value of a row. */
+/** Largest width for a text that is the only value of a row. */
 const WIDEST_TEXT = 64;
 const FIXED: Partial<Record<GridColumn["kind"], number>> = { access: 8, container: 10, size: 8, world: 44, reach: 13 };
-/** The sign of the order and the space around the text. */
+/** Width of the sort indicator and the space around the text. */
 const SPACE = 3;
 
-/** The width of each column in characters. */
+/** Returns the column widths in characters. */
 export function widthsOf(columns: readonly GridColumn[], rows: readonly Row[]): number[] {
   const values = longestTexts(rows, columns.every(({ kind, title }) => kind !== "value" || title !== ""));
   const widest = columns.filter(({ kind }) => kind === "value").length === 1 ? WIDEST_TEXT : WIDEST;
@@ -32,7 +32,7 @@ function longest(column: GridColumn, rows: readonly Row[], values: readonly numb
   }
 }
 
-/** By the index of the value: its longest text, with the title and the unit of a cell that names itself. */
+/** Returns the longest text by the index of the value, with title and unit for cells that show their own name. */
 function longestTexts(rows: readonly Row[], hasTitles: boolean): number[] {
   const lengths: number[] = [];
   const seen = new Set<Datum>();

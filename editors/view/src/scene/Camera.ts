@@ -1,4 +1,4 @@
-// The camera: orbit, pan and zoom, views along the axes, and following the tool centre point.
+// Camera: orbit, pan and zoom, views along the axes, and following the tool centre point.
 
 import { PerspectiveCamera, Sphere, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -17,7 +17,7 @@ export class Camera {
     this.controls.addEventListener("change", onChange);
   }
 
-  /** Looks at a sphere from the side of a view, or from the present side. */
+  /** Shows a sphere from the direction of a view, or from the present direction. */
   show(sphere: Sphere, view?: ViewName): void {
     const direction = view === undefined ? this.lens.position.clone().sub(this.controls.target) : new Vector3(...VIEWS[view]);
     const half = (this.lens.fov * Math.PI) / 360;
@@ -33,7 +33,7 @@ export class Camera {
     this.controls.update();
   }
 
-  /** Turns by degrees around the target, or comes nearer by a factor. */
+  /** Rotates by degrees around the target, or moves closer by a factor. */
   turn(sideways: number, up: number, factor = 1): void {
     const arm = this.lens.position.clone().sub(this.controls.target).multiplyScalar(factor);
     arm.applyAxisAngle(new Vector3(0, 0, 1), (sideways * Math.PI) / 180);

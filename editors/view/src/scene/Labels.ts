@@ -1,4 +1,4 @@
-// Names over the picture. Those that would cover more important ones, or the buttons and figures, are left out.
+// Names over the drawing. Names that would cover more important names, buttons or figures are omitted.
 
 import { type PerspectiveCamera, Vector3 } from "three";
 
@@ -16,7 +16,7 @@ const HEIGHT = 18;
 export class Labels {
   private readonly pool: HTMLElement[] = [];
 
-  /** The other children of the parent's parent lie over the picture. */
+  /** The other children of the parent's parent are above the drawing. */
   constructor(private readonly parent: HTMLElement) {}
 
   draw(labels: readonly Label[], camera: PerspectiveCamera, canvas: HTMLElement): void {
@@ -30,7 +30,7 @@ export class Labels {
       const wide = label.text.length * 7 + 12;
       const isFree = ([x, y]: readonly [number, number]): boolean => x >= 0 && y >= 0 && x + wide <= width && y + HEIGHT <= height
         && !taken.some(([left, top, right, bottom]) => y < bottom && top < y + HEIGHT && x < right && left < x + wide);
-      // Right of the place, left of it, above and below.
+      // Right of the position, left of it, above and below.
       const free = ([[across + 9, down], [across - 9 - wide, down], [across - wide / 2, down - HEIGHT], [across - wide / 2, down + HEIGHT]] as const).find(isFree);
       if (place.z <= 1 && free !== undefined) {
         this.put(count, label, ...free);
@@ -41,7 +41,7 @@ export class Labels {
     this.pool.slice(count).forEach((element) => (element.hidden = true));
   }
 
-  /** What lies over the picture, in its own coordinates. */
+  /** Returns the areas of elements over the drawing, in its coordinates. */
   private covered(canvas: HTMLElement): Box[] {
     const { left, top } = canvas.getBoundingClientRect();
     const others = [...(this.parent.parentElement?.children ?? [])].filter((element) => element !== this.parent && element !== canvas);

@@ -1,11 +1,11 @@
-// The recorded moves: the way ahead, and the spheres around their corners.
+// Recorded moves: the path ahead, and the spheres around its blends.
 
 import { Color, DoubleSide, InstancedMesh, Matrix4, MeshBasicMaterial, SphereGeometry } from "three";
 import type { CellMotion, QueuedMove } from "../panels/shared/cell";
 import { Lines } from "./lines";
 import { CORNERS, phaseColour } from "./palette";
 
-/** Spheres that are drawn at most. */
+/** Largest number of drawn spheres. */
 const MOST = 256;
 
 type Corner = Pick<QueuedMove, "target" | "leaveDistance" | "reachDistance">;
@@ -21,7 +21,7 @@ export class MotionMarks {
     this.spheres.frustumCulled = false;
   }
 
-  /** Draws the moves. Nothing is done where nothing has changed. */
+  /** Draws the moves if they have changed. */
   place(motion: CellMotion): void {
     if (motion === this.placed) {
       return;
@@ -46,7 +46,7 @@ export class MotionMarks {
   }
 }
 
-/** The spheres in which the arm leaves and reaches the ways between points. */
+/** Returns the spheres in which the arm leaves and reaches the segments between points. */
 export function spheresOf(queue: readonly Corner[]): { at: readonly number[]; radius: number; kind: "leave" | "reach" }[] {
   return queue.flatMap(({ target, leaveDistance, reachDistance }) =>
     ([["leave", leaveDistance], ["reach", reachDistance]] as const).flatMap(([kind, radius]) => (radius !== null && radius > 0 ? [{ at: target, radius, kind }] : [])));

@@ -1,4 +1,4 @@
-// The points of the cell as small solids with names.
+// Points of the cell as small solids with names.
 
 import { Color, InstancedMesh, Matrix4, MeshBasicMaterial, OctahedronGeometry } from "three";
 import { type PointName, pointText } from "../panels/points/edits";
@@ -6,7 +6,7 @@ import type { CellPoint } from "../panels/shared/cell";
 import type { Label } from "./Labels";
 import type { Look } from "./palette";
 
-/** Points that are drawn at most. */
+/** Largest number of drawn points. */
 const MOST = 4000;
 
 export class PointMarks {
@@ -19,7 +19,7 @@ export class PointMarks {
     this.object.frustumCulled = false;
   }
 
-  /** Places the points with a size in mm. Nothing is done where nothing has changed. */
+  /** Places the points with a size in mm if something has changed. */
   place(points: readonly CellPoint[], chosen: PointName | undefined, size: number, look: Look): void {
     const wanted = [points, chosen, size, look];
     if (wanted.every((value, index) => value === this.placed[index])) {

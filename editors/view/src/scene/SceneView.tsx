@@ -1,4 +1,4 @@
-// The picture of the cell with its buttons, its legend, and the selected thing.
+// Drawing of the cell with its buttons, its legend, and the selected object.
 
 import { effect } from "@preact/signals";
 import type { JSX, TargetedPointerEvent } from "preact";
@@ -17,7 +17,7 @@ import "./scene.css";
 
 declare global {
   interface Window {
-    /** The page for its tests. */
+    /** The page, for its tests. */
     val3View?: { store: Store; pose: () => number[]; stats: () => { drawCalls: number; frames: number } };
   }
 }
@@ -110,12 +110,12 @@ function Position({ store, view }: { store: Store; view: Viewport | undefined })
   );
 }
 
-/** The name of a limit of the speed. */
+/** Returns the name of a speed limit. */
 function limitName(store: Store, limit: number | undefined): string | undefined {
   return limit === undefined ? undefined : store.scene.value?.limits[limit];
 }
 
-/** A number without the sign of a rounded zero. */
+/** Formats a number without the sign of a rounded zero. */
 function figure(value: number | undefined, digits: number): string {
   return value === undefined ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 }
@@ -150,7 +150,7 @@ function MeasureText({ ends: [from, to] }: { ends: readonly (readonly number[])[
   return <><strong>{Math.hypot(...way).toFixed(3)} mm</strong> <span>{way.map((value, axis) => `d${"xyz"[axis] ?? ""} ${value.toFixed(3)}`).join("  ")}</span></>;
 }
 
-/** The tool centre point in world at the shown time. */
+/** Returns the tool centre point in world at the shown time. */
 function shownPose(store: Store): number[] {
   const [cell, sample] = [store.scene.peek(), store.panels.cell.sample.peek()];
   return cell && sample ? poseOf(composed(armFrames(cell.arm, frameOf(cell.base), sample.joints).flange, frameOf(sample.tool))) : [];

@@ -1,4 +1,4 @@
-// The picture of the cell. It is drawn only after something has changed.
+// Drawing of the cell. It is updated only after changes.
 
 import { signal } from "@preact/signals";
 import { Box3, Color, Group, type Mesh, PCFShadowMap, Scene, Sphere, Vector3, WebGLRenderer } from "three";
@@ -46,7 +46,7 @@ export class Viewport {
   private floor = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, overlay: HTMLElement, private readonly store: Store) {
-    // Without a graphics card, smooth edges and shadows took 230 of 290 ms for a picture.
+    // Without a graphics card, smooth edges and shadows used 230 of 290 ms for a frame.
     const isPlain = isSoftware();
     this.renderer = new WebGLRenderer({ canvas, antialias: !isPlain, alpha: true });
     this.renderer.shadowMap.enabled = !isPlain;
@@ -68,7 +68,7 @@ export class Viewport {
     this.request();
   }
 
-  /** Builds what does not move. */
+  /** Builds the static parts. */
   build(cell: Cell, isDark: boolean): void {
     this.look = isDark ? DARK : LIGHT;
     this.faults.value = [];
@@ -93,7 +93,7 @@ export class Viewport {
     this.update();
   }
 
-  /** Places everything that depends on the shown time or the selection. */
+  /** Places all objects that depend on the shown time or the selection. */
   update(): void {
     const { cell, store } = this;
     if (cell === undefined) {
@@ -137,7 +137,7 @@ export class Viewport {
     this.camera.show(box.getBoundingSphere(new Sphere()), view);
   }
 
-  /** The arm, or the floor, at a place of the canvas. */
+  /** Returns the position on the arm or the floor at a location of the canvas. */
   surfaceAt(x: number, y: number): readonly number[] | undefined {
     return surfaceAt(this.floor, x, y, [this.canvas.clientWidth, this.canvas.clientHeight], this.camera.lens, this.arm?.group);
   }

@@ -1,4 +1,4 @@
-// The shape of an arm from the chain of its links: one mesh for each link.
+// Shape of an arm from its chain of links: one mesh per link.
 
 import { type BufferGeometry, CylinderGeometry, Group, LatheGeometry, Mesh, MeshStandardMaterial, SphereGeometry, Vector2, Vector3 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
@@ -46,7 +46,7 @@ export class ArmShape {
     });
   }
 
-  /** A part with the shape of its file, or as a solid without one. */
+  /** Creates a part with the shape in its file, or as a solid without a file. */
   private part(name: string, shape: LinkShape | null | undefined, solid: () => Mesh): Group {
     const group = new Group();
     if (shape) {
@@ -80,7 +80,7 @@ export class ArmShape {
     return [coloured(new LatheGeometry(outline, 48).rotateX(Math.PI / 2).translate(0, 0, floor), this.look.joint)];
   }
 
-  /** The joint of a link, and its body up to the next joint. */
+  /** Returns the joint of a link, and its body up to the next joint. */
   private link(radii: readonly number[], index: number): BufferGeometry[] {
     const { arm } = this;
     const radius = radii[index] ?? 30;

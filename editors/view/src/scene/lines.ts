@@ -1,4 +1,4 @@
-// Lines of several pixels, all of one kind in one buffer.
+// Lines with a width of several pixels, all with the same properties in one buffer.
 
 import { InstancedInterleavedBuffer, InterleavedBufferAttribute } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -29,7 +29,7 @@ export class Lines {
     this.show();
   }
 
-  /** Uploads what has changed, and shows everything. */
+  /** Uploads the changes, and shows all segments. */
   show(): void {
     const { segments, object } = this;
     if (this.shown !== segments.positions) {
@@ -50,7 +50,7 @@ export class Lines {
     object.visible = segments.count > 0;
   }
 
-  /** A geometry for arrays that have grown. */
+  /** Creates the geometry again after the arrays have grown. */
   private renew(): void {
     const { positions, colours } = this.segments;
     const geometry = new LineSegmentsGeometry();

@@ -1,4 +1,4 @@
-// The shape of a link from a file: STL in mm with z up, glTF in m with y up.
+// Shape of a link from a file: STL in mm with z up, glTF in m with y up.
 
 import { DoubleSide, Group, Mesh, MeshStandardMaterial, type Object3D } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
@@ -7,7 +7,7 @@ import type { LinkShape } from "../protocol";
 
 const METRE = 1000;
 
-/** Reads a shape in the frame of its link, in mm with z up. STL files have no colours of their own. */
+/** Reads a shape in the frame of its link, in mm with z up. STL files contain no colours. */
 export async function readShape({ format, data }: LinkShape, colour: number): Promise<Object3D> {
   const bytes = Uint8Array.from(atob(data), (character) => character.charCodeAt(0)).buffer;
   const shape = format === "stl" ? stl(bytes, colour) : await glb(bytes);

@@ -1,4 +1,4 @@
-// Colours of the picture. Those of the phases differ with every kind of colour blindness (Okabe and Ito).
+// Colours of the drawing. The colours of phases are distinguishable with all kinds of colour blindness (Okabe and Ito).
 
 export interface Look {
   body: number;
@@ -34,7 +34,10 @@ export function css(colour: number): string {
   return `#${colour.toString(16).padStart(6, "0")}`;
 }
 
-/** Spheres in which a queued move leaves the way before its target, and reaches the next way. No phase has these colours. */
+/**
+ * Spheres in which a queued move leaves its segment before the target and reaches the next segment. No phase has these
+ * colours.
+ */
 export const CORNERS = { leave: 0xf0e442, reach: 0x7a4fbf } as const;
 
 /** Colours of the axes x, y and z. */

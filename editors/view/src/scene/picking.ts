@@ -1,4 +1,4 @@
-// The point or piece of the path at a place of the picture.
+// Finds the point or path piece at a location in the drawing.
 
 import { type Object3D, type PerspectiveCamera, Plane, Raycaster, Vector2, Vector3 } from "three";
 import type { CellPoint } from "../panels/shared/cell";
@@ -8,7 +8,7 @@ const UP = new Vector3(0, 0, 1);
 
 export type Picked = { at: readonly number[] } & ({ point: CellPoint } | { piece: Piece; t: number });
 
-/** Distance in pixels at which something is still hit. */
+/** Largest distance in pixels at which something is hit. */
 const NEAR = 10;
 
 export function pick(x: number, y: number, size: readonly [number, number], camera: PerspectiveCamera, points: readonly CellPoint[], trail: Trail): Picked | undefined {
@@ -41,13 +41,13 @@ export function pick(x: number, y: number, size: readonly [number, number], came
   return found;
 }
 
-/** The share of the way between two places of the picture that is nearest to a third one. */
+/** Returns the fraction of the segment between two locations that is nearest to a third one. */
 export function nearestShare([ax, ay]: readonly [number, number], [bx, by]: readonly [number, number], [x, y]: readonly [number, number]): number {
   const square = (bx - ax) ** 2 + (by - ay) ** 2;
   return square > 0 && square < Infinity ? Math.min(Math.max(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square, 0), 1) : 0;
 }
 
-/** The nearest place of a solid thing, or of the floor at its height, for measuring where no point is. */
+/** Returns the nearest position on a solid, or on the floor at its height, for measurements where no point is. */
 export function surfaceAt(floor: number, x: number, y: number, [width, height]: readonly [number, number], camera: PerspectiveCamera, solid: Object3D | undefined): readonly number[] | undefined {
   const ray = new Raycaster();
   ray.setFromCamera(new Vector2((x / width) * 2 - 1, 1 - (y / height) * 2), camera);

@@ -1,6 +1,6 @@
 // Coloured segments in two arrays that grow.
 
-/** Numbers of a segment: its start and its end. */
+/** Numbers per segment: its start and its end. */
 export const SIZE = 6;
 
 export type Colour = readonly [r: number, g: number, b: number];
@@ -9,7 +9,7 @@ export class Segments {
   positions = new Float32Array(64 * SIZE);
   colours = new Float32Array(64 * SIZE);
   count = 0;
-  /** The first segment that has changed since `changed` was last set to the count. */
+  /** First segment that has changed since `changed` was last set to the count. */
   changed = 0;
 
   add(from: ArrayLike<number>, to: ArrayLike<number>, [r, g, b]: Colour): void {
@@ -41,7 +41,7 @@ export class Segments {
     this.changed = 0;
   }
 
-  /** The start, the end and the colour of a segment. */
+  /** Returns the start, the end and the colour of a segment. */
   at(index: number): readonly [Float32Array, Float32Array, Colour] {
     const at = index * SIZE;
     const { positions, colours } = this;

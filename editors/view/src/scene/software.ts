@@ -1,6 +1,6 @@
-// Pictures without a graphics card, as in virtual machines and remote desktops.
+// Drawing without a graphics card, as in virtual machines and remote desktops.
 
-/** Whether the processor draws the pictures of this browser. */
+/** Whether this browser draws in software. */
 export function isSoftware(): boolean {
   const context = document.createElement("canvas").getContext("webgl2");
   const names = context?.getExtension("WEBGL_debug_renderer_info");

@@ -1,9 +1,9 @@
-// The room around the arm: light, floor and grid.
+// Surroundings of the arm: light, floor and grid.
 
 import { DirectionalLight, GridHelper, Group, HemisphereLight, Mesh, PlaneGeometry, ShadowMaterial } from "three";
 import type { Look } from "./palette";
 
-/** `length` is that of the arm, and `height` that of the floor. */
+/** `length` is the length of the arm, `height` the height of the floor. */
 export function stage(look: Look, length: number, height: number, isDark: boolean): Group {
   const group = new Group();
   const sun = new DirectionalLight(0xffffff, isDark ? 2 : 2.4);

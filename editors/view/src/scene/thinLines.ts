@@ -1,4 +1,4 @@
-// Lines of one pixel: hundred thousands of them are drawn quickly.
+// Lines with a width of one pixel, of which hundreds of thousands are drawn quickly.
 
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from "three";
 import { Segments, SIZE } from "./segments";
@@ -12,7 +12,7 @@ export class ThinLines {
     this.object.frustumCulled = false;
   }
 
-  /** Uploads what has changed, and shows the first segments. */
+  /** Uploads the changes, and shows the first segments. */
   show(count: number): void {
     const { segments, object: { geometry } } = this;
     if (this.shown !== segments.positions) {

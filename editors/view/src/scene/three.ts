@@ -1,4 +1,4 @@
-// Small conversions between poses and three.js.
+// Conversions between poses and three.js.
 
 import { type BufferGeometry, Color, CylinderGeometry, Float32BufferAttribute, Matrix4, Quaternion, Vector3 } from "three";
 import type { Frame } from "../panels/pendant/pose";
@@ -7,7 +7,7 @@ export function matrixOf({ position: [x, y, z], rotation: [[a, b, c], [d, e, f],
   return new Matrix4().set(a, b, c, x, d, e, f, y, g, h, i, z, 0, 0, 0, 1);
 }
 
-/** A geometry with one colour at all its corners, so that parts of several colours are one mesh. */
+/** Sets the same colour at every corner of a geometry, so that parts with several colours are one mesh. */
 export function coloured(geometry: BufferGeometry, colour: number): BufferGeometry {
   const { r, g, b } = new Color(colour);
   const count = geometry.getAttribute("position").count;
@@ -15,7 +15,7 @@ export function coloured(geometry: BufferGeometry, colour: number): BufferGeomet
   return geometry;
 }
 
-/** A cone stump between two positions. */
+/** Returns a truncated cone between two positions. */
 export function rod(from: Vector3, to: Vector3, start: number, end: number): BufferGeometry {
   const way = to.clone().sub(from);
   const geometry = new CylinderGeometry(end, start, way.length(), 40);

@@ -1,4 +1,4 @@
-// The path that the tool centre point has travelled, coloured by phases.
+// Path that the tool centre point has travelled, coloured by phase.
 
 import { Color } from "three";
 import { armFrames, type Chain } from "../kinematics";
@@ -10,29 +10,29 @@ import { phaseColour } from "./palette";
 import type { Colour, Segments } from "./segments";
 import { ThinLines } from "./thinLines";
 
-/** A straight piece of one line and phase, which lasts at most so long in s, is within this distance of the path in mm. */
+/** Limits of a straight piece with the same line and phase: duration in s, and distance from the path in mm. */
 const LONGEST = 0.2;
 const NEAR = 0.2;
 
-/** Pieces that are drawn at most. The oldest half is left out then. */
+/** Largest number of drawn pieces. Above it the oldest half is omitted. */
 const MOST = 60_000;
 
 /**
- * Pieces before the shown time that are drawn as wide lines. Without a graphics card, ten minutes of motion as wide lines
- * took 490 ms for a picture, and 60 ms with thin ones.
+ * Number of pieces before the shown time that are drawn as wide lines. Without a graphics card, ten minutes of motion
+ * needed 490 ms per frame as wide lines, and 60 ms with thin lines.
  */
 const WIDE = 800;
 
 type Position = readonly [number, number, number];
 
-/** A straight piece of the path, from one time to another. */
+/** Straight piece of the path, from one time to another. */
 export interface Piece {
   from: number;
   t: number;
   source: number | undefined;
   phase: number;
   speed: number;
-  /** The limit of the speed, an index into `limits` of the scene. */
+  /** Speed limit, an index into `limits` of the scene. */
   limit: number;
 }
 
@@ -41,16 +41,16 @@ export class Trail {
   private readonly recent = new Lines({ width: 2.6 });
   readonly objects = [this.all.object, this.recent.object];
   readonly segments: Segments = this.all.segments;
-  /** The number of pieces that are shown as a whole. */
+  /** Number of completely shown pieces. */
   shown = 0;
   private readonly pieces: Piece[] = [];
   private phases: readonly string[] = [];
   private taken = 0;
   private last: { sample: Sample; position: Position } | undefined;
-  /** The positions that the last piece stands for. */
+  /** Positions that the last piece represents. */
   private straight: Position[] = [];
 
-  /** Follows the samples; `toolOf` gives the tool of an index. */
+  /** Adds the new samples. `toolOf` returns the tool for an index. */
   follow(samples: Samples, arm: Chain, base: Frame, phases: readonly string[], toolOf: (index: number) => readonly number[]): void {
     this.phases = phases;
     if (samples.count < this.taken) {
@@ -132,7 +132,7 @@ function distance(from: Position, to: Position): number {
   return Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
 }
 
-/** Whether all positions are near the line between two. */
+/** Whether all positions are near the line between two positions. */
 function isStraight(from: Position, to: Position, between: readonly Position[]): boolean {
   const way = [to[0] - from[0], to[1] - from[1], to[2] - from[2]] as const;
   const square = way[0] ** 2 + way[1] ** 2 + way[2] ** 2;

@@ -6,7 +6,7 @@ import { isDark } from "../look";
 import { type Group, groupOf } from "../panels/tasks/eventText";
 import type { Store } from "../store";
 
-/** Rows of marks from the top, with their colours on light and on dark. */
+/** Rows of marks from the top, with their colours in the light and in the dark look. */
 const KINDS: readonly (readonly [Group, string, string])[] = [["moves", "#0072b2", "#56b4e9"], ["messages", "#57616c", "#a6b0bc"], ["errors", "#c03a00", "#ff8a4c"]];
 const HEIGHT = 12;
 
@@ -26,7 +26,7 @@ function draw(canvas: HTMLCanvasElement, store: Store, [start, end]: readonly [n
   const width = canvas.clientWidth;
   canvas.width = width;
   const brush = canvas.getContext("2d");
-  // One mark for each pixel, however many events there are.
+  // One mark per pixel, even for many events.
   const drawn = new Set<number>();
   for (const event of store.panels.cell.history.events) {
     const row = KINDS.findIndex(([group]) => group === groupOf(event));

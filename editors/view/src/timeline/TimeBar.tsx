@@ -1,4 +1,4 @@
-// The time that the page shows: pause, single cycle, speed, and everything that has happened.
+// Shown time: pause, single cycle, speed, and the entire history.
 
 import type { JSX } from "preact";
 import { useEffect, useMemo } from "preact/hooks";

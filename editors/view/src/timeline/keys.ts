@@ -1,4 +1,4 @@
-// Keys of the time, wherever no control of the page uses them.
+// Keys for the time, if no control of the page uses them.
 
 export interface TimeKeys {
   toggle: () => void;
@@ -21,7 +21,7 @@ export function listen(keys: TimeKeys): () => void {
   return () => window.removeEventListener("keydown", press);
 }
 
-/** Does what a key says; false for other keys. */
+/** Executes the action of a key; returns false for other keys. */
 export function take({ key, shiftKey }: { key: string; shiftKey: boolean }, keys: TimeKeys): boolean {
   const step = shiftKey ? 0.1 : 0.004;
   switch (key) {

@@ -1,9 +1,9 @@
-// Plays what has happened: the shown time advances with the clock of the reader.
+// Plays the history: the shown time advances with the user's clock.
 
 import { signal } from "@preact/signals";
 import type { Store } from "../store";
 
-/** Seconds in which the highest speed shows everything. */
+/** Seconds in which the highest speed plays the entire history. */
 const SHORTEST = 2;
 
 export class Player {

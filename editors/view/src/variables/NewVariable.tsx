@@ -1,17 +1,17 @@
-// The row in which a variable is added.
+// Row in which a variable is added.
 
 import type { JSX } from "preact";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { literalOf } from "./edits";
 import type { List } from "./model";
 
-/** A variable that is not declared yet. */
+/** Variable that is not declared yet. */
 export interface Draft {
   name: string;
   type: string;
-  /** The passing of a parameter, the size of a local. */
+  /** Passing of a parameter, or size of a local. */
   shape: string;
-  /** The expression that callers pass. */
+  /** Expression that callers pass. */
   argument: string;
 }
 
@@ -19,7 +19,7 @@ interface NewVariableProps {
   list: List;
   types: string[];
   shapes: string[] | undefined;
-  /** The identifier of the message about it, if there is one. */
+  /** Identifier of the message about it, if there is one. */
   fault: string | undefined;
   onAdd: (draft: Draft) => void;
   onCancel: () => void;

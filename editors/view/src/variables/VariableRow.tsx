@@ -1,14 +1,14 @@
-// A row of a table: the fields of a variable, its uses, and the buttons that move or remove it.
+// Row of a table: the fields of a variable, its uses, and the buttons that move or remove it.
 
 import type { JSX } from "preact";
 import { ChoiceField, TextField } from "./fields";
 import type { List, VariablesModel } from "./model";
 
-/** What a row does when the user changes something. The results are whether it was done. */
+/** Actions of a row when the user changes something. The results are whether the change was applied. */
 export interface RowActions {
   rename: (name: string) => Promise<boolean>;
   retype: (type: string) => Promise<boolean>;
-  /** The last of the fields: passing of a parameter, size of a local. */
+  /** The last field: passing of a parameter, or size of a local. */
   reshape: (shape: string) => Promise<boolean>;
   move: (by: number) => void;
   remove: () => void;
@@ -22,7 +22,7 @@ interface RowProps {
   name: string;
   type: string;
   types: string[];
-  /** The passing of a parameter, with its choices; the size of a local. */
+  /** Passing of a parameter, with its choices, or size of a local. */
   shape: string;
   shapes: string[] | undefined;
   uses: number;
@@ -73,12 +73,12 @@ const ACTIONS: Record<string, (actions: RowActions) => void> = {
   Delete: ({ remove }) => remove(),
 };
 
-/** A reason of the server, with a capital and a full stop. */
+/** Formats a reason from the server, with a capital letter and a full stop. */
 export function sentence(reason: string): string {
   return (reason.charAt(0).toUpperCase() + reason.slice(1)).replace(/[^.]$/, "$&.");
 }
 
-/** The reason why an edit of the row above was refused. */
+/** Shows the reason why an edit of the row above was rejected. */
 export function Reason({ id, reason }: { id: string | undefined; reason: string }): JSX.Element {
   return (
     <tr role="row" class="reason">
@@ -96,7 +96,7 @@ interface RowButtonProps {
   onPress: () => void;
 }
 
-/** A button that keeps the focus when it does nothing. */
+/** Button that keeps the focus while it is disabled. */
 function RowButton({ field, label, keys, sign, reason, onPress }: RowButtonProps): JSX.Element {
   const press = (): void => (reason === undefined ? onPress() : undefined);
   return (

@@ -1,4 +1,4 @@
-// The table of the parameters, or of the locals.
+// Table of the parameters or of the locals.
 
 import type { ComponentChildren, JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
@@ -11,12 +11,12 @@ interface TableProps {
   list: List;
   types: string[];
   shapes: string[] | undefined;
-  /** The number of rows, after which a new one follows. */
+  /** Number of rows; a row for a new variable follows. */
   count: number;
-  /** Why nothing can be added. */
+  /** Reason why nothing can be added. */
   fixed: string | null;
   children: ComponentChildren;
-  /** Adds a variable. The result is whether it was added. */
+  /** Adds a variable, and returns whether it was added. */
   onAdd: (draft: Draft) => Promise<boolean>;
 }
 

@@ -1,4 +1,4 @@
-// The page: the parameters and the locals of a program.
+// Page with the parameters and locals of a program.
 
 import type { JSX } from "preact";
 import { useLayoutEffect } from "preact/hooks";
@@ -31,7 +31,7 @@ export function VariablesPage({ model }: { model: VariablesModel }): JSX.Element
 
 const NO_NAME = "a new variable needs a name";
 
-/** The field that has moved with its row keeps the focus. */
+/** Keeps the focus in the field that has moved with its row. */
 function restoreFocus(model: VariablesModel): void {
   const { focus } = model;
   model.focus = undefined;
@@ -46,13 +46,13 @@ function refuse(model: VariablesModel, row: Row, reason: string): Promise<boolea
   return Promise.resolve(false);
 }
 
-/** The field that has the focus now, in another row. */
+/** Returns the field that has the focus now, in another row. */
 function focusIn(row: Row): Focus {
   const field = document.activeElement?.getAttribute("data-field") ?? "name";
   return { ...row, field };
 }
 
-/** Moves and removals, which parameters and locals have in common. */
+/** Returns move and remove, which parameters and locals have in common. */
 function actionsOf<Entry>(model: VariablesModel, row: Row, list: Entry[], edits: (list: Entry[]) => Edits): Pick<RowActions, "move" | "remove"> {
   const move = (by: number): void => {
     const index = row.index + by;

@@ -1,4 +1,4 @@
-// The complete lists that an edit of one row leaves.
+// Complete lists after an edit of one row.
 
 import type { Local, LocalEdit, Parameter, ParameterEdit } from "./messages";
 
@@ -10,12 +10,12 @@ export function keptLocals(locals: Local[]): LocalEdit[] {
   return locals.map(({ name, type, size }, from) => ({ from, name, type, size }));
 }
 
-/** The list with another entry at `index`. */
+/** Returns the list with a changed entry at `index`. */
 export function replaced<Entry>(list: Entry[], index: number, change: Partial<Entry>): Entry[] {
   return list.map((entry, at) => (at === index ? { ...entry, ...change } : entry));
 }
 
-/** The list with an entry at another place; nothing if there is no such place. */
+/** Returns the list with an entry moved to another index; `undefined` if that index does not exist. */
 export function moved<Entry>(list: Entry[], index: number, to: number): Entry[] | undefined {
   if (to < 0 || to >= list.length) {
     return undefined;
@@ -28,7 +28,7 @@ export function removed<Entry>(list: Entry[], index: number): Entry[] {
   return list.filter((_, at) => at !== index);
 }
 
-/** What callers can pass for a new parameter of a type; empty if there is no literal. */
+/** Returns the literal that callers can pass for a new parameter of a type; empty if there is no literal. */
 export function literalOf(type: string): string {
   const literals: Record<string, string> = { num: "0", bool: "false", string: '""' };
   return literals[type] ?? "";

@@ -1,14 +1,14 @@
-// Fields of a table. What is typed counts with Enter or when the field is left, Escape takes it back.
+// Fields of a table. Typed text is applied with Enter or when the field loses the focus; Escape reverts it.
 
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 interface FieldProps {
-  /** The column, for the focus. */
+  /** Column, for the focus. */
   field: string;
   label: string;
   value: string;
-  /** The identifier of the message at the row, if it is about this field. */
+  /** Identifier of the message at the row, if it is about this field. */
   fault?: string | undefined;
   onCommit: (value: string) => Promise<boolean>;
   onRevert: () => void;

@@ -1,4 +1,4 @@
-// How a parameter is stored and passed, as one choice.
+// Storage and passing of a parameter as a single choice.
 
 import type { Container, Parameter, Passing } from "./messages";
 
@@ -6,7 +6,7 @@ type Shape = Pick<Parameter, "container" | "dimensions" | "passing">;
 
 const shape = (container: Container, passing: Passing, dimensions = 1): Shape => ({ container, dimensions, passing });
 
-/** The choices, by their names. */
+/** Choices by name. */
 const KINDS: Record<string, Shape> = {
   "value": shape("element", "value"),
   "reference": shape("element", "reference"),
@@ -16,7 +16,9 @@ const KINDS: Record<string, Shape> = {
   "collection": shape("collection", "reference"),
 };
 
-/** The choices in a program; one of s5 or s6 does not distinguish an element by reference from an array. */
+/**
+ * Returns the choices in a program. A program of s5 or s6 does not distinguish an element by reference from an array.
+ */
 export function kinds(isOld: boolean): string[] {
   return isOld ? ["value", "reference"] : Object.keys(KINDS);
 }

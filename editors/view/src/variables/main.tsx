@@ -1,4 +1,4 @@
-// The parameters and locals of the program in the editor, for the view "Variables".
+// Parameters and locals of the program in the editor, for the view "Variables".
 
 import { render } from "preact";
 import type { FromPage, ToPage } from "./messages";

@@ -28,15 +28,15 @@ export interface Variables {
   locals: Local[];
   types: string[];
   isOld: boolean;
-  /** Why the program cannot have other parameters. */
+  /** Reason why the parameters cannot be changed. */
   fixed: string | null;
 }
 
-/** A parameter of the list after an edit. */
+/** Parameter in the list after an edit. */
 export interface ParameterEdit extends Omit<Parameter, "uses"> {
-  /** The index that it had; missing for a new one. */
+  /** Previous index; absent for a new parameter. */
   from?: number;
-  /** The expression that callers pass for a new one. */
+  /** Expression that callers pass for a new parameter. */
   argument?: string;
 }
 

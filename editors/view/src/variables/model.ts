@@ -1,4 +1,4 @@
-// The variables on the page, and the edit that is under way.
+// Variables on the page, and the current edit.
 
 import { signal } from "@preact/signals";
 import type { Edits, FromPage, ToPage, Variables } from "./messages";
@@ -6,18 +6,18 @@ import type { Edits, FromPage, ToPage, Variables } from "./messages";
 /** The two tables. */
 export type List = "parameters" | "locals";
 
-/** A row of a table; the one after the last is that of a new variable. */
+/** Row of a table. The row after the last one is for a new variable. */
 export interface Row {
   list: List;
   index: number;
 }
 
-/** Why the last edit was refused. */
+/** Reason why the last edit was rejected. */
 export interface Refusal extends Row {
   reason: string;
 }
 
-/** A field that gets the focus when the tables are drawn again. */
+/** Field that gets the focus when the tables are drawn again. */
 export interface Focus extends Row {
   field: string;
 }
@@ -48,7 +48,9 @@ export class VariablesModel {
     }
   }
 
-  /** Asks for an edit of a row. The result is whether it was made; `focus` is the field that has the focus then. */
+  /**
+   * Requests an edit of a row, and returns whether it was applied. `focus` is the field that gets the focus afterwards.
+   */
   edit(row: Row, edits: Edits, focus?: Focus): Promise<boolean> {
     const variables = this.variables.peek();
     if (variables === null) {

@@ -1,10 +1,10 @@
-// The size of a local: `3`, or `3 x 4` for two dimensions.
+// Size of a local: `3`, or `3 x 4` for two dimensions.
 
 export function shownSize(size: number[]): string {
   return size.join(" x ");
 }
 
-/** The numbers of a size; nothing if it is none. */
+/** Parses a size; `undefined` if it is not a size. */
 export function readSize(text: string): number[] | undefined {
   const parts = text.trim().split(/\s*[x,*;\s]\s*/i);
   const numbers = parts.map((part) => (/^\d{1,9}$/.test(part) ? Number(part) : NaN));

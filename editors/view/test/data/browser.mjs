@@ -1,5 +1,6 @@
-// The tables in a browser: keyboard, clipboard, checks while typing, axe-core, and screenshots in three looks.
-// Arguments: the folder of playwright-core, and optionally a folder for screenshots. VAL3_CHROMIUM names another browser.
+// The tables in a browser: keyboard, clipboard, checks during typing, axe-core, and screenshots in three looks.
+// Arguments: the folder of playwright-core, and optionally a folder for screenshots. VAL3_CHROMIUM names another
+// browser.
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -92,7 +93,7 @@ await page.keyboard.type("1");
 await keys(page, "Tab");
 await page.waitForFunction(() => document.querySelector("td.active").dataset.column === "5");
 assert.deepEqual((await sent(page, "edit")).at(-1).edits[0].cells[0].text, "1", "F2 selects the text");
-// A rectangle is copied and pasted elsewhere; only cells that change are written.
+// A rectangle is copied and pasted elsewhere; only changed cells are written.
 await keys(page, "Home", "Control+Home", "ArrowRight", "ArrowRight", "ArrowRight", "ArrowRight", "Shift+ArrowDown", "Shift+ArrowRight", "Control+C");
 assert.equal(await page.evaluate(() => navigator.clipboard.readText()), "0\t0\n1\t37");
 await keys(page, "ArrowDown", "ArrowDown", "ArrowLeft", "Control+V");
@@ -130,7 +131,7 @@ await keys(page, "Insert");
 await page.keyboard.type("sNew");
 await keys(page, "Enter");
 await page.waitForFunction(() => document.querySelector("td.active")?.textContent.includes("sNew"));
-// The type of hostile width: a file that cannot be edited says so.
+// A file that cannot be edited shows the reason.
 await page.evaluate((tables) => globalThis.postMessage({ kind: "tables", tables }), { ...tables(), problem: "Line 7 has a syntax error." });
 await page.waitForSelector(".problem");
 await page.locator("[role=treegrid]").focus();

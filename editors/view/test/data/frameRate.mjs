@@ -1,5 +1,5 @@
-// Times between frames while tables of 10,000 rows scroll, in software rendering.
-// Arguments: the folder of playwright-core, and optionally the number of rows.
+// Times between frames while tables with 10,000 rows scroll, in software rendering. Arguments: the folder of
+// playwright-core, and optionally the number of rows.
 import { createRequire } from "node:module";
 import { fakeEditor, PAGE, tables } from "./sample.mjs";
 
@@ -18,7 +18,7 @@ await page.goto(PAGE);
 await page.waitForSelector("tbody tr:nth-child(20)");
 console.log(`first picture: ${Date.now() - opened} ms`);
 
-/** Scrolls by this number of pixels a frame. Returns the times between frames in ms, sorted. */
+/** Scrolls by this number of pixels per frame. Returns the times between frames in ms, sorted. */
 const scroll = (pixels) => page.evaluate(([pixels, seconds]) => new Promise((resolve) => {
   const [box, times, start] = [document.querySelector(".grid"), [], performance.now()];
   let before = start;
@@ -35,7 +35,7 @@ const scroll = (pixels) => page.evaluate(([pixels, seconds]) => new Promise((res
   requestAnimationFrame(frame);
 }), [pixels, SECONDS]);
 
-/** Seconds of work of the page so far, whatever else the machine does. */
+/** Returns the seconds of work by the page so far, independent of other load on the machine. */
 async function work() {
   const { metrics } = await devtools.send("Performance.getMetrics");
   const named = metrics.filter(({ name }) => ["ScriptDuration", "LayoutDuration", "RecalcStyleDuration", "TaskDuration"].includes(name));

@@ -1,4 +1,4 @@
-// A made-up data file as tables, and an editor around the page that applies simple edits to them.
+// An invented data file as tables, and an editor around the page that applies simple edits to them.
 import { pathToFileURL } from "node:url";
 
 const column = (id, kind = "number", more = {}) => ({ id, title: id, unit: null, kind, choices: [], default: kind === "number" ? "0" : "", ...more });
@@ -40,7 +40,7 @@ export function tables({ points = 6, elements = 3 } = {}) {
   };
 }
 
-/** Runs in the page, before its script: answers its requests as the server would for single values. */
+/** Runs in the page, before its script: responds to its requests like the server does for single values. */
 export function fakeEditor(initial) {
   let tables = initial;
   globalThis.sent = [];

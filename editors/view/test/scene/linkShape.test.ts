@@ -8,10 +8,10 @@ function size(shape: Object3D): number[] {
   return [...min.toArray(), ...max.toArray()].map((value) => Math.round(value * 1000) / 1000);
 }
 
-/** One triangle. */
+/** A triangle. */
 const STL = "solid link\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 10 0 0\nvertex 0 20 30\nendloop\nendfacet\nendsolid link\n";
 
-/** A glTF file with the triangle of these corners. */
+/** Returns a glTF file with a triangle. */
 function glb(corners: readonly number[]): string {
   const positions = Buffer.from(new Float32Array(corners).buffer);
   const json = JSON.stringify({

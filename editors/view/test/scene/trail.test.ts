@@ -13,7 +13,7 @@ const ARM = {
   flange: [0, 0, 0, 0, 0, 0],
 };
 
-/** Samples of 4 ms with joints and a phase. */
+/** Returns samples at intervals of 4 ms with joints and a phase. */
 function samples(list: readonly (readonly [number, number, number])[]): Samples {
   const size = 8 + 16 + 8 + 4 + 4 + 1;
   const view = new DataView(new ArrayBuffer(8 + list.length * size));
@@ -59,7 +59,7 @@ void test("every sample is near the pieces", () => {
   }
 });
 
-/** The distance of a position from a segment. */
+/** Returns the distance of a position from a segment. */
 function distance(from: readonly number[], to: readonly number[], position: readonly number[]): number {
   const [way, off] = [to, position].map((end) => new Vector3(...end).sub(new Vector3(...from))) as [Vector3, Vector3];
   const share = Math.min(Math.max(off.dot(way) / Math.max(way.lengthSq(), 1e-12), 0), 1);

@@ -1,4 +1,4 @@
-// From a program file to its code view and back, with the cursor where it was.
+// Switches between a program file and its code view, and keeps the cursor position.
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
@@ -22,7 +22,7 @@ export function registerCodeView(views: CodeFiles, walkthrough: Walkthrough): vs
   ];
 }
 
-/** An item of the view "VAL 3" for a program. */
+/** Item of the view "VAL 3" for a program. */
 interface TreeNode {
   item: vscode.TreeItem;
 }
@@ -48,7 +48,7 @@ async function openCode(target?: vscode.Uri | TreeNode): Promise<boolean> {
   return index !== undefined;
 }
 
-/** The program in the editor, or else one that the user picks. */
+/** Returns the program in the editor, or a program that the user selects. */
 async function programFile(editor: vscode.TextEditor | undefined): Promise<vscode.Uri | undefined> {
   if (editor?.document.languageId === "val3") {
     return editor.document.uri;
@@ -59,14 +59,14 @@ async function programFile(editor: vscode.TextEditor | undefined): Promise<vscod
   return (await vscode.window.showQuickPick(items, { placeHolder: "Program whose code is shown", ignoreFocusOut: true }))?.uri;
 }
 
-/** The index of a program: the only one, the requested one, or else one that the user picks. */
+/** Returns the index of a program: the only one, the requested one, or one that the user selects. */
 async function chooseProgram(programs: Program[], wanted: number, cursor?: number): Promise<number | undefined> {
   if (programs.length < 2 || wanted >= 0) {
     return programs.length === 1 ? 0 : wanted >= 0 ? wanted : undefined;
   }
   const here = cursor === undefined ? -1 : programs.findLastIndex(({ tagStart }) => tagStart <= cursor);
   const items = programs.map(({ name }, index) => ({ label: name, index }));
-  // The one with the cursor is the first, so that Enter takes it.
+  // The program with the cursor is first, so that Enter selects it.
   items.sort((left, right) => Number(right.index === here) - Number(left.index === here));
   return (await vscode.window.showQuickPick(items, { placeHolder: "Program of this file whose code is shown" }))?.index;
 }

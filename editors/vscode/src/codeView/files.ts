@@ -1,4 +1,4 @@
-// The file system of code views: a program's code, without its XML, as a file of its own.
+// File system of code views: the code of a program, without its XML, as a separate file.
 
 import * as vscode from "vscode";
 import { Link } from "./link";
@@ -11,7 +11,7 @@ export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
   private readonly open = new Map<string, Link>();
   private readonly subscriptions: vscode.Disposable[];
 
-  /** `report` gets the errors of everything that runs in the background. */
+  /** `report` receives the errors of background work. */
   constructor(private readonly report: (fault: unknown) => void) {
     this.subscriptions = [
       vscode.workspace.registerFileSystemProvider(SCHEME, this, { isCaseSensitive: true }),
@@ -30,18 +30,18 @@ export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
     this.changes.dispose();
   }
 
-  /** The open code view with this address. */
+  /** Returns the open code view with this URI. */
   find(code: vscode.Uri): Link | undefined {
     return this.open.get(code.toString());
   }
 
-  /** The open code views of a file; of a code view, that view alone. */
+  /** Returns the open code views of a file; for the URI of a code view, only that view. */
   of(uri: vscode.Uri): Link[] {
     const isOf = ({ code, file }: Link): boolean => (uri.scheme === SCHEME ? code : file.uri).toString() === uri.toString();
     return [...this.open.values()].filter(isOf);
   }
 
-  /** All open code views. */
+  /** Returns all open code views. */
   all(): Link[] {
     return [...this.open.values()];
   }
@@ -102,14 +102,14 @@ export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
     await Promise.all(this.of(uri).map((link) => (uri.scheme === SCHEME ? link.push() : link.pull())));
   }
 
-  /** Saving a file also saves the changes of its views. */
+  /** Saves the changes of a file's views together with the file. */
   private async saved(document: vscode.TextDocument): Promise<void> {
     const views = document.uri.scheme === SCHEME ? [] : this.of(document.uri);
     const changed = views.flatMap((view) => view.document() ?? []).filter((view) => view.isDirty);
     await Promise.all(changed.map((view) => view.save()));
   }
 
-  /** VS Code closes documents that no editor shows. The view then opens its file again. */
+  /** VS Code closes documents without an editor. The view then opens its file again. */
   private forget(uri: vscode.Uri): void {
     for (const link of this.of(uri)) {
       const key = link.code.toString();

@@ -1,4 +1,4 @@
-// *Go to Definition* in a code view opens another code view instead of the XML around the code.
+// Opens another code view for *Go to Definition* in a code view, instead of the XML file.
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
@@ -22,7 +22,7 @@ interface Target {
   targetSelectionRange?: Range;
 }
 
-/** The response to one of these requests, with locations in code views instead of files that have one. */
+/** Converts the response to one of these requests: locations in files with a code view become locations in the view. */
 export async function inCodeViews(answer: unknown): Promise<unknown> {
   if (answer === null || typeof answer !== "object" || !vscode.workspace.getConfiguration("val3").get<boolean>("codeView.follow", true)) {
     return answer;
@@ -48,7 +48,7 @@ async function follow(target: Target): Promise<Target> {
     : { ...target, targetUri: code, targetRange: place.range, targetSelectionRange: place.range };
 }
 
-/** The code view of a program of the file. */
+/** Returns the URI of the code view for a program in the file. */
 export function programUri(file: vscode.Uri, text: string, index: number): vscode.Uri {
   const programs = programsOf(text);
   return codeUri(file, index, programs.length > 1 ? programs[index]?.name : undefined);

@@ -1,4 +1,5 @@
-// Lenses of a program are above its name. A code view does not contain the name, so they are above its first line.
+// Code lenses in code views. In the file they are above the program's name, which a code view does not contain, so the
+// view shows them above its first line.
 
 import type { Range } from "./mapping";
 import type { Target } from "./requests";
@@ -12,7 +13,7 @@ export interface Lens {
   data?: object;
 }
 
-/** Data of a lens in a view, from which the request about the lens of the file is made. */
+/** Data of a lens in a view, from which the request for the lens in the file is built. */
 interface Origin {
   code: string;
   range: Range;
@@ -20,7 +21,7 @@ interface Origin {
 
 const TOP: Range = { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } };
 
-/** The lenses of the file that are about the program of the view. */
+/** Returns the file's lenses for the program in the view. */
 export function lensesToCode(lenses: Lens[] | null, target: Target): Lens[] {
   const own = (lenses ?? []).filter(({ range }) => target.mapping.isHead(range.start));
   return own.map((lens) => {
@@ -29,13 +30,13 @@ export function lensesToCode(lenses: Lens[] | null, target: Target): Lens[] {
   });
 }
 
-/** The lens of the file for a lens of a view; nothing for any other lens. */
+/** Returns the file's lens for a lens in a view; `undefined` for any other lens. */
 export function lensOfFile(lens: Lens): Lens | undefined {
   const origin = originOf(lens);
   return origin && { ...lens, range: origin.range };
 }
 
-/** The server's response for the view, whose locations are listed at the view's first line. */
+/** Converts the server's response for the view. Its locations are listed at the first line of the view. */
 export async function lensToCode(resolved: Lens, asked: Lens, follow: (places: unknown) => Promise<unknown>): Promise<Lens> {
   const [, , places] = resolved.command?.arguments ?? [];
   const origin = originOf(asked);

@@ -1,7 +1,7 @@
-// Keeps the document of a code view and the document of its file in step.
+// Keeps the documents of a code view and its file in sync.
 //
-// Edits run one after the other. While an edit of the code is being applied to the file, the file is older than the code
-// on the screen, so the code takes precedence. At every other time the file does.
+// Edits are executed one after the other. While an edit of the code is being applied to the file, the file is older
+// than the code on the screen, so the code takes precedence. At all other times the file takes precedence.
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
@@ -13,7 +13,7 @@ export class Link {
   private readonly index: number;
   private pending = 0;
   private queue: Promise<unknown> = Promise.resolve();
-  /** In milliseconds; increases with each change that VS Code has to read. */
+  /** Modification time in ms; increases with each change that VS Code has to read. */
   changed = Date.now();
 
   private constructor(
@@ -24,12 +24,12 @@ export class Link {
     this.index = programIndex(code);
   }
 
-  /** Opens the file of a code view. Fails if it does not exist. */
+  /** Opens the file of a code view. Throws if it does not exist. */
   static async open(code: vscode.Uri, reload: (code: vscode.Uri) => void): Promise<Link> {
     return new Link(code, await openDocument(fileUri(code)), reload);
   }
 
-  /** The code of the file; nothing if it has none. */
+  /** Returns the code of the file; `undefined` if it contains none. */
   text(): string | undefined {
     return Projection.of(this.file.getText(), this.index)?.code;
   }
@@ -43,7 +43,7 @@ export class Link {
     await this.queue;
   }
 
-  /** Queues an edit that writes the current code of the document into the file. */
+  /** Queues an edit that writes the document's present code into the file. */
   async push(text?: string): Promise<void> {
     this.pending += 1;
     const run = this.queue.then(() => this.write(text ?? this.document()?.getText())).finally(() => (this.pending -= 1));
@@ -59,7 +59,10 @@ export class Link {
     this.changed = Math.max(Date.now(), this.changed + 1);
   }
 
-  /** Follows a change of the file. A clean view is read again; a view with changes of its own gets the difference. */
+  /**
+   * Updates the view after a change of the file. A clean view is read again; a view with unsaved changes gets the
+   * difference.
+   */
   async pull(): Promise<void> {
     const document = this.document();
     const text = this.text();

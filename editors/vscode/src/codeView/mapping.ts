@@ -1,8 +1,8 @@
-// Positions of a code view as positions of its file, and back, for one version of the file.
+// Converts between positions in a code view and in its file, for one version of the file.
 
 import { Projection } from "./projection";
 
-/** The form that the protocol and VS Code share. Characters are UTF-16 units. */
+/** Position as in the protocol and VS Code. Characters are UTF-16 units. */
 export interface Position {
   line: number;
   character: number;
@@ -22,7 +22,7 @@ export class Mapping {
     this.file = new Lines(fileText);
   }
 
-  /** Nothing if the file has no code. */
+  /** Returns the mapping; `undefined` if the file contains no code. */
   static of(file: string, index: number): Mapping | undefined {
     const projection = Projection.of(file, index);
     return projection && new Mapping(projection, file);
@@ -40,12 +40,12 @@ export class Mapping {
     return this.file.offsetAt(position);
   }
 
-  /** Whether a position of the file is in the head of the program, before its code. */
+  /** Whether a position in the file is in the program's head, before its code. */
   isHead(position: Position): boolean {
     return this.projection.isHead(this.file.offsetAt(position));
   }
 
-  /** The position of an offset in the code. */
+  /** Returns the position for an offset in the code. */
   inCode(offset: number): Position {
     return this.code.positionAt(Math.min(offset, this.projection.code.length));
   }
@@ -54,13 +54,13 @@ export class Mapping {
     return { start: { line: 0, character: 0 }, end: this.code.end() };
   }
 
-  /** Nothing for a position outside of the code. */
+  /** Returns the position in the code; `undefined` outside the code. */
   toCode(position: Position): Position | undefined {
     const offset = this.projection.toCode(this.file.offsetAt(position));
     return offset === undefined ? undefined : this.code.positionAt(offset);
   }
 
-  /** The part of a range that is in the code; nothing if the range only touches it. */
+  /** Returns the part of a range that is in the code; `undefined` if the range only touches it. */
   rangeToCode(range: Range): Range | undefined {
     const start = this.toCode(range.start);
     const end = this.toCode(range.end);
@@ -77,7 +77,7 @@ function isBefore(left: Position, right: Position): boolean {
   return left.line < right.line || (left.line === right.line && left.character < right.character);
 }
 
-/** Offsets and positions of one text. */
+/** Converts between offsets and positions in a text. */
 class Lines {
   private readonly starts: number[];
 

@@ -14,7 +14,7 @@ const FULL = "textDocument/semanticTokens/full";
 
 interface AboutDocument {
   textDocument?: { uri?: string };
-  /** Of a call or type hierarchy. */
+  /** Set for a call or type hierarchy. */
   item?: { uri?: string };
 }
 
@@ -37,14 +37,14 @@ export function codeViewMiddleware(views: CodeFiles): Middleware {
       if (target === undefined) {
         return null as never;
       }
-      // The server's previous tokens are those of the whole file, so that a difference to them is useless here.
+      // The server's previous tokens belong to the entire file, so a difference cannot be used here.
       const asked = method === DELTA ? FULL : type;
       const answer: unknown = await next(asked, toFile(params, target) as typeof params, token);
       const mapped = toCode(method, answer, target);
       return (FOLLOWED.has(method) ? await inCodeViews(mapped) : mapped) as never;
     },
     async sendNotification(type, next, params) {
-      // The server knows the file, which follows the view.
+      // The server needs no notification about the view, because its file is updated.
       if (viewOf(params) === undefined) {
         await next(type, params);
       }
@@ -52,7 +52,7 @@ export function codeViewMiddleware(views: CodeFiles): Middleware {
   };
 }
 
-/** The code view that a message is about. */
+/** Returns the code view to which a message refers. */
 function viewOf(params: unknown): vscode.Uri | undefined {
   const about = params as AboutDocument | null | undefined;
   const uri = about?.textDocument?.uri ?? about?.item?.uri;

@@ -1,4 +1,4 @@
-// Finds the code view that shows a position of a program file. Pure functions of texts.
+// Finds the code view that shows a position of a program file. Pure functions.
 
 import { Mapping, type Range } from "./mapping";
 import { programsOf } from "./projection";
@@ -8,7 +8,10 @@ export interface Place {
   range: Range;
 }
 
-/** The position in a code view for one in the file: in the code, or at its beginning for the head of the program. */
+/**
+ * Converts a position in the file to a position in a code view: in the code, or at its beginning for the program's
+ * head.
+ */
 export function placeInCode(text: string, range: Range): Place | undefined {
   for (const [index, { tagStart, tagEnd }] of programsOf(text).entries()) {
     const mapping = Mapping.of(text, index);

@@ -1,9 +1,9 @@
-// The code of a program file, and the position of each of its characters in the file. Pure functions of texts.
+// Code in a program file, and the file offset of its characters. Pure functions.
 //
-// The code is the content of a <Code> element: of its CDATA sections, or, in the old dialect, its text with entities.
-// Positions in the code and in the file are offsets in UTF-16 units.
+// The code is the content of a <Code> element: the CDATA sections, or, in the old dialect, the text with entities.
+// Offsets in the code and in the file are in UTF-16 units.
 
-/** Corresponding ranges of the code and the file; the texts are equal if the lengths are. */
+/** Corresponding ranges of the code and the file; if their lengths are equal, so are the texts. */
 interface Chunk {
   code: number;
   file: number;
@@ -11,14 +11,14 @@ interface Chunk {
   fileLength: number;
 }
 
-/** A replacement in a text. */
+/** Replacement in a text. */
 export interface Replacement {
   start: number;
   end: number;
   text: string;
 }
 
-/** A program of a file, with its name and its opening tag as far as it has one. */
+/** Program in a file, with its name and opening tag, if it has one. */
 export interface Program {
   name: string;
   tagStart: number;
@@ -32,12 +32,12 @@ const PIECE = /<!\[CDATA\[([^]*?)(?:\]\]>|$)|<!--[^]*?-->|&(?:#[xX][0-9a-fA-F]+|
 const CDATA_OPEN = "<![CDATA[";
 const ENTITIES: Record<string, string> = { "&lt;": "<", "&gt;": ">", "&amp;": "&", "&quot;": '"', "&apos;": "'" };
 
-/** The code of a file. */
+/** Code of a program in a file. */
 export class Projection {
   private constructor(
-    /** The code without XML and entities. */
+    /** Code without XML and entities. */
     readonly code: string,
-    /** The name of its program; may be empty. */
+    /** Program name; may be empty. */
     readonly program: string,
     private readonly chunks: Chunk[],
     private readonly isCdata: boolean,
@@ -45,7 +45,7 @@ export class Projection {
     private readonly headStart: number,
   ) {}
 
-  /** The code of program number `index` in its file; nothing if it has none. */
+  /** Returns the code of program number `index` in the file; `undefined` if it has none. */
   static of(file: string, index = 0): Projection | undefined {
     const program = programsOf(file)[index];
     if (program === undefined) {
@@ -64,7 +64,7 @@ export class Projection {
     return new Projection(code, program.name, chunks, isCdata, start, program.tagStart);
   }
 
-  /** The offset in the file for an offset in the code. */
+  /** Returns the offset in the file for an offset in the code. */
   toFile(offset: number): number {
     const chunk = this.chunks.findLast((chunk) => chunk.code <= offset) ?? this.chunks[0];
     if (chunk === undefined) {
@@ -74,7 +74,7 @@ export class Projection {
     return chunk.file + (within >= chunk.codeLength ? chunk.fileLength : isVerbatim(chunk) ? within : 0);
   }
 
-  /** The offset in the code for an offset in the file; nothing outside of the code. */
+  /** Returns the offset in the code for an offset in the file; `undefined` outside the code. */
   toCode(offset: number): number | undefined {
     const first = this.chunks[0];
     const last = this.chunks[this.chunks.length - 1];
@@ -89,12 +89,12 @@ export class Projection {
     return chunk.code + (isVerbatim(chunk) ? Math.min(within, chunk.codeLength) : within >= chunk.fileLength ? chunk.codeLength : 0);
   }
 
-  /** Whether an offset of the file is in the head of the program, before its code. */
+  /** Whether an offset in the file is in the program's head, before its code. */
   isHead(offset: number): boolean {
     return this.headStart <= offset && offset < this.fileStart;
   }
 
-  /** The replacement in the file that makes its code `code`; nothing if the code is equal. */
+  /** Returns the replacement in the file that changes its code to `code`; `undefined` if the code is equal. */
   replacement(code: string): Replacement | undefined {
     const change = difference(this.code, code);
     if (change === undefined) {
@@ -105,12 +105,12 @@ export class Projection {
     return { start: this.toFile(whole.start), end: this.endInFile(whole), text };
   }
 
-  /** Converts text of the file, such as the new text of an edit, to code. */
+  /** Converts text from the file, for example from a text edit, to code. */
   decode(text: string): string {
     return this.isCdata ? text.replaceAll("]]]]><![CDATA[>", "]]>") : unescape(text);
   }
 
-  /** An empty replacement ends where it starts, also between two CDATA sections. */
+  /** Returns the end in the file. An empty replacement ends where it starts, also between two CDATA sections. */
   private endInFile(change: Replacement): number {
     if (change.end === change.start) {
       return this.toFile(change.start);
@@ -121,7 +121,7 @@ export class Projection {
   }
 }
 
-/** The shortest single replacement that turns `before` into `after`. */
+/** Returns the shortest single replacement that converts `before` to `after`. */
 export function difference(before: string, after: string): Replacement | undefined {
   if (before === after) {
     return undefined;
@@ -149,7 +149,7 @@ function isVerbatim(chunk: Chunk): boolean {
   return chunk.codeLength === chunk.fileLength;
 }
 
-/** The programs of a file that have code. Comments and descriptions may also contain the word. */
+/** Returns the programs in a file that have code. Comments and descriptions that mention the tags are ignored. */
 export function programsOf(file: string): Program[] {
   const programs: Program[] = [];
   let tag = { name: "", tagStart: 0, tagEnd: 0 };

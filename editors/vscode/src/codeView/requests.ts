@@ -1,14 +1,15 @@
-// The features of the language server in code views.
+// Language server features in code views.
 //
-// The server only knows files. A request about a view becomes one about its file, and the ranges of the response become
-// ranges of the view. Edits of the whole workspace stay edits of files, and the views follow them.
+// The server supports only files. A request about a view is converted to a request about its file, and the ranges in
+// the response are converted to ranges in the view. Edits of the entire workspace remain edits of files, and the views
+// are updated.
 
 import { type Lens, LENSES, lensesToCode } from "./lenses";
 import type { Mapping, Position, Range } from "./mapping";
 import { type Symbol, SYMBOLS, symbolsToCode } from "./symbols";
 import { toCodeTokens } from "./tokens";
 
-/** A view and its file, as addresses of the protocol. */
+/** A view and its file, by URI. */
 export interface Target {
   code: string;
   file: string;
@@ -18,10 +19,10 @@ export interface Target {
 type Json = unknown;
 type JsonObject = Record<string, Json>;
 
-/** Properties that only the server reads, or that are about files. */
+/** Properties that only the server reads, or that refer to files. */
 const OPAQUE = new Set(["data", "command", "edit", "changes", "documentChanges", "legend"]);
 
-/** The parameters of a request about the view, as parameters about its file. */
+/** Converts the parameters of a request about the view to parameters about its file. */
 export function toFile(params: Json, target: Target): Json {
   if (Array.isArray(params)) {
     return params.map((item) => toFile(item, target));
@@ -35,7 +36,7 @@ export function toFile(params: Json, target: Target): Json {
   return mapValues(params, (key, value) => (OPAQUE.has(key) ? value : toFile(value, target)));
 }
 
-/** The response about the file, converted for the view. Ranges outside of its code are left out. */
+/** Converts the response about the file for the view. Ranges outside the code are omitted. */
 export function toCode(method: string, answer: Json, target: Target): Json {
   if (method.startsWith("textDocument/semanticTokens/")) {
     return toCodeTokens(answer, target.mapping);
@@ -63,13 +64,16 @@ function toCodeValue(value: Json, target: Target): Json {
   } else if (typeof value.uri === "string" || typeof value.targetUri === "string") {
     return toCodeLocation(value, target);
   } else if (isObject(value.from) && value.from.uri !== target.file) {
-    // A call from another file, with ranges of that file.
+    // A call from another file, with ranges in that file.
     return value;
   }
   return toCodeObject(value, target);
 }
 
-/** An object with a range outside of the code becomes nothing; of a nested one (a parent) only the property is left out. */
+/**
+ * Converts an object. If its range is outside the code, the object is removed; if the range of a nested object (a
+ * parent) is outside, only the property is.
+ */
 function toCodeObject(value: JsonObject, target: Target): JsonObject | undefined {
   const result: JsonObject = {};
   for (const [key, part] of Object.entries(value)) {
@@ -83,7 +87,10 @@ function toCodeObject(value: JsonObject, target: Target): JsonObject | undefined
   return result;
 }
 
-/** A location in the code becomes one of the view. Any other, in this file or elsewhere, stays one of a file. */
+/**
+ * Converts a location in the code to a location in the view. Other locations, in this file or elsewhere, remain
+ * locations in files.
+ */
 function toCodeLocation(value: JsonObject, target: Target): JsonObject {
   const inFile = (value.uri ?? value.targetUri) === target.file;
   const mapped = inFile ? toCodeObject(value, target) : undefined;
@@ -100,8 +107,10 @@ function toCodeFold(fold: JsonObject, target: Target): JsonObject | undefined {
   return start && end && { ...fold, startLine: start.line, endLine: end.line, startCharacter: undefined, endCharacter: undefined };
 }
 
-/** The command that makes the edits of a completion that lie outside of the code, such as a new local, and then runs the
- * command that the completion has itself. */
+/**
+ * Command that applies a completion's edits outside the code, for example a new local, and then runs the completion's
+ * own command.
+ */
 export const APPLY_EDITS = "val3.applyEdits";
 
 function withOutsideEdits(answer: Json, target: Target): Json {

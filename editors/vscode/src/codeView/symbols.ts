@@ -1,4 +1,4 @@
-// The outline of a code view: its program with parameters and locals, although these are declared in the XML.
+// Outline of a code view: the program with its parameters and locals, although these are declared in the XML.
 
 import type { Range } from "./mapping";
 import type { Target } from "./requests";
@@ -18,7 +18,7 @@ export interface Symbol {
   children?: Symbol[];
 }
 
-/** The symbol of the view's program. Parameters and locals are located at their first use. */
+/** Returns the symbol of the view's program. Parameters and locals are located at their first use. */
 export function symbolsToCode(symbols: Symbol[] | null, { mapping }: Target): Symbol[] {
   const { code, program } = mapping.projection;
   const range = mapping.wholeCode();
@@ -33,7 +33,7 @@ export function symbolsToCode(symbols: Symbol[] | null, { mapping }: Target): Sy
   return [{ name: program || "(no name)", kind: FUNCTION, ...found, range, selectionRange: head, children }];
 }
 
-/** The first occurrence of each name in the code. */
+/** Returns the offset of each name's first occurrence in the code. */
 function firstUses(code: string): Map<string, number> {
   const uses = new Map<string, number>();
   for (const { 1: name, index } of code.matchAll(WORD)) {

@@ -1,8 +1,8 @@
-// Semantic tokens of a file as those of its code.
+// Converts semantic tokens of a file to tokens of the code in it.
 
 import type { Mapping } from "./mapping";
 
-/** Numbers a token takes: line and start from the token before, length, type, modifiers. */
+/** Numbers per token: line and start relative to the previous token, length, type, modifiers. */
 const WIDTH = 5;
 
 export function toCodeTokens(answer: unknown, mapping: Mapping): unknown {

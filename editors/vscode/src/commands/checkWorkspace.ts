@@ -1,4 +1,4 @@
-// "Check Workspace": runs `val3 check` over each folder and shows its output.
+// "Check Workspace": runs `val3 check` in each folder and shows its output.
 
 import * as vscode from "vscode";
 import type { Walkthrough } from "../walkthrough";

@@ -1,4 +1,4 @@
-// "New Application": asks for name, version and arm, and calls `val3 new`, which has the only template.
+// "New Application": prompts for name, version and arm, and calls `val3 new`, which contains the template.
 
 import * as vscode from "vscode";
 import type { Client } from "../client";
@@ -6,7 +6,7 @@ import { follow } from "../testing/process";
 import type { Walkthrough } from "../walkthrough";
 import { nameFault } from "./names";
 
-/** The choice that leaves a value to `val3 new`. */
+/** Choice for which `val3 new` determines the value. */
 const DEFAULT = "That of the cell";
 
 const VERSIONS = [
@@ -51,13 +51,13 @@ async function newApplication(client: Client, walkthrough: Walkthrough): Promise
   await vscode.commands.executeCommand("vscode.open", vscode.Uri.joinPath(vscode.Uri.file(application), "start.pgx"));
 }
 
-/** The label of the item that the user picks, [`DEFAULT`] among them. */
+/** Returns the label of the item that the user selects, which may be `DEFAULT`. */
 async function choose(question: string, items: readonly vscode.QuickPickItem[], otherwise: string): Promise<string | undefined> {
   const all = [{ label: DEFAULT, description: otherwise }, ...items];
   return (await vscode.window.showQuickPick(all, { placeHolder: question, ignoreFocusOut: true }))?.label;
 }
 
-/** The shipped arms: the first column of their list, below its head. */
+/** Returns the shipped arms: the first column of `val3 arm list`, below the head. */
 async function arms(command: string, folder: string): Promise<vscode.QuickPickItem[]> {
   const { lines } = await output(command, ["arm", "list"], folder);
   return lines.slice(1).filter((line) => line !== "").map((line) => {
@@ -66,14 +66,14 @@ async function arms(command: string, folder: string): Promise<vscode.QuickPickIt
   });
 }
 
-/** The lines that a command writes, and its end. */
+/** Runs a command, and returns its output lines and its end. */
 async function output(command: string, words: string[], folder: string): Promise<{ lines: string[]; errors: string; code: number | null }> {
   const lines: string[] = [];
   const ended = await follow(command, words, { folder, line: (line) => lines.push(line) });
   return { lines, ...ended };
 }
 
-/** The `usrapp` of a cell, the workspace folder, or a folder that the user picks. */
+/** Returns the `usrapp` of a cell, the workspace folder, or a folder that the user selects. */
 async function chooseFolder(): Promise<vscode.Uri | undefined> {
   const projects = await vscode.workspace.findFiles("**/usrapp/**/*.pjx", undefined, 1000);
   const roots = projects.map((uri) => uri.with({ path: uri.path.replace(/(\/usrapp)\/.*$/, "$1") }));

@@ -1,4 +1,4 @@
-// "New Program": a file, and its entry in the project.
+// "New Program": creates a file, and its entry in the project.
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
@@ -9,7 +9,7 @@ export function registerNewProgram(): vscode.Disposable[] {
   return [vscode.commands.registerCommand("val3.newProgram", () => newProgram())];
 }
 
-/** Asks for the name. The project is `own`, that of the active file, or one that the user picks. */
+/** Prompts for the name. The project is `own`, the project of the active file, or one that the user selects. */
 export async function newProgram(own?: vscode.Uri): Promise<void> {
   const project = own ?? (await chooseProject());
   if (project === undefined) {
@@ -26,7 +26,7 @@ export async function newProgram(own?: vscode.Uri): Promise<void> {
   }
 }
 
-/** The project of the active file, or else one that the user picks. */
+/** Returns the project of the active file, or one that the user selects. */
 async function chooseProject(): Promise<vscode.Uri | undefined> {
   const projects = await vscode.workspace.findFiles("**/*.pjx", undefined, 1000);
   const active = vscode.window.activeTextEditor?.document.uri;

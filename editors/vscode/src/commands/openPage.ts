@@ -23,7 +23,7 @@ async function page(client: Client, uri: vscode.Uri): Promise<string> {
   return page?.markdown ?? `There is no page about \`${topic}\`.`;
 }
 
-/** Opens the page of `code`, of a finding under the cursor, or of a topic that the user enters. */
+/** Opens the page of `code`, of a finding at the cursor, or of a topic that the user enters. */
 async function openPage(code?: string): Promise<void> {
   const topic = code ?? (await chosen());
   if (topic !== undefined) {

@@ -1,4 +1,4 @@
-// The entry of a program in the list of its project. Pure functions of texts.
+// Entry of a program in the project's list. Pure functions.
 
 import type { Replacement } from "../codeView/projection";
 
@@ -8,8 +8,8 @@ export function isOld(project: string): boolean {
 }
 
 /**
- * The edit that lists `name` before the first program that follows by name, or else after the last. Nothing if it is
- * listed already, or if there is no list.
+ * Returns the edit that lists `name` in alphabetical order: before the next program, or after the last one. `undefined`
+ * if the name is already listed, or if there is no list.
  */
 export function entry(project: string, name: string): Replacement | undefined {
   const eol = project.includes("\r\n") ? "\r\n" : "\n";

@@ -1,4 +1,4 @@
-// Lets the user replace what a refactoring has made up, a name or a condition, in the editor that the user works in.
+// Starts a rename of the name, or selects the condition, that a refactoring has invented, in the active editor.
 
 import * as vscode from "vscode";
 import type { Range } from "vscode-languageclient/node";
@@ -9,7 +9,7 @@ import { rangeOf } from "../ranges";
 export const RENAME = "val3.rename";
 export const SELECT = "val3.select";
 
-/** Milliseconds between two looks at a code view, which follows its file soon, and number of looks. */
+/** Milliseconds between two checks whether a code view is up to date with its file, and number of checks. */
 const PAUSE = 50;
 const LOOKS = 40;
 
@@ -27,7 +27,7 @@ async function rename(views: CodeFiles, file: vscode.Uri, range: Range): Promise
   }
 }
 
-/** Selects a text of one line, so that typing replaces it. */
+/** Selects a text within a line, so that typing replaces it. */
 async function select(views: CodeFiles, file: vscode.Uri, range: Range): Promise<void> {
   const at = await shownAt(views, file, range);
   const editor = vscode.window.activeTextEditor;
@@ -36,7 +36,7 @@ async function select(views: CodeFiles, file: vscode.Uri, range: Range): Promise
   }
 }
 
-/** Where the active editor shows a place of a file: itself, or its code view. */
+/** Returns the location in the active editor for a location in a file: in the file, or in its code view. */
 async function shownAt(views: CodeFiles, file: vscode.Uri, range: Range): Promise<{ uri: vscode.Uri; position: vscode.Position } | undefined> {
   const active = vscode.window.activeTextEditor?.document.uri;
   const view = active && views.find(active);
@@ -47,7 +47,7 @@ async function shownAt(views: CodeFiles, file: vscode.Uri, range: Range): Promis
   return position && { uri: view.code, position };
 }
 
-/** Where a view shows a text of its file; nothing if it does not in time. */
+/** Returns the position where a view shows a text of the file; `undefined` if the view is not updated in time. */
 async function positionInView(view: Link, range: Range): Promise<vscode.Position | undefined> {
   const name = view.file.getText(rangeOf(range));
   for (let look = 0; look < LOOKS; look += 1) {

@@ -9,7 +9,7 @@ export function registerShowReferences(): vscode.Disposable[] {
   return [vscode.commands.registerCommand(SHOW_REFERENCES, showReferences)];
 }
 
-/** Takes the arguments in the form of the protocol, which VS Code's own command does not accept. */
+/** Converts arguments in the form of the protocol, which VS Code's own command does not accept. */
 async function showReferences(uri: string, position: Position, places: Location[]): Promise<void> {
   const at = (place: Position): vscode.Position => new vscode.Position(place.line, place.character);
   const locations = places.map(({ uri, range }) => new vscode.Location(vscode.Uri.parse(uri), new vscode.Range(at(range.start), at(range.end))));

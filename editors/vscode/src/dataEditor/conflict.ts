@@ -1,5 +1,5 @@
-// Changes of a file by other programs while it has unsaved changes here. VS Code asks on save only if the size of the file
-// differs (`FileService.validateWriteFile`), so the user is told as soon as it happens.
+// Changes of a file by other programs while it has unsaved changes. When VS Code saves, it detects them only if the
+// size of the file differs (`FileService.validateWriteFile`), so a message is shown as soon as the file changes.
 
 import { basename } from "node:path";
 import * as vscode from "vscode";
@@ -9,7 +9,7 @@ const RELOAD = "Discard My Changes";
 
 export class Conflicts implements vscode.Disposable {
   private readonly subscriptions: vscode.Disposable[];
-  /** The bytes that the file had when it was last read or saved here. */
+  /** Bytes of the file when it was last read or saved here. */
   private known: Promise<Uint8Array | undefined>;
 
   constructor(private readonly document: vscode.TextDocument, private readonly report: (fault: unknown) => void) {
@@ -36,7 +36,7 @@ export class Conflicts implements vscode.Disposable {
     try {
       return await vscode.workspace.fs.readFile(this.document.uri);
     } catch {
-      // The file is gone, which VS Code shows in its tab.
+      // The file was deleted, which VS Code shows in the tab.
       return undefined;
     }
   }

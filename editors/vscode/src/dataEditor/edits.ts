@@ -1,17 +1,17 @@
-// Applies changes of the tables to the document of their file, one after the other.
+// Applies changes in the tables to the file's document, one after the other.
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
 import { withOpenFiles } from "../encoding/middleware";
 import { type Requests, workspaceEdit } from "./requests";
 
-/** What the page is told about an edit. */
+/** Edit result for the page. */
 export interface Outcome {
   refused: string | null;
   findings: unknown[];
 }
 
-/** Attempts while somebody types into the text of the same file. */
+/** Largest number of attempts, in case the user types in the same file meanwhile. */
 const ATTEMPTS = 5;
 
 export class Edits {
@@ -26,12 +26,12 @@ export class Edits {
     return outcome;
   }
 
-  /** The findings that an edit would add. */
+  /** Returns the findings that an edit would add. */
   check(edits: unknown): Promise<Outcome> {
     return this.attempt(edits, true);
   }
 
-  /** Renames a datum in all files, as F2 does in the text. */
+  /** Renames a datum in all files, like F2 in the text. */
   async rename(position: vscode.Position, as: string): Promise<Outcome> {
     try {
       const edit = await vscode.commands.executeCommand<vscode.WorkspaceEdit>("vscode.executeDocumentRenameProvider", this.document.uri, position, as);

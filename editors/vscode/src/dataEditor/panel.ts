@@ -1,4 +1,4 @@
-// The tables of one data file in a tab. The text document is the model: each change is an edit of its text.
+// Tables for a data file in a tab. The text document is the model: each change is a text edit.
 
 import * as vscode from "vscode";
 import type { Client } from "../client";
@@ -9,7 +9,7 @@ import { rangeOf } from "../ranges";
 import { areChanges, changed, datumAt, Requests, type Tables } from "./requests";
 import { openUse, type Use, usesOf } from "./uses";
 
-/** What is to be shown: a datum, or the one at a position of the text. */
+/** Datum to show, by name or by a position in the text. */
 export type Target = { name: string } | { position: vscode.Position };
 
 interface FromPage {
@@ -18,7 +18,7 @@ interface FromPage {
   [parameter: string]: unknown;
 }
 
-/** Milliseconds between a change and the new tables, in which further changes are awaited. */
+/** Milliseconds from a change to the update of the tables, so that further changes are included. */
 const PAUSE = 150;
 
 export class DataPanel implements vscode.Disposable {
@@ -30,10 +30,10 @@ export class DataPanel implements vscode.Disposable {
   /** Serialises requests for tables. */
   private loading: Promise<void> = Promise.resolve();
   private isReady = false;
-  /** The file has changed while the tab was hidden. */
+  /** Whether the file was changed while the tab was hidden. */
   private isStale = false;
   private target: Target | undefined;
-  /** The datum with the active cell. */
+  /** Datum with the active cell. */
   private selected: string | undefined;
 
   constructor(
@@ -59,7 +59,7 @@ export class DataPanel implements vscode.Disposable {
     vscode.Disposable.from(...this.subscriptions).dispose();
   }
 
-  /** Shows a datum as soon as the page can. */
+  /** Shows a datum as soon as the page is ready. */
   reveal(target: Target): void {
     this.target = target;
     this.showTarget();
@@ -82,7 +82,7 @@ export class DataPanel implements vscode.Disposable {
     }
   }
 
-  /** Sends the tables of the present text, or what has changed in them. Findings may follow later, because they need a check. */
+  /** Sends the tables of the present text, or their changes. Findings may follow later, because they need a check. */
   private refresh(withoutFindings = false): Promise<void> {
     this.loading = this.loading.catch(() => undefined).then(() => this.load(withoutFindings));
     return this.loading;
@@ -154,7 +154,7 @@ export class DataPanel implements vscode.Disposable {
     return range === undefined ? { refused: `The file has no data ${name}.`, findings: [] } : this.edits.rename(rangeOf(range).start, as);
   }
 
-  /** The tables of the present text. */
+  /** Returns the tables of the present text. */
   private async present(): Promise<Tables> {
     if (this.tables?.version !== this.document.version) {
       await this.refresh();
@@ -162,7 +162,7 @@ export class DataPanel implements vscode.Disposable {
     return this.tables ?? { resultId: "", version: null, data: [] };
   }
 
-  /** Sends the new tables before the answer, so that the page shows the result when it has the answer. */
+  /** Sends the new tables before the edit's result, so that the page shows them when it receives the result. */
   private async withTables(outcome: Promise<Outcome>): Promise<Outcome> {
     const { refused, findings } = await outcome;
     if (refused === null) {

@@ -1,4 +1,4 @@
-// The custom editor of data files, and the commands that lead to it and back to the text.
+// Custom editor of data files, and the commands that switch between tables and text.
 
 import { readFile } from "node:fs/promises";
 import * as vscode from "vscode";
@@ -20,14 +20,14 @@ export function registerDataEditor(context: vscode.ExtensionContext, client: Cli
   ];
 }
 
-/** An item of the view "VAL 3". */
+/** Item of the view "VAL 3". */
 interface TreeNode {
   item: vscode.TreeItem;
 }
 
 class DataEditors implements vscode.CustomTextEditorProvider {
   private readonly panels = new Set<DataPanel>();
-  /** What tabs that are being opened are to show, by URI. */
+  /** Data to show in tabs that are being opened, by URI. */
   private readonly targets = new Map<string, Target>();
 
   constructor(private readonly client: Client, private readonly page: vscode.Uri, private readonly report: (fault: unknown) => void) {}
@@ -49,7 +49,7 @@ class DataEditors implements vscode.CustomTextEditorProvider {
     panel.webview.html = withPolicy(await readFile(this.page.fsPath, "utf8"));
   }
 
-  /** Opens a data file as tables, at a datum or at the one with the cursor. `target` is a URI or an item of a view. */
+  /** Opens a data file as tables, at the named datum or at the cursor. `target` is a URI or an item of a view. */
   async open(target: unknown, name: unknown): Promise<void> {
     const editor = vscode.window.activeTextEditor;
     const uri = uriOf(isNode(target) ? target.item.resourceUri : target) ?? (await dataFile(editor));
@@ -64,7 +64,7 @@ class DataEditors implements vscode.CustomTextEditorProvider {
       this.targets.set(key, shown);
     }
     await vscode.commands.executeCommand("vscode.openWith", uri, TYPE);
-    // A tab that was open already, or that has not asked yet.
+    // A tab that was already open, or whose page is not ready yet.
     const panel = [...this.panels].findLast(({ document }) => document.uri.toString() === key);
     const pending = this.targets.get(key);
     if (panel !== undefined && pending !== undefined) {
@@ -83,7 +83,7 @@ function isNode(target: unknown): target is TreeNode {
   return typeof target === "object" && target !== null && "item" in target;
 }
 
-/** The data file in the editor, or else one that the user picks. */
+/** Returns the data file in the editor, or one that the user selects. */
 async function dataFile(editor: vscode.TextEditor | undefined): Promise<vscode.Uri | undefined> {
   if (editor?.document.languageId === LANGUAGE) {
     return editor.document.uri;

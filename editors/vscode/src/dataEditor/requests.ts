@@ -1,10 +1,10 @@
-// The requests of the tables to the server. The page knows the rest of their content.
+// Requests of the tables to the server. Only the page reads their remaining content.
 
 import * as vscode from "vscode";
 import type { Client } from "../client";
 import { rangeOf } from "../ranges";
 
-/** The code of the protocol for a request about a text that has changed. */
+/** Error code of the protocol for a request about a changed text. */
 const CONTENT_MODIFIED = -32801;
 
 interface Position {
@@ -28,19 +28,19 @@ export interface Tables {
   data: Datum[];
 }
 
-/** New items of a list in place of others. */
+/** Replacement of items in a list. */
 interface Replacement<Item> {
   start: number;
   deleteCount: number;
   items: Item[];
 }
 
-/** The difference between the tables and those of an earlier result. */
+/** Difference between the tables and an earlier result. */
 export interface Changes {
   resultId: string;
   version: number | null;
   data: Replacement<Datum>;
-  /** Added to the lines of the data after the replaced ones. */
+  /** Number to add to the lines of all data after the replaced ones. */
   lineShift: number;
 }
 
@@ -49,7 +49,7 @@ interface TextEdit {
   newText: string;
 }
 
-/** As the protocol has it, without operations on files. */
+/** Workspace edit of the protocol, without file operations. */
 export interface ProtocolEdit {
   changes?: Record<string, TextEdit[]>;
   documentChanges?: { textDocument: { uri: string }; edits: TextEdit[] }[];
@@ -68,12 +68,14 @@ export class Requests {
     this.uri = uri.toString();
   }
 
-  /** The changes since an earlier result, or the tables. Nothing if the server does not know the file as a data file. */
+  /**
+   * Requests the changes since an earlier result, or the tables. `null` if the file is not a data file to the server.
+   */
   tables(previousResultId: string | undefined, withoutFindings: boolean): Promise<Tables | Changes | null> {
     return this.client.request("val3/data", { uri: this.uri, ...(previousResultId !== undefined && { previousResultId, withoutFindings }) });
   }
 
-  /** Nothing if the file has changed meanwhile. */
+  /** Requests an edit. `undefined` if the file has changed meanwhile. */
   async edit(version: number, edits: unknown, check: boolean): Promise<EditAnswer | undefined> {
     try {
       return await this.client.request<EditAnswer>("val3/editData", { uri: this.uri, version, edits, check });
@@ -103,7 +105,7 @@ export function areChanges(result: Tables | Changes): result is Changes {
   return "lineShift" in result;
 }
 
-/** The tables after changes. */
+/** Applies changes to tables. */
 export function changed({ data }: Tables, { resultId, version, data: { start, deleteCount, items }, lineShift }: Changes): Tables {
   const rest = data.slice(start + deleteCount);
   const moved = lineShift === 0 ? rest : rest.map((datum) => ({ ...datum, range: { start: shifted(datum.range.start, lineShift), end: shifted(datum.range.end, lineShift) } }));
@@ -114,7 +116,7 @@ function shifted({ line, character }: Position, lines: number): Position {
   return { line: line + lines, character };
 }
 
-/** The last datum that begins before a position, which the position is in. */
+/** Returns the datum at a position: the last one that begins before it. */
 export function datumAt({ data }: Tables, { line, character }: Position): string | undefined {
   return data.findLast(({ range: { start } }) => start.line < line || (start.line === line && start.character <= character))?.name;
 }

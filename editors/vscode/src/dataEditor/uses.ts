@@ -1,4 +1,4 @@
-// The places that use data, for the question whether to delete them.
+// Locations that use data, for the confirmation before data are deleted.
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
@@ -14,7 +14,7 @@ export interface Use {
   text: string;
 }
 
-/** The uses outside of the declarations, by name. */
+/** Returns the uses outside the declarations, by name. */
 export async function usesOf(uri: vscode.Uri, { data }: Tables, names: readonly string[]): Promise<Use[]> {
   const wanted = data.filter(({ name }) => names.includes(name));
   return (await Promise.all(wanted.map(async ({ name, range }) => {

@@ -1,4 +1,5 @@
-// A debug session: the process `val3 dap`, whose messages pass through here so that code views can be debugged as files.
+// Debug session: the process `val3 dap`. Its messages are converted here, so that code views can be debugged like
+// files.
 
 import { type ChildProcessWithoutNullStreams, spawn } from "node:child_process";
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
@@ -6,20 +7,20 @@ import * as vscode from "vscode";
 import { frame, MessageReader } from "./frames";
 import type { SourceTranslator } from "./sources";
 
-/** Milliseconds that the process has to end by itself when the session is over. */
+/** Milliseconds after the end of a session before the process is killed. */
 const PATIENCE = 2000;
 
 export class Adapter extends vscode.Disposable implements vscode.DebugAdapter {
   private readonly messages = new vscode.EventEmitter<vscode.DebugProtocolMessage>();
   readonly onDidSendMessage = this.messages.event;
   private readonly process: ChildProcessWithoutNullStreams;
-  /** Requests without an answer. */
+  /** Requests without a response. */
   private readonly open = new Map<number, Protocol.Request>();
   /** Keeps the messages to the process in order. */
   private turns: Promise<void> = Promise.resolve();
   private hasEnded = false;
 
-  /** Starts `command` in `folder`, which relative paths of the configuration are relative to. */
+  /** Starts `command` in `folder`, to which relative paths in the configuration refer. */
   constructor(private readonly command: string, folder: string | undefined, private readonly sources: SourceTranslator) {
     super(() => this.stop());
     this.process = spawn(command, ["dap"], { cwd: folder });
@@ -68,7 +69,7 @@ export class Adapter extends vscode.Disposable implements vscode.DebugAdapter {
     }
   }
 
-  /** Ends the session, which waits for the answers to its requests. */
+  /** Ends the session, and fails all pending requests. */
   private end(reason: string): void {
     if (!this.hasEnded) {
       this.hasEnded = true;

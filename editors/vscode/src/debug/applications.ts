@@ -1,19 +1,19 @@
-// The applications of the workspace that can be debugged: projects with a program `start`.
+// Applications in the workspace that can be debugged: projects with a program `start`.
 
 import * as vscode from "vscode";
 import { State } from "vscode-languageclient/node";
 import type { Client } from "../client";
 
-/** The program that the controller starts an application with. */
+/** Program with which the controller starts an application. */
 export const START = "start";
 
 export interface Application {
   name: string;
-  /** The folder of its project. */
+  /** Project folder. */
   folder: vscode.Uri;
 }
 
-/** An element of the response to `val3/workspaceTree`. */
+/** Element of the response to `val3/workspaceTree`. */
 interface Project {
   name: string;
   uri: string;
@@ -27,7 +27,7 @@ export async function applications(client: Client): Promise<Application[]> {
   return found.sort((left, right) => left.name.localeCompare(right.name));
 }
 
-/** The application of the active file, the only one, or one that the user picks. */
+/** Returns the application of the active file, the only application, or one that the user selects. */
 export async function pickApplication(client: Client): Promise<Application | undefined> {
   const found = await applications(client);
   const active = vscode.window.activeTextEditor?.document.uri.path;

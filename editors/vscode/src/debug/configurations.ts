@@ -1,4 +1,4 @@
-// Launch configurations: those of the workspace's applications, and what a configuration leaves out.
+// Launch configurations for the workspace's applications, and defaults for omitted keys.
 
 import * as vscode from "vscode";
 import type { Client } from "../client";
@@ -33,7 +33,7 @@ export class Configurations implements vscode.DebugConfigurationProvider {
   }
 }
 
-/** The configuration for an application: the user's own one, or the default. */
+/** Returns the configuration for an application: the user's own one, or the default. */
 export function ofApplication({ name, folder }: Application, startProgram = START): vscode.DebugConfiguration {
   const inFolder = vscode.workspace.getWorkspaceFolder(folder);
   const own = vscode.workspace.getConfiguration("launch", inFolder).get<vscode.DebugConfiguration[]>("configurations", []);
@@ -55,14 +55,14 @@ function isFolder(program: unknown, folder: vscode.Uri, inFolder: vscode.Workspa
   return typeof program === "string" && spelled.includes(program.replace(/[/\\]+$/, ""));
 }
 
-/** A path as users write it in a launch.json. */
+/** Returns a path as users write it in a launch.json. */
 function withVariable(path: vscode.Uri, folder: vscode.WorkspaceFolder | undefined): string {
   const prefix = folder === undefined ? undefined : `${folder.uri.path}/`;
   const isInside = prefix !== undefined && path.path.startsWith(prefix);
   return isInside ? `\${workspaceFolder}/${path.path.slice(prefix.length)}` : path.path === folder?.uri.path ? "${workspaceFolder}" : path.fsPath;
 }
 
-/** Asks for the port of a run and for its secret, unless the configuration has them. */
+/** Prompts for the port and the secret of a run, unless the configuration contains them. */
 async function withAddress(configuration: vscode.DebugConfiguration): Promise<vscode.DebugConfiguration | undefined> {
   const port = await portOf(configuration);
   const secret = port === undefined ? undefined : await secretOf(configuration, port);
@@ -77,7 +77,7 @@ async function portOf(configuration: vscode.DebugConfiguration): Promise<string 
   });
 }
 
-/** The secret may contain variables, which VS Code replaces later. */
+/** Returns the secret, which may contain variables that VS Code replaces later. */
 async function secretOf(configuration: vscode.DebugConfiguration, port: string): Promise<string | undefined> {
   const secret: unknown = configuration.secret;
   if (typeof secret === "string" && secret !== "") {

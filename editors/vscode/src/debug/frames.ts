@@ -1,4 +1,4 @@
-// Messages of the debug adapter in their frames: a header with `Content-Length`, an empty line, the message.
+// Framing of debug adapter messages: a header with `Content-Length`, an empty line, the message.
 
 const SEPARATOR = "\r\n\r\n";
 
@@ -7,13 +7,13 @@ export function frame(message: unknown): Buffer {
   return Buffer.concat([Buffer.from(`Content-Length: ${body.length}${SEPARATOR}`), body]);
 }
 
-/** Collects bytes and passes each message on when it is complete. */
+/** Collects bytes and forwards each complete message. */
 export class MessageReader {
   private rest = Buffer.alloc(0);
 
   constructor(private readonly receive: (message: unknown) => void) {}
 
-  /** Fails if the bytes are no messages. */
+  /** Adds bytes. Throws if they are not messages. */
   push(bytes: Buffer): void {
     this.rest = Buffer.concat([this.rest, bytes]);
     for (let next = this.take(); next !== undefined; next = this.take()) {

@@ -1,5 +1,5 @@
-// Breakpoints of a file as rings in its code view, and those of a code view as rings in its file. VS Code itself shows each
-// in the editor in which it was set, and the run stops at all of them.
+// Shows breakpoints of a file as rings in its code view, and breakpoints of a code view as rings in its file. VS Code
+// shows a breakpoint only in the editor in which it was set, but the run stops at every breakpoint.
 
 import * as vscode from "vscode";
 import { Mapping } from "../codeView/mapping";
@@ -44,12 +44,12 @@ export class OtherBreakpoints implements vscode.Disposable {
   }
 }
 
-/** The lines of a document with breakpoints, from 0. */
+/** Returns the lines of a document with breakpoints, from 0. */
 function linesOf(places: vscode.Location[], uri: vscode.Uri): number[] {
   return places.filter((place) => place.uri.toString() === uri.toString()).map(({ range }) => range.start.line);
 }
 
-/** The lines of a code view with breakpoints of its file. */
+/** Returns the lines of a code view that have a breakpoint in its file. */
 function ofFile(places: vscode.Location[], code: vscode.Uri, views: Views): number[] {
   const file = fileUri(code);
   const view = views.shown(file.fsPath).find((view) => view.code === code.toString());
@@ -57,7 +57,7 @@ function ofFile(places: vscode.Location[], code: vscode.Uri, views: Views): numb
   return lines.flatMap((line) => (line === undefined ? [] : [line - 1]));
 }
 
-/** The lines of a file with breakpoints of its code views. */
+/** Returns the lines of a file that have a breakpoint in its code views. */
 function ofViews(places: vscode.Location[], document: vscode.TextDocument): number[] {
   const inViews = places.filter(({ uri }) => uri.scheme === SCHEME && fileUri(uri).toString() === document.uri.toString());
   return inViews.flatMap(({ uri, range }) => Mapping.of(document.getText(), programIndex(uri))?.toFile(range.start).line ?? []);

@@ -1,4 +1,4 @@
-// The debugger in VS Code.
+// Registers the debugger in VS Code.
 
 import * as vscode from "vscode";
 import type { Client } from "../client";
@@ -18,7 +18,7 @@ import { RobotView } from "./view/panel";
 import { Preview } from "./view/preview";
 import { DebugViews } from "./views";
 
-/** `report` gets the errors of everything that runs in the background. */
+/** `report` receives the errors of background work. */
 export function registerDebugging(
   context: vscode.ExtensionContext,
   client: Client,

@@ -1,11 +1,11 @@
-// The run that is being debugged: its state, and the requests and events of `val3 dap` beyond the protocol, which
+// The debugged run: its state, and the requests and events of `val3 dap` beyond the protocol, which
 // docs/src/debugging.md describes.
 
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
 import { TYPE } from "./configurations";
 
-/** A line that requested a move. */
+/** Line that requested a move. */
 export interface Source {
   instruction: string;
   program: string;
@@ -13,7 +13,7 @@ export interface Source {
   file: string;
 }
 
-/** The arm at a time. Lengths are in mm, angles in degrees. */
+/** State of the arm at a time. Lengths are in mm, angles in degrees. */
 export interface Sample {
   t: number;
   joints: number[];
@@ -59,9 +59,9 @@ export type MotionMode = "continuous" | "step";
 const RESUMING = new Set(["continue", "next", "stepIn", "stepOut", "val3/motionStep"]);
 /** Seconds between two samples of the arm. */
 const SAMPLING = 0.1;
-/** Milliseconds between two updates of what is shown while the application runs. */
+/** Milliseconds between two updates of the views while the application runs. */
 const PAUSE = 250;
-/** Milliseconds after which a running application is looked at again even if it has reported nothing. */
+/** Milliseconds after which a running application is polled, even if it has reported nothing. */
 const POLL = 1000;
 
 export class DebuggedRun implements vscode.Disposable {
@@ -70,20 +70,20 @@ export class DebuggedRun implements vscode.Disposable {
   private readonly pages = new vscode.EventEmitter<UserPage | undefined>();
   private readonly views = new vscode.EventEmitter<object[]>();
   private readonly sessions = new vscode.EventEmitter<void>();
-  /** Something may have changed, or another session or none is active. */
+  /** Fires when something may have changed, or the active session has changed. */
   readonly onDidChange = this.changes.event;
-  /** The arm has moved. Nothing while no session is active. */
+  /** Fires when the arm has moved; with `undefined` if no session is active. */
   readonly onDidMove = this.samples.event;
-  /** The user page has changed. Nothing while no session is active. */
+  /** Fires when the user page has changed; with `undefined` if no session is active. */
   readonly onDidChangePage = this.pages.event;
-  /** The messages of the page that shows the robot, while it does. */
+  /** Fires for messages to the page that shows the robot, while it is visible. */
   readonly onDidView = this.views.event;
-  /** Another session or none is active, or the active one takes requests now. */
+  /** Fires when the active session has changed, or accepts requests from now on. */
   readonly onDidChangeSession = this.sessions.event;
   private readonly subscription: vscode.Disposable;
   private readonly poll: NodeJS.Timeout;
   private pause: NodeJS.Timeout | undefined;
-  /** Sessions that take requests, and whether their application runs. */
+  /** Sessions that accept requests, and whether their application runs. */
   private readonly running = new Map<string, boolean>();
 
   constructor(private readonly report: (fault: unknown) => void) {
@@ -111,7 +111,7 @@ export class DebuggedRun implements vscode.Disposable {
     vscode.Disposable.from(this.subscription, this.changes, this.samples, this.pages, this.views, this.sessions).dispose();
   }
 
-  /** The active session, if it is one of VAL 3 and takes requests. */
+  /** Returns the active session, if it is a VAL 3 session and accepts requests. */
   get session(): vscode.DebugSession | undefined {
     const active = vscode.debug.activeDebugSession;
     return active?.type === TYPE && this.running.has(active.id) ? active : undefined;
@@ -121,7 +121,7 @@ export class DebuggedRun implements vscode.Disposable {
     return this.running.get(this.session?.id ?? "") === true;
   }
 
-  /** The answer of the active session; nothing while there is none, or if it ends meanwhile. */
+  /** Sends a request to the active session. `undefined` if there is no session, or if it ends meanwhile. */
   async request<Answer>(command: string, args: object = {}): Promise<Answer | undefined> {
     const { session } = this;
     try {
@@ -134,7 +134,7 @@ export class DebuggedRun implements vscode.Disposable {
     }
   }
 
-  /** Changes something in the run. Faults are shown to the user. */
+  /** Changes something in the run. Errors are shown to the user. */
   async change(command: string, args: object): Promise<boolean> {
     try {
       await this.request(command, args);
@@ -179,7 +179,7 @@ export class DebuggedRun implements vscode.Disposable {
     await this.show();
   }
 
-  /** Whether the page that shows the robot gets messages. They begin with the present state. */
+  /** Sets whether the page that shows the robot receives messages. They begin with the present state. */
   async showView(isShown: boolean): Promise<void> {
     await this.request("val3/subscribe", { view: isShown });
   }

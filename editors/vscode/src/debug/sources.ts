@@ -1,30 +1,30 @@
-// Code views as sources of the debug adapter, which only knows files.
+// Maps code views to files, because the debug adapter supports only files.
 //
-// A request about a view becomes one about its file. Breakpoints of a view and of its file are sent together, because the
-// adapter replaces all breakpoints of a file at once. A stop is shown in the code view of its program if one is on the
-// screen, else in the file.
+// Requests for a view are rewritten for its file. Breakpoints of the view and the file are sent in one
+// `setBreakpoints`, which replaces all breakpoints of a file. A stop is shown in the code view if it is visible,
+// otherwise in the file.
 
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import type { Mapping } from "../codeView/mapping";
 
-/** A code view as a source. */
+/** Code view as a source. */
 export interface View {
-  /** Its address, which takes the place of a path. */
+  /** URI, used in place of a path. */
   code: string;
   name: string;
-  /** The path of its file. */
+  /** Path of the file. */
   file: string;
   mapping: Mapping;
 }
 
 export interface Views {
-  /** The view with this address; nothing for the path of a file. */
+  /** Finds the view with this URI; `undefined` for the path of a file. */
   find(path: string): Promise<View | undefined>;
-  /** The views of a file that are on the screen. */
+  /** Returns the visible views of a file. */
   shown(file: string): View[];
 }
 
-/** Something at a line of a source, with the columns that it may have. Lines and columns start at 1. */
+/** Line in a source, optionally with columns. Lines and columns start at 1. */
 interface Place {
   line?: number;
   column?: number;
@@ -36,16 +36,16 @@ interface Place {
 type Translation = (response: Protocol.Response) => void;
 
 export class SourceTranslator {
-  /** What is to be done with the answers to requests. */
+  /** Conversions for the responses to pending requests. */
   private readonly pending = new Map<number, Translation>();
-  /** The breakpoints of each file, by the path or the view in which they were set. */
+  /** Breakpoints by file, and by the path or view in which they were set. */
   private readonly breakpoints = new Map<string, Map<string, Protocol.SourceBreakpoint[]>>();
-  /** The views of breakpoints, by their number. */
+  /** Views by breakpoint number. */
   private readonly owners = new Map<number, View>();
 
   constructor(private readonly views: Views) {}
 
-  /** A message of the client as the adapter understands it. */
+  /** Converts a message from the client for the adapter. */
   async toAdapter(message: Protocol.ProtocolMessage): Promise<Protocol.ProtocolMessage> {
     const request = message as Protocol.Request;
     const { source } = (request.arguments ?? {}) as { source?: Protocol.Source };
@@ -59,7 +59,7 @@ export class SourceTranslator {
     return view === undefined ? message : this.atFile(request, view);
   }
 
-  /** A message of the adapter as the client shows it. */
+  /** Converts a message from the adapter for the client. */
   toClient(message: Protocol.ProtocolMessage): Protocol.ProtocolMessage {
     if (message.type === "response") {
       const response = message as Protocol.Response;
@@ -90,7 +90,7 @@ export class SourceTranslator {
     return { ...request, arguments: { source: fileSource(source, file), breakpoints: [...own, ...others], sourceModified } };
   }
 
-  /** The breakpoint was set in this view, or in a file. */
+  /** Records the view in which a breakpoint was set; `undefined` for a breakpoint in a file. */
   private claim(found: Protocol.Breakpoint, view: View | undefined): void {
     if (found.id !== undefined) {
       this.owners.delete(found.id);
@@ -130,7 +130,7 @@ export class SourceTranslator {
     }
   }
 
-  /** Shows a place of a file in a view that is on the screen. */
+  /** Converts a location in a file to a location in a visible view, if any. */
   private show(place: Place): void {
     const view = this.views.shown(place.source?.path ?? "").find(({ mapping }) => lineInCode(place.line, mapping) !== undefined);
     if (view !== undefined) {
@@ -147,15 +147,15 @@ function fileSource(source: Protocol.Source | undefined, file: string): Protocol
   return { ...source, path: file, name: file.slice(Math.max(file.lastIndexOf("/"), file.lastIndexOf("\\")) + 1) };
 }
 
-/** A place of a view as one of its file. */
+/** Converts a location in a view to a location in its file. */
 function placeInFile<Given extends Place>(place: Given, mapping: Mapping): Given {
   const inFile = (line: number | undefined): number | undefined =>
     line === undefined ? undefined : mapping.toFile({ line: line - 1, character: 0 }).line + 1;
-  // A line of code is a line of the file. Its first column may be another one, and a breakpoint needs none.
+  // A line of code is a line of the file. Its first column may differ, and a breakpoint needs none.
   return { ...place, line: inFile(place.line), endLine: inFile(place.endLine), column: undefined, endColumn: undefined };
 }
 
-/** Turns a place of a file into one of a view. Outside of the code it is the first line. */
+/** Converts a location in a file to a location in a view: the first line if it is outside the code. */
 function showIn(place: Place, view: View): void {
   place.source = { ...place.source, name: view.name, path: view.code };
   for (const key of ["line", "endLine"] as const) {
@@ -170,7 +170,7 @@ function showIn(place: Place, view: View): void {
   }
 }
 
-/** The line of a view for one of its file; nothing outside of the code. Both start at 1. */
+/** Returns the line in a view for a line in its file; `undefined` outside the code. Both start at 1. */
 export function lineInCode(line: number | undefined, mapping: Mapping): number | undefined {
   const start = { line: (line ?? 0) - 1, character: 0 };
   const found = line === undefined ? undefined : mapping.rangeToCode({ start, end: { line, character: 0 } });

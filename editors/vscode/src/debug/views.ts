@@ -1,4 +1,4 @@
-// The code views that a debug session can show programs in.
+// Code views in which a debug session can show programs.
 
 import * as vscode from "vscode";
 import type { CodeFiles } from "../codeView/files";
@@ -32,7 +32,7 @@ function viewOf(code: vscode.Uri, { uri, getText }: Pick<vscode.TextDocument, "u
   return mapping && { code: code.toString(), name, file: uri.fsPath, mapping };
 }
 
-/** A document may be open for a while after its tab was closed. */
+/** Whether the code view has a tab. Its document may remain open for a while after the tab was closed. */
 function isShown(code: vscode.Uri): boolean {
   const tabs = vscode.window.tabGroups.all.flatMap((group) => group.tabs);
   return tabs.some(({ input }) => input instanceof vscode.TabInputText && input.uri.toString() === code.toString());

@@ -1,8 +1,9 @@
-// Opens files in the encoding that they declare, and prevents that saving one loses characters.
+// Opens files in their declared encoding, and prevents the loss of characters on save.
 //
-// VS Code reads a file in the encoding of its settings and ignores the XML declaration. In UTF-8, every accent of a file
-// in ISO-8859-1 is lost, and saving would make that final. A file of VAL 3 is therefore read again in its declared
-// encoding. A file that is edited before that, for example by "Replace in Files", gets its characters back on save.
+// VS Code reads a file in the encoding of its settings and ignores the XML declaration. If a file in ISO-8859-1 is read
+// as UTF-8, every accent is lost, and saving would make the loss permanent. A VAL 3 file is therefore read again in its
+// declared encoding. If a file is edited before that, for example by "Replace in Files", its characters are restored on
+// save.
 
 import { readFile, writeFile } from "node:fs/promises";
 import * as vscode from "vscode";
@@ -13,8 +14,8 @@ import { asReferences, asUtf8, LOST, restore } from "./rescue";
 const LANGUAGES = new Set(["val3", "val3-data", "val3-project"]);
 
 /**
- * Documents that VS Code reads again, or that were edited meanwhile and not saved since. The latter have the new encoding
- * and still the text that was read as UTF-8.
+ * Documents that VS Code reads again, or that were edited meanwhile and not saved since. Edited documents have the new
+ * encoding, but still contain the text that was read as UTF-8.
  */
 const rereads = new WeakMap<vscode.TextDocument, Promise<vscode.TextDocument>>();
 
@@ -23,7 +24,7 @@ export async function openDocument(uri: vscode.Uri): Promise<vscode.TextDocument
   const document = await vscode.workspace.openTextDocument(uri);
   const { version } = document;
   const encoding = await missedEncoding(document);
-  // A document that was edited and saved in the meantime has other bytes on the disk than those that were examined.
+  // If a document was edited and saved meanwhile, the bytes on the disk are no longer the examined ones.
   const isUntouched = !document.isDirty && document.version === version;
   if (encoding !== undefined && isUntouched && !rereads.has(document)) {
     rereads.set(document, readAgain(document, encoding));
@@ -44,7 +45,7 @@ async function readAgain(document: vscode.TextDocument, encoding: string): Promi
   }
 }
 
-/** `report` gets the errors of everything that runs in the background. */
+/** `report` receives the errors of background work. */
 export function registerEncodings(report: (fault: unknown) => void): vscode.Disposable[] {
   const saves = new Saves();
   const correct = ({ uri }: vscode.TextDocument): void => void openDocument(uri).catch(report);
@@ -60,7 +61,7 @@ function isOwn({ uri, languageId, encoding }: vscode.TextDocument): boolean {
   return uri.scheme === "file" && LANGUAGES.has(languageId) && !encoding.startsWith("utf16");
 }
 
-/** The encoding of a file, if its document has another one. */
+/** Returns the file's encoding, if the document was read in a different one. */
 async function missedEncoding(document: vscode.TextDocument): Promise<string | undefined> {
   if (!isOwn(document)) {
     return undefined;
@@ -69,7 +70,7 @@ async function missedEncoding(document: vscode.TextDocument): Promise<string | u
   return encoding === undefined || isSameEncoding(encoding, document.encoding) ? undefined : encoding;
 }
 
-/** The first encoding in which all bytes survive. */
+/** Returns the first encoding that keeps all bytes. */
 async function encodingOf(bytes: Uint8Array): Promise<string | undefined> {
   for (const encoding of encodingsOf(bytes)) {
     if (isUtf8(encoding) || Buffer.compare(await encode(await decode(bytes, encoding), encoding), bytes) === 0) {
@@ -80,10 +81,10 @@ async function encodingOf(bytes: Uint8Array): Promise<string | undefined> {
 }
 
 class Saves {
-  /** The right encodings of files that VS Code is about to save in another one, by URI. */
+  /** Right encodings of files that VS Code is about to save wrongly, by URI. */
   private readonly pending = new Map<string, string>();
 
-  /** The edits without which saving would lose characters. */
+  /** Returns the edits without which saving would lose characters. */
   async prepare(document: vscode.TextDocument): Promise<vscode.TextEdit[]> {
     const text = Buffer.from(document.getText());
     // A file that does not exist yet has lost nothing.
@@ -128,7 +129,10 @@ class Saves {
     return encoding;
   }
 
-  /** The edits for characters that an encoding lacks: references, or else UTF-8 as the encoding of the file. */
+  /**
+   * Returns the edits for characters that an encoding does not contain: references, or a change of the file's encoding
+   * to UTF-8.
+   */
   private async fit(document: vscode.TextDocument, encoding: string): Promise<vscode.TextEdit[]> {
     const text = document.getText();
     if (isUtf8(encoding)) {
@@ -155,8 +159,8 @@ async function replace(document: vscode.TextDocument, edits: vscode.TextEdit[]):
 }
 
 /**
- * The edit of a document that was read in the encoding `read` and changed, although its file is in `encoding`: the
- * document with its characters again, or else the text of the file.
+ * Returns the edits of a document that was read in the encoding `read` and edited, although its file is in `encoding`:
+ * they restore the document's characters, or otherwise the text of the file.
  */
 async function restored(document: vscode.TextDocument, bytes: Uint8Array, read: string, encoding: string): Promise<vscode.TextEdit[]> {
   const right = await decode(bytes, encoding);
@@ -168,7 +172,7 @@ async function restored(document: vscode.TextDocument, bytes: Uint8Array, read: 
   return [vscode.TextEdit.replace(whole(document), text ?? right)];
 }
 
-/** The letters of a text that an encoding lacks. */
+/** Returns the letters of a text that an encoding does not contain. */
 async function missingLetters(text: string, encoding: string): Promise<Set<string>> {
   const letters = [...new Set(text)].filter((letter) => letter > "\x7f");
   const kept = (await decode(await encode(letters.join("\n"), encoding), encoding)).split("\n");

@@ -1,4 +1,4 @@
-// Opens the files of an edit in their own encodings, before VS Code opens them in another one to apply the edit.
+// Opens the files that an edit changes in their own encodings, before VS Code opens them in the default encoding.
 
 import type * as vscode from "vscode";
 import type { Middleware } from "vscode-languageclient/node";
@@ -13,7 +13,7 @@ export const encodingMiddleware: Middleware = {
   },
 };
 
-/** Returns the edit when all files that it changes are open. */
+/** Returns the edit once all files that it changes are open. */
 export async function withOpenFiles<Edit extends vscode.WorkspaceEdit | null | undefined>(edit: Edit): Promise<Edit> {
   // A file that the edit creates cannot be opened yet.
   await Promise.allSettled((edit?.entries() ?? []).map(([uri]) => openDocument(uri)));

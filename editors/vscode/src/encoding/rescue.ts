@@ -1,15 +1,15 @@
-// Computes the text with which a file must be saved so that no character is lost. Pure functions of texts.
+// Computes the text with which a file must be saved so that no character is lost. Pure functions.
 
 import type { Replacement } from "../codeView/projection";
 
-/** Replaces each byte sequence that could not be decoded. */
+/** Replacement character for byte sequences that could not be decoded. */
 export const LOST = "\ufffd";
 const CDATA = /<!\[CDATA\[[^]*?(?:\]\]>|$)/g;
 
 /**
- * Restores the lost characters of a text that was read in the wrong encoding and then edited. `read` is the text before the
- * edits, `right` the text of the same bytes in the right encoding. Returns nothing if the characters can no longer be
- * identified.
+ * Restores the lost characters of a text that was read in the wrong encoding and then edited. `read` is the text before
+ * the edits, `right` the text of the same bytes in the right encoding. Returns `undefined` if the characters can no
+ * longer be identified.
  */
 export function restore(edited: string, read: string, right: string): string | undefined {
   const lost = lostCharacters(read, right);
@@ -20,7 +20,7 @@ export function restore(edited: string, read: string, right: string): string | u
   return edited.replaceAll(LOST, () => lost[next++] ?? LOST);
 }
 
-/** The characters of `right` at each lost character of `read`. The texts between them are equal. */
+/** Returns the characters of `right` at each lost character of `read`. The texts between them are equal. */
 function lostCharacters(read: string, right: string): string[] | undefined {
   const [first = "", ...between] = read.split(LOST);
   if (!right.startsWith(first)) {
@@ -41,8 +41,8 @@ function lostCharacters(read: string, right: string): string[] | undefined {
 }
 
 /**
- * The edits that replace characters missing from an encoding by references; `has` returns whether it has a character.
- * Nothing if such a character is in a CDATA section, where references are not possible.
+ * Returns the edits that replace characters missing in an encoding by references; `has` returns whether the encoding
+ * contains a character. `undefined` if such a character is in a CDATA section, where references are not possible.
  */
 export function asReferences(text: string, has: (character: string) => boolean): Replacement[] | undefined {
   const sections = Array.from(text.matchAll(CDATA), ({ 0: section, index }) => ({ start: index, end: index + section.length }));
@@ -54,7 +54,7 @@ export function asReferences(text: string, has: (character: string) => boolean):
   });
 }
 
-/** The edit that declares UTF-8 in the XML declaration. */
+/** Returns the edit that sets UTF-8 in the XML declaration. */
 export function asUtf8(text: string): Replacement[] {
   const [, before, name] = /^(<\?xml[^>]*?\sencoding\s*=\s*["'])([^"']*)/i.exec(text) ?? [];
   const isChanged = before !== undefined && name !== undefined && name.toLowerCase() !== "utf-8";

@@ -1,4 +1,4 @@
-// *Run test | Debug test* above the programs of tests: the commands of the server's code lenses.
+// *Run test | Debug test* above test programs: the commands of the server's code lenses.
 
 import { dirname } from "node:path";
 import * as vscode from "vscode";
@@ -23,6 +23,6 @@ async function startTest(tree: TestTree, profile: vscode.TestRunProfile, project
     return;
   }
   const request = new vscode.TestRunRequest(tests.map(({ item }) => item), undefined, profile);
-  // The run has a token of its own.
+  // The run has a separate token.
   await profile.runHandler(request, new vscode.CancellationTokenSource().token);
 }

@@ -1,7 +1,7 @@
-// The coverage of files that `val3 test --coverage-output json=FILE` writes.
+// Coverage of files that `val3 test --coverage-output json=FILE` writes.
 
 export interface CoverageReport {
-  /** One entry for each program; a file may have several. */
+  /** One entry per program; a file may have several. */
   files: CoveredFile[];
 }
 
@@ -27,7 +27,7 @@ export interface Count {
   total: number;
 }
 
-/** The files of a report, each once. */
+/** Returns the files of a report without duplicates. */
 export function filesOf({ files }: CoverageReport): CoveredFile[] {
   const found = new Map<string, CoveredFile>();
   for (const { file, lines, branches } of files) {
@@ -37,17 +37,17 @@ export function filesOf({ files }: CoverageReport): CoveredFile[] {
   return [...found.values()];
 }
 
-/** The lines that were executed, among all lines with code. */
+/** Counts the executed lines among all lines with code. */
 export function lineCount({ lines }: CoveredFile): Count {
   return count(lines);
 }
 
-/** The sides of branches that were taken, among all. */
+/** Counts the executed sides among all sides of branches. */
 export function sideCount({ branches }: CoveredFile): Count {
   return count(branches.flatMap(({ sides }) => sides));
 }
 
-/** The branches of a line. */
+/** Returns the branches of a line. */
 export function branchesOf({ branches }: CoveredFile, { line }: CoveredLine): CoveredBranch[] {
   return branches.filter((branch) => branch.line === line);
 }

@@ -1,4 +1,4 @@
-// Tests under the debugger, one session each.
+// Tests under the debugger, in one session each.
 
 import * as vscode from "vscode";
 import { TYPE } from "../debug/configurations";
@@ -6,9 +6,9 @@ import { chosenTests, finish } from "./execution";
 import { isScenario, type Result } from "./results";
 import type { Test, TestTree } from "./tree";
 
-/** The event with which the debug adapter reports the result of a test. */
+/** Event with which the debug adapter reports the result of a test. */
 const RESULT = "val3/testResult";
-/** The key of a configuration by which its session is recognised. */
+/** Configuration key by which a test's session is recognised. */
 const KEY = "testItem";
 
 export async function debug(request: vscode.TestRunRequest, tree: TestTree): Promise<void> {
@@ -62,7 +62,7 @@ async function debugTest(run: vscode.TestRun, test: Test): Promise<void> {
   }
 }
 
-/** A test program is debugged as a test, and the script of a scenario with its application. */
+/** Returns the configuration: for a test program its test, for a scenario its script with the application. */
 function configuration({ name, folder, item }: Test): vscode.DebugConfiguration {
   const launch = { type: TYPE, request: "launch", name, program: folder };
   const file = item.uri?.fsPath ?? "";

@@ -1,4 +1,4 @@
-// The execution of tests by `val3 test`, with or without coverage.
+// Execution of tests by `val3 test`, with or without coverage.
 
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
@@ -19,7 +19,7 @@ const WITH_RESULTS: (number | null)[] = [0, 1];
 export class Execution {
   constructor(private readonly client: Client, private readonly tree: TestTree) {}
 
-  /** Executes the tests that are asked for. */
+  /** Executes the requested tests. */
   async execute(request: vscode.TestRunRequest, isMeasured: boolean): Promise<void> {
     await vscode.workspace.saveAll(false);
     await this.tree.refresh();
@@ -54,7 +54,7 @@ export class Execution {
     }
   }
 
-  /** Executes a batch. The result is the folder that its paths are relative to. */
+  /** Executes a batch. Returns the folder to which its paths are relative. */
   private async process(run: vscode.TestRun, { batch, aborted }: Work, coverage?: string): Promise<string> {
     const [{ folder } = { folder: "." }] = batch.tests;
     const open = new Map(batch.tests.map((test) => [test.name, test]));
@@ -70,7 +70,7 @@ export class Execution {
     return folder;
   }
 
-  /** No process without the path of a server: Windows would look for a mere name in the folder first. */
+  /** Runs nothing without the path of a server, because Windows would search a mere name in the folder first. */
   private async follow(words: readonly string[], place: Place): Promise<Ended> {
     const { command } = this.client;
     return command === undefined ? { code: null, errors: "The server val3 was not found.\n" } : follow(command, words, place);
@@ -83,7 +83,7 @@ interface Work {
   aborted: AbortSignal;
 }
 
-/** The tests that a request includes and does not exclude. */
+/** Returns the tests that a request includes and does not exclude. */
 export function chosenTests({ include, exclude }: vscode.TestRunRequest, tree: TestTree): Test[] {
   const excluded = new Set((exclude ?? []).flatMap((item) => tree.below(item)));
   const included = include === undefined ? tree.all() : include.flatMap((item) => tree.below(item));
@@ -105,7 +105,7 @@ function show(run: vscode.TestRun, line: Line, { open, folder }: { open: Map<str
   }
 }
 
-/** Shows the result of a test. Its paths are relative to a folder. */
+/** Shows the result of a test. Its paths are relative to `folder`. */
 export function finish(run: vscode.TestRun, item: vscode.TestItem, result: Result, folder: string): void {
   run.appendOutput(output(result), undefined, item);
   const milliseconds = result.seconds * 1000;

@@ -1,4 +1,4 @@
-// The coverage of a file for the editor: its lines, and the sides of their branches.
+// Coverage of a file for the editor: its lines and branch sides.
 
 import * as vscode from "vscode";
 import { branchesOf, type Count, type CoveredFile, type CoveredLine, lineCount, sideCount } from "./coverage";

@@ -4,7 +4,7 @@ import { resolve } from "node:path";
 import * as vscode from "vscode";
 import { type Failure, type Place, placeOf, sides } from "./results";
 
-/** The message of a failure, whose paths are relative to a folder. */
+/** Returns the message of a failure, whose paths are relative to `folder`. */
 export function messageOf(failure: Failure, folder: string): vscode.TestMessage {
   const values = sides(failure.message);
   const message = values === undefined

@@ -1,12 +1,12 @@
-// A process `val3 test`.
+// Process `val3 test`.
 
 import { spawn } from "node:child_process";
 import { LineReader } from "./results";
 
 export interface Ended {
-  /** Nothing if a signal has ended it. */
+  /** Exit code; `null` if a signal has ended the process. */
   code: number | null;
-  /** What it has written to the standard error output. */
+  /** Standard error output. */
   errors: string;
 }
 
@@ -19,7 +19,7 @@ export interface Place {
   line: (line: string) => void;
 }
 
-/** Runs a command to its end and passes each line of its output on. */
+/** Runs a command to its end and forwards each output line. */
 export async function follow(command: string, words: readonly string[], { folder, aborted, line }: Place): Promise<Ended> {
   return new Promise((resolve) => {
     const child = spawn(command, words, { cwd: folder, signal: aborted, stdio: ["ignore", "pipe", "pipe"] });

@@ -1,18 +1,18 @@
-// What `val3 test` writes: the tests of applications, what happens while they are executed, and the coverage of files.
+// Output of `val3 test`: the tests of applications, events during their execution, and the coverage of files.
 
-/** The object of `val3 test --list --format json`. */
+/** Output of `val3 test --list --format json`. */
 export interface Listing {
   applications: ListedApplication[];
 }
 
 export interface ListedApplication {
   name: string;
-  /** Its `.pjx`. */
+  /** Path of the `.pjx`. */
   file: string;
   folder: string;
-  /** Nothing if the application cannot be executed. */
+  /** `null` if the application cannot be executed. */
   tests: ListedTest[] | null;
-  /** The reason. */
+  /** Reason why it cannot. */
   error: string | null;
 }
 
@@ -25,16 +25,16 @@ export interface ListedTest {
   line: number;
 }
 
-/** A line of `--format json-lines`. */
+/** Line of `--format json-lines`. */
 export type Line = { kind: "started"; test: ListedTest } | { kind: "finished"; test: Result } | { kind: "summary" };
 
 export interface Result extends ListedTest {
   passed: boolean;
-  /** Of the controller's clock. */
+  /** Duration on the controller's clock. */
   seconds: number;
   prints: string[];
   failure: Failure | null;
-  /** Why the test neither passes nor fails. */
+  /** Reason why the test neither passes nor fails. */
   exemption?: Exemption | null;
 }
 
@@ -57,24 +57,24 @@ export interface Place {
   line: number;
 }
 
-/** The values of both sides of an assertion; nothing if the message has others. */
+/** Returns the values of both sides of an assertion; `undefined` if the message has another form. */
 export function sides(message: string): { actual: string; expected: string } | undefined {
   const lines = /^ {2}actual {4}(.*)\n {2}expected {2}(.*)$/m.exec(message);
   const [, actual, expected] = lines ?? /^("[^"]*"|\S+) instead of ("[^"]*"|\S+)(?: \(.*\))?$/.exec(message) ?? [];
   return actual === undefined || expected === undefined ? undefined : { actual, expected };
 }
 
-/** The innermost place of a failure that has a file. */
+/** Returns the innermost location of a failure that has a file. */
 export function placeOf({ places }: Failure): Place | undefined {
   return places.find(({ file }) => file !== "");
 }
 
-/** All failures of a test. */
+/** Returns all failures of a test. */
 export function all(failure: Failure | null): Failure[] {
   return failure === null ? [] : [failure, ...(failure.others ?? [])];
 }
 
-/** The text of a result in the output of a test run, where lines end with CR LF. */
+/** Formats a result for the output of a test run, where lines end with CR LF. */
 export function output({ name, passed, seconds, prints, failure, exemption }: Result): string {
   const reason = exemption ? `, ${exemption.kind === "skipped" ? "skipped" : "known failure"}: ${exemption.reason}` : "";
   const head = `${exemption ? "skip" : passed ? "ok  " : "FAIL"} ${name} (${seconds.toFixed(3)} s)${reason}`;
@@ -83,12 +83,12 @@ export function output({ name, passed, seconds, prints, failure, exemption }: Re
   return [head, ...message, ...printed].map((line) => `${line}\r\n`).join("");
 }
 
-/** Whether a test is a scenario: the file of one is a script. */
+/** Whether a test is a scenario, whose file is a script. */
 export function isScenario(file: string): boolean {
   return /\.toml$/i.test(file);
 }
 
-/** Collects the output of a process and passes each whole line on. */
+/** Collects the output of a process and forwards each complete line. */
 export class LineReader {
   private rest = "";
 

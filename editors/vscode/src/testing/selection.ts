@@ -1,10 +1,10 @@
-// The tests that one process executes, and its arguments.
+// Selection of the tests that one process executes, and its arguments.
 
-/** A test as far as its choice needs it. */
+/** Properties of a test that its selection needs. */
 export interface ChosenTest {
-  /** `application:program`, perhaps with a row, or `application:scenario`. */
+  /** `application:program`, optionally with a row, or `application:scenario`. */
   name: string;
-  /** What `val3 test` finds it by: the folder of the application, or the file of a scenario. */
+  /** Path by which `val3 test` finds the test: the folder of the application, or the file of a scenario. */
   path: string;
 }
 
@@ -12,11 +12,14 @@ export interface ChosenTest {
 export interface Batch<Test extends ChosenTest = ChosenTest> {
   paths: string[];
   tests: Test[];
-  /** The names to choose; none if the paths have no other tests. */
+  /** Names to select; empty if the paths contain no other tests. */
   names: string[];
 }
 
-/** The chosen tests in as few processes as possible: a name means one test in each. `all` are those of the workspace. */
+/**
+ * Divides the selected tests into as few processes as possible, such that a name is unique in each process. `all` are
+ * the tests in the workspace.
+ */
 export function batches<Test extends ChosenTest>(chosen: readonly Test[], all: readonly ChosenTest[]): Batch<Test>[] {
   const batches: { paths: string[]; tests: Map<string, Test> }[] = [];
   for (const [path, tests] of byPath(chosen)) {
@@ -46,7 +49,7 @@ function isBelow(path: string, folder: string): boolean {
   return path === folder || path.startsWith(`${folder}/`) || path.startsWith(`${folder}\\`);
 }
 
-/** The arguments of `val3` for a batch. `coverage` is the file that its coverage is written to. */
+/** Returns the arguments of `val3` for a batch. `coverage` is the file for its coverage. */
 export function testArguments({ paths, names }: Batch, coverage?: string): string[] {
   const exact = names.flatMap((name) => ["--exact", name]);
   const measured = coverage === undefined ? [] : ["--coverage-output", `json=${coverage}`];

@@ -1,4 +1,4 @@
-// The tree of the Testing view: applications and their tests, as `val3 test --list` gives them.
+// Tree of the Testing view: applications and their tests, from `val3 test --list`.
 
 import { resolve } from "node:path";
 import * as vscode from "vscode";
@@ -7,13 +7,13 @@ import { follow } from "./process";
 import { isScenario, type ListedApplication, type ListedTest, type Listing } from "./results";
 import type { ChosenTest } from "./selection";
 
-/** Milliseconds after the last change of a file until the tests are listed again. */
+/** Milliseconds from the last change of a file until the tests are listed again. */
 const PAUSE = 500;
 
-/** A test of the tree. */
+/** Test in the tree. */
 export interface Test extends ChosenTest {
   program: string;
-  /** The folder of its application. */
+  /** Application folder. */
   folder: string;
   item: vscode.TestItem;
 }
@@ -23,7 +23,7 @@ export class TestTree implements vscode.Disposable {
   private readonly tests = new Map<string, Test>();
   private readonly subscription: vscode.Disposable;
   private pause: NodeJS.Timeout | undefined;
-  /** Listings, one after the other. */
+  /** Serialises the listings. */
   private turns: Promise<void> = Promise.resolve();
 
   constructor(private readonly client: Client, private readonly output: vscode.LogOutputChannel) {
@@ -44,24 +44,24 @@ export class TestTree implements vscode.Disposable {
     this.subscription.dispose();
   }
 
-  /** Lists the tests as the files are now. */
+  /** Lists the tests in the present files. */
   async refresh(): Promise<void> {
     clearTimeout(this.pause);
     this.turns = this.turns.then(() => this.list()).catch((fault: unknown) => this.output.error(String(fault)));
     await this.turns;
   }
 
-  /** All tests. */
+  /** Returns all tests. */
   all(): Test[] {
     return [...this.tests.values()];
   }
 
-  /** The tests of an item: its own one, or those of the application. */
+  /** Returns an item's tests: its own one, or the application's tests. */
   below(item: vscode.TestItem): Test[] {
     return this.all().filter((test) => test.item === item || test.item.parent === item);
   }
 
-  /** The tests of a program of the application in a folder: several if it has a table. */
+  /** Returns the tests for a program of the application in a folder: several if the test has a table. */
   find(folder: string, program: string): Test[] {
     return this.all().filter((test) => test.folder === folder && test.program === program);
   }
@@ -95,7 +95,7 @@ export class TestTree implements vscode.Disposable {
     this.controller.items.replace(items);
   }
 
-  /** Items that exist keep their results. */
+  /** Existing items keep their results. */
   private applicationItem({ name, file, folder, tests, error }: ListedApplication, base: string): vscode.TestItem {
     const own = resolve(base, folder);
     const item = this.controller.items.get(own) ?? this.controller.createTestItem(own, name, vscode.Uri.file(resolve(base, file)));

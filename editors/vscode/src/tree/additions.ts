@@ -1,4 +1,4 @@
-// "Add Library" and "Add Type": the choice of a project of the cell, and its entry in the `.pjx`.
+// "Add Library" and "Add Type": the choice of a project in the cell, and its entry in the `.pjx`.
 
 import * as vscode from "vscode";
 import type { WorkspaceEdit } from "vscode-languageclient/node";
@@ -25,11 +25,11 @@ export async function addReference(client: Client, { name, uri }: Project, kind:
   }
 }
 
-/** Asks for the name, which the server checks, and adds the entry. */
+/** Prompts for the name, which the server checks, and adds the entry. */
 async function addAs(client: Client, uri: string, kind: ReferenceKind, { candidate, label }: Choice): Promise<void> {
   const request = (name: string): Promise<WorkspaceEdit> =>
     client.request("val3/addLibrary", { uri, kind, name, path: candidate.path });
-  // A circle and a project file with errors are refused before the question.
+  // A circular reference and a project file with errors are rejected before the prompt.
   await request(candidate.name);
   const name = await vscode.window.showInputBox({
     prompt: kind === "type" ? `The name of the type ${label}` : `The identifier of the library ${label}`,

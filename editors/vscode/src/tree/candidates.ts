@@ -1,4 +1,4 @@
-// The choice of a library or a type, without VS Code.
+// Choice of a library or type, independent of VS Code.
 
 import type { Candidate, ProjectKind } from "./protocol";
 
@@ -11,7 +11,7 @@ export interface Choice {
   candidate: Candidate;
 }
 
-/** The choices, by how probable they are, under their headings. */
+/** Choices under a heading. Sections are ordered by probability. */
 export interface Section {
   heading: string;
   choices: Choice[];
@@ -19,7 +19,7 @@ export interface Section {
 
 const KINDS: Record<ProjectKind, string> = { application: "application", tests: "tests", library: "library", type: "user type" };
 
-/** What the cell has for a project. A type needs public data, which are its fields. */
+/** Returns the cell's projects that can be added. A type needs public data, which are its fields. */
 export function sections(candidates: readonly Candidate[], kind: ReferenceKind): Section[] {
   const fitting = kind === "type" ? candidates.filter(({ publicData }) => publicData > 0) : [...candidates];
   const present = kind === "type" ? ({ types }: Candidate): string[] => types : ({ libraries }: Candidate): string[] => libraries;

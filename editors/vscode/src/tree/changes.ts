@@ -1,4 +1,4 @@
-// Rename, delete and find the uses of an item of the view.
+// Renames and deletes items of the view, and finds their uses.
 
 import * as vscode from "vscode";
 import type { WorkspaceEdit } from "vscode-languageclient/node";
@@ -9,7 +9,7 @@ import { rangeOf } from "../ranges";
 import type { TreeNode } from "./nodes";
 import type { Deletion, Item, Location, Position } from "./protocol";
 
-/** The position of a name, as parameters of a request. */
+/** Position of a name, as request parameters. */
 interface At {
   textDocument: { uri: string };
   position: Position;
@@ -70,7 +70,7 @@ async function show({ textDocument, position }: At, uses: Location[]): Promise<v
   await vscode.commands.executeCommand(SHOW_REFERENCES, textDocument.uri, position, uses);
 }
 
-/** Applies an edit of the server, and saves the files if the settings say so. */
+/** Applies an edit from the server, and saves the files if the setting requires it. */
 export async function apply(client: Client, edit: WorkspaceEdit): Promise<void> {
   const converted = await client.workspaceEdit(edit);
   const uris = new Set(converted.entries().map(([uri]) => uri.toString()));
@@ -78,23 +78,26 @@ export async function apply(client: Client, edit: WorkspaceEdit): Promise<void> 
   if (!(await vscode.workspace.applyEdit(converted, { isRefactoring: true }))) {
     throw new Error("The files could not be changed.");
   }
-  // VS Code saves changes of several files alone.
+  // VS Code itself saves only changes of several files.
   if (vscode.workspace.getConfiguration("files").get<boolean>("refactoring.autoSave", true)) {
     await Promise.all(unchanged.filter(({ isDirty, isClosed }) => isDirty && !isClosed).map((document) => document.save()));
   }
 }
 
-/** The position of the name, if the file has it there. It may have been edited since the view was filled. */
+/**
+ * Returns the position of the name, if the file still contains it there. The file may have been edited since the view
+ * was filled.
+ */
 async function place({ name, location: { uri, range } }: Item): Promise<At> {
   const document = await openDocument(vscode.Uri.parse(uri));
-  // A program is listed by its file in some places.
+  // Some entries list a program by its file.
   if (document.getText(rangeOf(range)) !== name) {
     throw new Error(`${name} has just been changed. Refresh the view, and try again.`);
   }
   return { textDocument: { uri }, position: range.start };
 }
 
-/** The message of a fault, as a sentence. */
+/** Formats an error message as a sentence. */
 export function reason(fault: unknown): string {
   const text = fault instanceof Error ? fault.message : String(fault);
   const sentence = text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,14 +1,14 @@
-// The names that match a text in any letter case, and the projects that hold or reach one.
+// Names that match a text in any letter case, and the projects that contain or reach such a name.
 
 import type { Graph } from "./graph";
 import type { Item, Project } from "./protocol";
 
 export class Filter {
   private readonly text: string;
-  /** The URIs of projects with an item that matches. */
+  /** URIs of projects with a matching item. */
   private readonly own: Set<string>;
   private readonly reaching = new Map<string, boolean>();
-  /** The number of items that match. */
+  /** Number of matching items. */
   readonly count: number;
 
   constructor(text: string, private readonly graph: Graph) {
@@ -26,7 +26,7 @@ export class Filter {
     return name.toLowerCase().includes(this.text);
   }
 
-  /** The project holds an item that matches, or reaches a project that does. */
+  /** Whether the project contains a matching item, or reaches a project that does. */
   reaches(project: Project): boolean {
     let known = this.reaching.get(project.uri);
     if (known === undefined) {

@@ -1,4 +1,4 @@
-// The projects by their URIs, and the ways between them.
+// Projects by URI, and the references between them.
 
 import type { Project, Reference } from "./protocol";
 
@@ -13,12 +13,12 @@ export class Graph {
     return uri === null ? undefined : this.byUri.get(uri);
   }
 
-  /** The projects that an entry means: its own, and those that are loaded in its place. */
+  /** Returns the projects to which an entry refers: the declared one, and replacements that programs load. */
   targets({ project, loaded }: Reference): Project[] {
     return [project, ...loaded].map((uri) => this.find(uri)).filter((found) => found !== undefined);
   }
 
-  /** The URIs of these projects, and of all that they use. */
+  /** Returns the URIs of these projects and of all projects that they use. */
   reachable(from: readonly Project[]): Set<string> {
     const found = new Set<string>();
     const next = [...from];

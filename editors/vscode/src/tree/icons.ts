@@ -3,9 +3,9 @@
 import type { ProjectKind } from "./protocol";
 
 export interface Icon {
-  /** The name of a codicon. */
+  /** Name of a codicon. */
   id: string;
-  /** The identifier of a theme colour. */
+  /** Identifier of a theme colour. */
   color?: string;
 }
 
@@ -23,7 +23,7 @@ const PROJECTS: Record<ProjectKind, Icon> = {
   type: { id: "symbol-structure", color: PURPLE },
 };
 
-/** By the types of the language; files add the kind of arm to some of them. */
+/** Icons by type; types in files may have the kind of arm as suffix. */
 const DATA: Record<string, Required<Icon>> = {
   num: { id: "symbol-number", color: BLUE },
   bool: { id: "symbol-boolean", color: BLUE },
@@ -43,10 +43,10 @@ const DATA: Record<string, Required<Icon>> = {
 
 const USER_TYPE: Required<Icon> = { id: "symbol-structure", color: PURPLE };
 
-/** The icon of a group of items. */
+/** Icon for a group of items. */
 export const GROUP: Icon = { id: "folder" };
 
-/** A library or a type whose project does not exist. */
+/** Icon of a library or type whose project does not exist. */
 export const MISSING: Icon = { id: "warning", color: "list.warningForeground" };
 
 export function projectIcon(kind: ProjectKind): Icon {
@@ -61,7 +61,7 @@ export function dataIcon(type: string, isPublic: boolean): Icon {
   return withAccess(DATA[type.replace(/R[xs]$|Vrb$/, "")] ?? USER_TYPE, isPublic);
 }
 
-/** Items that belong to their project alone have the colour of other icons. Symbols would have one of their own. */
+/** Private items have the colour of other icons, because symbols would have a separate colour. */
 function withAccess({ id, color }: Required<Icon>, isPublic: boolean): Icon {
   return { id, color: isPublic ? color : "icon.foreground" };
 }

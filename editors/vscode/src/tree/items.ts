@@ -1,4 +1,4 @@
-// The items of the view as VS Code shows them.
+// Converts nodes to items of VS Code.
 
 import * as vscode from "vscode";
 import { rangeOf } from "../ranges";

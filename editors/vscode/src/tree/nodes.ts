@@ -1,4 +1,4 @@
-// The items of the view "VAL 3" as plain values, computed from the projects that the server lists.
+// Nodes of the view "VAL 3", computed from the projects that the server lists.
 
 import { Filter } from "./filter";
 import { Graph } from "./graph";
@@ -6,28 +6,28 @@ import { dataIcon, GROUP, type Icon, MISSING, programIcon, projectIcon } from ".
 import type { Data, Item, Location, Program, Project, Reference } from "./protocol";
 import { dataTexts, missingTexts, programTexts, projectTexts, referenceTexts, type Texts } from "./texts";
 
-/** An item of the view. */
+/** Node of the view. */
 export interface TreeNode extends Texts {
-  /** Stays the same while the item exists, so that it stays open and selected. */
+  /** Constant while the node exists, so that it stays open and selected. */
   id: string;
   label: string;
   icon: Icon;
   /** Words by which the menus choose their entries. */
   context: string[];
-  /** The `.pjx` to which additions belong. */
+  /** Project file for additions. */
   project: Project | undefined;
-  /** What is renamed, deleted and searched. */
+  /** Item for rename, delete and find uses. */
   item: Item | undefined;
-  /** What a click opens. */
+  /** Location that a click opens. */
   target: Location | undefined;
   isOpen: boolean;
-  /** `undefined` for an item that contains none. */
+  /** `undefined` for a node without children. */
   children: (() => TreeNode[]) | undefined;
 }
 
-/** Data of a project above which they are grouped by type. */
+/** Number of data in a project above which they are grouped by type. */
 const MANY = 40;
-/** Libraries within libraries that are open while a filter is on. */
+/** Depth of nested libraries that are open while a filter is set. */
 const OPEN_DEPTH = 1;
 
 const byName = new Intl.Collator(undefined, { numeric: true, sensitivity: "base" }).compare;
@@ -36,12 +36,12 @@ const sorted = <T extends { name: string }>(items: readonly T[]): T[] => [...ite
 
 const FILE_START = { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } };
 
-/** A place in the tree: where its items come from, and the projects around it. */
+/** Branch of the tree: its project, and the projects that enclose it. */
 interface Branch {
   id: string;
   project: Project;
   around: string[];
-  /** Everything is shown, because only the name of the project matches the filter. */
+  /** Whether all items are shown, because only the name of the project matches the filter. */
   isWhole: boolean;
 }
 
@@ -54,12 +54,12 @@ export class TreeModel {
     this.filter = new Filter(text, this.graph);
   }
 
-  /** The number of items that match the filter. */
+  /** Returns the number of items that match the filter. */
   get count(): number {
     return this.filter.count;
   }
 
-  /** Applications, then tests, then what neither of them uses. */
+  /** Returns applications, then tests, then projects that neither uses. */
   roots(): TreeNode[] {
     const { projects } = this.graph;
     const ofKind = (kind: string): Project[] => sorted(projects.filter((project) => project.kind === kind));
@@ -70,13 +70,13 @@ export class TreeModel {
     return [...this.shown(starting, ""), ...(starting.length === 0 ? others : this.group("other", "Not Used by an Application", others))];
   }
 
-  /** The nodes of projects that the filter leaves. */
+  /** Returns the nodes of projects that pass the filter. */
   private shown(projects: readonly Project[], place: string): TreeNode[] {
     const found = projects.filter((project) => this.filter.reaches(project));
     return found.map((project) => this.projectNode(project, this.id(`${place}:${project.uri}`), []));
   }
 
-  /** Items below a filter are others, so that they are open. */
+  /** Returns a separate id while a filter is set, so that nodes are open. */
   private id(id: string): string {
     return this.filter.isOn ? `${this.text}?${id}` : id;
   }
@@ -178,7 +178,7 @@ export class TreeModel {
     return this.group(`${id}#loaded`, "Loaded in Its Place", nodes);
   }
 
-  /** A group, or nothing if it is empty. */
+  /** Returns a group, or an empty list if it has no nodes. */
   private group(id: string, label: string, nodes: TreeNode[], context: string[] = [], project?: Project, count = nodes.length): TreeNode[] {
     if (nodes.length === 0) {
       return [];
@@ -200,7 +200,7 @@ function dataNode(data: Data): Leaf {
   return { icon: dataIcon(data.type, data.public), context: ["data", "named", "file"], ...dataTexts(data) };
 }
 
-/** Ids of names that may be declared twice. */
+/** Returns a function that creates ids for names, which may be declared twice. */
 function uniqueIds(start: string): (name: string) => string {
   const seen = new Map<string, number>();
   return (name) => {

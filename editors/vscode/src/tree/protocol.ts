@@ -1,4 +1,4 @@
-// The answers of the server to `val3/workspaceTree`, `val3/libraries` and `val3/delete` (docs/src/language-server.md).
+// Server responses to `val3/workspaceTree`, `val3/libraries` and `val3/delete` (docs/src/language-server.md).
 
 import type { Location, Range } from "vscode-languageclient/node";
 
@@ -6,12 +6,12 @@ export type { Location, Position, Range } from "vscode-languageclient/node";
 
 export type ProjectKind = "application" | "tests" | "library" | "type";
 
-/** An element of the response to `val3/workspaceTree`, one for each `.pjx`. */
+/** Element of the response to `val3/workspaceTree`, one for each `.pjx`. */
 export interface Project {
   name: string;
   uri: string;
   kind: ProjectKind;
-  /** Its dialect has user types. */
+  /** Whether its dialect has user types. */
   hasTypes: boolean;
   programs: Program[];
   data: Data[];
@@ -21,52 +21,52 @@ export interface Project {
 
 export interface Item {
   name: string;
-  /** A type, signature or path; may be empty. */
+  /** Type, signature or path; may be empty. */
   detail: string;
-  /** Of the name. */
+  /** Location of the name. */
   location: Location;
-  /** Of the whole declaration. */
+  /** Range of the entire declaration. */
   range: Range;
 }
 
 export interface Program extends Item {
   public: boolean;
-  /** It needs no caller. */
+  /** Whether it needs no caller. */
   runs: boolean;
 }
 
 export interface Data extends Item {
   public: boolean;
   type: string;
-  /** Of each dimension; empty for a collection. */
+  /** Sizes by dimension; empty for a collection. */
   sizes: number[];
   isCollection: boolean;
-  /** The initial value of a single `num`, `bool` or `string`. */
+  /** Initial value of a single `num`, `bool` or `string`. */
   value: string | null;
 }
 
 /** A library identifier or a user type. */
 export interface Reference extends Item {
-  /** The `.pjx` that it means. */
+  /** The `.pjx` to which it refers. */
   project: string | null;
-  /** The libraries that programs load in its place. */
+  /** Libraries that programs load in its place. */
   loaded: string[];
 }
 
-/** A project that can become a library or a type of another one. */
+/** Project that can be added as a library or type. */
 export interface Candidate {
   uri: string;
   kind: ProjectKind;
-  /** A name that is still free. */
+  /** Unused name. */
   name: string;
   path: string;
-  /** The identifiers that it has as a library. */
+  /** Identifiers under which it is already a library. */
   libraries: string[];
-  /** The names that it has as a type. */
+  /** Names under which it is already a type. */
   types: string[];
   publicPrograms: number;
   publicData: number;
-  /** The library identifiers under which it can be loaded. */
+  /** Library identifiers under which it can be loaded. */
   fits: string[];
   libraryCircle: boolean;
   typeCircle: boolean;
@@ -80,6 +80,6 @@ export interface LibraryList {
 /** `Edit` is an edit of the protocol. */
 export interface Deletion<Edit> {
   edit: Edit;
-  /** The places that use what is deleted. */
+  /** Locations that use the deleted item. */
   uses: Location[];
 }

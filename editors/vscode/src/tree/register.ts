@@ -1,4 +1,4 @@
-// The view "VAL 3" and the commands of its items.
+// The view "VAL 3" and the commands on its items.
 
 import * as vscode from "vscode";
 import { State } from "vscode-languageclient/node";
@@ -12,7 +12,7 @@ import type { TreeNode } from "./nodes";
 import type { Project } from "./protocol";
 import { WorkspaceTree } from "./view";
 
-/** The command of the data editor. */
+/** Command of the data editor. */
 const OPEN_DATA = "val3.openData";
 
 type Action = (node: TreeNode) => Promise<unknown>;
@@ -21,10 +21,10 @@ export function registerTree(client: Client, memory: vscode.Memento, output: vsc
   const tree = new WorkspaceTree(client, memory, output);
   const command = (name: string, action: Action): vscode.Disposable =>
     vscode.commands.registerCommand(`val3.tree.${name}`, async (argument?: unknown) => {
-      // From a key, the argument is the item with the focus, if the editor knows it.
+      // For a key binding, the argument is the focused item, if the editor provides it.
       const node = isNode(argument) ? argument : tree.selected;
       if (node === undefined) {
-        // An update of the view between the choice of the item and that of the command leaves none.
+        // After an update of the view between the selection of the item and the command, no item is selected.
         void vscode.window.showInformationMessage("No item of the view VAL 3 is selected. Select it and choose the command again.");
         return;
       }
@@ -55,7 +55,7 @@ function isNode(argument: unknown): argument is TreeNode {
   return typeof argument === "object" && argument !== null && "context" in argument && "spoken" in argument;
 }
 
-/** Keys act on every item; those without what they need stay unchanged. */
+/** Key bindings apply to every item; items without the necessary property remain unchanged. */
 const ofNamed = (action: Action): Action => async (node) => node.item && action(node);
 
 function ofProject(action: (project: Project) => Promise<unknown>): Action {

@@ -1,4 +1,4 @@
-// The texts of the view: next to names, under the mouse, and for screen readers.
+// Texts of the view: descriptions, tooltips, and labels for screen readers.
 
 import type { Data, Program, Project, ProjectKind, Reference } from "./protocol";
 
@@ -8,7 +8,7 @@ export interface Texts {
   spoken: string;
 }
 
-/** Characters of a value that are shown. */
+/** Largest number of shown characters of a value. */
 const LONGEST_VALUE = 60;
 
 const KINDS: Record<ProjectKind, string> = { application: "application", tests: "tests", library: "library", type: "user type" };

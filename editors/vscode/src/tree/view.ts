@@ -1,4 +1,4 @@
-// The view "VAL 3": applications with their programs, data, libraries and types, as the server sees them.
+// The view "VAL 3": applications with their programs, data, libraries and types, as the server lists them.
 
 import * as vscode from "vscode";
 import { State } from "vscode-languageclient/node";
@@ -11,9 +11,9 @@ export const VIEW = "val3.workspace";
 
 /** Milliseconds without a change after which the view is updated. */
 const PAUSE = 300;
-/** The key under which the filter is kept for the workspace. */
+/** Key under which the filter is stored for the workspace. */
 const FILTER = "tree.filter";
-/** Is set while the view shows a part of the items. */
+/** Context key: whether the view shows only a part of the items. */
 const IS_FILTERED = "val3.treeIsFiltered";
 
 export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.Disposable {
@@ -22,10 +22,10 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
   private readonly subscription: vscode.Disposable;
   private readonly view: vscode.TreeView<TreeNode>;
   private pause: NodeJS.Timeout | undefined;
-  /** Something may have changed while nobody saw the view. */
+  /** Whether something may have changed while the view was hidden. */
   private isStale = false;
   private projects: Project[] | undefined;
-  /** The last answer of the server, to notice that nothing has changed. */
+  /** Last response from the server, to detect that nothing has changed. */
   private answer = "";
 
   constructor(private readonly client: Client, private readonly memory: vscode.Memento, private readonly output: vscode.LogOutputChannel) {
@@ -44,8 +44,10 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
     vscode.Disposable.from(this.subscription, this.view, this.changes).dispose();
   }
 
-  /** Asks the server again, and updates the view if its answer is another one. A hidden view waits until it is seen: the
-   * answer about a cell with 10,000 points has 4 MB. */
+  /**
+   * Requests the tree, and updates the view if the response differs. A hidden view is marked stale and refreshed when
+   * it becomes visible, because the response for a cell with 10,000 points has 4 MB.
+   */
   async refresh(): Promise<void> {
     this.isStale = !this.view.visible;
     if (!this.isStale && (await this.read())) {
@@ -53,7 +55,7 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
     }
   }
 
-  /** The text that names contain. The view shows everything if it is empty. */
+  /** Returns the text that shown names contain. If it is empty, the view shows everything. */
   get filter(): string {
     return this.memory.get<string>(FILTER, "");
   }
@@ -63,7 +65,7 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
     this.changes.fire();
   }
 
-  /** The selected item. */
+  /** Returns the selected item. */
   get selected(): TreeNode | undefined {
     return this.view.selection[0];
   }
@@ -88,11 +90,11 @@ export class WorkspaceTree implements vscode.TreeDataProvider<TreeNode>, vscode.
     const { filter } = this;
     const found = count === 0 ? "no name contains it" : count === 1 ? "1 name" : `${count} names`;
     this.view.message = filter === "" || this.projects === undefined ? undefined : `Filter “${filter}”: ${found}`;
-    // Nobody waits for it: until the items are there, the editor knows none for a command.
+    // Not awaited: until the items are shown, the editor has none for a command.
     void vscode.commands.executeCommand("setContext", IS_FILTERED, filter !== "");
   }
 
-  /** Whether there is something else to show. */
+  /** Requests the projects, and returns whether they have changed. */
   private async read(): Promise<boolean> {
     try {
       const isRunning = this.client.state === State.Running;

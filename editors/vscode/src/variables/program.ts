@@ -1,9 +1,9 @@
-// The program that the active editor shows, as its file or as its code.
+// Program in the active editor, shown as its file or as its code view.
 
 import type * as vscode from "vscode";
 import { fileUri, SCHEME } from "../codeView/uris";
 
-/** The file of the program in an editor; nothing if the editor shows something else. */
+/** Returns the file of the program in an editor; `undefined` if the editor shows something else. */
 export function programFile(document: Pick<vscode.TextDocument, "uri" | "languageId"> | undefined): vscode.Uri | undefined {
   if (document?.uri.scheme === SCHEME) {
     return fileUri(document.uri);

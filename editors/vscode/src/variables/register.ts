@@ -1,11 +1,11 @@
-// The table of parameters and locals below the tree of the workspace.
+// Table of parameters and locals below the workspace tree.
 
 import * as vscode from "vscode";
 import type { Client } from "../client";
 import type { CodeFiles } from "../codeView/files";
 import { VariablesView } from "./view";
 
-/** `report` gets the errors of everything that runs in the background. */
+/** `report` receives the errors of background work. */
 export function registerVariables(
   context: vscode.ExtensionContext,
   client: Client,

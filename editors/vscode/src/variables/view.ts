@@ -1,4 +1,4 @@
-// The view "Variables": the parameters and locals of the program in the active editor, as a table that can be edited.
+// The view "Variables": the parameters and locals of the program in the active editor, as an editable table.
 
 import { readFile } from "node:fs/promises";
 import * as vscode from "vscode";
@@ -11,23 +11,23 @@ import { programFile } from "./program";
 /** Milliseconds without a change after which the view is updated. */
 const PAUSE = 200;
 
-/** The part of the response to `val3/variables` that is read here. The page reads the rest. */
+/** Properties of the response to `val3/variables` that are read here. The page reads all others. */
 interface Variables {
   uri: string;
   version: number | null;
   program: string;
 }
 
-/** A message of the page: it can receive messages, or the user has changed something. */
+/** Message from the page: it is ready to receive messages, or the user has changed something. */
 type FromPage = { command: "ready" } | { command: "edit"; id: number; uri: string; version: number | null; program: string; edits: object };
 
 export class VariablesView implements vscode.WebviewViewProvider, vscode.Disposable {
   private readonly subscription: vscode.Disposable;
   private view: vscode.WebviewView | undefined;
   private pause: NodeJS.Timeout | undefined;
-  /** The page can receive messages. */
+  /** Whether the page can receive messages. */
   private isReady = false;
-  /** Number of the last request, whose answer alone counts. */
+  /** Number of the last request. All other responses are ignored. */
   private request = 0;
 
   constructor(
@@ -72,7 +72,7 @@ export class VariablesView implements vscode.WebviewViewProvider, vscode.Disposa
     }
   }
 
-  /** Asks for an edit and applies it. Returns the reason why nothing has changed. */
+  /** Requests an edit and applies it. Returns the reason why nothing has changed. */
   private async edit({ uri, version, program, edits }: Extract<FromPage, { command: "edit" }>): Promise<string | null> {
     await this.settled(vscode.Uri.parse(uri, true));
     try {
@@ -88,7 +88,7 @@ export class VariablesView implements vscode.WebviewViewProvider, vscode.Disposa
     }
   }
 
-  /** Waits until the edits of code views are in their file. */
+  /** Waits until the edits in code views are in their file. */
   private async settled(file: vscode.Uri): Promise<void> {
     await Promise.all(this.views.of(file).map((link) => link.settled()));
   }
@@ -114,7 +114,7 @@ export class VariablesView implements vscode.WebviewViewProvider, vscode.Disposa
 
   private async variables(file: vscode.Uri): Promise<Variables | null> {
     await this.settled(file);
-    // Without a server there is nothing to show, and the status item says so.
+    // Without a server the view is empty, and the status item shows why.
     return this.client.request<Variables | null>("val3/variables", { uri: this.client.addressOf(file) }).catch(() => null);
   }
 

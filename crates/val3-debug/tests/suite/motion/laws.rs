@@ -1,8 +1,8 @@
-//! Laws of the step mode: tasks do not notice it, nothing hangs, a snapshot contains it.
+//! Laws of the step mode: tasks cannot detect it, nothing hangs, a snapshot contains it.
 
 use super::*;
 
-/// Tasks that rest do not notice it: neither a synchronous task, nor a task that asks for the state of others.
+/// Tasks cannot detect that they rest: neither a synchronous task, nor a task that reads the state of other tasks.
 #[test]
 fn tasks_do_not_notice_that_they_rest() {
     let listing = "\
@@ -52,7 +52,7 @@ end
     assert_eq!((stops, printed.as_str()), (2, "0\n0\n"));
 }
 
-/// Any sequence of requests comes to an end, and the arm ends where the program wants it.
+/// Any sequence of requests ends, and the arm ends at the program's last position.
 #[test]
 fn random_requests_never_hang() {
     for seed in 0..60_u64 {

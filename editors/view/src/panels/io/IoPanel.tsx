@@ -1,4 +1,4 @@
-// The inputs and outputs of the cell by board, and its sockets and serial lines.
+// Inputs and outputs of the cell by board, and its sockets and serial lines.
 
 import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
@@ -17,7 +17,7 @@ export function IoPanel({ cell }: { cell: Cell }): JSX.Element {
   const [filter, setFilter] = useState(ALL);
   const scene = cell.scene.value;
   const signals = useMemo(() => sorted(scene?.signals ?? []), [scene]);
-  // Values matter for the rows only with this filter.
+  // Values affect the rows only with this filter.
   const marked = filter.isMarkedOnly ? cell.levels.value : undefined;
   const rows = useMemo(() => rowsOf(signals, filter, (link) => cell.levels.peek().get(link)), [signals, filter, marked, cell]);
   const count = rows.filter((row) => "signal" in row).length;

@@ -1,4 +1,4 @@
-// The row of a signal: its value, its last seconds, and the operator's locks.
+// Row of a signal: its value, its last seconds, and the operator's locks.
 
 import type { JSX } from "preact";
 import { Button } from "../shared/Button";
@@ -99,7 +99,7 @@ function Fault({ cell, notice, signal: { link }, state: { fault } }: StateProps)
   );
 }
 
-/** The status of a faulty signal: -2 if its device is absent, else -3. */
+/** Returns the status of a faulty signal: -2 if its device is absent, otherwise -3. */
 function faultCode(fault: string | null): string {
   return fault === null ? "0" : /absent|-2/.test(fault) ? "-2" : "-3";
 }

@@ -1,4 +1,4 @@
-// The last bytes of sockets and serial lines, as text and in hexadecimal.
+// Last bytes of sockets and serial lines, as text and in hexadecimal.
 
 export interface Transfer {
   t: number;
@@ -7,10 +7,10 @@ export interface Transfer {
   bytes: readonly number[];
 }
 
-/** Bytes to show of one transfer. */
+/** Largest number of shown bytes of a transfer. */
 const SHOWN = 64;
 
-/** Characters as they are, and others in angle brackets: `OK<0d><0a>`. */
+/** Formats printable characters unchanged, and other bytes in angle brackets: `OK<0d><0a>`. */
 export function asText(bytes: readonly number[]): string {
   const text = bytes.slice(-SHOWN).map((byte) => (byte >= 32 && byte < 127 ? String.fromCharCode(byte) : `<${hex(byte)}>`)).join("");
   return bytes.length > SHOWN ? `…${text}` : text;
@@ -25,7 +25,7 @@ function hex(byte: number): string {
   return byte.toString(16).padStart(2, "0");
 }
 
-/** The last transfers of a line up to a time, the newest first. */
+/** Returns the last transfers of a channel up to a time, the newest first. */
 export function lastTransfers(transfers: readonly Transfer[], link: string, end: number, count: number): Transfer[] {
   return transfers.filter((transfer) => transfer.link === link && transfer.t <= end).slice(-count).reverse();
 }

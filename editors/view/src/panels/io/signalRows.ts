@@ -1,4 +1,4 @@
-// The rows of the table of signals: by board, filtered.
+// Rows of the signal table: by board, filtered.
 
 export interface SignalInfo {
   link: string;
@@ -17,19 +17,19 @@ export interface SignalState {
   fault: string | null;
 }
 
-/** A heading of a board, or a signal. */
+/** Heading of a board, or a signal. */
 export type SignalRow = { board: string; count: number } | { signal: SignalInfo };
 
 export interface SignalFilter {
   text: string;
   direction: "all" | "input" | "output";
-  /** Only signals that differ from their hardware: locked, simulated, protected or faulty. */
+  /** Whether to show only signals that differ from their hardware: locked, simulated, protected or faulty. */
   isMarkedOnly: boolean;
 }
 
 const BY_NUMBER = new Intl.Collator("en", { numeric: true });
 
-/** The last part of a link is the address of the signal on its board. */
+/** Returns the last part of a link, which is the address of the signal on its board. */
 export function addressOf(link: string): string {
   return link.slice(link.lastIndexOf("\\") + 1);
 }
@@ -38,7 +38,7 @@ export function boardOf({ board, link }: SignalInfo): string {
   return board || link.slice(0, Math.max(0, link.lastIndexOf("\\"))) || "Other";
 }
 
-/** Every word of the filter is in the link, the board or a name of the data. */
+/** Whether each word of the filter is in the link, the board or a name of the data. */
 export function matches(signal: SignalInfo, words: readonly string[]): boolean {
   const text = [signal.link, signal.board, ...signal.names].join("\n").toLowerCase();
   return words.every((word) => text.includes(word));
@@ -52,7 +52,7 @@ export function isMarked(state: SignalState | undefined): boolean {
   return state !== undefined && (state.isLocked || state.isSimulated || state.isProtected || state.fault !== null);
 }
 
-/** Sorts once a scene: boards, and on each the inputs and outputs by their addresses. */
+/** Sorts the signals once per scene: by board, then inputs and outputs by address. */
 export function sorted(signals: readonly SignalInfo[]): SignalInfo[] {
   return signals.toSorted((left, right) => BY_NUMBER.compare(boardOf(left), boardOf(right)) || BY_NUMBER.compare(left.link, right.link));
 }
@@ -79,14 +79,14 @@ export function levelText(signal: SignalInfo, value: number): string {
   return signal.isDigital ? (value === 0 ? "false" : "true") : signal.unit ? `${number} ${signal.unit}` : number;
 }
 
-/** The number that a text means; nothing if it means none. */
+/** Parses a number; `undefined` if the text is not a number. */
 export function numberFrom(text: string): number | undefined {
   const written = text.trim().replace(",", ".");
   const number = Number(written);
   return written === "" || !Number.isFinite(number) ? undefined : number;
 }
 
-/** The keys of a script that give a signal a value. A locked signal takes it from its lock alone. */
+/** Returns the script keys that set a signal's value. A locked signal accepts values only from its lock. */
 export function forceKeys(signal: SignalInfo, value: number, isLocked: boolean): object {
   const level = signal.isDigital ? value !== 0 : value;
   return { [isLocked ? "lock" : "io"]: { [signal.link]: level } };

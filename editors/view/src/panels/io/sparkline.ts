@@ -1,14 +1,14 @@
-// The values of a signal over the last seconds as the path of a small picture.
+// Values of a signal over the last seconds as the path of a small drawing.
 
-/** A change of a value at a time. */
+/** Change of a value at a time. */
 export type Change = readonly [t: number, value: number];
 
 export const WIDTH = 96;
 export const HEIGHT = 18;
-/** The seconds that a sparkline shows. */
+/** Seconds that a sparkline shows. */
 export const SPAN = 10;
 
-/** The changes of every signal, in chronological order. */
+/** Changes of all signals, in chronological order. */
 export class SignalHistory {
   private readonly changes = new Map<string, Change[]>();
 
@@ -30,12 +30,12 @@ export class SignalHistory {
   }
 }
 
-/** The changes that decide what a window of time shows: that at its start, and those within. */
+/** Returns the changes that determine a time window: the last one before its start, and all within it. */
 export function within(changes: readonly Change[], start: number, end: number): readonly Change[] {
   return changes.slice(Math.max(0, firstAfter(changes, start) - 1), firstAfter(changes, end));
 }
 
-/** Steps from value to value, up to the time `end`. A value that never changes is a line at its level. */
+/** Returns steps from value to value, up to the time `end`. A constant value is a horizontal line. */
 export function sparkPath(changes: readonly Change[], end: number, isDigital: boolean): string {
   const start = end - SPAN;
   const shown = within(changes, start, end);
@@ -46,7 +46,7 @@ export function sparkPath(changes: readonly Change[], end: number, isDigital: bo
   return shown.map(([t, value], at) => (at === 0 ? `M${x(t)} ${y(value)}` : `H${x(t)}V${y(value)}`)).join("") + (shown.length > 0 ? `H${WIDTH}` : "");
 }
 
-/** The index of the first change after a time. */
+/** Returns the index of the first change after a time. */
 function firstAfter(changes: readonly Change[], t: number): number {
   let [low, high] = [0, changes.length];
   while (low < high) {

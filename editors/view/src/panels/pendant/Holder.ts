@@ -1,4 +1,4 @@
-// A held jog button: a step at once, and further ones while it is held and the arm follows.
+// Held jog button: an immediate step, and further steps while the button is held and the arm follows.
 
 import type { Cell, Notice } from "../shared/cell";
 import { type JogTarget, mayContinue, REPEAT } from "./jogSteps";
@@ -12,7 +12,7 @@ export class Holder {
 
   constructor(private readonly cell: Cell, private readonly notice: Notice) {}
 
-  /** One step from the present position. */
+  /** Executes one step from the present position. */
   once(step: Step): void {
     this.target = undefined;
     this.advance(step);

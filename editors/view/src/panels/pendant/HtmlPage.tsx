@@ -1,4 +1,4 @@
-// The bindings of a page made with HTML: the values of its elements, and a button for each element with a program.
+// Bindings of an HTML user page: element values, and a button for each element with a program.
 
 import type { JSX } from "preact";
 import { Button } from "../shared/Button";

@@ -114,7 +114,7 @@ function Directions({ cell, notice, scene, holder, step, reason, way }: ControlP
   );
 }
 
-/** The frame whose axes count; none for those of the tool. */
+/** Returns the frame whose axes count; `undefined` for the axes of the tool. */
 function frameOfWay(scene: CellScene, way: string): Frame | undefined {
   const name = way.startsWith("frame:") ? way.slice("frame:".length) : "";
   return way === "tool" ? undefined : frameOf(scene.frames.find((frame) => frame.name === name)?.pose ?? []);
@@ -129,7 +129,7 @@ interface HoldButtonProps {
   step: Step;
 }
 
-/** Moves while the pointer holds it; the keyboard makes single steps. */
+/** Moves while the pointer holds the button; the keyboard executes single steps. */
 function HoldButton({ label, sign, holder, notice, reason, step }: HoldButtonProps): JSX.Element {
   const down = (event: TargetedPointerEvent<HTMLSpanElement>): void => {
     if (reason === undefined && event.button === 0) {

@@ -1,4 +1,4 @@
-// The keys of the pendant.
+// Keys of the pendant.
 
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";

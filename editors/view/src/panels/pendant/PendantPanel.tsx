@@ -1,4 +1,4 @@
-// The pendant: its user page, its keys, the switches of the robot, and jogging.
+// Pendant: its user page, its keys, the switches of the robot, and jogging.
 
 import type { JSX } from "preact";
 import { useMemo } from "preact/hooks";

@@ -1,4 +1,4 @@
-// The screen of the pendant. While it has the focus, the keyboard types into it.
+// Screen of the pendant. While it has the focus, it receives the keyboard input.
 
 import type { JSX, TargetedKeyboardEvent } from "preact";
 import { useState } from "preact/hooks";
@@ -62,7 +62,7 @@ function PopUp({ text, cell, notice }: { text: string; cell: Cell; notice: Notic
   );
 }
 
-/** F1 to F8 below the last line, with the menus that the program has written there. */
+/** Shows F1 to F8 below the last line, with the menus that the program has written there. */
 function MenuKeys({ page, cell, notice }: { page: CellPage; cell: Cell; notice: Notice }): JSX.Element {
   const menus = menuTexts(page.lines[ROWS - 1] ?? "");
   return (

@@ -1,4 +1,4 @@
-// The joints at which the arm has a pose near its present one. The chain of links comes from the scene.
+// Computes the joints at which the arm has a pose near its present one. The chain of links comes from the scene.
 
 import { add, aroundAxis, composed, cross, frameOf, inverse, multiplied, type Frame, rotationVector, transposed, turned, type Vector } from "./pose";
 
@@ -17,12 +17,12 @@ export interface Refusal {
 }
 
 const ITERATIONS = 60;
-/** A millimetre of position counts as a degree of orientation times this. */
+/** Weight of orientation errors: one degree counts as this number of mm. */
 const MM_PER_DEGREE = 5;
 const CLOSE = { mm: 0.005, degrees: 0.001 };
 const DEGREE = Math.PI / 180;
 
-/** The frames of the axes before they turn, and the flange. */
+/** Returns the frames of the axes before their rotation, and the flange. */
 function chain(arm: ArmChain, joints: readonly number[]): { axes: { at: Frame; axis: Vector }[]; flange: Frame } {
   let at = frameOf([]);
   const axes = arm.links.map(({ offset, axis: [x = 0, y = 0, z = 1] }, index) => {
@@ -38,12 +38,12 @@ function chain(arm: ArmChain, joints: readonly number[]): { axes: { at: Frame; a
   return { axes, flange: composed(at, frameOf(arm.flange)) };
 }
 
-/** The pose of the flange in the frame of the base. */
+/** Returns the flange pose in the frame of the base. */
 export function flangeAt(arm: ArmChain, joints: readonly number[]): Frame {
   return chain(arm, joints).flange;
 }
 
-/** The joints near `start` at which `tool` has the pose `target` in the frame of the base. */
+/** Returns the joints near `start` at which `tool` has the pose `target` in the frame of the base. */
 export function jointsNear(arm: ArmChain, start: readonly number[], target: Frame, tool: Frame): Solution | Refusal {
   const wanted = composed(target, inverse(tool));
   let joints = arm.axes.map((_, axis) => start[axis] ?? 0);
@@ -62,7 +62,7 @@ export function jointsNear(arm: ArmChain, start: readonly number[], target: Fram
   return { refusal: "The arm cannot move there: the position is out of reach, or the arm is at a singularity." };
 }
 
-/** The movement of the flange for a degree or millimetre of an axis. */
+/** Returns the movement of the flange per degree or millimetre of an axis. */
 function column(axis: Vector, at: Frame, flange: Frame, isLinear: boolean): number[] {
   if (isLinear) {
     return [...axis, 0, 0, 0];
@@ -71,7 +71,7 @@ function column(axis: Vector, at: Frame, flange: Frame, isLinear: boolean): numb
   return [...way, ...axis.map((part) => part * MM_PER_DEGREE)];
 }
 
-/** Least squares with damping: J^T (J J^T + d I)^-1 e. */
+/** Returns the damped least-squares solution: J^T (J J^T + d I)^-1 e. */
 function dampedStep(columns: number[][], error: number[]): number[] {
   const rows = error.map((_, row) => columns.map((values) => values[row] ?? 0));
   const product = (left: readonly number[], right: readonly number[]): number => left.reduce((sum, value, at) => sum + value * (right[at] ?? 0), 0);
@@ -80,7 +80,7 @@ function dampedStep(columns: number[][], error: number[]): number[] {
   return columns.map((values) => product(values, factors));
 }
 
-/** Solves a system of linear equations by elimination; its matrix is positive definite. */
+/** Solves a system of linear equations by elimination. The matrix is positive definite. */
 function solved(matrix: number[][], right: number[]): number[] {
   const rows = matrix.map((row, at) => [...row, right[at] ?? 0]);
   rows.forEach((pivot, at) => {

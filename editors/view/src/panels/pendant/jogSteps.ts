@@ -3,20 +3,20 @@
 import { type ArmChain, flangeAt, jointsNear, type Refusal } from "./armModel";
 import { add, aroundAxis, composed, type Frame, inverse, multiplied, scaled, turned, type Vector } from "./pose";
 
-/** The steps to choose from, in mm or degrees. */
+/** Available steps, in mm or degrees. */
 export const STEPS = [0.1, 1, 5, 10, 30] as const;
 
-/** The time between two steps while a button is held, in ms. */
+/** Time between two steps while a button is held, in ms. */
 export const REPEAT = 150;
 
-/** A held button adds a step only while the arm is nearer than this number of steps, so that it stops soon. */
+/** A held button adds a step only while less than this number of steps remain, so that the arm stops soon. */
 const AHEAD = 2;
 
 const AXES: readonly Vector[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 export type JogTarget = { joints: number[] } | Refusal;
 
-/** Whether the arm has nearly done its last step. */
+/** Whether the arm has nearly completed its last step. */
 export function mayContinue(present: readonly number[], target: readonly number[], start: readonly number[]): boolean {
   return target.every((joint, axis) => {
     const way = Math.abs(joint - (start[axis] ?? 0));
@@ -24,7 +24,7 @@ export function mayContinue(present: readonly number[], target: readonly number[
   });
 }
 
-/** An axis moves by a step, at most to its limit. */
+/** Returns the target of a step by one axis, at most to its limit. */
 export function jointStep(arm: ArmChain, joints: readonly number[], axis: number, step: number): JogTarget {
   const limits = arm.axes[axis];
   const present = joints[axis];
@@ -38,17 +38,17 @@ export function jointStep(arm: ArmChain, joints: readonly number[], axis: number
   return { joints: joints.map((joint, at) => (at === axis ? target : joint)) };
 }
 
-/** A direction of a Cartesian step: 0 to 2 along, 3 to 5 around x, y, z. */
+/** Cartesian step. Directions 0 to 2 are along x, y, z, and 3 to 5 around x, y, z. */
 export interface CartesianStep {
   direction: number;
   step: number;
-  /** The axes of a frame in world; without one those of the tool. */
+  /** Frame in world whose axes count; `undefined` for the axes of the tool. */
   frame: Frame | undefined;
   base: Frame;
   tool: Frame;
 }
 
-/** The joints after a step of the tool centre point. */
+/** Returns the joints after a step of the tool centre point. */
 export function cartesianStep(arm: ArmChain, joints: readonly number[], way: CartesianStep): JogTarget {
   const present = composed(way.base, composed(flangeAt(arm, joints), way.tool));
   const axes = way.frame ?? present;
@@ -59,7 +59,7 @@ export function cartesianStep(arm: ArmChain, joints: readonly number[], way: Car
   return jointsNear(arm, joints, composed(inverse(way.base), target), way.tool);
 }
 
-/** The place of a value between its limits, 0 to 1. */
+/** Returns the relative position of a value between its limits, from 0 to 1. */
 export function fraction(value: number, min: number, max: number): number {
   return max > min ? Math.min(1, Math.max(0, (value - min) / (max - min))) : 0;
 }

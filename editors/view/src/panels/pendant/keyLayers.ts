@@ -1,4 +1,4 @@
-// The keys of the pendant with characters, in the three layers of its Shift key (manual, 4.3).
+// Character keys of the pendant, in the three layers of its Shift key (manual 4.3).
 
 export interface Layer {
   label: string;

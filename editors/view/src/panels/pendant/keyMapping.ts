@@ -1,20 +1,20 @@
-// The keys of the pendant for those of the PC's keyboard.
+// Maps keys of the PC keyboard to keys of the pendant.
 
-/** Codes of the pendant's keys that write no character (manual, 12.2). */
+/** Codes of pendant keys that write no character (manual 12.2). */
 export const CODES = {
   Esc: 255, Tab: 259, UnTab: 260, Up: 261, PgUp: 262, Bksp: 263, Left: 264, Home: 265, Down: 266, PgDn: 267,
   Right: 268, End: 269, Return: 270, F1: 271, F2: 272, F3: 273, F4: 274, F5: 275, F6: 276, F7: 277, F8: 278,
 } as const;
 
-/** The keys 1, 2 and 3 at the left edge of the pendant, which programs can read at any time. */
+/** Keys 1, 2 and 3 at the left edge of the pendant, which programs can read at any time. */
 export const USER_KEYS = [281, 282, 283] as const;
 
 export type PageStep = "next" | "previous" | "first" | "last";
 
-/** A key of the pendant, or a change of the user page that it shows. */
+/** Key of the pendant, or a change of the displayed user page. */
 export type PendantKey = { code: number } | { page: PageStep };
 
-/** The parts of a keyboard event that decide the key. */
+/** Properties of a keyboard event that determine the key. */
 export interface TypedKey {
   key: string;
   code: string;
@@ -22,12 +22,12 @@ export interface TypedKey {
   ctrlKey: boolean;
   metaKey: boolean;
   shiftKey: boolean;
-  /** AltGr, which browsers also report as Ctrl and Alt. */
+  /** Whether AltGr is pressed, which browsers also report as Ctrl and Alt. */
   isAltGraph: boolean;
   isComposing: boolean;
 }
 
-/** Tab moves the focus, so Insert has its place. */
+/** Keys by name. Tab moves the focus, so Insert replaces it. */
 const NAMED: Partial<Record<string, number>> = {
   Escape: CODES.Esc, Enter: CODES.Return, Backspace: CODES.Bksp, Delete: CODES.Bksp,
   ArrowUp: CODES.Up, ArrowDown: CODES.Down, ArrowLeft: CODES.Left, ArrowRight: CODES.Right,
@@ -35,7 +35,7 @@ const NAMED: Partial<Record<string, number>> = {
   F1: CODES.F1, F2: CODES.F2, F3: CODES.F3, F4: CODES.F4, F5: CODES.F5, F6: CODES.F6, F7: CODES.F7, F8: CODES.F8,
 };
 
-/** The mapping as the help of the panel shows it. */
+/** Mapping as the panel's help shows it. */
 export const KEYBOARD_HELP: readonly (readonly [keys: string, meaning: string])[] = [
   ["Letters, digits, signs, Enter, Esc, arrows, Home, End, PgUp, PgDn, F1 to F8", "the same key of the pendant"],
   ["Backspace, Delete", "Bksp"],
@@ -44,7 +44,7 @@ export const KEYBOARD_HELP: readonly (readonly [keys: string, meaning: string])[
   ["F9, F10", "the previous and the next user page; with Shift the first and the last"],
 ];
 
-/** The key of the pendant for a key of the keyboard. Without one the browser handles the key. */
+/** Returns the pendant key for a key of the keyboard; `undefined` if the browser should handle the key. */
 export function pendantKey(typed: TypedKey): PendantKey | undefined {
   const { key, altKey, ctrlKey, metaKey, shiftKey, isAltGraph, isComposing } = typed;
   if (isComposing || metaKey) {
@@ -63,14 +63,16 @@ export function pendantKey(typed: TypedKey): PendantKey | undefined {
   return code === undefined ? undefined : { code };
 }
 
-/** Alt with a digit; on some keyboards Alt changes the character, so the place of the key counts. */
+/** Returns the key for Alt with a digit. On some keyboards Alt changes the character, so the physical key counts. */
 function userKey({ code }: TypedKey): PendantKey | undefined {
   const digit = /^(?:Digit|Numpad)([123])$/.exec(code)?.[1];
   const found = USER_KEYS[Number(digit) - 1];
   return found === undefined ? undefined : { code: found };
 }
 
-/** The code of the key that writes a character. Codes of other keys and of control characters write none. */
+/**
+ * Returns the code of the key that writes a character; `undefined` for codes of other keys and of control characters.
+ */
 export function characterCode(text: string): number | undefined {
   const [character, ...more] = text;
   const code = character?.codePointAt(0);

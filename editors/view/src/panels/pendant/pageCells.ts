@@ -1,9 +1,9 @@
-// The user page as spans of equal text mode.
+// User page as spans with the same text mode.
 
 export const COLUMNS = 40;
 export const ROWS = 14;
 
-/** A number of columns with one text mode of `setTextMode`. */
+/** Number of columns with the same text mode of `setTextMode`. */
 export type ModeRun = readonly [columns: number, mode: number];
 
 export interface Span {
@@ -12,7 +12,7 @@ export interface Span {
   isFlashing: boolean;
 }
 
-/** Characters with the East Asian width "wide" take two columns, combining marks none. */
+/** Characters with the East Asian width "wide" occupy two columns, combining marks none. */
 const WIDE = /[\u1100-\u115f\u2e80-\u303e\u3041-\ua4cf\ua960-\ua97c\uac00-\ud7a3\uf900-\ufaff\ufe30-\ufe6f\uff00-\uff60\uffe0-\uffe6]|[\u{1f300}-\u{1faff}\u{20000}-\u{3fffd}]/u;
 const COMBINING = /\p{Mn}|\p{Me}|[\u200b-\u200f]/u;
 
@@ -20,7 +20,7 @@ export function columnsOf(character: string): number {
   return COMBINING.test(character) ? 0 : WIDE.test(character) ? 2 : 1;
 }
 
-/** A line of the page, filled with blanks to 40 columns and divided where the text mode changes. */
+/** Returns a line of the page, filled with spaces to 40 columns and divided where the text mode changes. */
 export function spansOf(line: string, runs: readonly ModeRun[] = []): Span[] {
   const modes = runs.flatMap(([columns, mode]) => Array<number>(Math.max(0, Math.min(columns, COLUMNS))).fill(mode));
   const spans: (Span & { mode: number })[] = [];
@@ -39,7 +39,7 @@ export function spansOf(line: string, runs: readonly ModeRun[] = []): Span[] {
   return spans.map(({ text, isInverse, isFlashing }) => ({ text, isInverse, isFlashing }));
 }
 
-/** The texts of the keys F1 to F8: 5 columns each of the last line, where programs write menus. */
+/** Returns the texts above the keys F1 to F8: 5 columns each of the last line, where programs write menus. */
 export function menuTexts(lastLine: string): string[] {
   const texts = Array.from({ length: 8 }, () => "");
   let column = 0;

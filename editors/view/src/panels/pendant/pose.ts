@@ -1,4 +1,4 @@
-// Poses as VAL 3 writes them: [x, y, z, rx, ry, rz] in mm and degrees, with the rotation Rx * Ry * Rz.
+// Poses as in VAL 3: [x, y, z, rx, ry, rz] in mm and degrees, with the rotation Rx * Ry * Rz.
 
 export type Vector = readonly [number, number, number];
 /** Rows of a rotation matrix. */
@@ -54,7 +54,7 @@ export function inverse({ position, rotation }: Frame): Frame {
   return { position: scaled(turned(back, position), -1), rotation: back };
 }
 
-/** The rotation around an axis of length 1. */
+/** Returns the rotation around an axis with length 1. */
 export function aroundAxis([x, y, z]: Vector, degrees: number): Rotation {
   const [s, c] = [Math.sin(degrees * DEGREE), Math.cos(degrees * DEGREE)];
   const t = 1 - c;
@@ -65,7 +65,7 @@ export function aroundAxis([x, y, z]: Vector, degrees: number): Rotation {
   ];
 }
 
-/** The axis of a rotation, multiplied by its angle in degrees. */
+/** Returns the axis of a rotation, multiplied by its angle in degrees. */
 export function rotationVector(rotation: Rotation): Vector {
   const [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = rotation;
   const sine: Vector = [(zy - yz) / 2, (xz - zx) / 2, (yx - xy) / 2];

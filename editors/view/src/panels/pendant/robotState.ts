@@ -1,10 +1,10 @@
-// The switches of the robot: their states and the reasons why they do nothing.
+// Switches of the robot: their states, and the reasons why they are disabled.
 
 import type { CellState } from "../shared/cell";
 
 export const MODES = ["manual", "test", "local", "remote"] as const;
 
-/** The monitor speeds that the keys + and - choose. */
+/** Monitor speeds that the keys + and - select, in %. */
 const SPEEDS = [0, 1, 2, 5, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100] as const;
 
 export function nextSpeed(speed: number, direction: 1 | -1): number {
@@ -12,7 +12,7 @@ export function nextSpeed(speed: number, direction: 1 | -1): number {
   return beyond ?? speed;
 }
 
-/** The speed that a text means; nothing if it is not 0 to 100. */
+/** Parses a speed; `undefined` if it is not from 0 to 100. */
 export function speedFrom(text: string): number | undefined {
   const speed = Number(text.trim() || NaN);
   return speed >= 0 && speed <= 100 ? speed : undefined;
@@ -26,12 +26,12 @@ export function stopText(state: CellState | undefined): string {
   }
 }
 
-/** The reason why the power cannot be switched on. */
+/** Returns the reason why the power cannot be switched on. */
 export function powerReason(state: CellState | undefined): string | undefined {
   return state?.power !== true && state?.emergencyStop === "open" ? "Release the E-stop before you switch the power on." : undefined;
 }
 
-/** The reason why the operator cannot move the arm by hand. */
+/** Returns the reason why the operator cannot move the arm by hand. */
 export function jogReason(state: CellState | undefined): string | undefined {
   if (state === undefined) {
     return "There is no arm yet.";
@@ -42,7 +42,7 @@ export function jogReason(state: CellState | undefined): string | undefined {
   return state.power ? undefined : "Switch the power on to jog.";
 }
 
-/** The reason why Run does nothing. */
+/** Returns the reason why Run is disabled. */
 export function runReason(isPaused: boolean, hasEnded: boolean): string | undefined {
   return hasEnded ? "The run has ended. Start it again with val3 run." : isPaused ? undefined : "The application is running.";
 }

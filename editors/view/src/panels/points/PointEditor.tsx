@@ -1,4 +1,4 @@
-// The values of one point as fields, and Teach here.
+// Fields with the values of a point, and Teach here.
 
 import type { JSX, TargetedSubmitEvent } from "preact";
 import { useState } from "preact/hooks";

@@ -1,4 +1,4 @@
-// The points of the application: their values, teaching, and saving to the .dtx.
+// Points of the application: their values, teaching, and saving to the .dtx.
 
 import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";

@@ -1,4 +1,4 @@
-// Saves changed points, after a question if a file was changed on disk.
+// Saves changed points, with a confirmation if a file was changed on the disk.
 
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";

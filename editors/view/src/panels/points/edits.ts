@@ -7,7 +7,7 @@ export interface PointName {
   key: string | null;
 }
 
-/** The name as a program writes it: `pPick`, `pPick[2]`, `pPick["left"]`. */
+/** Formats the name as a program writes it: `pPick`, `pPick[2]`, `pPick["left"]`. */
 export function pointText({ name, key }: PointName): string {
   return key === null ? name : /^\d+$/.test(key) ? `${name}[${key}]` : `${name}[${JSON.stringify(key)}]`;
 }
@@ -16,7 +16,7 @@ export function samePoint(left: PointName, right: PointName): boolean {
   return left.name === right.name && left.key === right.key;
 }
 
-/** Values as text for fields: at most 3 decimals, as controllers write them. */
+/** Formats values for fields: at most 3 decimals, as on controllers. */
 export function fieldTexts(trsf: readonly number[]): string[] {
   return COORDINATES.map((_, index) => shortNumber(trsf[index] ?? 0));
 }
@@ -25,7 +25,10 @@ export function shortNumber(value: number): string {
   return String(Number(value.toFixed(3)) + 0);
 }
 
-/** The values of fields; a field that was not edited keeps its exact value. A wrong one is named. */
+/**
+ * Parses the values of fields. A field that was not edited keeps its exact value. For an invalid field, returns its
+ * name.
+ */
 export function editedTrsf(texts: readonly string[], before: readonly number[]): { trsf: number[] } | { wrong: string } {
   const trsf: number[] = [];
   for (const [index, name] of COORDINATES.entries()) {
@@ -39,7 +42,7 @@ export function editedTrsf(texts: readonly string[], before: readonly number[]):
   return { trsf };
 }
 
-/** The frames from a point up to world: `fPallet in fCell in world`. */
+/** Formats the fathers of a point up to world: `fPallet in fCell in world`. */
 export function fatherText(father: string | null, fathers: ReadonlyMap<string, string | null>): string {
   const chain: string[] = [];
   for (let frame = father; frame !== null && frame !== "world" && !chain.includes(frame); frame = fathers.get(frame) ?? null) {

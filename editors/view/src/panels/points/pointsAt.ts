@@ -1,11 +1,11 @@
-// The values of points at a time: those of the scene, and the changes up to then.
+// Values of points at a time: the values in the scene, and the changes up to the time.
 
 import type { CellPoint } from "../shared/cell";
 import type { DataMessage } from "../shared/messages";
 import { countUpTo } from "../tasks/upTo";
 import { pointText } from "./edits";
 
-/** Keeps the last result, because most times show the same values. */
+/** Caches the last result, because most times show the same values. */
 export class PointValues {
   private points: readonly CellPoint[] = [];
   private readonly changes: DataMessage[] = [];

@@ -1,15 +1,15 @@
-// A button that says why it cannot be pressed.
+// Button that shows why it is disabled.
 
 import type { ComponentChildren, JSX } from "preact";
 
 export interface ButtonProps {
   children: ComponentChildren;
-  /** For screen readers, where the content is a sign. */
+  /** For screen readers, if the content is a symbol. */
   label?: string | undefined;
   title?: string | undefined;
   className?: string | undefined;
   isPressed?: boolean | undefined;
-  /** The reason why the button does nothing now. It keeps the focus, so that the reason can be read. */
+  /** Reason why the button is disabled. It keeps the focus, so that the reason can be read. */
   reason?: string | undefined;
   onPress: () => void;
   onRefused?: ((reason: string) => void) | undefined;

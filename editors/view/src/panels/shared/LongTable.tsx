@@ -1,4 +1,4 @@
-// A table of any number of rows, of which only those on the screen are in the document.
+// Table with any number of rows. Only the visible rows are in the document.
 
 import type { ComponentChildren, JSX, TargetedEvent } from "preact";
 import { useEffect, useRef } from "preact/hooks";
@@ -13,12 +13,12 @@ interface LongTableProps<Row> {
   columns: readonly string[];
   rows: readonly Row[];
   keyOf: (row: Row, index: number) => string | number;
-  /** The cells of a row. */
+  /** Returns the cells of a row. */
   cells: (row: Row) => ComponentChildren;
   rowClass?: (row: Row) => string | undefined;
   isSelected?: (row: Row) => boolean;
   onRowClick?: (row: Row) => void;
-  /** Scrolls to the last row when rows are added, unless the reader has scrolled up. */
+  /** Whether to scroll to the last row when rows are added, unless the user has scrolled up. */
   followsEnd?: boolean;
   empty: string;
 }

@@ -1,4 +1,4 @@
-// The sentence about the last refusal.
+// Sentence about the last rejection.
 
 import type { JSX } from "preact";
 import type { Notice } from "./cell";

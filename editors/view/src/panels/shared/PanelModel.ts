@@ -1,4 +1,4 @@
-// The cell as the panels see it, from the messages of a run and the shown time.
+// State of the cell for the panels, from the messages of a run and the shown time.
 
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { SignalState } from "../io/signalRows";
@@ -11,20 +11,20 @@ import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage,
 import { throttled } from "./throttled";
 import { latest, TimedLevels } from "./timed";
 
-/** The parts of the page that the panels depend on. */
+/** Parts of the page on which the panels depend. */
 export interface Surroundings {
   time: ReadonlySignal<number>;
-  /** The time of the newest message. */
+  /** Time of the newest message. */
   newest: ReadonlySignal<number>;
-  /** The oldest time that is known. */
+  /** Oldest time with data. */
   oldest: ReadonlySignal<number>;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;
-  /** The reason why nothing can be operated now. */
+  /** Reason why nothing can be operated now. */
   blocked: ReadonlySignal<string | undefined>;
   sample: ReadonlySignal<ArmSample | undefined>;
   samples: () => Iterable<TimedPhase>;
-  /** The line of a source. */
+  /** Returns the line of a source. */
   sourceOf: (index: number) => { program: string; line: number } | undefined;
   seek: (t: number) => void;
   selectedPoint: ReadonlySignal<PointName | undefined>;
@@ -33,7 +33,7 @@ export interface Surroundings {
   send: (command: string, args: object) => Promise<Answer>;
 }
 
-/** Updates of tables in ms. */
+/** Interval between updates of tables, in ms. */
 const SLOW = 200;
 
 export class PanelModel {
@@ -47,14 +47,14 @@ export class PanelModel {
   private readonly scene = signal<CellScene | undefined>(undefined);
   private readonly unsaved = signal<ReadonlySet<string>>(new Set());
   private readonly chosenRange = signal<readonly [number, number] | undefined>(undefined);
-  /** Counts messages of each kind, so that only their readers are drawn again. */
+  /** Number of messages by kind, so that only their readers are drawn again. */
   private readonly counts = { state: signal(0), motion: signal(0), page: signal(0), io: signal(0), data: signal(0) };
 
   constructor(private readonly surroundings: Surroundings) {
     this.cell = this.build(surroundings);
   }
 
-  /** A scene begins a run: everything before it is forgotten. */
+  /** Begins a new run: all previous messages are discarded. */
   addScene(scene: SceneMessage): void {
     this.clear();
     this.scene.value = scene;
@@ -63,7 +63,7 @@ export class PanelModel {
     this.chosenRange.value = undefined;
   }
 
-  /** Forgets messages, but not the scene: those that remain are added again. */
+  /** Discards messages, but not the scene. Remaining messages are added again afterwards. */
   clear(): void {
     this.past.clear();
     this.states.length = 0;

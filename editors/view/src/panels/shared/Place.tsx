@@ -1,4 +1,4 @@
-// A program line, which opens in the editor where there is one.
+// Program line, which opens in the editor if there is one.
 
 import type { JSX } from "preact";
 import type { Cell } from "./cell";

@@ -1,4 +1,4 @@
-// The space of the rows of a long table that are not in the document.
+// Space for the rows of a long table that are not in the document.
 
 import type { JSX } from "preact";
 

@@ -43,7 +43,7 @@ export function Tabs({ label, tabs }: { label: string; tabs: readonly Tab[] }): 
   );
 }
 
-/** The tab to which a key moves. */
+/** Returns the tab to which a key moves. */
 export function nextTab(present: number, count: number, key: string): number | undefined {
   switch (key) {
     case "ArrowRight": return (present + 1) % count;

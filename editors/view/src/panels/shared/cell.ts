@@ -1,4 +1,4 @@
-// The view of the cell that the panels need: everything at the shown time, its history, and the commands.
+// State of the cell that the panels need: at the shown time, with its history, and the commands.
 
 import { type ReadonlySignal, signal, type Signal } from "@preact/signals";
 import type { SignalInfo, SignalState } from "../io/signalRows";
@@ -19,7 +19,7 @@ export interface CellPoint extends PointName {
   father: string | null;
   local: Pose;
   pose: Pose;
-  /** The words of its configuration. */
+  /** Configuration in words. */
   config?: string | null | undefined;
 }
 
@@ -29,7 +29,7 @@ export interface CellScene {
   frames: readonly { name: string; father: string | null; pose: Pose }[];
   signals: readonly SignalInfo[];
   lines: readonly { link: string; type: string }[];
-  /** The points with the values of the files. */
+  /** Points with the values in the files. */
   points: readonly CellPoint[];
 }
 
@@ -44,7 +44,7 @@ export interface QueuedMove {
   reach: Pose | null;
   leaveDistance: number | null;
   reachDistance: number | null;
-  /** Why its blend is shorter than requested; null if it is not. Runs of earlier versions do not have it. */
+  /** Reason why the blend is shorter than requested; null if it is not. Absent in runs of earlier versions. */
   blendCutShort?: string | null | undefined;
 }
 
@@ -57,7 +57,7 @@ export interface CellState {
   monitorSpeed: number;
 }
 
-/** The recorded moves, and the way ahead. */
+/** Recorded moves, and the path ahead. */
 export interface CellMotion {
   queue: readonly QueuedMove[];
   path: readonly WayPiece[];
@@ -72,7 +72,7 @@ export interface CellPage {
   html?: HtmlPage | null | undefined;
 }
 
-/** A page made with HTML: the values of its elements, and the programs that a click executes. */
+/** HTML user page: the values of its elements, and the programs that a click executes. */
 export interface HtmlPage {
   name: string;
   values: readonly { id: string; attribute: string; value: string | null }[];
@@ -85,7 +85,7 @@ export interface ArmSample {
   tool: Pose;
 }
 
-/** Everything up to the newest message; rows later than the shown time are not to be shown. */
+/** History up to the newest message. Rows later than the shown time must not be shown. */
 export interface CellHistory {
   signals: SignalHistory;
   segments: TaskSegments;
@@ -105,11 +105,11 @@ export type OpenLine = (source: { program: string; line: number; file: string })
 
 export interface Cell {
   scene: ReadonlySignal<CellScene | undefined>;
-  /** The shown time in seconds, as fine as the picture. */
+  /** Shown time in s, updated with each frame of the drawing. */
   time: ReadonlySignal<number>;
-  /** The shown time, a few times a second, for tables of the past. */
+  /** Shown time, updated a few times per second, for tables of the history. */
   slowTime: ReadonlySignal<number>;
-  /** The range of time of the chart, and all times up to now. */
+  /** Time range of the chart, and the entire range up to now. */
   range: ReadonlySignal<readonly [start: number, end: number]>;
   whole: ReadonlySignal<readonly [start: number, end: number]>;
   setRange: (start: number, end: number) => void;
@@ -123,22 +123,22 @@ export interface Cell {
   history: CellHistory;
   isPaused: ReadonlySignal<boolean>;
   hasEnded: ReadonlySignal<boolean>;
-  /** The reason why nothing can be operated now. */
+  /** Reason why nothing can be operated now. */
   blocked: ReadonlySignal<string | undefined>;
-  /** The names of points that were changed by hand, and are not saved. */
+  /** Names of points that were changed by hand and not saved. */
   unsaved: ReadonlySignal<ReadonlySet<string>>;
   selectedPoint: ReadonlySignal<PointName | undefined>;
   selectPoint: (point: PointName | undefined) => void;
-  /** Opens a line in the editor, where there is one. */
+  /** Opens a line in the editor, if there is one. */
   openLine: ReadonlySignal<OpenLine | undefined>;
   send: (command: string, args: object) => Promise<Answer>;
 }
 
-/** The last refusal of a panel, shown as a sentence. */
+/** Last rejection in a panel, shown as a sentence. */
 export class Notice {
   readonly text: Signal<string> = signal("");
 
-  /** Sends a command. A refusal becomes the text of the notice. */
+  /** Sends a command. If it is rejected, the notice shows the reason. */
   async send(cell: Cell, command: string, args: object): Promise<Answer | undefined> {
     const blocked = cell.blocked.peek();
     if (blocked !== undefined) {
@@ -155,7 +155,7 @@ export class Notice {
     }
   }
 
-  /** Operates the cell with the keys of a script. */
+  /** Operates the cell with script keys. */
   operate(cell: Cell, keys: object): Promise<Answer | undefined> {
     return this.send(cell, "operate", { keys });
   }

@@ -1,4 +1,4 @@
-// Everything that has happened so far, indexed for the panels.
+// History of the run, indexed for the panels.
 
 import type { SignalState } from "../io/signalRows";
 import type { Transfer } from "../io/lineBytes";
@@ -22,7 +22,7 @@ interface IoPart {
   changes: readonly ({ link: string } & SignalState)[];
 }
 
-/** Grows with each message. `clear` and the messages again follow a restart or a step back. */
+/** Grows with each message. After a restart or a step back, it is cleared and the messages are added again. */
 export class PanelHistory {
   readonly signals = new SignalHistory();
   readonly segments = new TaskSegments();

@@ -1,4 +1,4 @@
-// The messages of a run as far as the panels use them.
+// Messages of a run: the parts that the panels use.
 
 import type { SignalInfo, SignalState } from "../io/signalRows";
 import type { ArmChain } from "../pendant/armModel";
@@ -39,7 +39,7 @@ export interface StateMessage {
   monitorSpeed: number;
 }
 
-/** A piece of the way ahead of the tool centre point. */
+/** Piece of the tool centre point's path ahead. */
 export interface WayPiece {
   phase: string;
   points: readonly Pose[];
@@ -63,7 +63,7 @@ export interface DataMessage {
   points: readonly { name: string; key: string | null; pose: Pose; local: Pose }[];
 }
 
-/** The points that were changed by hand, and are not saved. */
+/** Points that were changed by hand and not saved. */
 export interface UnsavedMessage {
   points: readonly PointName[];
 }

@@ -1,4 +1,4 @@
-// A signal that changes a few times a second.
+// Signal with a limited rate of changes.
 
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 

@@ -2,12 +2,12 @@
 
 import { countUpTo } from "../tasks/upTo";
 
-/** The last entry up to a time. */
+/** Returns the last entry up to a time. */
 export function latest<Entry extends { t: number }>(entries: readonly Entry[], t: number): Entry | undefined {
   return entries[countUpTo(entries, t) - 1];
 }
 
-/** The states of every signal over time. */
+/** States of all signals over time. */
 export class TimedLevels<State extends object> {
   private readonly byLink = new Map<string, ({ t: number } & State)[]>();
 
@@ -21,7 +21,7 @@ export class TimedLevels<State extends object> {
     this.byLink.clear();
   }
 
-  /** The state of every signal at a time. */
+  /** Returns all signals' states at a time. */
   at(t: number): Map<string, State> {
     const levels = new Map<string, State>();
     for (const [link, states] of this.byLink) {

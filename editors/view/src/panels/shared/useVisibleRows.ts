@@ -1,4 +1,4 @@
-// The rows of a scrolled box that are on the screen, and the box itself.
+// Visible rows of a scrolled box, and the box itself.
 
 import type { RefObject, TargetedEvent } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
@@ -9,7 +9,7 @@ export interface ScrolledRows extends VisibleRows {
   onScroll: (event: TargetedEvent<HTMLDivElement>) => void;
 }
 
-/** Draws again only when other rows come onto the screen. */
+/** Draws again only when other rows become visible. */
 export function useVisibleRows(count: number, rowHeight: number): ScrolledRows {
   const box = useRef<HTMLDivElement>(null);
   const [view, setView] = useState({ top: 0, height: 400 });

@@ -1,14 +1,14 @@
-// The rows of a long table that are on the screen.
+// Visible rows of a long table.
 
-/** Rows above and below the screen that are drawn too, so that scrolling shows no gap. */
+/** Number of additional rows above and below, so that scrolling shows no gap. */
 const SPARE = 6;
 
-/** The first row is a multiple of this, so that most movements of the scroll bar draw nothing. */
+/** The first row is a multiple of this number, so that most movements of the scroll bar draw nothing. */
 const STRIDE = 4;
 
 export interface VisibleRows {
   first: number;
-  /** The index after the last one. */
+  /** Index after the last row. */
   end: number;
 }
 

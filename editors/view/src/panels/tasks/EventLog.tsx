@@ -1,4 +1,4 @@
-// The event log with its filter.
+// Event log with its filter.
 
 import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";

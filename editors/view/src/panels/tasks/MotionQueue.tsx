@@ -1,4 +1,4 @@
-// The moves that wait for the arm, and the present one.
+// Moves that wait for the arm, and the present one.
 
 import type { JSX } from "preact";
 import type { Cell } from "../shared/cell";

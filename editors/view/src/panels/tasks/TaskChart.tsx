@@ -1,4 +1,4 @@
-// The chart of tasks, moves and waits over time.
+// Chart of tasks, moves and waits over time.
 
 import type { JSX, TargetedPointerEvent, TargetedWheelEvent } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
@@ -101,7 +101,7 @@ function paint(element: HTMLCanvasElement | null, width: number, chart: Chart): 
   draw(context, width, chart, (name) => style.getPropertyValue(name).trim());
 }
 
-/** The bar at a place of the chart, as text. */
+/** Formats the bar at a location of the chart. */
 function hintAt({ segments, moves, time, cut }: Chart, t: number, y: number): string {
   const lane = Math.floor(y / LANE);
   if (t > time || lane < 0) {
@@ -122,7 +122,7 @@ function hintAt({ segments, moves, time, cut }: Chart, t: number, y: number): st
   return `${name} ${activity} at ${segment.program}:${segment.line}, ${(until - segment.start).toFixed(2)} s${ended}`;
 }
 
-/** The move that ended last before a wait for the arm did. */
+/** Formats the last move that ended before the end of a wait for the arm. */
 function endingMove(moves: readonly MoveTimes[], end: number): string {
   const move = moves.findLast(({ done }) => (done ?? Infinity) <= end + 0.1);
   return move === undefined ? "an unknown line" : `${move.program}:${move.line}`;

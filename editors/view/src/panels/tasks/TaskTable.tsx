@@ -1,4 +1,4 @@
-// The tasks at the shown time.
+// Tasks at the shown time.
 
 import type { JSX } from "preact";
 import type { Cell } from "../shared/cell";

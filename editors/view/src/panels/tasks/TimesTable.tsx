@@ -1,4 +1,4 @@
-// The table of times by program line, for the arm and the tasks.
+// Table of times by program line, for the arm and the tasks.
 
 import type { JSX } from "preact";
 import { useMemo, useState } from "preact/hooks";
@@ -6,7 +6,7 @@ import type { Cell } from "../shared/cell";
 import { armTimes, share, taskTimes, type TimeRow } from "./times";
 
 export function TimesTable({ cell }: { cell: Cell }): JSX.Element {
-  // The times of a long run take a while to count: they are counted once a second.
+  // Counting the times of a long run is slow, so they are counted once per second.
   const end = Math.floor(cell.slowTime.value);
   const [isExact, setExact] = useState(false);
   const until = isExact ? cell.slowTime.value : end;

@@ -1,4 +1,4 @@
-// The states of tasks and the moves of the arm as segments of time.
+// States of tasks and moves of the arm as segments of time.
 
 export interface TaskState {
   name: string;
@@ -13,7 +13,7 @@ export interface TaskState {
   waits: string | null;
 }
 
-/** A stretch of time in which a task was in one state. */
+/** Time span in which a task is in one state. */
 export interface Segment {
   start: number;
   end: number;
@@ -23,11 +23,11 @@ export interface Segment {
   line: number;
 }
 
-/** The segments of every task, by its name. They grow with each state that is added. */
+/** Segments of all tasks, by task name. They grow with each added state. */
 export class TaskSegments {
   private readonly lanes = new Map<string, Segment[]>();
 
-  /** The states of all tasks from `t` on. Tasks that are missing have ended. */
+  /** Adds the states of all tasks from `t` on. Missing tasks have ended. */
   add(t: number, tasks: readonly TaskState[]): void {
     const present = new Set(tasks.map(({ name }) => name));
     for (const [name, lane] of this.lanes) {
@@ -69,7 +69,7 @@ export class TaskSegments {
   }
 }
 
-/** The segments that are visible between two times, as pixels. Those too short to see are joined. */
+/** Returns the visible segments between two times, in pixels. Segments too short to be visible are joined. */
 export function visible(segments: readonly Segment[], start: number, end: number, width: number): (Segment & { x: number; w: number })[] {
   const scale = width / Math.max(end - start, 1e-9);
   const shown: (Segment & { x: number; w: number })[] = [];
@@ -89,7 +89,7 @@ export function visible(segments: readonly Segment[], start: number, end: number
   return shown;
 }
 
-/** A wait for the arm, so that the chart connects it with the move that ended it. */
+/** Whether the wait is for the arm. The chart connects such a wait with the move that ended it. */
 export function awaitsArm({ waits }: { waits: string | null }): boolean {
   return waits !== null && /\bthe arm\b/.test(waits);
 }
@@ -103,7 +103,7 @@ export interface WaitTotal {
   count: number;
 }
 
-/** The waits between two times, the longest first: the chart as a table. */
+/** Returns the waits between two times, the longest first: the chart as a table. */
 export function waitTotals(segments: TaskSegments, start: number, end: number): WaitTotal[] {
   const totals = new Map<string, WaitTotal>();
   for (const task of segments.names()) {

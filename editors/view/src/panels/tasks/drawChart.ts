@@ -16,7 +16,7 @@ export interface Chart {
   time: number;
 }
 
-/** The colours of the look, by the names of their properties. */
+/** Colours of the look, by property name. */
 export type Colour = (name: string) => string;
 
 export function chartHeight(tasks: number): number {
@@ -63,7 +63,7 @@ function drawAxis(canvas: CanvasRenderingContext2D, width: number, height: numbe
   canvas.textAlign = "left";
 }
 
-/** A label covers what is to the left of the plot. */
+/** Draws a label, which covers the area to the left of the plot. */
 function drawLabel(canvas: CanvasRenderingContext2D, name: string, top: number, colour: Colour): void {
   canvas.fillStyle = colour("--panel");
   canvas.fillRect(0, top, LABELS, LANE);
@@ -79,7 +79,7 @@ interface MovesOfChart {
   colour: Colour;
 }
 
-/** Moves in turn in two shades; a triangle marks one without its blend. */
+/** Draws moves alternately in two shades; a triangle marks a move without its blend. */
 function drawMoves(canvas: CanvasRenderingContext2D, { moves, cut, x, time, colour }: MovesOfChart): void {
   for (const { id, started = 0, blend, done = Infinity } of moves) {
     const [left, right] = [Math.max(LABELS, x(started)), x(Math.min(done, time))];
@@ -100,7 +100,10 @@ function drawMoves(canvas: CanvasRenderingContext2D, { moves, cut, x, time, colo
   }
 }
 
-/** Computing is a full bar, waiting a thin one, an error a bar of full height, suspension a dashed line. */
+/**
+ * Draws a segment: a full bar for computing, a thin bar for waiting, a bar of full height for an error, a dashed line
+ * for suspension.
+ */
 function drawSegment(canvas: CanvasRenderingContext2D, segment: Segment & { x: number; w: number }, top: number, colour: Colour): void {
   const left = LABELS + segment.x;
   const [name, inset] = segment.state === "error" ? ["--chart-error", 1] as const
@@ -111,7 +114,7 @@ function drawSegment(canvas: CanvasRenderingContext2D, segment: Segment & { x: n
   canvas.fillRect(left, top + inset, Math.max(1, segment.w), LANE - 2 * inset);
 }
 
-/** From the lane of the arm to the end of a wait for it. */
+/** Draws a line from the lane of the arm to the end of a wait for the arm. */
 function drawLink(canvas: CanvasRenderingContext2D, x: number, top: number, colour: Colour): void {
   canvas.strokeStyle = colour("--chart-waits-arm");
   canvas.beginPath();

@@ -1,6 +1,6 @@
-// The events of a run as rows of a log.
+// Events of a run as rows of a log.
 
-/** An event as `val3 run --events` writes it. */
+/** Event in the format of `val3 run --events`. */
 export interface RunEvent {
   t: number;
   kind: string;
@@ -10,7 +10,7 @@ export interface RunEvent {
 
 export type Group = "errors" | "messages" | "tasks" | "moves" | "signals" | "lines" | "page" | "robot";
 
-/** The groups with the labels of their check boxes. */
+/** Groups with their check box labels. */
 export const GROUPS: readonly (readonly [Group, string])[] = [
   ["errors", "Errors"], ["messages", "Messages"], ["tasks", "Tasks"], ["robot", "Robot"], ["moves", "Moves"],
   ["signals", "Inputs and outputs"], ["lines", "Lines"], ["page", "User page"],
@@ -30,7 +30,7 @@ export function groupOf(event: RunEvent): Group {
   return isFault ? "errors" : (GROUP_OF[event.kind] ?? "messages");
 }
 
-/** The text of an event without its time. Events of unknown kinds show their fields. */
+/** Formats an event without its time. Events of unknown kinds show their fields. */
 export function textOf(event: RunEvent): string {
   const say = TEXTS[event.kind];
   return say === undefined ? rest(event) : say((name) => text(event[name]));

@@ -1,4 +1,4 @@
-// The moves of the arm from their events: when each was recorded, started, blended and done.
+// Moves of the arm from their events: the times at which each move was recorded, started, blended and done.
 
 export interface MoveTimes {
   id: number;
@@ -7,10 +7,10 @@ export interface MoveTimes {
   line: number;
   recorded: number | undefined;
   started: number | undefined;
-  /** The time at the leave point, where the blend into the next move begins. */
+  /** Time at the leave point, where the blend into the next move begins. */
   blend: number | undefined;
   done: number | undefined;
-  /** The queue gave it a leave point. */
+  /** Whether the queue contained a leave point for the move. */
   hasLeave: boolean;
 }
 
@@ -23,7 +23,7 @@ export interface MoveEvent {
   line: number;
 }
 
-/** All moves in the order in which they were recorded. */
+/** All moves in the order of recording. */
 export class Moves {
   private readonly byId = new Map<number, Omit<MoveTimes, "hasLeave">>();
   private readonly leaving = new Set<number>();
@@ -39,7 +39,7 @@ export class Moves {
     }
   }
 
-  /** The queue says that a move has a leave point. */
+  /** Adds the leave point of a queued move. */
   addQueued({ id, leaveDistance }: { id: number; leaveDistance?: number | null | undefined }): void {
     if ((leaveDistance ?? 0) > 0) {
       this.leaving.add(id);
@@ -57,14 +57,14 @@ export class Moves {
   }
 }
 
-/** A move that stopped at its target although it has a blend. */
+/** Move that stopped at its target although it has a blend. */
 export interface CutBlend {
   move: MoveTimes;
-  /** The seconds by which the next move was too late; nothing if none followed. */
+  /** Delay of the next move in s; `undefined` if no move followed. */
   delay: number | undefined;
 }
 
-/** The moves without their blend up to a time. */
+/** Returns the moves without their blend up to a time. */
 export function cutBlends(moves: readonly MoveTimes[], end: number): CutBlend[] {
   return moves.flatMap((move, index) => {
     const { hasLeave, blend, done } = move;

@@ -1,17 +1,17 @@
-// The range of time that the chart shows.
+// Time range that the chart shows.
 
 export type Range = readonly [start: number, end: number];
 
 const SHORTEST = 0.05;
 
-/** Zooms by a factor below 1 into the range, or out of it, around a time that keeps its place. */
+/** Zooms into the range by a factor below 1, or out of it, around a time that keeps its location on the screen. */
 export function zoomed([start, end]: Range, factor: number, around: number, whole: Range): Range {
   const length = Math.min(Math.max((end - start) * factor, SHORTEST), Math.max(whole[1] - whole[0], SHORTEST));
   const place = end > start ? (around - start) / (end - start) : 0.5;
   return inside([around - place * length, around + (1 - place) * length], whole);
 }
 
-/** Moves the range by a part of its length. */
+/** Moves the range by a fraction of its length. */
 export function shifted([start, end]: Range, part: number, whole: Range): Range {
   const way = (end - start) * part;
   return inside([start + way, end + way], whole);
@@ -23,7 +23,7 @@ function inside([start, end]: Range, whole: Range): Range {
   return [first, first + (end - start)];
 }
 
-/** Times with round distances for the axis, at most `count` of them. */
+/** Returns at most `count` times with round distances for the axis. */
 export function ticks([start, end]: Range, count: number): number[] {
   const rough = (end - start) / Math.max(1, count);
   const power = 10 ** Math.floor(Math.log10(rough));

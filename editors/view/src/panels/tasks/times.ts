@@ -1,6 +1,6 @@
-// Where the time went, by program line: the table of `val3 run --times`, as far as the messages allow.
+// Times by program line: the table of `val3 run --times`, with the accuracy of the messages.
 //
-// Samples give the time of the arm to a cycle. States give that of the tasks to 0.1 s.
+// Samples contain the arm's times accurate to one cycle, states the tasks' times accurate to 0.1 s.
 
 import type { TaskState } from "./chart";
 
@@ -8,7 +8,7 @@ export interface TimeRow {
   task: string;
   program: string;
   line: number;
-  /** The activity: the phase of the move, the thing that the task waits for, or its state. */
+  /** Activity: the phase of the move, what the task waits for, or its state. */
   activity: string;
   seconds: number;
 }
@@ -48,7 +48,7 @@ export interface TimedTasks {
   tasks: readonly TaskState[];
 }
 
-/** The times of tasks up to a time. A task stays in the state of one message until the next one. */
+/** Returns the times of tasks up to a time. A task remains in the state of a message until the next message. */
 export function taskTimes(states: readonly TimedTasks[], end: number): TimeRow[] {
   const table = new Table();
   states.forEach(({ t, tasks }, index) => {
@@ -60,14 +60,16 @@ export function taskTimes(states: readonly TimedTasks[], end: number): TimeRow[]
   return table.sorted();
 }
 
-/** One sample: its time, phase and the line of its move. */
+/** Sample: its time, phase and line. */
 export interface TimedPhase {
   t: number;
   phase: string;
   source: { program: string; line: number } | undefined;
 }
 
-/** The times of the arm up to a time. A sample ends its cycle; in a gap before it the arm was as the sample before. */
+/**
+ * Returns the times of the arm up to a time. A sample ends its cycle; in a gap the arm was as in the previous sample.
+ */
 export function armTimes(samples: Iterable<TimedPhase>, end: number): TimeRow[] {
   const table = new Table();
   let [last, activity]: [number, TimedPhase | undefined] = [0, undefined];

@@ -1,6 +1,6 @@
 // Parts of chronological lists.
 
-/** The number of entries up to a time. */
+/** Returns the number of entries up to a time. */
 export function countUpTo(entries: readonly { t: number }[], t: number): number {
   let [low, high] = [0, entries.length];
   while (low < high) {

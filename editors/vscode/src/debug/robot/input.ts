@@ -1,11 +1,14 @@
-// The arguments of requests for the texts that a user types for the cell. Pure functions.
+// Converts text that a user types for the cell to request arguments. Pure functions.
 
-/** A key with a character is typed, because 1, 2 and 3 are also names of other keys. */
+/**
+ * Returns the argument for a key. A key with a character is sent as the character, because 1, 2 and 3 are also names of
+ * other keys.
+ */
 export function keyArgument(key: string): object {
   return key.length === 1 ? { key: key.charCodeAt(0) } : { key };
 }
 
-/** The value that a text means; nothing if it means none. */
+/** Converts a text to a value; `undefined` if it is not a value. */
 export function levelFrom(text: string, isDigital: boolean): boolean | number | undefined {
   const written = text.trim().toLowerCase();
   if (isDigital) {

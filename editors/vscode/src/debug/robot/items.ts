@@ -6,11 +6,11 @@ import type { Signal } from "../run";
 export interface Item {
   item: vscode.TreeItem;
   children: Item[];
-  /** Of an input or output. */
+  /** Signal, if the item is an input or output. */
   signal?: Signal;
 }
 
-/** Makes `old` equal to `fresh` and returns the items that the view has to draw again, with everything inside of them. */
+/** Updates `old` to `fresh`, and returns the items that the view has to redraw with their children. */
 export function merge(old: Item, fresh: Item): Item[] {
   const isSame = JSON.stringify(old.item) === JSON.stringify(fresh.item);
   const isSimilar = old.children.length === fresh.children.length

@@ -1,10 +1,10 @@
-// The motion in step mode, and the line whose move the arm executes.
+// Motion in step mode, and the line whose move the arm executes.
 
 import * as vscode from "vscode";
 import type { DebuggedRun, MotionMode, Sample, Source } from "../run";
 import { lineInCode, type View, type Views } from "../sources";
 
-/** For the commands in the toolbar of the debugger. */
+/** Context key for the commands in the debug toolbar. */
 const STEPS = "val3.stepsMotion";
 
 const HINT = "The arm executes the move of this line.";
@@ -32,7 +32,7 @@ export function registerMotion(
   ];
 }
 
-/** Marks the line whose move the arm executes. The executing line has VS Code's own mark. */
+/** Marks the line whose move the arm executes. VS Code marks the line that the program executes. */
 class MovingLine implements vscode.Disposable {
   private readonly mark: vscode.TextEditorDecorationType;
   private readonly subscription: vscode.Disposable;
@@ -77,13 +77,13 @@ class MovingLine implements vscode.Disposable {
   }
 }
 
-/** A line of a document, from 0. */
+/** Line of a document, from 0. */
 interface Place {
   uri: vscode.Uri;
   line: number;
 }
 
-/** The line in its file, and before that in the code views on the screen. */
+/** Returns the line in its file, preceded by the line in visible code views. */
 function placesOf({ file, line }: Source, views: Views): [...Place[], Place] {
   const inView = ({ code, mapping }: View): Place[] => {
     const found = lineInCode(line, mapping);

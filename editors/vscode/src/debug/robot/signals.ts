@@ -7,7 +7,7 @@ import type { Item } from "./items";
 
 const BY_NUMBER = new Intl.Collator("en", { numeric: true });
 
-/** The signals by board. The last part of a link is the signal's address on its board. */
+/** Groups the signals by board. The last part of a link is the signal's address on its board. */
 export function boardItems(signals: Signal[]): Item[] {
   const boardOf = ({ link }: Signal): string => link.slice(0, Math.max(link.lastIndexOf("\\"), 0));
   const boards = [...new Set(signals.map(boardOf))].sort((left, right) => BY_NUMBER.compare(left, right));
@@ -62,7 +62,7 @@ function icon({ isDigital, value, isLocked, fault }: Signal): vscode.ThemeIcon {
   return new vscode.ThemeIcon(name, colour === undefined ? undefined : new vscode.ThemeColor(colour));
 }
 
-/** Commands on a signal of the view. */
+/** Registers the commands on a signal in the view. */
 export function registerSignals(run: DebuggedRun): vscode.Disposable[] {
   const command = (name: string, args: (signal: Signal) => object | Promise<object | undefined>): vscode.Disposable =>
     vscode.commands.registerCommand(`val3.signal.${name}`, async (item?: Item) => {
@@ -81,7 +81,7 @@ export function registerSignals(run: DebuggedRun): vscode.Disposable[] {
   ];
 }
 
-/** A locked signal only takes a value from who locks it. */
+/** Returns the arguments that set a value. A locked signal accepts a value only with a lock request. */
 function withLevel(value: boolean | number, isLocked: boolean): object {
   return isLocked ? { lock: true, value } : { value };
 }

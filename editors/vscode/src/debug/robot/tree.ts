@@ -1,4 +1,4 @@
-// The view *Robot* of the debug sidebar: the arm, its moves, the tasks, inputs and outputs.
+// The view *Robot* in the debug sidebar: the arm, its moves, the tasks, inputs and outputs.
 
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
@@ -33,7 +33,7 @@ export class RobotTree implements vscode.TreeDataProvider<Item>, vscode.Disposab
     return parent.children;
   }
 
-  /** Updates the items that have changed, so that the mouse can click the others. */
+  /** Updates only the changed items, so that the other items can still be clicked. */
   private async update(): Promise<void> {
     this.isStale = true;
     if (this.isUpdating) {
@@ -123,7 +123,7 @@ function taskItem({ name }: Protocol.Thread): Item {
   return leaf(task, state, "gear");
 }
 
-/** A click on the item opens the line. */
+/** Opens the line when the item is clicked. */
 function atSource(item: Item, source: Source): Item {
   item.item.command = { command: "val3.openLine", title: "Open", arguments: [source] };
   return item;

@@ -1,10 +1,10 @@
-// The pendant: the user page, 40 x 14 characters, and the keys of its keyboard.
+// The pendant: the user page, 40 x 14 characters, and the keyboard.
 
 import * as vscode from "vscode";
 import type { DebuggedRun, UserPage } from "../run";
 import { keyArgument } from "./input";
 
-/** A message of the page: a key, by its name or as its character. */
+/** Message from the page: a key, by its name or as its character. */
 interface Press {
   key: string;
 }

@@ -1,5 +1,5 @@
-// The robot next to the code: the page of `val3 run --serve`, fed by the debug session. Without a session it shows the points
-// and frames of the application that the cursor is in.
+// The robot next to the code: the page of `val3 run --serve` with messages from the debug session. Without a session it
+// shows the points and frames of the application at the cursor.
 
 import { readFile } from "node:fs/promises";
 import * as vscode from "vscode";
@@ -10,13 +10,13 @@ import type { Preview } from "./preview";
 
 const TYPE = "val3.robotView";
 
-/** A message from the page: it is ready, shows a line, or asks the controller for something. */
+/** Message from the page: it is ready, shows a line, or sends a request to the controller. */
 type FromPage = { command: "ready" } | { command: "reveal"; source: Source } | { command: string; id: number };
 
 export class RobotView implements vscode.Disposable {
   private readonly subscription: vscode.Disposable;
   private panel: vscode.WebviewPanel | undefined;
-  /** The page can receive messages. */
+  /** Whether the page can receive messages. */
   private isReady = false;
 
   constructor(
@@ -75,7 +75,7 @@ export class RobotView implements vscode.Disposable {
     }
   }
 
-  /** Shows the active session from its present state on, or the application of the editor. */
+  /** Shows the active session, beginning with its present state, or the application in the editor. */
   private async begin(): Promise<void> {
     if (!this.isReady) {
       return;
@@ -112,7 +112,7 @@ export class RobotView implements vscode.Disposable {
   }
 }
 
-/** A message as the page takes it: samples are bytes. */
+/** Converts a message for the page: samples are sent as bytes. */
 function withBytes(message: object): object {
   return "base64" in message && typeof message.base64 === "string" ? new Uint8Array(Buffer.from(message.base64, "base64")) : message;
 }
