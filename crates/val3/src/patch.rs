@@ -1,4 +1,4 @@
-//! Changes of files as a unified diff, which `patch -p1` and `git apply` take.
+//! Changes as a unified diff for `patch -p1` and `git apply`.
 
 use std::io;
 
@@ -19,7 +19,7 @@ pub(crate) fn write_diff(path: &str, before: &str, after: &str, out: &mut dyn Wr
     let text = diff.unified_diff().header(&format!("a/{path}"), &format!("b/{path}")).to_string();
     for line in text.split_inclusive('\n') {
         out.set_color(&color(line))?;
-        // A line of the file may end with a carriage return: colours end before it.
+        // A line of the file may end with a carriage return: colours are reset before it.
         let content = line.trim_end_matches(['\r', '\n']);
         out.write_all(content.as_bytes())?;
         out.reset()?;
