@@ -1,4 +1,4 @@
-//! The output of a check of the shipped cell with a fault of each family.
+//! Output of a check of the shipped cell with one fault of each rule family.
 
 use std::process::Command;
 
