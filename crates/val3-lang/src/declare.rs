@@ -1,14 +1,14 @@
-//! The macros in which the catalogue is written.
+//! Macros that declare the catalogue.
 
 /// Declares the instruction of a file.
 ///
-/// The doc comment is its page. The head line gives name, family and manual section, then the clauses
-/// `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
-/// a form: `function` (only yields a value) or `modifier` (can be a statement), parameters as in a syntax line, `->
-/// type` for a value, `on library` for a form of a library identifier, `since major` for a younger form, `seen
-/// in_programs` for a form that the manual does not print, `= function` for its handler, whose parameters are those of the line ([`FromArgument`](crate::call::FromArgument)). Instead of a
-/// type a parameter says `any`, `Whole`, `Slot`, `Item` ([`Shape`](crate::instruction::Shape)) or `program` (the call
-/// of a program).
+/// The doc comment is its page. The first line contains the name, the family and the manual section, followed by the
+/// clauses `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Each further line is
+/// a form: `function` (only returns a value) or `modifier` (can be a statement), parameters as in a syntax line, `->
+/// type` for a result, `on library` for a form of a library identifier, `since major` for a form that was added later,
+/// `seen in_programs` for a form that is not in the manual, and `= function` for its handler, whose parameters are
+/// those in the line ([`FromArgument`](crate::call::FromArgument)). Instead of a type, a parameter may have `any`,
+/// `Whole`, `Slot`, `Item` ([`Shape`](crate::instruction::Shape)) or `program` (the call of a program).
 macro_rules! instruction {
     (
         $(#[doc = $line:literal])*
@@ -173,7 +173,7 @@ macro_rules! optional {
 }
 pub(crate) use optional;
 
-/// The function that takes the arguments of a form, calls its handler and gives back the value.
+/// Function that reads the arguments of a form, calls its handler and writes the result.
 macro_rules! run {
     ([] [$($library:ident)?] $($param:tt)*) => {
         None
@@ -196,7 +196,7 @@ macro_rules! run {
 }
 pub(crate) use run;
 
-/// Takes one argument into a variable of the parameter's name.
+/// Reads an argument into a variable with the parameter's name.
 macro_rules! take {
     ($call:ident, program $name:ident) => {
         compile_error!("a program is called by a statement of its own")
@@ -228,7 +228,7 @@ macro_rules! take {
 }
 pub(crate) use take;
 
-/// The type of a handler's parameter.
+/// Type of a handler's parameter.
 macro_rules! value {
     (any) => {
         $crate::call::Any
@@ -278,12 +278,12 @@ macro_rules! value {
 }
 pub(crate) use value;
 
-/// Declares the files of the catalogue, family by family, and the list of their instructions.
+/// Declares the files of the catalogue by family, and the list of their instructions.
 macro_rules! catalogue {
     ($($family:ident { $($name:ident),+ $(,)? })+) => {
         $(mod $family { $(pub(crate) mod $name;)+ })+
 
-        /// Every instruction, family by family in the manual's order.
+        /// Every instruction, by family in the manual's order.
         static CATALOGUE: &[&$crate::instruction::Instruction] =
             &[$($(&$family::$name::INSTRUCTION),+),+];
     };
