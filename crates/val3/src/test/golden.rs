@@ -26,7 +26,6 @@ const KEY: &str = "expect.trace";
 ///
 /// # Errors
 /// A file cannot be written.
-/// A file cannot be written.
 pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> Result<Option<RecordedFile>, UserError> {
     let Some(motion) = result.motion.take() else { return Ok(None) };
     let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
