@@ -74,7 +74,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The programs from `first` to the one before this program, on the shortest way back.
+/// Programs from `first` to the caller of this program, on the shortest way back.
 fn circle(program: &Program<'_>, first: &SmolStr) -> Option<Vec<SmolStr>> {
     let start = program.name();
     let mut came_from: FxHashMap<SmolStr, Option<SmolStr>> = FxHashMap::default();

@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The variables of a condition; `None` if it depends on something else than local variables and constants.
+/// Variables of a condition; `None` if it depends on something other than local variables and constants.
 fn locals(program: &Program<'_>, condition: ExprId) -> Option<FxHashSet<SmolStr>> {
     let body = program.body;
     // A constant has no variables, and a single flag may be meant to never change.
