@@ -37,7 +37,7 @@ fn braces(ty: BaseType, arm: Option<Arm>) -> String {
     format!("{{{}}}", parts.collect::<Vec<_>>().join(","))
 }
 
-/// Values of an enumeration, for example "`joint`, `off` or `Cartesian`"; `None` for another type.
+/// Enumeration values, for example "`joint`, `off` or `Cartesian`"; `None` for another type.
 pub(crate) fn values(ty: &str) -> Option<String> {
     let (ty, _) = parse(ty)?;
     let names: Vec<_> = enumerations::values(ty).map(|row| row.name).collect();

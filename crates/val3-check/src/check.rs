@@ -113,7 +113,7 @@ pub fn stand_in_faults(db: &dyn Db, project: Project, alias: &SmolStr, library: 
     faults
 }
 
-/// Result of the check of a unit.
+/// Result of a unit's check.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Checked {
     /// The reported findings, sorted by position.
@@ -135,7 +135,7 @@ impl Sum for Checked {
     }
 }
 
-/// Faults of a unit that are found without lints: faults of its text, its declarations and its types.
+/// Faults in a unit that are found without lints: faults of its text, its declarations and its types.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Faults {
     found: Vec<Diagnostic>,
@@ -184,7 +184,7 @@ pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, checked
     checked
 }
 
-/// Completes the check of each application: adds unused suppression comments, and keeps one finding for each missing
+/// Completes each application's check: adds unused suppression comments, and keeps one finding for each missing
 /// add-on.
 pub fn finish_each(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut checked: Checked) -> Checked {
     for unit in units {

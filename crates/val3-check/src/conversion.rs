@@ -9,7 +9,7 @@ use crate::fix::Site;
 
 /// Describes how to convert a value of type `found` to type `wanted`; empty if there is no usual way.
 ///
-/// The types are in the notation of the analysis. An arm suffix makes no difference.
+/// The types are in the notation of the analysis. An arm suffix has no influence.
 pub(crate) fn advice(found: &str, wanted: &str) -> String {
     let base = |ty| built_in::parse(ty).map(|(ty, _)| ty);
     match (built_in::values(wanted), base(found), base(wanted)) {

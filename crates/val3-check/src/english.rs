@@ -5,7 +5,7 @@ use val3_lang::foreign_names::remedy;
 
 use crate::phrase::{did_you_mean, name_kind};
 
-/// Formats the similar name as a question, or other advice if there is none.
+/// Formats the similar name as a question, or other advice without a similar name.
 pub(crate) fn meant(name: &str, near: Option<&str>, otherwise: &str) -> String {
     match near {
         _ if remedy(name).is_some() => remedy(name).unwrap_or_default().to_owned(),

@@ -6,7 +6,7 @@ use val3_analysis::db::{Db, File};
 use crate::check::is_once_per_application;
 use crate::diagnostic::Diagnostic;
 
-/// Maximum number of characters of a line in a fingerprint.
+/// Maximum line length in a fingerprint, in characters.
 const LINE_LIMIT: usize = 200;
 
 /// Parts of a finding that an edit elsewhere does not change. Baselines and the formats for code scanning services

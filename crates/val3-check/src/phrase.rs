@@ -10,7 +10,7 @@ pub(crate) fn did_you_mean(near: Option<&str>) -> String {
     question(near).unwrap_or_default()
 }
 
-/// Formats the similar name as a question, or other advice if there is none.
+/// Formats the similar name as a question, or other advice without a similar name.
 pub(crate) fn did_you_mean_or(near: Option<&str>, otherwise: &str) -> String {
     question(near).unwrap_or_else(|| otherwise.to_owned())
 }
@@ -35,7 +35,7 @@ pub(crate) fn name_kind(kind: NameKind) -> &'static str {
     }
 }
 
-/// Name of a part of XML.
+/// Name of an XML part.
 pub(crate) fn xml_part(part: XmlPart) -> &'static str {
     match part {
         XmlPart::Comment => "the comment",
@@ -67,7 +67,7 @@ pub(crate) fn file_role(role: FileRole) -> &'static str {
     }
 }
 
-/// Last key of an array with this `size` attribute: `2,3` for `3 4`. `None` if a dimension is empty or not a number.
+/// Last key in an array with this `size` attribute: `2,3` for `3 4`. `None` if a dimension is empty or not a number.
 pub(crate) fn last_key(size: &str) -> Option<String> {
     let last = |dimension: &str| dimension.parse::<u32>().ok()?.checked_sub(1);
     let keys: Option<Vec<String>> = size.split_whitespace().map(|d| Some(last(d)?.to_string())).collect();

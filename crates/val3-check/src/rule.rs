@@ -42,7 +42,7 @@ pub struct Rule {
     pub(crate) lint: Option<Lint>,
 }
 
-/// A function that finds the faults of one rule.
+/// A function that finds a rule's faults.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Lint {
     /// In each program without faults.

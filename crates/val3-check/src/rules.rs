@@ -7,7 +7,7 @@ use val3_syntax::error::{Expected, SyntaxErrorKind};
 
 use crate::{diagnostic::Wording, rule::Rule};
 
-/// Declares the module of each rule and lists the rules, in the order given.
+/// Declares a module for each rule and lists the rules, in the order given.
 macro_rules! rules {
     ($($module:ident,)*) => {
         $(pub(crate) mod $module;)*

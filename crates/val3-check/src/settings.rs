@@ -29,7 +29,7 @@ pub struct Selection {
     pub target: Option<Version>,
 }
 
-/// Settings of one application.
+/// Application settings.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Settings {
     /// Configured levels by code.
@@ -168,7 +168,7 @@ impl WorkspaceSettings {
         if errors.is_empty() { Ok(settings) } else { Err(errors) }
     }
 
-    /// Settings of an application.
+    /// An application's settings.
     pub fn of(&self, db: &dyn Db, project: Project) -> &Settings {
         let configured = project.configuration(db).and_then(|configuration| self.by_configuration.get(&configuration));
         configured.unwrap_or(&self.unconfigured)

@@ -22,7 +22,7 @@ enum Cause<'db> {
     CellFile(&'db Utf8Path, &'db str),
 }
 
-/// Keeps the first finding of each cause, and adds the locations of the other findings to it.
+/// Keeps the first finding for each cause, and adds the locations of the other findings to it.
 pub fn join_causes(db: &dyn Db, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(findings.len());
     let mut firsts: FxHashMap<Cause<'_>, usize> = FxHashMap::default();
@@ -58,7 +58,7 @@ fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
     if finding.rule == &file_unreadable::RULE {
         return cell_file(db, finding);
     }
-    // This rule only reports outside of programs if a project lacks entries.
+    // Outside of programs, this rule only reports projects with missing entries.
     let is_about_project = finding.rule == &library_item_unknown::RULE && finding.program.is_none();
     finding.related.first().filter(|_| is_about_project).map(|list| Cause::Library(list.place))
 }

@@ -81,11 +81,11 @@ pub struct OfferedFix {
     pub title: String,
     /// Whether it may be applied without confirmation.
     pub safe: bool,
-    /// Edits: file, range of its decoded text, and new text.
+    /// Edits: file, range in the decoded text, and new text.
     pub edits: Vec<(String, Range<usize>, String)>,
 }
 
-/// Fixes of all findings in `files`, in the order of the findings of each unit.
+/// Fixes of all findings in `files`, in the order of each unit's findings.
 ///
 /// # Panics
 /// If there is no project in the files.

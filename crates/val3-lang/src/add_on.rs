@@ -20,7 +20,7 @@ use crate::{
     types::{Arm, BaseType},
 };
 
-/// Instructions of one add-on for one kind of arm.
+/// An add-on's instructions for one kind of arm.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AddOnTable {
     /// VAL 3 version in the table, as written.
@@ -39,7 +39,7 @@ pub struct AddOnInstruction {
     pub overloads: Vec<AddOnOverload>,
 }
 
-/// One form of an instruction.
+/// An instruction form.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AddOnOverload {
     /// Whether the form is called on a library identifier: `id:$libOpen()`.
@@ -52,7 +52,7 @@ pub struct AddOnOverload {
     pub class: Class,
 }
 
-/// One parameter of an instruction.
+/// An instruction parameter.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AddOnParam {
     /// Generated name, because tables contain no names: the usual prefix of the type and the position, for example `j1`
@@ -150,7 +150,7 @@ pub struct TableError {
     pub kind: TableErrorKind,
 }
 
-/// Kind of an error in a table.
+/// Kind of table error.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TableErrorKind {
     /// The text is not valid XML.
@@ -161,7 +161,7 @@ pub enum TableErrorKind {
     NoName,
     /// The result type of a function does not exist.
     UnknownResult(String),
-    /// The number of dimensions of an array parameter is not 1, 2 or 3.
+    /// An array parameter has neither 1, 2 nor 3 dimensions.
     Dimensions(String),
 }
 

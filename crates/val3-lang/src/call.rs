@@ -1,4 +1,4 @@
-//! A call of an instruction at run time: its arguments, and its access to the controller.
+//! An instruction call at run time: its arguments, and its access to the controller.
 //!
 //! The handler of a form is a function whose parameters have the types of its syntax line ([`FromArgument`]), and whose
 //! result has the line's type ([`InstructionValue`]). It accesses data through the memory and everything else through
@@ -19,7 +19,7 @@ use crate::ports::{Ports, Reply, Tasks, Time};
 use crate::types::{Arm, BaseType, LengthUnit};
 use crate::versions::Version;
 
-/// Executes one form of an instruction.
+/// Executes an instruction form.
 pub type InstructionFn = fn(&mut Call<'_>) -> Result<Flow>;
 
 /// Result of a call: done, or a wait.
@@ -79,7 +79,7 @@ pub enum Argument {
     Library(u16),
 }
 
-/// A call of an instruction.
+/// An instruction call.
 pub struct Call<'c> {
     /// All data.
     pub memory: &'c mut Memory,
@@ -120,7 +120,7 @@ impl<'c> Call<'c> {
     /// Returns the next argument.
     ///
     /// # Errors
-    /// 61 if there is none, which means that the program was compiled wrongly.
+    /// 61 without further arguments, which means that the program was compiled wrongly.
     #[inline]
     pub fn argument(&mut self) -> Result<Argument> {
         let found = self.arguments.get(self.next).copied().ok_or(Fault::INTERPRETER)?;

@@ -278,7 +278,7 @@ macro_rules! value {
 }
 pub(crate) use value;
 
-/// Declares the files of the catalogue by family, and the list of their instructions.
+/// Declares the catalogue's files by family, and the list of instructions.
 macro_rules! catalogue {
     ($($family:ident { $($name:ident),+ $(,)? })+) => {
         $(mod $family { $(pub(crate) mod $name;)+ })+

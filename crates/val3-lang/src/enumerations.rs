@@ -1,8 +1,8 @@
-//! Names of enumeration values: the enumerators of `mdesc.blend` and of the fields of `config` (9.7.2, 10.5.1).
+//! Names of enumeration values: the enumerators of `mdesc.blend` and of the `config` fields (9.7.2, 10.5.1).
 
 use crate::types::BaseType;
 
-/// A value of an enumeration.
+/// An enumeration value.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Enumerator {
     /// Spelling in code.

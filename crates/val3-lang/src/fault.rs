@@ -17,7 +17,7 @@ impl Fault {
     pub const STACK_FULL: Self = Self(runtime_errors::STACK_FULL);
     /// 61: the interpreter cannot continue.
     pub const INTERPRETER: Self = Self(runtime_errors::INTERPRETER);
-    /// 70: an invalid argument of an instruction.
+    /// 70: an invalid argument.
     pub const INVALID_PARAMETER: Self = Self(runtime_errors::INVALID_PARAMETER);
     /// 80: a library that is not loaded, or data or a program that does not exist in the library.
     pub const LIBRARY_ITEM_MISSING: Self = Self(runtime_errors::LIBRARY_ITEM_MISSING);

@@ -6,13 +6,13 @@ use crate::types::BaseType;
 /// A description: the element, the attribute (empty for the element itself), the text.
 type Page = (&'static str, &'static str, &'static str);
 
-/// Description of an element. Names are case-sensitive, as in [`crate::files::find`].
+/// Element description. Names are case-sensitive, as in [`crate::files::find`].
 #[must_use]
 pub fn element(file: FileKind, name: &str) -> Option<&'static str> {
     find(file, name, "").or_else(|| (file == FileKind::Data).then(|| old_data_element(name)).flatten())
 }
 
-/// Description of an attribute of an element. The fields in a `Value` have their own descriptions
+/// Attribute description for an element. The fields in a `Value` have their own descriptions
 /// ([`crate::types::Field::doc`]).
 #[must_use]
 pub fn attribute(file: FileKind, element: &str, name: &str) -> Option<&'static str> {

@@ -23,7 +23,7 @@ pub struct Element {
     pub attributes: &'static [Attribute],
     /// Child elements, in the order of the controller's files.
     pub children: &'static [&'static str],
-    /// Declared namespace, at the root of a file or of a part of it.
+    /// Declared namespace, at the root of a file or file part.
     pub namespace: Option<&'static str>,
 }
 

@@ -29,7 +29,7 @@ pub enum EntryKind {
     Type,
     /// A field of a type, or an attribute of values in data files.
     Field,
-    /// An operator, or several operators of one kind.
+    /// An operator, or several similar operators.
     Operator,
     /// A term of robots and controllers.
     Word,

@@ -31,7 +31,7 @@ pub struct Instruction {
     pub availability: Availability,
 }
 
-/// One form of an instruction.
+/// An instruction form.
 #[derive(Debug)]
 pub struct Overload {
     /// Whether the form is called on a library identifier: `id:libLoad(…)`.
@@ -51,7 +51,7 @@ pub struct Overload {
     pub run: Option<InstructionFn>,
 }
 
-/// One parameter of an instruction.
+/// An instruction parameter.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Param {
     /// Name in the syntax line (`nSeconds`).
@@ -62,7 +62,7 @@ pub struct Param {
     pub shape: Shape,
 }
 
-/// Form of an argument.
+/// Argument form.
 ///
 /// An element counts as an array with one value (2.3.4), so `x`, `x[3]` and `x["k"]` all match `Array { dims: 1 }`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,7 +89,7 @@ pub enum Shape {
     ProgramCall,
 }
 
-/// Family of an instruction.
+/// Instruction family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Family {
     /// All variables, arrays and collections (2.5).
@@ -210,7 +210,7 @@ impl Overload {
     }
 }
 
-/// Builder methods for the macro `instruction`: one for each clause of its first line.
+/// Builder methods for the macro `instruction`: one for each clause in its first line.
 impl Instruction {
     pub(crate) const fn new(name: &'static str, family: Family) -> Self {
         Self {

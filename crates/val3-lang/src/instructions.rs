@@ -310,7 +310,7 @@ pub const WATCH: &str = "watch";
 /// Waits for a time while other tasks continue; with 0, until their turns are over (5.10).
 pub const DELAY: &str = "delay";
 
-/// Changes the father of its first argument, although the manual does not mark it as passed by reference (9.4.4, 9.5.4,
+/// Changes its first argument's father, although the manual does not mark it as passed by reference (9.4.4, 9.5.4,
 /// 9.6.3).
 pub const LINK: &str = "link";
 
@@ -350,7 +350,7 @@ pub const SIO_CTRL: &str = "sioCtrl";
 /// Changes one dimension of an array (2.5.5). Arguments: array, dimension, size.
 pub const RESIZE: &str = "resize";
 
-/// Returns the number of elements of an array.
+/// Returns the size of an array.
 pub const SIZE: &str = "size";
 
 /// Cancels the recorded moves.

@@ -1,7 +1,7 @@
 //! Definition of VAL 3, the only one in the project.
 //!
 //! Types, instructions, operators, enumerations, run-time errors and versions as data for the analysis, the editor
-//! features and the runtime. No other crate contains the name of an instruction or a built-in field, or the number of a
+//! features and the runtime. No other crate contains an instruction name or a built-in field, or the number of a
 //! run-time error.
 
 mod declare;

@@ -24,7 +24,7 @@ macro_rules! number_functions {
             $(#[doc = concat!("`", $name, "`")] $function,)+
         }
 
-        /// All functions, in the order of their numbers.
+        /// All functions, ordered by number.
         const ALL: &[(NumberFunction, &str, Compute)] = &[$((NumberFunction::$function, $name, $compute)),+];
     };
 }
@@ -57,7 +57,7 @@ number_functions! {
 }
 
 impl NumberFunction {
-    /// Function of an instruction's form in a version; `None` if it does not compute a number only from numbers.
+    /// Function for an instruction form in a version; `None` if it does not compute a number only from numbers.
     #[must_use]
     pub fn of(instruction: &Instruction, form: &Overload, version: Version) -> Option<Self> {
         let is_number = |ty| matches!(ty, Some(BaseType::Num | BaseType::Bool));

@@ -3,7 +3,7 @@
 //! A page starts with a sentence that describes its subject. Its examples are fenced blocks marked `val3`, as listings:
 //! data, followed by code.
 
-/// Returns the page without the blank at the start of each doc comment line. A page from a file is returned unchanged.
+/// Returns the page without the leading blank in each doc comment line. A page from a file is returned unchanged.
 #[must_use]
 pub fn text(page: &str) -> String {
     let is_comment = page.lines().all(|line| line.is_empty() || line.starts_with(' '));

@@ -77,7 +77,7 @@ pub fn frame_of(memory: &Memory, PointRef(point): PointRef) -> Result<FrameRef> 
     frame.map(FrameRef).ok_or(Fault(POINT_WITHOUT_REFERENCE))
 }
 
-/// Father of a frame, a tool or a point; `None` if it has none that exists.
+/// Father of a frame, a tool or a point; `None` if it has no father or the father does not exist.
 ///
 /// # Errors
 /// 20 if the value itself does not exist, 82 if it must not refer to its father.

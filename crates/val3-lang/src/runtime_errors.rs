@@ -59,7 +59,7 @@ pub const WRITE_TO_INPUT: u16 = 122;
 /// A program writes a system output (3.5, 3.6).
 pub const PROTECTED_OUTPUT: u16 = 124;
 
-/// The device of an input, output or serial line does not respond (3.5 to 3.7).
+/// The device for an input, output or serial line does not respond (3.5 to 3.7).
 pub const NO_ANSWER: u16 = 125;
 
 const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {

@@ -11,7 +11,7 @@ pub use attributes::{Attribute, AttributeValue, attribute, attributes};
 pub use fields::{DefaultValue, Field, Unit, field, fields};
 pub use length_unit::LengthUnit;
 
-/// Kind of an arm's kinematics. Positions of one kind have no meaning for another kind.
+/// Kind of an arm's kinematics. Positions for one kind have no meaning for another kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Arm {
     /// Six axes (RX, TX): `jointRx`, `pointRx`, `configRx`; add-on tables `anthro`.
@@ -47,7 +47,7 @@ pub enum BaseType {
     Tool,
     /// Cartesian position of a tool (9.6).
     Point,
-    /// Position of each axis (9.2).
+    /// Joint position: one number per axis (9.2).
     Joint,
     /// Arm configuration (9.7).
     Config,
@@ -115,7 +115,7 @@ impl BaseType {
         self.father().is_some()
     }
 
-    /// Type of the father of this type's values.
+    /// Father type of this type's values.
     #[must_use]
     pub fn father(self) -> Option<Self> {
         match self {

@@ -74,10 +74,10 @@ fn run(
     })
 }
 
-/// A run of an application.
+/// An application run.
 struct Run<'c> {
     controller: &'c mut Controller,
-    /// Name of its first task.
+    /// First task's name.
     name: String,
     observer: Observer,
     journal: Journal,

@@ -1,4 +1,4 @@
-//! Tests of an application.
+//! Test cases of an application.
 
 use val3_bytecode::{Image, Program};
 use val3_lang::test_names::is_test;
@@ -41,7 +41,7 @@ pub struct TestCase {
 }
 
 impl TestCase {
-    /// Name among all tests: `application:program`, or `application:program[2]` for a row of its table.
+    /// Name among all tests: `application:program`, or `application:program[2]` for a table row.
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}:{}", self.application, self.title())
@@ -96,7 +96,7 @@ impl TestCase {
     }
 }
 
-/// Returns the tests of an application, sorted by name; a test with a table occurs once for each row.
+/// Returns an application's tests, sorted by name; a test with a table occurs once for each row.
 #[must_use]
 pub fn cases(application: &Application, image: &Image) -> Vec<TestCase> {
     let tests = image.programs.iter().filter(|program| is_test(&program.name));

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// Keys of a test file that set the initial state of its controller, as the options of `val3 run` do.
+/// Keys of a test file that set its controller's initial state, as the options of `val3 run` do.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ControllerKeys {
     /// Arm name.

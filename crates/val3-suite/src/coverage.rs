@@ -13,7 +13,7 @@ use val3_session::Application;
 
 use crate::library::NAME;
 
-/// Returns the execution counts of tested programs since the initial state of a controller: programs of each loaded
+/// Returns the execution counts of tested programs since a controller's initial state: programs of each loaded
 /// application and library, without test applications, tests and `val3assert`.
 #[must_use]
 pub fn counted(controller: &Controller, application: &Application) -> Coverage {

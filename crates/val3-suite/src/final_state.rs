@@ -15,7 +15,7 @@ use crate::result::TestResult;
 /// Observable values at the end of a test, in an order that does not depend on the values.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FinalState {
-    /// Name and text of each value.
+    /// Names and texts of the values.
     values: Vec<(String, String)>,
 }
 
@@ -82,7 +82,7 @@ fn signals(controller: &Controller) -> Vec<(String, String)> {
     io.signals().filter_map(of).collect()
 }
 
-/// Global variables of an application or library, without variables that have no value.
+/// Global variables in an application or library, without variables that have no value.
 fn variables(controller: &Controller, image: &Image, data: &[StoreId], values: &mut Vec<(String, String)>) {
     let memory = &controller.vm.space.memory;
     for (data, id) in image.data.iter().zip(data) {

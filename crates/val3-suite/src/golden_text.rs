@@ -15,7 +15,7 @@ pub(crate) enum GoldenKind {
 }
 
 impl GoldenKind {
-    /// First line of a file of this kind.
+    /// First line in this kind of file.
     fn heading(self) -> &'static str {
         match self {
             Self::Screen => "# Screen at the end of a test",
@@ -84,7 +84,7 @@ impl GoldenText {
         self.lines.iter().all(String::is_empty).then(|| self.failure(message))
     }
 
-    /// Compares the text with the text of its file.
+    /// Compares the text with its file's content.
     #[must_use]
     pub fn judge(&self, text: &str) -> Option<Failure> {
         if !self.is_recorded(text) {

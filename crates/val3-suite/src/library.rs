@@ -63,7 +63,7 @@ const FILES: &[(&str, &str)] = &[
 /// Library alias of [`NAME`] in a test application.
 pub const ALIAS: &str = "assert";
 
-/// First test of an application without known programs.
+/// First test for an application without known programs.
 pub const FIRST_TEST: (&str, &str) = ("testFirst", include_str!("../library/first/testFirst.pgx"));
 
 /// An application with a first test, next to the tested application.
@@ -84,7 +84,7 @@ impl TestApplication<'_> {
         format!("{}Test", self.application)
     }
 
-    /// Returns the name and text of each file. `program` is the text of the program `test`, with `{alias}` for the
+    /// Returns all files' names and texts. `program` is the text of the program `test`, with `{alias}` for the
     /// library alias of the tested application.
     #[must_use]
     pub fn files(&self, (test, program): (&str, &str)) -> Vec<(String, String)> {

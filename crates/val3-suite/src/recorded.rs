@@ -58,7 +58,7 @@ impl RecordedMotion {
         self.recording.is_empty().then(|| self.failure(message))
     }
 
-    /// Compares the motion with the text of its file.
+    /// Compares the motion with its file's content.
     #[must_use]
     pub fn judge(&self, text: &str) -> Judgement {
         let recorded = match Trace::parse(text) {
@@ -132,7 +132,7 @@ impl RecordedMotion {
     }
 }
 
-/// Line of an instruction.
+/// An instruction's line.
 pub(crate) fn place_of(CodeSource { program, file, line, .. }: CodeSource) -> Place {
     Place { program, file, line }
 }

@@ -57,7 +57,7 @@ pub struct Scenario {
     pub(crate) source: Source,
 }
 
-/// Requested run of an application.
+/// Requested application run.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Run {
     application: Option<Spanned<String>>,
@@ -192,7 +192,7 @@ impl Scenario {
             Ok(Probe { expect: Some(_), .. }) => Role::Expectations,
             Ok(Probe { at, when, silent, .. }) if at.or(when).or(silent).is_some() => Role::Script,
             Ok(_) => Role::Other,
-            // The error of an invalid file that appears to be a scenario is reported.
+            // An invalid file that appears to be a scenario is reported.
             Err(_) if begins("application") => Role::Scenario,
             Err(_) if begins("[expect") || begins("[[expect") => Role::Expectations,
             Err(_) => Role::Other,

@@ -29,7 +29,7 @@ impl Source {
         u32::try_from(self.lines.line(range.start) + 1).unwrap_or(u32::MAX)
     }
 
-    /// Place of an expectation: a key such as `expect.screen` with its line.
+    /// An expectation's place: a key such as `expect.screen` with its line.
     pub(crate) fn place(&self, key: &str, range: Range<usize>) -> Place {
         Place { program: key.to_owned(), file: self.path.clone(), line: self.line(range) }
     }

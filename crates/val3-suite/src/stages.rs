@@ -194,7 +194,7 @@ impl Stages {
         })
     }
 
-    /// Task of an event, otherwise the program's task.
+    /// An event's task, otherwise the program's task.
     fn task_of(&self, event: &Event, controller: &Controller) -> Option<TaskNumber> {
         event.task.as_deref().and_then(|name| task_number(controller, name)).or(self.lead)
     }

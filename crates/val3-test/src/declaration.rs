@@ -27,7 +27,7 @@ const TYPES: &[&str] = &[
     "configVrb",
 ];
 
-/// A variable of an application, or a local.
+/// An application variable, or a local.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Data {
     pub(crate) public: bool,

@@ -41,7 +41,7 @@ impl Fixture {
 
     /// File and line number that correspond to line `line` of the listing; both numbers count from 1.
     ///
-    /// Columns of code are those of the listing, without the common indentation. `begin` of a program follows the start
+    /// Code has the listing's columns, without the common indentation. `begin` of a program follows the start
     /// tag of its element on the same line. Code that contains `]]>` is escaped, which changes its columns. Comments
     /// and blank lines between declarations are not in any file.
     pub fn place_of_line(&self, line: usize) -> Option<(&str, usize)> {

@@ -7,7 +7,7 @@ const DECLARATION: &str = r#"<?xml version="1.0" encoding="utf-8"?>"#;
 const VAL3: &str = "http://www.staubli.com/robotics/VAL3";
 const INSTANCE: &str = "http://www.w3.org/2001/XMLSchema-instance";
 
-/// A file with the listing line number of each of its lines.
+/// A file with the listing line number of every line.
 #[derive(Debug)]
 pub(crate) struct File {
     /// Path relative to the `usr` folder.
@@ -37,7 +37,7 @@ impl File {
     }
 }
 
-/// Creates the `.pjx`; `programs` are the names of its `.pgx` files.
+/// Creates the `.pjx`; `programs` are the `.pgx` file names.
 pub(crate) fn project(project: &Project, mut programs: Vec<String>) -> File {
     programs.sort_by_key(|name| name.to_lowercase());
     let name = base_name(project);

@@ -1,4 +1,4 @@
-//! Description of an arm, from which pages compute the poses of its links.
+//! Arm description, from which pages compute link poses.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use serde_json::{Value, json};
@@ -8,7 +8,7 @@ use val3_machine::shapes::LinkShape;
 
 use crate::coordinates;
 
-/// Returns the name, the note about times, the axes with their limits, the pose of each axis frame relative to the
+/// Returns the name, the note about times, the axes with their limits, all axis frames' poses, each relative to the
 /// previous frame, the pose of the flange relative to the last frame, and the shapes of the links. An axis rotates
 /// about the z axis of its frame, or moves along it.
 pub(crate) fn description(arm: &Arm, shapes: &[Option<LinkShape>]) -> Value {

@@ -161,7 +161,7 @@ fn point(arguments: &Map<String, Value>, controller: &Controller) -> Result<Datu
     })
 }
 
-/// Index or key of an element as text; `None` for data with a single value.
+/// Element index or key as text; `None` for data with a single value.
 fn key(value: Option<&Value>) -> Result<Option<String>, CommandError> {
     match value {
         None | Some(Value::Null) => Ok(None),

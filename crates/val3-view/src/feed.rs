@@ -30,7 +30,7 @@ const SAME_TOOL: f64 = 1e-6;
 /// Number that all tools after the first 255 share.
 const OTHER_TOOL: u8 = u8::MAX;
 
-/// Messages of one run.
+/// Source of a run's messages.
 #[derive(Debug)]
 pub struct Feed {
     batch: Batch,

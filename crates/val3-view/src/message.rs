@@ -7,6 +7,6 @@ use serde_json::Value;
 pub enum Message {
     /// A JSON object; `kind` is its type.
     Object(Value),
-    /// A batch of samples of the arm.
+    /// A batch of arm samples.
     Samples(Vec<u8>),
 }

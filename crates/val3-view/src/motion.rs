@@ -7,7 +7,7 @@ use val3_motion::{Progress, Way};
 
 use crate::coordinates;
 
-/// Maximum number of pieces of the remaining path: nominal parts and blends.
+/// Maximum number of path pieces in the message: nominal parts and blends.
 const PIECES: usize = 60;
 
 /// Maximum deviation of the drawn path, in mm.

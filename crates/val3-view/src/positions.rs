@@ -13,7 +13,7 @@ use val3_machine::io::{LinkId, SignalId};
 
 use crate::numbers;
 
-/// A global value of an application or library.
+/// A global value in an application or library.
 #[derive(Debug, Clone)]
 pub(crate) struct Datum {
     /// Data name, prefixed by the library.
@@ -83,7 +83,7 @@ pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> b
     data(controller).iter().find(is_meant).map(Datum::whole_name)
 }
 
-/// Computes names and poses of all values; the time per value does not depend on the length of its chain.
+/// Computes names and poses of all values; the time per value does not depend on its chain length.
 pub(crate) struct Positions<'a> {
     data: &'a [Datum],
     memory: &'a Memory,
@@ -97,7 +97,7 @@ impl<'a> Positions<'a> {
         Self { data, memory, by_place, poses: Poses::new(memory) }
     }
 
-    /// Values of one type as objects, without values that have no placement.
+    /// Objects for all values with this type, without values that have no placement.
     pub(crate) fn of_type(&mut self, base: BaseType) -> Vec<Value> {
         let of_base = self.data.iter().filter(|datum| datum.base == base);
         of_base.filter_map(|datum| self.described(datum)).collect()

@@ -1,4 +1,4 @@
-//! Message `scene`: everything that is constant during a run.
+//! Message `scene`: the constant content of a run.
 
 use serde_json::{Value, json};
 use val3_lang::types::BaseType;

@@ -47,7 +47,7 @@ pub(crate) fn lines(controller: &Controller) -> Vec<Value> {
     kinds.map(|(link, kind)| json!({ "link": link, "type": format!("{kind:?}").to_lowercase() })).collect()
 }
 
-/// Last state of each signal that was sent to pages.
+/// Last states of all signals that were sent to pages.
 #[derive(Debug, Default)]
 pub(crate) struct SignalStates(Vec<SignalState>);
 

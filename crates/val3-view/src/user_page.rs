@@ -32,7 +32,7 @@ pub(crate) fn message(controller: &Controller) -> Value {
     })
 }
 
-/// Bindings of an HTML page: the values of its elements, and the action of a click.
+/// Bindings of the HTML page: element values and click actions.
 fn html(page: &HtmlPage, controller: &Controller) -> Value {
     let value = |bound: &HtmlValue| {
         let value = controller.shown_value(&bound.path);

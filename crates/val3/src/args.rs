@@ -311,7 +311,7 @@ mod tests {
         Args::command().debug_assert();
     }
 
-    /// The short and the long help of each command, as shown in a terminal of at least 100 columns.
+    /// All commands' short and long help, as shown in a terminal of at least 100 columns.
     #[test]
     fn the_help_of_each_command() {
         let mut command = Args::command().color(clap::ColorChoice::Never);

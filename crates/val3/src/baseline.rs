@@ -40,7 +40,7 @@ pub(crate) struct BaselineResult {
     pub(crate) known: usize,
     /// Number of known findings that no longer occur.
     pub(crate) gone: usize,
-    /// Written files, as they are shown to the user, each with its number of findings.
+    /// Written files, as they are shown to the user, with their numbers of findings.
     pub(crate) written: Vec<(String, usize)>,
 }
 
@@ -58,7 +58,7 @@ pub(crate) struct KnownFindings<'a> {
 
 impl KnownFindings<'_> {
     /// Removes the known findings from `diagnostics`. A baseline named on the command line (`named`, absolute path)
-    /// applies to all applications. Otherwise each application uses the baseline of its `val3.toml`.
+    /// applies to all applications. Otherwise each `val3.toml` names its application's baseline.
     pub(crate) fn apply(
         &self,
         named: Option<&Utf8Path>,

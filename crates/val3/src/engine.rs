@@ -46,9 +46,9 @@ pub(crate) struct Session<'r> {
 /// Function that processes the findings of all units.
 type Finish = fn(&dyn Db, &[Unit], &WorkspaceSettings, Checked) -> Checked;
 
-/// The result of one check of a session.
+/// Result of a session's check.
 pub(crate) struct CheckResult {
-    /// New findings in file order, independent of the number of threads.
+    /// New findings in file order, for any number of threads.
     pub(crate) diagnostics: Vec<Diagnostic>,
     silenced: usize,
     baseline: BaselineResult,
@@ -248,7 +248,7 @@ fn check_units(
     checked.into_iter().flatten().sum()
 }
 
-/// Units of each project, in batches of about [`BATCH`] units.
+/// Each project's units, in batches of about [`BATCH`] units.
 fn batches<'a, 'u>(projects: &'a [&'u [Unit]]) -> impl Iterator<Item = &'a [&'u [Unit]]> {
     let mut count = 0;
     projects.chunk_by(move |project, _| {

@@ -8,7 +8,7 @@ use val3_check::fingerprint::Fingerprint;
 
 use crate::report::Finding;
 
-/// Returns one unique fingerprint for each finding, in order. Findings of one rule on equal lines of a file are
+/// Returns one unique fingerprint for each finding, in order. Findings with the same rule on equal lines of a file are
 /// numbered. The message is not included, so that a service recognises a finding after an update of the tool.
 pub(crate) fn fingerprints(findings: &[Finding]) -> Vec<String> {
     let mut seen: FxHashMap<[&str; 3], usize> = FxHashMap::default();

@@ -23,7 +23,7 @@ pub(crate) use archives::UnreadArchive;
 /// Requested files without a project.
 #[derive(Debug, Default)]
 pub(crate) struct LooseFiles {
-    /// Programs and data files, by the path key of their stand-in project file.
+    /// Programs and data files, by the stand-in project file's path key.
     alone: FxHashMap<String, Utf8PathBuf>,
     /// Archives with VAL 3 files, and archives with unknown contents.
     archives: Vec<UnreadArchive>,

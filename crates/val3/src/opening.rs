@@ -38,7 +38,7 @@ pub(crate) struct Request {
     pub(crate) selection: Selection,
     /// Arm of all applications; without it, each application has its own arm.
     pub(crate) arm: Option<String>,
-    /// Baseline of all applications; without it, each application uses the baseline of its `val3.toml`.
+    /// Baseline of all applications; without it, each `val3.toml` names its application's baseline.
     pub(crate) baseline: Option<Utf8PathBuf>,
     /// How the check uses baselines.
     pub(crate) mode: Mode,
@@ -62,7 +62,7 @@ pub(crate) struct OpenedWorkspace {
     pub(crate) paths: Paths,
     /// All files.
     pub(crate) workspace: Workspace,
-    /// Settings of each application.
+    /// Settings by application.
     pub(crate) settings: WorkspaceSettings,
     /// Requested paths, absolute.
     pub(crate) asked: Vec<Utf8PathBuf>,

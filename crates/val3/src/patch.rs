@@ -8,12 +8,12 @@ use val3_check::fix::FixedFile;
 
 use crate::paths::Paths;
 
-/// Writes the diff of each file.
+/// Writes a diff for each file.
 pub(crate) fn write(files: &[FixedFile], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     files.iter().try_for_each(|file| write_diff(&paths.shown(&file.path), &file.before, &file.after, out))
 }
 
-/// Writes the diff of one file.
+/// Writes one file's diff.
 pub(crate) fn write_diff(path: &str, before: &str, after: &str, out: &mut dyn WriteColor) -> io::Result<()> {
     let diff = TextDiff::from_lines(before, after);
     let text = diff.unified_diff().header(&format!("a/{path}"), &format!("b/{path}")).to_string();

@@ -129,7 +129,7 @@ impl Report {
         }
     }
 
-    /// Number of findings of a level.
+    /// Number of findings with this level.
     pub(crate) fn count(&self, severity: Severity) -> usize {
         let same = |finding: &&Finding| finding.severity == severity;
         self.findings.iter().filter(same).count()

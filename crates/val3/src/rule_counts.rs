@@ -1,4 +1,4 @@
-//! `val3 check --statistics`: the number of findings of each rule.
+//! `val3 check --statistics`: counts findings by rule.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -11,7 +11,7 @@ use crate::format::Format;
 use crate::report::{Finding, Report, Severity};
 use crate::user_error::UserError;
 
-/// Counted findings of one rule.
+/// Finding counts for one rule.
 #[derive(Debug, Serialize)]
 struct RuleCount {
     code: &'static str,

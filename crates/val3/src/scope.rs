@@ -20,7 +20,7 @@ pub(crate) struct Scope {
 }
 
 impl Scope {
-    /// Creates the scope for the absolute paths `asked`.
+    /// Creates the scope for the requested absolute paths.
     pub(crate) fn new(asked: &[Utf8PathBuf]) -> Self {
         let is_file = |path: &Utf8PathBuf| (is_program(path.as_str()) || is_data(path.as_str())) && !path.is_dir();
         let (files, whole) = asked.iter().map(|path| normalise(path)).partition::<Vec<_>, _>(is_file);

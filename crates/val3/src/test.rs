@@ -81,7 +81,7 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
     if args.watch { watched(args, &current, color) } else { once(args, &current, &Signals::catch()?, color) }
 }
 
-/// Executes the tests again whenever a file of their cells changes, until Ctrl-C.
+/// Executes the tests again whenever a cell file changes, until Ctrl-C.
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let mut watch = Watch::start(&asked)?;
@@ -171,7 +171,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     Ok(exit_code(&results, is_covered))
 }
 
-/// Exit code of a run. A signal takes precedence over results.
+/// Exit code of a run. A signal has precedence over results.
 fn exit_code(results: &Results, is_covered: bool) -> ExitCode {
     let all = |is_good: fn(&Tested) -> bool| results.tested.iter().all(is_good);
     match results.early_end {

@@ -6,7 +6,7 @@ use val3_analysis::system::{Disk, System as _};
 use crate::in_memory::archive_around;
 use crate::user_error::UserError;
 
-/// Folders in which a command may change files. Links are resolved, so that no link leaves them.
+/// Folders in which a command may change files. Links are resolved, so that no link points outside.
 #[derive(Debug)]
 pub(crate) struct WriteScope {
     folders: Vec<Utf8PathBuf>,

@@ -74,7 +74,7 @@ pub(super) fn apply(files: &mut FxHashMap<File, FixedFile>, fixes: &[&Fix]) {
     }
 }
 
-/// Texts of all files that `fixes` edit, regardless of their encoding.
+/// Texts of all files that `fixes` edit, in any encoding.
 pub(super) fn new_texts(db: &dyn Db, fixes: &[&Fix]) -> Vec<NewText> {
     let new = |(file, edits): (File, Vec<&Edit>)| {
         let before = Arc::clone(file.text(db));

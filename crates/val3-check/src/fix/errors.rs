@@ -21,7 +21,7 @@ pub trait TrialWorkspace {
     fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>);
 }
 
-/// Identity of an error: its rule, file and message. Its location may change.
+/// Error identity: its rule, file and message. Its location may change.
 type ErrorKey = (&'static str, Utf8PathBuf, String);
 
 fn key(db: &dyn Db, found: &Diagnostic) -> ErrorKey {

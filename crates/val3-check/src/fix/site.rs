@@ -1,4 +1,4 @@
-//! Location of a fault, as used by the fix of its rule.
+//! Fault location, as used by the rule's fix.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -45,7 +45,7 @@ impl<'a> Site<'a> {
         rest.split(['\r', '\n']).next().unwrap_or(rest)
     }
 
-    /// Indentation of the line of `range`.
+    /// Indentation of the line that contains `range`.
     pub(crate) fn indentation(&self, range: TextRange) -> &'a str {
         let line = self.slice(self.line_start(range.start()), range.end());
         line.get(..line.len() - line.trim_start().len()).unwrap_or("")

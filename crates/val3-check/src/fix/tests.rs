@@ -5,7 +5,7 @@ use val3_test::{Fixture, ROOT};
 
 use crate::testing::{fixed_files, offered_fixes};
 
-/// Checks the fixes of a listing, and the code or the lines of each file that they change.
+/// Checks the fixes of a listing, and the code or the lines in each changed file.
 fn check(listing: &str, expect: Expect) {
     check_as(str::to_owned, listing, expect);
 }

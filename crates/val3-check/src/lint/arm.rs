@@ -1,4 +1,4 @@
-//! Arm of an application, and the positions that it can reach.
+//! An application's arm, and the positions that it can reach.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -18,7 +18,7 @@ use val3_lang::types::{self, BaseType};
 
 use super::ProjectView;
 
-/// A tool with the pose of its centre point on the flange.
+/// A tool with its centre point's pose on the flange.
 #[derive(Debug, Clone)]
 pub(crate) struct Tool {
     /// Data path; `None` for the flange.
@@ -38,7 +38,7 @@ pub(crate) fn of_project(db: &dyn Db, project: Project) -> Option<&ProjectArm> {
     arm(db, project).as_ref().ok()
 }
 
-/// Describes the range of an axis (counted from 1).
+/// Describes an axis range; axes count from 1.
 pub(crate) fn range(arm: &Arm, axis: usize, [min, max]: [f64; 2]) -> String {
     let unit = if arm.is_stroke(axis.saturating_sub(1)) { "mm" } else { "degrees" };
     format!("{min} to {max} {unit}")

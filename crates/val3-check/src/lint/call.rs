@@ -1,10 +1,10 @@
-//! View of an instruction call for lints.
+//! Instruction calls, as used by lints.
 
 use val3_analysis::body::ExprId;
 use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_lang::motion::MotionRole;
 
-/// A call of an instruction.
+/// An instruction call.
 #[derive(Clone, Copy)]
 pub(crate) struct Call<'db> {
     /// The entire call.

@@ -17,7 +17,7 @@ use super::Program;
 /// Fields whose value is certain, spelled as in the code but without indexes: `l_mFast.blend`.
 pub(crate) type Choices = FxHashMap<SmolStr, Choice>;
 
-/// Certain value of an enumerated field.
+/// An enumerated field's certain value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Choice {
     pub(crate) value: &'static Enumerator,

@@ -1,4 +1,4 @@
-//! Edits for the fixes of lints, in addition to those of [`Site`].
+//! Edits for lint fixes, in addition to [`Site`].
 
 use val3_analysis::body::ExprId;
 use val3_syntax::{TextRange, TextSize};

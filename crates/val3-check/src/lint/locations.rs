@@ -14,7 +14,7 @@ impl<'db> Program<'db> {
         Some(Self::new(self.db, self.project, *file, self.options))
     }
 
-    /// Location of an expression, for a finding in another file.
+    /// Expression location, for a finding in another file.
     pub(crate) fn span(&self, id: ExprId) -> FileRange {
         FileRange { file: self.file, range: self.range(id) }
     }
@@ -28,7 +28,7 @@ impl<'db> Program<'db> {
         })
     }
 
-    /// Location of the declaration of the variable that `id` is or belongs to; `None` for a variable of a library.
+    /// Declaration location of the variable that `id` is or belongs to; `None` for a variable of a library.
     pub(crate) fn declaration(&self, id: ExprId) -> Option<FileRange> {
         match self.effects.root(id)? {
             Root::Local(name) => declarations::local(self.db, self.file, name),

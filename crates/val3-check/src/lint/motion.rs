@@ -62,7 +62,7 @@ pub(crate) enum Phase {
 }
 
 impl Phase {
-    /// Facts that hold on both of two joining paths.
+    /// Facts that hold on both joining paths.
     fn join(self, other: Self) -> Self {
         match (self, other) {
             (Self::Stopped { by, pending }, Self::Stopped { by: other, pending: also }) if by == other => {

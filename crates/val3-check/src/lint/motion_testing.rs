@@ -11,7 +11,7 @@ pub(crate) fn listing(code: &str, data: &str) -> String {
     )
 }
 
-/// Element of an array with these values: `0 x="1" fatherId="world[0]"`.
+/// Array element with these values: `0 x="1" fatherId="world[0]"`.
 pub(crate) fn data(name: &str, ty: &str, values: &[&str]) -> String {
     let size = values.len();
     let values: String =

@@ -8,7 +8,7 @@ use val3_config::Options;
 use crate::diagnostic::Wording;
 use crate::english::a;
 
-/// Type name in code, without the suffix of an arm.
+/// Type name in code, without an arm suffix.
 pub(crate) fn type_name(db: &dyn Db, base: Base) -> SmolStr {
     match base {
         Base::Builtin(base, _) => base.name().into(),

@@ -303,7 +303,7 @@ fn turned(joints: &Joints, axis: usize, turn: f64) -> Joints {
 }
 
 impl Program<'_> {
-    /// Constant position of an expression.
+    /// An expression's constant position.
     fn known(&self, id: ExprId) -> Option<Known> {
         let id = self.body.without_parentheses(id);
         if let Some(call) = self.call_of(id) {

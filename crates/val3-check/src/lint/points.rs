@@ -34,7 +34,7 @@ impl<'db> Program<'db> {
         matches!(self.text(condition).trim_matches(['(', ')', ' ']), "true" | "false")
     }
 
-    /// Condition of an endless loop.
+    /// An endless loop's condition.
     pub(crate) fn endless_condition(&self, stmt: &Stmt) -> Option<ExprId> {
         let (condition, round) = match &stmt.kind {
             StmtKind::While { condition: Some(condition), .. } => (*condition, true),

@@ -32,7 +32,7 @@ pub(crate) struct Program<'db> {
     pub(crate) inference: &'db Inference,
     /// Configured options of rules.
     pub(crate) options: &'db Options,
-    /// Effects of its lines on variables.
+    /// Effects of program lines on variables.
     pub(crate) effects: Effects<'db>,
     /// State of the arm, computed on demand.
     pub(super) motion: OnceCell<Option<Motion>>,
@@ -132,12 +132,12 @@ impl<'db> Program<'db> {
         declarations::program(self.db, self.file).map_or_else(TextRange::default, |place| place.range)
     }
 
-    /// Location of an expression.
+    /// Expression location.
     pub(crate) fn range(&self, id: ExprId) -> TextRange {
         self.body.range(id)
     }
 
-    /// Text of an expression, encoded like the file.
+    /// Expression text, encoded like the file.
     pub(crate) fn text(&self, id: ExprId) -> &'db str {
         self.slice(self.range(id))
     }

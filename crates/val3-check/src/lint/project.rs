@@ -21,7 +21,7 @@ impl<'db> ProjectView<'db> {
         Self { db, project, items: items(db, project), options }
     }
 
-    /// Summary of its programs. Computing it reads every program of the project.
+    /// Summary of all programs. Computing it reads every program of the project.
     pub(crate) fn application(&self) -> &'db Application {
         application(self.db, self.project)
     }

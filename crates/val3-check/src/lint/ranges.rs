@@ -1,4 +1,4 @@
-//! Constant arguments outside the range of their parameter.
+//! Constant arguments outside the parameter's range.
 
 use std::fmt::{self, Display};
 use std::ops::Bound;

@@ -1,4 +1,4 @@
-//! Findings of one rule in a listing, for tests.
+//! A rule's findings in a listing, for tests.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +13,7 @@ use crate::rule::{Rule, Severity};
 use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
 
-/// Levels of the findings of `rule` in a listing of `val3-test`.
+/// Levels of all `rule` findings in a `val3-test` listing.
 pub(crate) fn levels(rule: &Rule, listing: &str) -> Vec<Severity> {
     findings(rule, listing).1.into_iter().map(|diagnostic| diagnostic.severity).collect()
 }

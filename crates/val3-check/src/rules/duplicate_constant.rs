@@ -37,7 +37,7 @@ rule! {
     V0721 "duplicate-constant" Info off, Data: check
 }
 
-/// A constant: its name, its value and the location of its name.
+/// A constant: its name, its value and its name's location.
 type Constant = (SmolStr, f64, TextRange);
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {

@@ -1,4 +1,4 @@
-//! V0605: a library that lacks an item of the interface.
+//! V0605: a library without an item of the interface.
 
 use smol_str::SmolStr;
 use val3_analysis::problem::NameKind;

@@ -65,7 +65,7 @@ fn fault(call: &Call<'_>, declared: Version, target: Version) -> Option<(Wording
     is_lost.then(|| (word_page(name, target), Severity::Warning))
 }
 
-/// First number of the versions of a CS9.
+/// First number of CS9 versions.
 const CS9: u8 = 8;
 
 fn word_lack(name: &str, lack: &MissingFeature, target: Version) -> Wording {

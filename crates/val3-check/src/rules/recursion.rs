@@ -51,7 +51,7 @@ rule! {
     V0310 "recursion" Info, Member: check
 }
 
-/// Reports a circle once, at the first of its programs by name.
+/// Reports a circle once, at its alphabetically first program.
 fn check(program: &Program<'_>, found: &mut Findings) {
     let circles = &program.application().circles;
     if !circles.contains(program.name()) {

@@ -58,7 +58,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Previous conditions of an `if`.
+/// Previous conditions in an `if`.
 #[derive(Default)]
 struct EarlierConditions {
     /// Conditions by normal form.

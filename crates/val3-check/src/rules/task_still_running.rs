@@ -1,4 +1,4 @@
-//! V0345: a second task with the name of an endless task.
+//! V0345: a second task with an endless task's name.
 
 use smol_str::SmolStr;
 use val3_analysis::application::summary;

@@ -87,7 +87,7 @@ fn locals(program: &Program<'_>, condition: ExprId) -> Option<FxHashSet<SmolStr>
 fn may_end(program: &Program<'_>, stmt: &Stmt, locals: &FxHashSet<SmolStr>) -> bool {
     let changes = program.effects.all().iter().any(|access| {
         let is_local = matches!(&access.root, Root::Local(name) if locals.contains(name));
-        // What has the variable by reference may change it at any time.
+        // A program that has received the variable by reference may change it at any time.
         let is_inside = access.kind == AccessKind::Reference || stmt.range.contains_range(program.range(access.id));
         is_local && is_inside && access.kind != AccessKind::Read
     });

@@ -55,7 +55,7 @@ rule! {
 /// Status of a task that does not exist (5.10).
 const NO_TASK: f64 = -1.0;
 
-/// Part of the names of tasks that the controller creates (5.2).
+/// Character in the names of controller tasks (5.2).
 const OF_CONTROLLER: char = '~';
 
 fn check(program: &Program<'_>, found: &mut Findings) {

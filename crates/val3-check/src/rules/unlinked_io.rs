@@ -92,7 +92,7 @@ impl Arguments {
         arguments
     }
 
-    /// Whether the variable is passed to something that may link it.
+    /// Whether the variable is passed to a program or instruction that may link it.
     fn may_link(&self, access: &Access) -> bool {
         access.kind == AccessKind::Reference && !self.needed.contains(&access.id)
     }

@@ -53,7 +53,7 @@ pub(crate) fn unclosed(name: &str) -> Wording {
     )
 }
 
-/// Words the fault of an end tag of `name` without an open element.
+/// Words the fault of an end tag `name` without an open element.
 pub(crate) fn unmatched(name: &str) -> Wording {
     Wording::new(
         format!("the end tag `</{name}>` closes nothing"),
@@ -62,7 +62,7 @@ pub(crate) fn unmatched(name: &str) -> Wording {
     )
 }
 
-/// Words the fault of a part of the XML without an end mark.
+/// Words the fault of an XML part without an end mark.
 pub(crate) fn unterminated(part: XmlPart) -> Wording {
     let (end, help) = match part {
         XmlPart::Comment => ("`-->`", ""),

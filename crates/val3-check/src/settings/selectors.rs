@@ -6,7 +6,7 @@ use val3_lang::suggest::{nearest, question};
 use crate::rule::Rule;
 use crate::rules;
 
-/// Exactness of a selector; a more exact selector takes precedence.
+/// Exactness of a selector; a more exact selector has precedence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exactness {
     /// The selector `all`.

@@ -1,4 +1,4 @@
-//! Pages of run-time errors and of the results of library instructions.
+//! Pages about run-time errors and library instruction results.
 
 use val3_lang::instructions;
 use val3_lang::library_errors::{LIBRARY_ERRORS, LibraryError};

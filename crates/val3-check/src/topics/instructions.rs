@@ -26,7 +26,7 @@ fn topic(row: &Instruction) -> Topic {
     }
 }
 
-/// Origin of an instruction: the section of the manual, the version or the add-on.
+/// Instruction origin: the section of the manual, the version or the add-on.
 fn origin(row: &Instruction) -> String {
     match row.availability {
         Availability::Manual => sourced("instruction", row.section),

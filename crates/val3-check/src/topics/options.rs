@@ -7,7 +7,7 @@ pub(super) fn of_rule(rule: &Rule) -> impl Iterator<Item = &'static str> {
     OPTIONS.iter().filter(|(_, codes)| codes.contains(&rule.code)).map(|(option, _)| *option)
 }
 
-/// Options with the codes of their rules.
+/// Options with their rules' codes.
 static OPTIONS: [(&str, &[&str]); 10] = [
     ("line-length", &["V0716"]),
     ("parameters", &["V0717"]),

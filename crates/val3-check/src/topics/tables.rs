@@ -17,7 +17,7 @@ pub(super) fn of_type(entry: &Entry) -> String {
     fields + &attributes + &section("Operators", &operators_of(ty)) + &section("Instructions", &instructions_of(ty))
 }
 
-/// Types with these fields, and the values of an enumerated field.
+/// Types with these fields, and the enumerated field's values.
 pub(super) fn of_field(names: &[String]) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut values: Vec<String> = Vec::new();

@@ -32,7 +32,7 @@ pub enum Kind {
     Type,
     /// A field of a type, or an attribute of values in data files.
     Field,
-    /// An operator, or several operators of one kind.
+    /// An operator, or several similar operators.
     Operator,
     /// A term of robots and controllers.
     Word,
@@ -59,7 +59,7 @@ impl Kind {
         Self::LogMessage,
     ];
 
-    /// Heading of a list of such pages.
+    /// Heading for a list of such pages.
     pub fn heading(self) -> &'static str {
         match self {
             Self::Finding => "Findings of val3 check",

@@ -35,7 +35,7 @@ fn dimensions(text: String) -> Result<u8, TableErrorKind> {
     }
 }
 
-/// Value of an attribute; empty if it is missing.
+/// Attribute value; empty if it is missing.
 fn attribute(element: &BytesStart<'_>, name: &str) -> Result<String, TableErrorKind> {
     let found = element.try_get_attribute(name).map_err(|error| TableErrorKind::Xml(error.to_string()))?;
     Ok(found.map(|attribute| attribute.value.into_owned()).unwrap_or_default())

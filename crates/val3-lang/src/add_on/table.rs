@@ -8,7 +8,7 @@ use quick_xml::{
 use super::{AddOnOverload, AddOnParam, AddOnTable, TableError, TableErrorKind, param::param};
 use crate::{instruction::Class, types::BaseType};
 
-/// Parses the table of an add-on.
+/// Parses an add-on's table.
 ///
 /// Unknown elements are ignored.
 ///

@@ -8,7 +8,7 @@ use crate::versions::Version;
 
 use Bound::{Excluded, Included, Unbounded};
 
-/// Valid numbers of an argument.
+/// Valid numbers for an argument.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Minimum.
@@ -51,7 +51,7 @@ pub fn range(instruction: &str, parameter: &str) -> Option<&'static Range> {
     RANGES.iter().find(is_meant).map(|(_, _, range)| range)
 }
 
-/// Parameter that names a dimension of an array.
+/// Parameter that names an array dimension.
 pub const DIMENSION: &str = "nDimension";
 
 /// Dimensions of a container; `None` for a container without dimensions.

@@ -21,7 +21,7 @@ pub const BINARY_FORMATS: [&str; 14] =
 /// Keys in a date format: year, month, day, hours, half of the day, minutes, seconds (4.3).
 pub const DATE_KEYS: [&str; 9] = ["%y", "%Y", "%m", "%d", "%H", "%I", "%p", "%M", "%S"];
 
-/// Number of bytes of a number in a binary encoding.
+/// Size of a number in a binary encoding, in bytes.
 #[must_use]
 pub fn bytes(format: &str) -> Option<u32> {
     let known = BINARY_FORMATS.contains(&format);

@@ -240,7 +240,7 @@ impl<T: StoredValue> Arr<T> {
         values.into_iter().enumerate().try_for_each(|(index, value)| self.set(call, index, value))
     }
 
-    /// Address of an element.
+    /// Element address.
     ///
     /// # Errors
     /// 20 beyond the size.

@@ -7,7 +7,7 @@ use crate::fault::Result;
 use crate::memory::{Link, Place};
 use crate::values::{ConfigValue, Text};
 
-/// Value of an instruction.
+/// Instruction value.
 pub trait InstructionValue {
     /// Writes the value to the destination in the program.
     ///

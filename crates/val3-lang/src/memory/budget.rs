@@ -9,7 +9,7 @@ pub const MEMORY: u64 = 512 << 20;
 
 /// Used memory of a controller.
 ///
-/// Sizes are those of the values, without the reserved capacity of vectors.
+/// Only values are counted, without the reserved capacity of vectors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MemoryBudget {
     taken: u64,

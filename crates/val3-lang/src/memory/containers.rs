@@ -51,7 +51,7 @@ impl Memory {
         Ok(store.place(view.store, number?))
     }
 
-    /// Address of an element, by number from the start of the view.
+    /// Element address, by number from the start of the view.
     ///
     /// # Errors
     /// 20 beyond the size, or if the container does not exist.
@@ -271,7 +271,7 @@ impl Memory {
     }
 }
 
-/// Maximum number of elements of this size in a variable.
+/// Maximum number of elements in a variable, for this element size.
 fn most_values(size: Lanes, limit: Option<u32>) -> u32 {
     let bytes = 8 * size.num + 132 * size.text + 32 * size.link + 256 * size.part;
     limit.unwrap_or(u32::MAX).min(MOST_BYTES / bytes.max(1))

@@ -117,7 +117,7 @@ impl Memory {
         if from == to {
             return Ok(());
         }
-        // Overwriting existing containers takes a tenth of the time of creating new ones.
+        // Overwriting existing containers is ten times as fast as creating new containers.
         let (source, owner) = (self.store(from)?, self.owner(to));
         source.links.iter().try_for_each(|link| self.check_link(owner, *link))?;
         if self.stores.overwrite(to, from)? {
@@ -205,7 +205,7 @@ impl Memory {
     }
 }
 
-/// Writes the numbers, strings and links of one value.
+/// Writes a value's numbers, strings and links.
 fn write_lanes(store: &mut Store, number: u32, value: &Element) {
     let at = store.kind.size * number;
     write(&mut store.nums, at.num, &value.nums);

@@ -12,9 +12,9 @@ use crate::{enumerations, types};
 pub struct Kind {
     /// Built-in or user type.
     pub base: KindBase,
-    /// Lanes of one value.
+    /// Lanes per value.
     pub size: Lanes,
-    /// Fields of a user type, in the order of its parts.
+    /// Fields of a user type, ordered like the parts.
     pub fields: Vec<FieldKind>,
     /// Default value for `insert`, `append`, `resize` and new locals.
     pub default: Element,
@@ -187,7 +187,7 @@ fn numbers(base: BaseType, arm: Option<Arm>, nums: &mut Vec<f64>) {
     }
 }
 
-/// Number of an enumerator: its index in its type.
+/// Enumerator number: its index in its type.
 #[must_use]
 pub fn enumerator(name: &str) -> f64 {
     let Some(found) = enumerations::find(name) else { return 0.0 };

@@ -5,7 +5,7 @@ use std::ops::{Add, Mul};
 use super::{Link, StoreId, bytes_of};
 use crate::values::Text;
 
-/// A number of lanes of each sort, or an offset in each sort.
+/// Lane counts by sort, or lane offsets by sort.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 pub struct Lanes {
     /// Numbers, truth values, enumerators.

@@ -66,7 +66,7 @@ pub struct View {
 }
 
 impl View {
-    /// View of an entire container.
+    /// Creates a view of an entire container.
     #[must_use]
     pub const fn whole(store: StoreId) -> Self {
         Self { store, start: 0 }
@@ -92,7 +92,7 @@ impl Slot {
     }
 }
 
-/// Index or key of an element. At run time it contains values, in the code it contains registers.
+/// Element index or key. At run time it contains values, in the code it contains registers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Subscript<I, K> {
     /// The variable has no subscript, which means its first element or all elements.

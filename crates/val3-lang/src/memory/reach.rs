@@ -49,7 +49,7 @@ impl Memory {
         self.check_link(self.owner(at.store), Link::Data(reference))
     }
 
-    /// Checks that a value of an owner may have this link.
+    /// Checks that an owner's value may have this link.
     ///
     /// # Errors
     /// 165 if the value would outlive the target. 82 if the target belongs to a library that the owner does not

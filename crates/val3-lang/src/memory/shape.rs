@@ -15,7 +15,7 @@ pub enum Shape {
         /// Sizes.
         sizes: [u32; 3],
     },
-    /// By keys, in alphabetical order. Each key has the number of its element in the container.
+    /// By keys, in alphabetical order. Each key has its element's number in the container.
     Collection(BTreeMap<Text, u32>),
 }
 

@@ -183,7 +183,7 @@ impl Store {
         self.shape.number_of_text(at)
     }
 
-    /// Appends the default lanes of one value. For a user type, the inner containers are not appended.
+    /// Appends the lanes of a default value. For a user type, the inner containers are not appended.
     pub(super) fn push_default(&mut self) {
         let Element { nums, texts, links, .. } = &self.kind.default;
         self.nums.extend_from_slice(nums);
@@ -214,7 +214,7 @@ impl PartInit {
     }
 }
 
-/// Number of an element, by its index in a view of an array with `size` elements.
+/// Element number, by index in a view of an array with `size` elements.
 #[inline]
 pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
     within(index, size.saturating_sub(view.start)).map(|at| at + view.start)

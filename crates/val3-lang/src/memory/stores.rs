@@ -48,7 +48,7 @@ impl Stores {
         parts.into_iter().for_each(|part| self.remove(part));
     }
 
-    /// Exchanges the values of two containers of one type.
+    /// Exchanges the values of two containers with the same type.
     ///
     /// # Errors
     /// 20 if one of them does not exist.
@@ -144,7 +144,7 @@ impl Stores {
         (view.start < store.shape.len()).then(|| store.place(view.store, view.start))
     }
 
-    /// Address of an array element.
+    /// Array element's address.
     #[inline(always)]
     #[must_use]
     pub fn element_place(&self, view: View, index: f64) -> Option<Place> {

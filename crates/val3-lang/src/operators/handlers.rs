@@ -93,7 +93,7 @@ pub fn print(arm: Option<Arm>) -> InstructionFn {
     }
 }
 
-/// Prints a line: strings without quotes, the state of an input, and other values in VAL 3 notation.
+/// Prints a line: strings without quotes, an input's state, and other values in VAL 3 notation.
 fn printed_line(call: &mut Call<'_>, arm: Option<Arm>) -> Result<Flow> {
     let line = match call.argument()? {
         Argument::Value(place, BaseType::String) => call.memory.text(place)?.to_string(),

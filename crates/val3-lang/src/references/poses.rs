@@ -9,7 +9,7 @@ use crate::fault::Result;
 use crate::memory::{Memory, Place};
 
 /// Poses of frames in `world` and of tools on `flange`. Each pose is computed from its father's cached pose, so the
-/// time is proportional to the number of values, regardless of the length of chains.
+/// time is proportional to the number of values, regardless of the chain lengths.
 #[derive(Debug)]
 pub struct Poses<'m> {
     memory: &'m Memory,

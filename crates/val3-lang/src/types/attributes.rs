@@ -19,7 +19,7 @@ pub struct Attribute {
     pub default: DefaultValue,
 }
 
-/// Content of an attribute.
+/// Attribute content.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AttributeValue {
     /// `true` or `false`.

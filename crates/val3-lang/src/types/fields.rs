@@ -9,7 +9,7 @@ pub struct Field {
     pub name: &'static str,
     /// Type.
     pub ty: BaseType,
-    /// Unit of its numbers.
+    /// Unit of the numbers.
     pub unit: Unit,
     /// Value in a variable that the program creates. The default in files may differ:
     /// [`Attribute::default`](super::Attribute::default).

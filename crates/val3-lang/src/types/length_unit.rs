@@ -1,4 +1,4 @@
-//! The length unit of an application (2.1.4.1).
+//! An application's length unit (2.1.4.1).
 
 /// Unit of an application's lengths: frames, points, tools, transformations, linear axes, blending distances. The
 /// numbers are never converted; only the arm needs the unit.

@@ -2,7 +2,7 @@
 
 use super::{Arm, BaseType};
 
-/// All base types with their names in code. Field types have the name of their field.
+/// All base types with their names in code. Field types are named like their field.
 const NAMES: [(&str, BaseType); 18] = [
     ("bool", BaseType::Bool),
     ("num", BaseType::Num),
@@ -94,7 +94,7 @@ impl Arm {
         Self::ALL.into_iter().find(|arm| arm.table_word().eq_ignore_ascii_case(word))
     }
 
-    /// Kind of an arm by its model name, as in `arm.cfx` and `getVersion("ArmType")`: `tx90-S1`, `rs60-S1-D20-L200`. A
+    /// Arm kind by model name, as in `arm.cfx` and `getVersion("ArmType")`: `tx90-S1`, `rs60-S1-D20-L200`. A
     /// model of an unknown series belongs to [`Arm::Vrb`].
     #[must_use]
     pub fn from_model(model: &str) -> Self {
@@ -105,7 +105,7 @@ impl Arm {
         }
     }
 
-    /// Usual name of the kind of arm.
+    /// Usual name of this arm kind.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -1,6 +1,6 @@
 //! Numbers as bytes for other devices: `toBinary` and `fromBinary` (3.3.3).
 //!
-//! A number outside of the range of its format is replaced by the nearest number in the range, rounded as by `round` if
+//! A number that is out of its format's range is replaced by the nearest number in the range, rounded as by `round` if
 //! the format contains only whole numbers. Encoded numbers can therefore always be decoded.
 
 use super::numbers::{count, round};
@@ -96,7 +96,7 @@ impl Format {
         Ok(Self { encoding, order })
     }
 
-    /// Number of bytes of an encoded number.
+    /// Size of an encoded number, in bytes.
     #[must_use]
     pub fn width(self) -> usize {
         match self.encoding {

@@ -2,7 +2,7 @@
 
 use val3_kinematics::{Arm, Configuration, Elbow, Request, RequestedConfiguration, Shoulder, Wrist};
 
-/// A configuration: shoulder, elbow, wrist, each as the index of an enumerator in its type.
+/// A configuration: shoulder, elbow, wrist, each as an enumerator index.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConfigValue(pub [f64; 3]);
 

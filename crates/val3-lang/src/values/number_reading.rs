@@ -44,7 +44,7 @@ fn value(number: &str) -> Option<f64> {
     number.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// Length in bytes of the number at the start of the string; `None` if there is none.
+/// Length in bytes of the number at the start of the string; `None` if the string starts with no number.
 fn length(text: &str) -> Option<usize> {
     let behind_sign = text.strip_prefix(['+', '-']).unwrap_or(text);
     let behind_whole = without_digits(behind_sign);
@@ -56,7 +56,7 @@ fn length(text: &str) -> Option<usize> {
     Some(text.len() - rest.len())
 }
 
-/// Text after an exponent at the start; `None` if there is none.
+/// Text after an exponent at the start; `None` without an exponent.
 fn exponent(text: &str) -> Option<&str> {
     let behind_mark = text.strip_prefix(['e', 'E'])?;
     some_digits(behind_mark.strip_prefix(['+', '-']).unwrap_or(behind_mark))

@@ -19,7 +19,7 @@ pub fn chr(code_point: f64) -> Text {
     }
 }
 
-/// `asc`: code point of the character at `position`, or -1 if there is none.
+/// `asc`: code point of the character at `position`, or -1 beyond the end.
 #[must_use]
 pub fn asc(text: &str, position: f64) -> f64 {
     let character = numbers::count_from_zero(position).and_then(|position| text.chars().nth(position));
@@ -84,7 +84,7 @@ pub fn replace(text: &str, replacement: &str, size: f64, position: f64) -> Resul
     Ok(Text::from_iter([before, if beyond { "" } else { replacement }, behind]))
 }
 
-/// `find`: first position of `wanted` in `text`, or -1 if there is none. The empty string is at 0.
+/// `find`: first position of `wanted` in `text`, or -1 if `text` does not contain it. The empty string is at 0.
 #[must_use]
 pub fn find(text: &str, wanted: &str) -> f64 {
     let before = first_occurrence(text, wanted).and_then(|at| text.get(..at));
@@ -113,7 +113,7 @@ pub fn display_len(text: &str) -> usize {
     text.chars().map(columns).sum()
 }
 
-/// Number of columns of a character: 2 for a wide character, such as Chinese, 0 for a combining character, otherwise 1.
+/// Character width in columns: 2 for a wide character, such as Chinese, 0 for a combining character, otherwise 1.
 /// A control character occupies one column, because the pendant shows a symbol for it.
 #[must_use]
 pub fn columns(character: char) -> usize {

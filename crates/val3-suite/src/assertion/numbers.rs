@@ -23,7 +23,7 @@ pub(super) fn difference(actual: f64, expected: f64, tolerance: f64) -> String {
     format!("{left} instead of {right}{}", excess(actual, expected, tolerance, ""))
 }
 
-/// Difference of two numbers and its tolerance, in parentheses; `unit` is `degree`, `mm`, or empty.
+/// Difference between two numbers, and its tolerance, in parentheses; `unit` is `degree`, `mm`, or empty.
 pub(super) fn excess(actual: f64, expected: f64, tolerance: f64, unit: &str) -> String {
     let distance = (actual - expected).abs();
     if !distance.is_finite() {

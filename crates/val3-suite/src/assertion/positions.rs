@@ -12,7 +12,7 @@ const SLIDE: usize = 3;
 /// Distances and angles up to this value are computation errors, in mm and degrees.
 const NOISE: f64 = 1e-9;
 
-/// Number of significant digits of an axis.
+/// Number of significant digits for an axis.
 const DIGITS: usize = 9;
 
 /// Minimum number of significant digits of a distance or angle.

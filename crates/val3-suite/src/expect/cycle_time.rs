@@ -42,7 +42,7 @@ impl CycleTime {
     }
 }
 
-/// Measures the time from each start of one occurrence to the next start of another.
+/// Measures the time from each start of an occurrence to the next start of the end occurrence.
 pub(super) struct Stopwatch {
     expected: Spanned<CycleTime>,
     from: Edge,
@@ -53,7 +53,7 @@ pub(super) struct Stopwatch {
     longest: Option<[f64; 2]>,
 }
 
-/// Detects the start of an occurrence.
+/// Detects when an occurrence starts.
 struct Edge {
     occurrence: Option<Occurrence>,
     /// Whether the occurrence held in the previous cycle.

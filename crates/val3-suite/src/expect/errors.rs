@@ -34,7 +34,7 @@ impl ExpectedError {
         self.code == *code && is_task && self.program.as_ref().is_none_or(|expected| expected == program)
     }
 
-    /// Fault of an unknown error number.
+    /// Fault for an unknown error number.
     pub(super) fn fault(&self, fit: &Fit<'_>, span: &Range<usize>) -> Option<Fault> {
         fit.error(self.code, span)
     }
@@ -84,7 +84,7 @@ impl Errors {
     }
 }
 
-/// Failure of a run-time error, of a path that the arm cannot follow, or of an instruction that the controller does not
+/// Failure for a run-time error, a path that the arm cannot follow, or an instruction that the controller does not
 /// support. Its places are the call stack of the event's task, which `programs` returns.
 pub(crate) fn failure(event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> Option<Failure> {
     let (message, place) = match &event.kind {
@@ -104,7 +104,7 @@ pub(crate) fn failure(event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> O
     Some(Failure { message, places: stack(place, event, programs) })
 }
 
-/// Call stack of an event's task, with `place` as innermost program; only `place` if the event happened elsewhere.
+/// Call stack of the event's task, with `place` as innermost program; only `place` if the event happened elsewhere.
 fn stack(place: Place, event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> Vec<Place> {
     let mut places = event.task.as_deref().map(programs).unwrap_or_default();
     match places.first_mut() {

@@ -7,7 +7,7 @@ use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 use val3_machine::script::{Condition, Seconds};
 
-/// An expectation that can never be met because of its names or times: its source range and the problem.
+/// An expectation that can never be met because of names or times: its source range and the problem.
 pub(crate) type Fault = (Range<usize>, String);
 
 /// Run against which expectations are validated.

@@ -56,7 +56,7 @@ impl Motion {
         source: &Source,
     ) -> Vec<Failure> {
         let Some(recording) = self.recorder.as_ref().map(Recorder::recording) else { return Vec::new() };
-        // The position of an arm that has not moved is checked, too. Its speed would prove nothing.
+        // The position is also checked if the arm has not moved. Its speed would prove nothing.
         let at_rest = recording.is_empty().then(|| Recording::at_rest(controller));
         let found = limits(expectations, controller, source).into_iter().filter_map(|(limit, place)| match limit {
             Ok(Limit::Speed { .. }) if at_rest.is_some() => {

@@ -81,7 +81,7 @@ impl Observer {
         self.states.next_due()
     }
 
-    /// Whether the run-time error of an event is expected.
+    /// Whether the event's run-time error is expected.
     pub(crate) fn expects(&self, event: &Event) -> bool {
         self.errors.expects(event)
     }

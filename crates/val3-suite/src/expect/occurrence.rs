@@ -49,7 +49,7 @@ fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Condition, D:
     Condition::new(BTreeMap::new(), Deserialize::deserialize(deserializer)?).map_err(D::Error::custom)
 }
 
-/// Time of an occurrence.
+/// Occurrence time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Moment {
     /// Seconds since the start.

@@ -22,7 +22,7 @@ pub(super) enum OutputKind {
     Popup,
 }
 
-/// Expected texts of an output.
+/// Expected output texts.
 pub(super) struct Output {
     kind: OutputKind,
     missing: Vec<Spanned<String>>,

@@ -14,7 +14,7 @@ use super::fit::{Fault, Fit};
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// Expected values of signals or variables. Each is a condition with the source range of its name.
+/// Expected values of signals or variables. Each is a condition with the name's source range.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Values(Vec<(Condition, Range<usize>)>);
 

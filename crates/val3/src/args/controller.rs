@@ -53,7 +53,7 @@ pub(crate) struct ControllerArgs {
 }
 
 impl ControllerArgs {
-    /// Returns these arguments, completed by the keys of a test file. An argument takes precedence over its key.
+    /// Returns these arguments, completed by the keys of a test file. An argument has precedence over its key.
     #[must_use]
     pub(crate) fn with(&self, keys: &ControllerKeys) -> Self {
         Self {

@@ -128,7 +128,7 @@ fn form(argument: &Arg) -> String {
     }
 }
 
-/// Help text, possible values and default of an argument.
+/// Argument's help text, possible values and default.
 fn meaning(argument: &Arg) -> String {
     let help = argument.get_long_help().or_else(|| argument.get_help()).map(ToString::to_string).unwrap_or_default();
     let mut text = format!("{}.", prose(help.trim_end_matches('.')));
@@ -149,7 +149,7 @@ fn meaning(argument: &Arg) -> String {
     text
 }
 
-/// Possible values of an argument, formatted as code, each with its help text.
+/// Argument's possible values, formatted as code, each with its help text.
 fn values(argument: &Arg) -> Vec<(String, String)> {
     let values = argument.get_possible_values().into_iter().filter(|value| !value.is_hide_set());
     let help = |value: &PossibleValue| value.get_help().map(|help| prose(&help.to_string())).unwrap_or_default();

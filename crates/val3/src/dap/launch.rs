@@ -94,7 +94,7 @@ pub(super) fn is_unfit(long: &str) -> bool {
     UNFIT.iter().any(|(unfit, _)| *unfit == long)
 }
 
-/// Configuration key of an option.
+/// An option's configuration key.
 pub(super) fn key(long: &str) -> String {
     if long == "program" { START_PROGRAM.to_owned() } else { camel_case(long) }
 }

@@ -13,7 +13,7 @@ use crate::user_error::UserError;
 /// Write timeout for a client that does not read.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// First bytes of each client's first header, in lower case.
+/// First bytes of every client's first header, in lower case.
 const GREETING: &[u8; 8] = b"content-";
 
 /// Listens on a port that only this machine can reach.
@@ -68,7 +68,7 @@ pub(super) fn streams(stream: TcpStream) -> io::Result<(TcpStream, Connection)> 
 /// this machine, and a debugger can do whatever a program can.
 ///
 /// # Errors
-/// The first bytes are not those of a debugger client.
+/// The input does not begin like a debugger client's.
 fn checked(mut input: TcpStream) -> io::Result<impl Read> {
     let mut start = [0; GREETING.len()];
     input.read_exact(&mut start)?;

@@ -89,7 +89,7 @@ fn common() -> Map<String, Value> {
     keys.into_iter().map(|(key, schema)| (key.to_owned(), schema)).collect()
 }
 
-/// Schema of an option.
+/// Option schema.
 fn property(option: &Arg) -> Value {
     let mut schema = Map::new();
     let choices = option.get_possible_values();

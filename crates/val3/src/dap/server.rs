@@ -59,7 +59,7 @@ fn serve_in_a_process(greeting: Greeting, start: &SessionStart) -> io::Result<()
     let mut adapter =
         Command::new(std::env::current_exe()?).arg("dap").stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
     if let (Some(to_adapter), Some(from_adapter)) = (adapter.stdin.take(), adapter.stdout.take()) {
-        // At the end of its input, the adapter exits and closes its output.
+        // When its input ends, the adapter exits and closes its output.
         relay(greeting, start, from_adapter, to_adapter)?;
     }
     adapter.wait()?;

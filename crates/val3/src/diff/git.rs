@@ -169,7 +169,7 @@ fn blob(entry: &str) -> Option<(&str, &str)> {
     mode.starts_with("100").then_some((path, object))
 }
 
-/// Path of an entry of `git ls-files --stage` whose stage number is that of a conflict (1 to 3), not 0.
+/// Path of an entry of `git ls-files --stage` with a conflict's stage number (1 to 3), not 0.
 fn unmerged(entry: &str) -> Option<&str> {
     let (head, path) = entry.split_once('\t')?;
     head.rsplit(' ').next().is_some_and(|stage| matches!(stage, "1" | "2" | "3")).then_some(path)

@@ -1,4 +1,4 @@
-//! Formatting of one program.
+//! Formats one program.
 
 use camino::Utf8PathBuf;
 use val3_files::{FileClass, replace_unchanged};

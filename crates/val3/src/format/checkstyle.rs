@@ -18,7 +18,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
     })
 }
 
-/// Writes the elements. Findings are sorted by file, so the findings of one file are adjacent.
+/// Writes the elements. Findings are sorted by file, so each file's findings are adjacent.
 fn files(report: &Report, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     for findings in report.findings.chunk_by(|a, b| a.place.file.path == b.place.file.path) {
         let Some(first) = findings.first() else { continue };

@@ -1,4 +1,4 @@
-//! Workflow commands of GitHub Actions: each finding becomes an annotation of its line in the pull request.
+//! Workflow commands of GitHub Actions: each finding becomes a line annotation in the pull request.
 
 use std::io;
 
@@ -6,7 +6,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 
 use crate::report::{Finding, Report, Severity};
 
-/// Number of annotations of one level that GitHub shows for one step of a job.
+/// Number of annotations per level that GitHub shows for a job step.
 const SHOWN: usize = 10;
 
 /// Writes one command for each finding.

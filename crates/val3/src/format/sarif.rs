@@ -131,7 +131,7 @@ fn fix(fix: &Fix) -> log::Fix {
     }
 }
 
-/// Edits of one file; `None` without edits.
+/// Converts one file's edits; `None` without edits.
 fn artifact_change(edits: &[Edit]) -> Option<ArtifactChange> {
     let path = &edits.first()?.place.file.in_repository;
     let replacement = |edit: &'_ Edit| Replacement {

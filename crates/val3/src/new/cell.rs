@@ -21,7 +21,7 @@ use crate::user_error::UserError;
 /// Arm of a new application if neither the cell nor the arguments name one.
 const DEFAULT_ARM: &str = "tx2-90";
 
-/// Prefixes of the names of arms with a CS9 controller.
+/// Name prefixes of arms with a CS9 controller.
 const CS9_ARMS: [&str; 2] = ["TX2", "TS2"];
 
 /// Controller of a new application.

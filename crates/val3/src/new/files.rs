@@ -31,7 +31,7 @@ pub(super) struct Application<'a> {
 }
 
 impl Application<'_> {
-    /// Returns the name and text of each file.
+    /// Returns all files' names and texts.
     pub(super) fn files(&self, arm: &Arm) -> Vec<(String, String)> {
         let programs = PROGRAMS.map(|(file, text)| (file.to_owned(), text.replace("{name}", self.name)));
         let project = include_str!("template/application.pjx");
@@ -42,7 +42,7 @@ impl Application<'_> {
         files
     }
 
-    /// Returns the name and text of each file of the test.
+    /// Returns all test files' names and texts.
     pub(super) fn test_files(&self) -> Vec<(String, String)> {
         let test = TestApplication { application: self.name, alias: self.name, version: self.version };
         test.files((TEST, include_str!("template/testAbove.pgx")))

@@ -1,4 +1,4 @@
-//! Validation of the name of a new application.
+//! Name validation for new applications.
 
 use val3_lang::keywords::{is_identifier, reserved};
 use val3_lang::test_names::is_test_application;

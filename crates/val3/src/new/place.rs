@@ -40,7 +40,7 @@ impl Place {
         Ok(Self { usrapp: cell.join("usr").join(USRAPP), cell: Some(cell), exists: false })
     }
 
-    /// Folder of an application.
+    /// Application folder.
     pub(super) fn folder(&self, name: &str) -> Utf8PathBuf {
         self.usrapp.join(name)
     }
@@ -58,7 +58,7 @@ impl Place {
     }
 }
 
-/// The `usrapp` folder: `folder` itself, or the one of the controller in `folder`.
+/// The `usrapp` folder: `folder` itself, or the controller's `usrapp` in `folder`.
 fn usrapp(folder: &Utf8Path) -> Option<Utf8PathBuf> {
     if folder.file_name().is_some_and(|name| name.eq_ignore_ascii_case(USRAPP)) {
         return Some(folder.to_owned());
@@ -70,7 +70,7 @@ fn usrapp(folder: &Utf8Path) -> Option<Utf8PathBuf> {
     }
 }
 
-/// Finds the entry with this path, ignoring the letter case of its name.
+/// Finds the entry with this path, ignoring the name's letter case.
 fn existing(path: &Utf8Path) -> Option<Utf8PathBuf> {
     let (folder, name) = (path.parent()?, path.file_name()?);
     let entries = folder.read_dir_utf8().ok()?.filter_map(Result::ok);

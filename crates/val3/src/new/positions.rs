@@ -1,4 +1,4 @@
-//! Positions of a new application within the reach of its arm.
+//! Positions of a new application within its arm's reach.
 
 use val3_geometry::Trsf;
 use val3_kinematics::{Arm, Configuration, Joints};

@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal as _};
 
 use super::commands;
 
-/// Content kind of an output. Output that a program must receive unchanged is changed only at a terminal.
+/// Output kind by content. Output that a program must receive unchanged is changed only at a terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Content {
     /// Human-readable text with names, paths and code: control characters are always replaced by visible forms.
@@ -19,7 +19,7 @@ pub(crate) enum Content {
     File,
 }
 
-/// Destination of an output.
+/// Output destination.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Destination {
     /// Whether it is a terminal.

@@ -6,7 +6,7 @@ use val3_files::Unreadable;
 
 use crate::user_error::UserError;
 
-/// Kind of an output file.
+/// Output file kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FileKind {
     /// Events of a run, one JSON object per line.
@@ -60,7 +60,7 @@ impl FileKind {
 /// Checks that there is no file at `path` that `content` may not replace.
 ///
 /// # Errors
-/// The file is input of the tools, has content of another kind, or cannot be read.
+/// The file is input of the tools, has other content, or cannot be read.
 pub(super) fn check_replaceable(path: &Utf8Path, content: FileKind, what: &str) -> Result<(), UserError> {
     let has_extension = |known: &str| path.extension().is_some_and(|found| known.eq_ignore_ascii_case(found));
     let is_own = content == FileKind::Program && has_extension(PROGRAM);

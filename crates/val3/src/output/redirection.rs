@@ -28,7 +28,7 @@ fn redirection() -> MutexGuard<'static, Option<Redirection>> {
 /// Redirects the standard output to a file, which replaces `path` atomically when it is committed.
 ///
 /// # Errors
-/// The file cannot be written, or has content of another kind.
+/// The file cannot be written, or has other content.
 pub(crate) fn redirect(path: &Utf8Path, kind: FileKind) -> Result<(), UserError> {
     let file = file::create(path, kind, "output")?;
     *redirection() = Some(Redirection { path: path.to_owned(), file });

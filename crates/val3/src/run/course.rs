@@ -160,7 +160,7 @@ impl<'a> Course<'a> {
         let Some(test) = &mut self.test else { return Transition::None };
         let transition = test.follow(&mut self.debugger.controller);
         if transition == Transition::Started {
-            // A replay of an earlier state would not start the program.
+            // Replaying an earlier state would not start the program.
             self.debugger.forget_past();
         }
         transition

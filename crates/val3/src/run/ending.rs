@@ -36,7 +36,7 @@ const RECORDED: &str = "A run that is recorded with --events FILE can be repeate
 const MOST_TASKS: usize = 50;
 
 impl Console {
-    /// Explains why the run has ended before its application, and lists the lines of its tasks.
+    /// Explains why the run has ended before its application, and lists its tasks' lines.
     pub(crate) fn explain(&self, end: End, args: &RunArgs, controller: &Controller) {
         if self.is_silent {
             return;

@@ -60,7 +60,7 @@ impl Live {
         Ok(Self { terminal, journal: Journal::default(), drawn: None, interrupted: false })
     }
 
-    /// Records the text of an event that is relevant for the user.
+    /// Records an event's text, if it is relevant for the user.
     pub(super) fn record_event(&mut self, event: &Event) {
         self.journal.record_event(event);
     }

@@ -12,7 +12,7 @@ use super::source_line::code;
 pub(super) struct MissingLibraries(BTreeMap<String, (String, u16)>);
 
 impl MissingLibraries {
-    /// Tracks load events, including those of libraries that are loaded with the application.
+    /// Tracks load events, also of libraries that are loaded with the application.
     pub(super) fn follow(&mut self, event: &Event) {
         let EventKind::Lib { op: "load", alias, path, code } = &event.kind else { return };
         if *code < INTERFACE_DIFFERS {

@@ -46,7 +46,7 @@ pub(crate) struct ReadyApplication {
     pub(crate) announcements: Rc<Announcements>,
     /// Note with the number of findings; `None` if a test is debugged.
     pub(crate) checked: Option<String>,
-    /// Unpacked files of an archive.
+    /// Unpacked archive files.
     pub(crate) _unpacked: Option<Unpacked>,
 }
 
@@ -84,7 +84,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     };
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
     check_stop(&args.program, &programs)?;
-    // The recording of a compared run contains the external input of its lines, so this run records it, too.
+    // A compared run's recording contains its lines' external input, so this run records it, too.
     let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
     let announcements = Rc::new(Announcements::new(reader));
     let settings = controller.settings(Rc::clone(&announcements) as Rc<dyn SocketGuard>);
@@ -131,7 +131,7 @@ fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Res
     })
 }
 
-/// Lists programs that `--program` can name instead of an unknown program.
+/// Lists programs that `--program` can name in place of the unknown program.
 fn programs_to_name(unknown: &str, programs: &[String]) -> String {
     let mut names: Vec<&str> = programs.iter().map(String::as_str).collect();
     if names.is_empty() {

@@ -115,7 +115,7 @@ impl Recording {
     }
 }
 
-/// Whether two events are equal, regardless of the order of fields and the format of numbers.
+/// Whether two events are equal, regardless of field order and number format.
 fn is_equal(one: Option<&String>, other: Option<&String>) -> bool {
     let value = |event: Option<&String>| event.and_then(|event| serde_json::from_str::<Value>(event).ok());
     one == other || value(one).is_some_and(|one| Some(one) == value(other))

@@ -75,7 +75,7 @@ impl Tempo {
         Ok(())
     }
 
-    /// Executes the command `cycle`: a number of cycles of a paused run.
+    /// Executes the command `cycle`: several cycles while the run is paused.
     ///
     /// # Errors
     /// The run is not paused, or the number is invalid.

@@ -1,4 +1,4 @@
-//! Copy of an archive that a run reads and writes, because programs may write to `Disk://`.
+//! Archive copy that a run reads and writes, because programs may write to `Disk://`.
 
 use std::fs;
 
@@ -9,7 +9,7 @@ use val3_analysis::paths::normalise;
 use crate::in_memory::archive_around;
 use crate::user_error::UserError;
 
-/// Files of an archive in a temporary folder, which is deleted on drop.
+/// Archive files in a temporary folder, which is deleted on drop.
 pub(crate) struct Unpacked {
     /// Requested path in the folder.
     pub(crate) path: Utf8PathBuf,

@@ -20,7 +20,7 @@ use crate::run::ReadyApplication;
 use crate::sockets::Announcements;
 use crate::user_error::UserError;
 
-/// Opens a test application, and starts the first program of one of its tests, as `val3 test` does.
+/// Opens a test application, and starts a test's first program, as `val3 test` does.
 ///
 /// # Errors
 /// The application cannot be loaded, the compiler rejects it, or it has no such test.

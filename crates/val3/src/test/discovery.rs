@@ -70,7 +70,7 @@ impl Suite {
     }
 }
 
-/// A test of an application.
+/// An application's test.
 #[derive(Clone, Copy)]
 pub(super) struct TestFile<'s> {
     pub(super) manifest: &'s Utf8Path,
@@ -167,7 +167,7 @@ pub(super) fn chosen<'s>(
     Ok(selection.part(wanted, |test| test.case))
 }
 
-/// Finds and opens the applications with tests, in the order of their folders.
+/// Finds and opens the applications with tests, in folder order.
 ///
 /// # Errors
 /// There is no such application, or a folder cannot be searched.

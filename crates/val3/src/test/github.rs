@@ -1,4 +1,4 @@
-//! Workflow commands of GitHub Actions: each failure becomes an annotation of its line in the pull request.
+//! Workflow commands of GitHub Actions: each failure becomes a line annotation in the pull request.
 
 use std::io;
 

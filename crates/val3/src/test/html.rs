@@ -13,7 +13,7 @@ use crate::paths::Paths;
 
 const STYLE: &str = include_str!("html/style.css");
 
-/// Writes the page: the counts, then the tests of each application. Failed tests are expanded, with drawings of motions
+/// Writes the page: the counts, then each application's tests. Failed tests are expanded, with drawings of motions
 /// that differ from recorded motions.
 pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let numbers = numbers(results);
@@ -42,7 +42,7 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
     writeln!(out, "</body>\n</html>")
 }
 
-/// Writes the failed tests with the first line of each failure, linked to the details.
+/// Writes the failed tests with each failure's first line, linked to the details.
 fn failures(results: &Results, out: &mut dyn WriteColor) -> io::Result<()> {
     let failed: Vec<&Tested> = results.tested.iter().filter(|test| !test.result.has_passed()).collect();
     if failed.is_empty() {

@@ -12,7 +12,7 @@ use super::tested::{Tested, described};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
-/// State of the output of results.
+/// Output state of the results.
 #[derive(Debug, Default)]
 pub(super) struct Listing {
     /// Whether passed tests are omitted.

@@ -21,7 +21,7 @@ use crate::user_error::UserError;
 /// its application.
 const VERSION: Version = Version::new(7, 0, 0);
 
-/// Library alias of an application whose name is not a valid alias.
+/// Default library alias, if the application's name is not a valid alias.
 const ALIAS: &str = "app";
 
 /// Names used by the test application.

@@ -89,7 +89,7 @@ fn edited(db: &Database, edits: &[FileEdit], shown: &Paths) -> Result<(File, Vec
     Ok((file, bytes))
 }
 
-/// Encoding of a file. The text of an unreadable file is not edited.
+/// File encoding. An unreadable file is not edited.
 fn encoding(db: &Database, file: File) -> Encoding {
     match file.status(db) {
         FileStatus::Read { encoding, .. } => *encoding,

@@ -1,4 +1,4 @@
-//! Report of an earlier run, written by `--output json=FILE`.
+//! An earlier run's report, written by `--output json=FILE`.
 
 use std::collections::BTreeMap;
 
@@ -23,7 +23,7 @@ struct Entry {
     wall_seconds: f64,
 }
 
-/// Results of an earlier run, by test name.
+/// An earlier run's results, by test name.
 #[derive(Debug, Default)]
 pub(super) struct Previous {
     results: BTreeMap<String, PreviousResult>,

@@ -13,13 +13,13 @@ use val3_suite::{Failure, Place, TestCase, TestKind, TestResult};
 use super::tested::Tested;
 use crate::user_error::UserError;
 
-/// Test name of a failure that represents all tests of an application.
+/// Test name of the failure that represents all of an application's tests.
 const ALL: &str = "(all tests)";
 
 /// Maximum number of compiler findings that become failures. Further findings are mostly consequences.
 const SHOWN: usize = 10;
 
-/// Reason why the tests of an application cannot be executed.
+/// Reason why an application's tests cannot be executed.
 #[derive(Debug)]
 pub(super) struct Refusal {
     error: UserError,
@@ -67,7 +67,7 @@ fn failure(db: &Database, finding: &Diagnostic) -> Failure {
     Failure { message: finding.message.clone(), places: vec![place] }
 }
 
-/// The tests of an application that cannot be tested, or an invalid scenario.
+/// The tests in an application that cannot be tested, or an invalid scenario.
 #[derive(Debug)]
 pub(super) struct RefusedTests {
     /// Project file of the application, or scenario file.
@@ -78,7 +78,7 @@ pub(super) struct RefusedTests {
 }
 
 impl RefusedTests {
-    /// All tests of an application.
+    /// Represents all of an application's tests.
     pub(super) fn of_application(manifest: &Utf8Path, refusal: Refusal) -> Self {
         let application = manifest.parent().and_then(Utf8Path::file_name).unwrap_or_default();
         let case = TestCase { kind: TestKind::Program, ..TestCase::scenario(application, ALL, manifest.as_str()) };

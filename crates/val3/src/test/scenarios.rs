@@ -73,7 +73,7 @@ pub(super) fn add_suites(args: &TestArgs, scenarios: &[Utf8PathBuf], suites: &mu
     suites.opened.append(&mut found);
 }
 
-/// Test case of a scenario; `manifest` is the project file of its application.
+/// Test case of a scenario; `manifest` is its application's project file.
 pub(super) fn case(manifest: &Utf8Path, path: &Utf8Path) -> TestCase {
     let application = manifest.parent().and_then(Utf8Path::file_name).unwrap_or_default();
     TestCase::scenario(application, path.file_stem().unwrap_or_default(), path.as_str())

@@ -79,7 +79,7 @@ fn row(name: &str) -> Option<(&str, u32)> {
     Some((program, row.parse().ok()?))
 }
 
-/// Scripts for rows that do not exist in the tests of an application, each with an error.
+/// Scripts for rows that do not exist in the application's tests, each with an error.
 pub(super) fn without_row(manifest: &Utf8Path, cases: &[TestCase]) -> Vec<(Utf8PathBuf, UserError)> {
     let folder = manifest.parent().unwrap_or(Utf8Path::new("."));
     // Folders that cannot be listed are reported by the search for applications.

@@ -10,7 +10,7 @@ use crate::user_error::UserError;
 /// Selects tests by name, tags and earlier results.
 pub(super) struct Selection<'a> {
     args: &'a TestArgs,
-    /// Report of an earlier run; only its failures are executed.
+    /// An earlier run's report; only its failures are executed.
     failed: Option<Previous>,
     timings: Option<Previous>,
 }
@@ -19,7 +19,7 @@ impl<'a> Selection<'a> {
     /// Creates the selection of the arguments.
     ///
     /// # Errors
-    /// The report of an earlier run cannot be read.
+    /// An earlier run's report cannot be read.
     pub(super) fn of(args: &'a TestArgs) -> Result<Self, UserError> {
         let read = |path: &Option<camino::Utf8PathBuf>| path.as_deref().map(Previous::read).transpose();
         let (failed, timings) = (read(&args.selection.failed_in)?, read(&args.selection.timings)?);
@@ -91,7 +91,7 @@ impl<'a> Selection<'a> {
     }
 }
 
-/// Whether the test has this name, which may be the name of all rows of its table.
+/// Whether the test has this name, which may be its table's common name for all rows.
 pub(super) fn is_called(case: &TestCase, name: &str) -> bool {
     let of_rows = format!("{}:{}", case.shown_application(), case.program);
     [case.name(), case.program_name(), case.shown_name(), of_rows].iter().any(|known| known == name)

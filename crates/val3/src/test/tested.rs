@@ -36,7 +36,7 @@ impl Tested {
     }
 }
 
-/// Lines that describe the failures of a test, and the values of its row.
+/// Lines that describe a test's failures and its row's values.
 pub(super) fn described(result: &TestResult, paths: &Paths) -> Vec<String> {
     let known = result.exemption.iter().flat_map(|exemption| match exemption {
         Exemption::Skipped { .. } => vec![exemption.label()],

@@ -230,7 +230,7 @@ struct Worker<'a> {
     args: &'a TestArgs,
     sockets: ClosedSockets,
     bench: Option<Bench>,
-    /// Evaluator for the conditions of an application, created after the first test that has not ended.
+    /// Evaluator for an application's conditions, created after the first test that has not ended.
     evaluator: Option<(Utf8PathBuf, FrameEvaluator)>,
     coverage: Coverage,
 }
@@ -300,7 +300,7 @@ impl Bench {
     }
 }
 
-/// Creates the evaluator of an application. It has its own database, because it adds texts to it. `None` if the
+/// Creates an application's evaluator. It has its own database, because it adds texts to it. `None` if the
 /// application can no longer be loaded.
 fn evaluator_of<'e>(
     manifest: &Utf8Path,
@@ -394,7 +394,7 @@ impl<'a> Worker<'a> {
         Ok(Some(Tested { recorded, wall: start.elapsed(), ..Tested::of(test.case, result) }))
     }
 
-    /// Application on a controller: the one of the previous test, if it has the same properties.
+    /// Application on a controller; reused from the previous test if the properties are equal.
     fn bench(&mut self, manifest: &Utf8Path, keys: &ControllerKeys) -> Result<Bench, UserError> {
         let opening = Opening::of(self.args);
         let known = self.bench.take().filter(|bench| bench.suite.manifest == manifest && bench.keys == *keys);

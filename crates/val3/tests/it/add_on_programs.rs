@@ -291,7 +291,7 @@ fn wrong_settings_are_explained_at_their_place() {
     );
 }
 
-/// Table of an add-on with `num $getVel(num)`.
+/// Add-on table with `num $getVel(num)`.
 const TABLE: &str = r#"
 === /configs/arm.cfx
 <?xml version="1.0"?><Arm></Arm>

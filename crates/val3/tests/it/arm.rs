@@ -1,4 +1,4 @@
-//! `val3 arm`: lists and files of arms, and the measurement of an arm with hidden times on the embedded controller.
+//! `val3 arm`: lists and files of arms, and measuring an arm with hidden times on the embedded controller.
 
 use std::fmt::Write as _;
 
@@ -127,7 +127,7 @@ fn files_are_replaced_only_by_force() {
 /// An arm with hidden times, the ranges of its measurement and its start position.
 struct Measured {
     arm: &'static str,
-    /// Nominal speed, acceleration and deceleration of each axis.
+    /// Nominal speeds, accelerations and decelerations by axis.
     hidden: [&'static [f64]; 3],
     ranges: &'static [&'static str],
     start: &'static str,
@@ -341,7 +341,7 @@ fn the_controller_has_to_be_ready() {
     .assert_eq(&messages);
 }
 
-/// An axis outside of its range is not moved.
+/// An axis outside its range is not moved.
 #[test]
 fn an_axis_outside_of_its_range_is_not_moved() {
     let folder = SIX_AXIS.folder();

@@ -9,12 +9,12 @@ use serde_json::{Value, json};
 
 use crate::dap_client::{Session, application, assert_ended, example};
 
-/// A process that listens on a port of its choice.
+/// A process that listens on a free port.
 struct Listener {
     process: Child,
     stderr: BufReader<ChildStderr>,
     address: String,
-    /// Last word of the first line: the secret, or the name of its environment variable.
+    /// Last word of the first line: the secret, or its environment variable's name.
     secret: String,
 }
 

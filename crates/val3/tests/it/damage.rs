@@ -200,7 +200,7 @@ fn fault(file: &str, damage: &Damage, args: &[&str], run: &CommandOutput) -> Opt
         .then(|| format!("{file}, {}, {args:?}: exit code {}\n{}", damage.name, run.code, run.stdout))
 }
 
-/// Checks that each command reports each kind of damage of each file.
+/// Checks that each command reports every damage in each file.
 fn assert_law(files: &[&str], commands: &[&[&str]]) {
     let mut faults = Vec::new();
     for file in files {

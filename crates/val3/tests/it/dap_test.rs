@@ -107,7 +107,7 @@ fn one_row_of_a_table_is_debugged() {
     }
 }
 
-/// Messages of a failure and of its further failures.
+/// Messages of a failure and its further failures.
 fn messages(failure: &Value) -> Vec<String> {
     let others = failure["others"].as_array().into_iter().flatten();
     std::iter::once(failure).chain(others).filter_map(|it| it["message"].as_str().map(str::to_owned)).collect()

@@ -28,7 +28,7 @@ fn documents(folder: &str) -> Vec<PathBuf> {
     pages
 }
 
-/// Executes the commands of each page, and reports wrong lines.
+/// Executes each page's commands, and reports wrong lines.
 fn execute(pages: &[PathBuf], start: &str) {
     let mut faults = Vec::new();
     for page in pages {

@@ -1,4 +1,4 @@
-//! Output of a check of the shipped cell with one fault of each rule family.
+//! Check output for the shipped cell with one fault per rule family.
 
 use std::process::Command;
 

@@ -201,7 +201,7 @@ fn kinds() -> impl Strategy<Value = Kind> {
     ])
 }
 
-/// Writes a file, or the files of an application, into a folder. `number` makes names unique.
+/// Writes a file, or the files of an application, into a folder. `number` is part of all names.
 fn write(folder: &Folder, below: &str, number: usize, kind: Kind) {
     let path = |extension: &str| format!("{below}/f{number}.{extension}");
     match kind {

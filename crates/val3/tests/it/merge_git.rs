@@ -24,7 +24,7 @@ fn repository() -> Folder {
     folder
 }
 
-/// Changes the files on two branches, and leaves `main` checked out.
+/// Changes the files on two branches. Finally, `main` is checked out.
 fn branches(folder: &Folder, ours: impl Fn(&Folder), theirs: impl Fn(&Folder)) {
     git_ok(folder, &["checkout", "-q", "-b", "other"]);
     theirs(folder);

@@ -1,4 +1,4 @@
-//! One `Disk://` root for an application and everything that it loads, and the project directly in a folder.
+//! One `Disk://` root for an application and all loaded libraries and types, and the project directly in a folder.
 
 use crate::support::Folder;
 

@@ -395,7 +395,7 @@ fn a_loop_of_frames_in_the_data_is_found_before_the_run() {
     .assert_eq(&run.stderr);
 }
 
-/// `vel` is a percentage of the nominal speeds, and may exceed the maximum speed of an axis. Each line warns once.
+/// `vel` is a percentage of the nominal speeds, and may exceed an axis' maximum speed. Each line warns once.
 #[test]
 fn a_speed_beyond_the_maximum_of_an_axis_is_a_warning() {
     let moves = "mdesc m\njoint jA\njoint jB\nnum nI\n  enablePower()\n  wait(isPowered())\n  m.vel=150\n  \

@@ -10,7 +10,7 @@ const MOVES: &str = "mdesc mStop\njoint jReady\npoint pNear\ntool tLong\n  mStop
                      pNear=here(tLong,world)\n  pNear.trsf.x=pNear.trsf.x+200\n  movel(pNear,tLong,mStop)\n  \
                      waitEndMove()\n";
 
-/// Script of an operator who enables motion in a mode.
+/// Operator script that enables motion in a mode.
 fn operator(mode: &str) -> String {
     format!("[[at]]\nt = 0\nmode = \"{mode}\"\n\n[[at]]\nt = 1\npower = true\nmove = true\n")
 }

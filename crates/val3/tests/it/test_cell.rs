@@ -56,7 +56,7 @@ fn cell(listing: &str, settings: &str) -> Folder {
     folder
 }
 
-/// Output of each test, after its name.
+/// All tests' outputs, each after the test name.
 fn prints(run: &CommandOutput) -> String {
     let report: Value = serde_json::from_str(&run.stdout).unwrap_or_else(|_| panic!("{run:?}"));
     let tests = report["tests"].as_array().unwrap();

@@ -219,7 +219,7 @@ fn tests_are_chosen_by_their_whole_name() {
     assert_eq!((unknown.code, unknown.stderr.contains("did you mean `mainTest:testA`")), (2, true), "{unknown:?}");
 }
 
-/// Parses each line of an output as an object.
+/// Parses each output line as an object.
 fn lines(output: &str) -> Vec<Value> {
     output.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
 }

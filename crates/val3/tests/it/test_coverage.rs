@@ -177,7 +177,7 @@ fn other_formats_have_the_table_beside_their_results() {
     assert!(!plain.stdout.contains("missing lines") && plain.stderr.is_empty(), "{plain:?}");
 }
 
-/// Counts of both sides of each construct.
+/// Counts for both sides of every construct.
 #[test]
 fn each_side_of_each_construct_is_counted() {
     let folder = cell();

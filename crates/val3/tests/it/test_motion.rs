@@ -36,7 +36,7 @@ fn recorded() -> Folder {
     folder
 }
 
-/// Changes the code of the application, and checks the result of its test.
+/// Changes the code of the application, and checks the test result.
 #[track_caller]
 fn check_change(from: &str, to: &str, expected: Expect) {
     let folder = recorded();

@@ -286,7 +286,7 @@ fn a_script_is_the_other_end_of_sockets() {
         1 passed, 0 failed
     "#]],
     );
-    // Outputs of one test do not satisfy another test.
+    // A test's outputs do not satisfy another test.
     let folder = cell(code, scenario);
     folder.write("tests/other.toml", &format!("application = \"../usrapp/main\"\n{}", scenario.replace("one", "ONE")));
     let run = folder.val3(&["test", ".", "--repeat", "2", "--jobs", "1"]);

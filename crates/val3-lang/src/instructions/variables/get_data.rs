@@ -91,7 +91,7 @@ fn copy(call: &mut Call<'_>, kind: &Kind, source: View, target: View) -> Result<
 mod tests {
     use crate::testing::Bench;
 
-    /// A test bench whose variables are those of the library `part`.
+    /// A test bench with the variables of the library `part`.
     fn bench() -> Bench {
         let declared = r#"num nTrack[3]; num nCount; num nGrid[2,2]; num nColl[""]; string sName"#;
         let mut bench =

@@ -1,4 +1,4 @@
-//! `size`: returns the number of elements of a variable.
+//! `size`: returns the number of elements in a variable.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! Least-squares estimation of an axis' speed, acceleration and deceleration from the times of its moves.
+//! Least-squares estimation of axis speed, acceleration and deceleration from move times.
 
 use nalgebra::{Matrix4, Vector4};
 
@@ -43,7 +43,7 @@ pub(super) struct Estimate {
     pub(super) uncertainty: f64,
 }
 
-/// Times of an axis at 100 %, in degrees or mm, and seconds.
+/// Axis times at 100 %, in degrees or mm, and seconds.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct AxisTimes {
     /// Nominal speed.
@@ -63,7 +63,7 @@ pub(super) struct AxisTimes {
     pub(super) rejected: usize,
 }
 
-/// Reason why the times do not determine the values of an axis.
+/// Reason why the times do not determine the axis values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Undetermined {
     /// The log contains no moves or too few moves.
@@ -212,7 +212,7 @@ fn spread(moves: &[Move], at: &Parameters) -> f64 {
 mod tests {
     use super::*;
 
-    /// Moves of an axis with these values; times are rounded up to cycles of 4 ms.
+    /// Moves with these axis values; times are rounded up to cycles of 4 ms.
     fn moves(speed: f64, acceleration: f64, deceleration: f64, delay: f64) -> Vec<Move> {
         let at = Vector4::new(speed.ln(), acceleration.ln(), deceleration.ln(), delay);
         let mut moves = Vec::new();

@@ -85,7 +85,7 @@ fn split_notes(text: &str) -> (String, &str) {
     let (comments, values) = text.split_at(length);
     let notes = match comments.split_once(NOTES) {
         Some((_, notes)) => notes.to_owned(),
-        // Comments of an earlier measurement that contain no notes.
+        // An earlier measurement's comments that contain no notes.
         None if comments.starts_with(HEAD) => String::new(),
         None => comments.lines().map(|line| format!("#   {}\n", line.trim_start_matches(['#', ' ']))).collect(),
     };

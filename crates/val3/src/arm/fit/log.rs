@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-/// Prefix of each message of the measuring application.
+/// Prefix of all messages from the measuring application.
 const MARK: &str = "val3arm ";
 
 /// Maximum percentage in a motion descriptor.
@@ -30,7 +30,7 @@ pub(super) struct Move {
     pub(super) seconds: f64,
 }
 
-/// Measurements of one axis.
+/// Axis measurements.
 #[derive(Debug, Default, Clone, PartialEq)]
 pub(super) struct AxisLog {
     /// Moves in the order of the log.
@@ -82,7 +82,7 @@ impl fmt::Display for LogFault {
     }
 }
 
-/// Measurements of one arm.
+/// Arm measurements.
 #[derive(Debug, Default)]
 pub(super) struct Log {
     /// Names of the measured arms, without duplicates.

@@ -2,7 +2,7 @@
 
 use super::estimate::{AxisTimes, Estimate};
 
-/// Describes the times of an axis.
+/// Describes axis times.
 pub(super) fn described(unit: &str, times: &AxisTimes) -> String {
     let AxisTimes { speed, acceleration, deceleration, delay, residual, moves, .. } = times;
     format!(

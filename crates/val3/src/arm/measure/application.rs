@@ -18,7 +18,7 @@ const PROGRAMS: &[(&str, &str)] = &[
     ("write.pgx", include_str!("application/write.pgx")),
 ];
 
-/// Returns the name and text of each file of the application `name`.
+/// Returns names and texts of all files in the application `name`.
 pub(super) fn files(name: &str, arm: &Arm, ranges: &[AxisRange]) -> Vec<(String, String)> {
     let mut files: Vec<_> = PROGRAMS.iter().map(|(file, text)| ((*file).to_owned(), (*text).to_owned())).collect();
     files.push(("start.pgx".to_owned(), include_str!("application/start.pgx").replace("READ_AXES", &read_axes(arm))));

@@ -94,7 +94,7 @@ fn texts(name: &str, values: impl IntoIterator<Item = String>) -> String {
     item(name, "string", values.len(), &values)
 }
 
-/// Formats an array with the attributes of its first values.
+/// Formats an array with the first values' attributes.
 fn item(name: &str, ty: &str, size: usize, values: &[String]) -> String {
     let head = format!("    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\"");
     if values.is_empty() {

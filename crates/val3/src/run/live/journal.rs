@@ -15,7 +15,7 @@ pub(super) struct Journal {
 }
 
 impl Journal {
-    /// Records the text of an event that is relevant for the user.
+    /// Records an event's text, if it is relevant for the user.
     pub(super) fn record_event(&mut self, event: &Event) {
         if let Some(line) = line(event) {
             self.lines.extend(line.lines().map(str::to_owned));

@@ -6,11 +6,11 @@ use serde::Serialize;
 use val3_machine::blend_ends::BlendEnds;
 use val3_machine::event::{Event, EventKind};
 
-/// Shortened blends of a run, by program and line of their moves.
+/// A run's shortened blends, by the moves' program and line.
 #[derive(Debug, Default)]
 pub(super) struct CutBlends(BTreeMap<(String, u32), CutBlend>);
 
-/// Shortened blends of one line.
+/// A line's shortened blends.
 #[derive(Debug, Serialize)]
 pub(super) struct CutBlend {
     program: String,

@@ -1,4 +1,4 @@
-//! Executes the commands of one document in order.
+//! Executes one document's commands in order.
 
 use std::os::unix::process::CommandExt as _;
 use std::path::{Path, PathBuf};
@@ -25,7 +25,7 @@ const FUNCTIONS: &str = r#"
 cargo() { [ "$1 $2 $3" = "run --release --" ] && shift 3 && val3 "$@"; }
 "#;
 
-/// Folders of a shell, and the output of its last block.
+/// A shell's folders, and the last block's output.
 pub(super) struct Session {
     folder: Folder,
     place: PathBuf,
@@ -33,7 +33,7 @@ pub(super) struct Session {
 }
 
 impl Session {
-    /// Starts a session in a folder of a copy of the examples in `root`.
+    /// Starts a session in a folder within a copy of the examples in `root`.
     pub(super) fn start(root: &Path, start: &str) -> Self {
         let folder = Folder::empty();
         let copy = folder.path().join("val3");
