@@ -2,13 +2,13 @@
 
 /// Declares the instruction of a file.
 ///
-/// The doc comment is its page. The first line contains the name, the family and the manual section, followed by the
-/// clauses `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Each further line is
-/// a form: `function` (only returns a value) or `modifier` (can be a statement), parameters as in a syntax line, `->
-/// type` for a result, `on library` for a form of a library identifier, `since major` for a form that was added later,
-/// `seen in_programs` for a form that is not in the manual, and `= function` for its handler, whose parameters are
-/// those in the line ([`FromArgument`](crate::call::FromArgument)). Instead of a type, a parameter may have `any`,
-/// `Whole`, `Slot`, `Item` ([`Shape`](crate::instruction::Shape)) or `program` (the call of a program).
+/// The doc comment is its page. The head line gives name, family and manual section, then the clauses
+/// `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
+/// a form: `function` (only yields a value) or `modifier` (can be a statement), parameters as in a syntax line, `->
+/// type` for a value, `on library` for a form of a library identifier, `since major` for a younger form, `seen
+/// in_programs` for a form that the manual does not print, `= function` for its handler, whose parameters are those of the line ([`FromArgument`](crate::call::FromArgument)). Instead of a
+/// type a parameter says `any`, `Whole`, `Slot`, `Item` ([`Shape`](crate::instruction::Shape)) or `program` (the call
+/// of a program).
 macro_rules! instruction {
     (
         $(#[doc = $line:literal])*

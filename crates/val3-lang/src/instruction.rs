@@ -25,7 +25,7 @@ pub struct Instruction {
     pub overloads: &'static [Overload],
     /// Whether the scheduler continues with the next task while the instruction waits (5.4).
     pub blocking: bool,
-    /// Numbers of the run-time errors that it can raise (12.1), ascending.
+    /// Numbers of the run-time errors it can raise (12.1), ascending.
     pub errors: &'static [u16],
     /// Versions and add-ons with the instruction.
     pub availability: Availability,
@@ -168,7 +168,7 @@ impl Instruction {
         }
     }
 
-    /// Add-on of the instruction, if it belongs to one.
+    /// The add-on that brings the instruction, if it comes with one.
     #[must_use]
     pub fn add_on(&self) -> Option<&'static str> {
         match self.availability {

@@ -1,4 +1,4 @@
-//! Poses of points, frames and tools in millimetres, and move requests with these poses (9.6.3, 10.6, 11.1, 11.2).
+//! Poses of points, frames and tools in millimetres, and the requests of moves with them (9.6.3, 10.6, 11.1, 11.2).
 
 use val3_geometry::{IsometryMatrix3, Trsf, chain};
 
@@ -11,10 +11,10 @@ use crate::runtime_errors::{ANOTHER_ARM, INVALID_PARAMETER};
 use crate::types::Arm;
 use crate::values::{ConfigValue, MdescValue};
 
-/// Maximum force of a compliant move, in per cent of the nominal load (11.1.4).
+/// The greatest force of a compliant move, in per cent of the nominal load (11.1.4).
 const GREATEST_FORCE: f64 = 1000.0;
 
-/// Target of a move, as stated by its arguments.
+/// Where a move leads, as its arguments say.
 pub(crate) enum Target {
     /// `movej` to a joint position.
     Joint([f64; 6]),
@@ -26,7 +26,7 @@ pub(crate) enum Target {
     Circle(PointRef, PointRef),
 }
 
-/// Records a move and returns its id. The task waits while the motion queue is full.
+/// Records a move and gives its id; the task waits while no more moves can be recorded.
 ///
 /// # Errors
 /// 81, 100 to 106, 150, 154, 160 to 164, 250.
@@ -53,7 +53,7 @@ pub(crate) fn record(
     Ok(call.ports.record_move(&request)?.map_or(Flow::Wait(Wait::FOR_OTHERS), Flow::Done))
 }
 
-/// Compliant manner with a force in per cent of the nominal load.
+/// A compliant manner with a force in per cent of the nominal load.
 ///
 /// # Errors
 /// 70 beyond 1000 per cent.
@@ -61,10 +61,10 @@ pub(crate) fn compliant(force: f64) -> Result<Manner> {
     if force.abs() <= GREATEST_FORCE { Ok(Manner::Compliant(force)) } else { Err(Fault(INVALID_PARAMETER)) }
 }
 
-/// Checks that the positions of the application are for the controller's kind of arm.
+/// The positions of the application are for the kind of arm that the controller has.
 ///
 /// # Errors
-/// 81 if they are for another kind.
+/// 81 if they are not.
 pub(crate) fn check_arm(call: &mut Call<'_>) -> Result<()> {
     let own = if call.ports.arm().is_scara() { Arm::Scara } else { Arm::SixAxis };
     if call.arm.is_some_and(|arm| arm != own) { Err(Fault(ANOTHER_ARM)) } else { Ok(()) }
@@ -75,7 +75,7 @@ fn point_target(call: &Call<'_>, point: PointRef) -> Result<PointTarget> {
     Ok(PointTarget { pose: pose_of_point(call, point)?, configuration })
 }
 
-/// Pose of a point in `world`.
+/// A point in `world`.
 ///
 /// # Errors
 /// 161 to 163.
@@ -83,7 +83,7 @@ pub(crate) fn pose_of_point(call: &Call<'_>, point: PointRef) -> Result<Isometry
     references::of_point(call.memory, point).map(|way| pose(call, &way))
 }
 
-/// Pose of a frame in `world`.
+/// A frame in `world`.
 ///
 /// # Errors
 /// 161, 163.
@@ -91,7 +91,7 @@ pub(crate) fn pose_of_frame(call: &Call<'_>, frame: FrameRef) -> Result<Isometry
     references::of_frame(call.memory, frame).map(|way| pose(call, &way))
 }
 
-/// Pose of a tool centre point relative to the flange.
+/// A tool centre point on the flange.
 ///
 /// # Errors
 /// 160, 164.
@@ -99,7 +99,7 @@ pub(crate) fn pose_of_tool(call: &Call<'_>, tool: ToolRef) -> Result<IsometryMat
     references::of_tool(call.memory, tool).map(|way| pose(call, &way))
 }
 
-/// Converts a transformation of the application to millimetres.
+/// A transformation of the application in millimetres.
 pub(crate) fn in_millimetres(call: &Call<'_>, trsf: &Trsf) -> IsometryMatrix3<f64> {
     trsf.scaled(call.unit.millimetres()).isometry()
 }
@@ -110,7 +110,7 @@ fn pose(call: &Call<'_>, way: &[Trsf]) -> IsometryMatrix3<f64> {
     pose
 }
 
-/// Position of a tool at a joint position, as a point in a frame with the arm's configuration.
+/// The place of a tool at a joint position, as a point in a frame with the configuration of the arm there.
 ///
 /// # Errors
 /// 160, 161, 163, 164.

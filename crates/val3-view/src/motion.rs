@@ -66,7 +66,7 @@ fn recorded(queued: &RecordedMove, source: u16) -> Value {
     })
 }
 
-/// Remaining path of the tool centre point to the last target, in mm, by pieces.
+/// The way of the tool centre point to the last destination, in mm, by pieces.
 fn way_ahead(controller: &Controller) -> Vec<Value> {
     let pieces = controller.devices.state.arm.motion().way_ahead(PIECES);
     let piece = |Way { phase, points }: &Way| {

@@ -12,7 +12,7 @@ use crate::{arm, signals};
 /// Version of the messages.
 const VERSION: u32 = 1;
 
-/// Phases of motion, by their numbers in samples.
+/// The phases of motion by their numbers in samples.
 const PHASES: [Phase; 7] =
     [Phase::Nominal, Phase::Blend, Phase::Alter, Phase::Connection, Phase::Compliant, Phase::Stopping, Phase::Waiting];
 

@@ -23,7 +23,7 @@ pub struct MdescValue {
     pub tvel: f64,
     /// Maximum rotation speed of the tool in degrees/s.
     pub rvel: f64,
-    /// Blend mode: `joint` 0, `off` 1, `Cartesian` 2.
+    /// `joint` 0, `off` 1, `Cartesian` 2.
     pub blend: f64,
     /// Distance before the target at which blending starts, in mm.
     pub leave: f64,

@@ -146,7 +146,7 @@ impl Times {
                 (fault.source.map(|source| source.at), "resting before a path that the arm cannot follow")
             }
             Phase::Waiting => (self.present, "waiting for the next move"),
-            // A move that has ended in this cycle is no longer in the queue.
+            // A move that has ended in this cycle is not in the queue any more.
             phase => (self.present, phase.word()),
         };
         let (program, line, _) = place.map(|at| controller.devices.place(at)).unwrap_or_default();
