@@ -1,5 +1,5 @@
-//! Message of a failed assertion, created from the arguments in its stack frame. The message in the event log is a string,
-//! which is cut at 128 bytes.
+//! Message of a failed assertion, created from the arguments in its stack frame. The message in the event log is a
+//! string, which is cut at 128 bytes.
 
 mod numbers;
 mod positions;

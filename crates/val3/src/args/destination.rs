@@ -11,7 +11,7 @@ impl Command {
     /// Returns the file that replaces the standard output, and its file kind.
     ///
     /// # Errors
-    /// `check` would write several texts to the file.
+    /// The arguments of `check` request another format or several files for a text that is only human-readable.
     pub(crate) fn destination(&self) -> Result<Option<(&Utf8Path, FileKind)>, UserError> {
         let (args, kind) = match self {
             Self::Check(args) => return text_of_check(args),
@@ -54,8 +54,8 @@ const fn kind_of_diff(format: DiffFormat) -> FileKind {
     }
 }
 
-/// Returns the human-readable output file of `--diff` or `--explain-config`, whose text has no other format: `--output
-/// human=FILE`.
+/// Returns the human-readable output file of `--diff` or `--explain-config`, whose text has no other format:
+/// `--output human=FILE`.
 fn text_of_check(args: &CheckArgs) -> Result<Option<(&Utf8Path, FileKind)>, UserError> {
     let option = match (args.diff, args.explain_config) {
         (true, _) => "--diff",

@@ -1,7 +1,7 @@
 //! Pages of the book about the command line, one for each command, generated from the declared arguments.
 //!
-//! The pages are the files in `docs/src/commands`. A test compares them; after a change of arguments, `UPDATE_EXPECT=1
-//! cargo test -p val3 the_pages_of_commands` updates them.
+//! The pages are the files in `docs/src/commands`. A test compares them; after a change of arguments,
+//! `UPDATE_EXPECT=1 cargo test -p val3 the_pages_of_commands` updates them.
 
 mod markdown;
 

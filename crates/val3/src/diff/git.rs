@@ -157,8 +157,8 @@ impl Repository {
     }
 }
 
-/// Path and object of an entry of `git ls-tree`, `100644 blob 1234…<tab>path`, or of `git ls-files --stage`, `100644
-/// 1234… 0<tab>path`. `None` for links.
+/// Path and object of an entry of `git ls-tree`, `100644 blob 1234…<tab>path`, or of `git ls-files --stage`,
+/// `100644 1234… 0<tab>path`. `None` for links.
 fn blob(entry: &str) -> Option<(&str, &str)> {
     let (head, path) = entry.split_once('\t')?;
     let words: Vec<&str> = head.split(' ').collect();

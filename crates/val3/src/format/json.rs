@@ -22,8 +22,8 @@
 //!   `end` is the first position after the range.
 //! - `program` is `null` outside of programs; `code_line`, which counts the line of `begin` as 1, is `null` outside of
 //!   their code.
-//! - `fix` is `null` if there is none. A `safe` fix does not change what the program does. `text` replaces the range
-//!   and is encoded like the file: escaped if the code is escaped.
+//! - `fix` is `null` without a fix. A `safe` fix keeps the behaviour of the program or is certainly intended. `text`
+//!   replaces the range and is encoded like the file: escaped if the code is escaped.
 //! - `code_lines` omits blank lines and comments.
 
 use std::io;

@@ -45,7 +45,7 @@ pub(super) struct Course<'a> {
     announcements: Rc<Announcements>,
     /// Debugged test.
     test: Option<Stages>,
-    /// Result of the finished test.
+    /// Whether the finished test has failed; `None` before its end.
     has_failed_test: Option<bool>,
 }
 

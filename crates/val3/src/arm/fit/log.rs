@@ -1,7 +1,8 @@
 //! Measured moves in an event log.
 //!
-//! The measuring application logs lines such as `val3arm times axis=1 length=30.000 vel=5 accel=100 decel=100
-//! ms=2140,2140,2144,2140;`, which the controller prefixes with date and origin. Other lines are ignored.
+//! The measuring application logs lines such as
+//! `val3arm times axis=1 length=30.000 vel=5 accel=100 decel=100 ms=2140,2140,2144,2140;`, which the controller
+//! prefixes with date and origin. Other lines are ignored.
 
 use std::fmt;
 
