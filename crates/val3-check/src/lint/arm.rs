@@ -153,7 +153,7 @@ fn constant_placement(view: &ProjectView<'_>, path: &str) -> Option<IsometryMatr
     is_constant.then_some(placement.pose)
 }
 
-/// Name of the data at the start of a data path.
+/// The name of the data that a path starts with.
 pub(super) fn root(path: &str) -> &str {
     path.split('[').next().unwrap_or(path)
 }

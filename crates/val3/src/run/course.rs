@@ -166,14 +166,14 @@ impl<'a> Course<'a> {
         transition
     }
 
-    /// Advances the clock until something can happen, or to the next cycle that a debugged test must inspect. `None` if
-    /// nothing can happen.
+    /// Advances the clock until something can happen, or a cycle is due that a debugged test has to see. `None` if nothing
+    /// can happen.
     fn next(&mut self, outcome: Outcome) -> Option<Delay> {
         let due = self.test.as_ref().and_then(Stages::next_due);
         let pace = Pace { until: self.tempo.pace.until.into_iter().chain(due).min(), ..self.tempo.pace };
         let debugger = &mut self.debugger;
         match outcome {
-            // Only the client can resume tasks that are paused individually.
+            // Only the client lets tasks continue that are paused one by one.
             Outcome::Waiting(None) | Outcome::Stuck if !debugger.paused_tasks().is_empty() => {
                 Some(Delay::For(ATTENTION))
             }
@@ -187,7 +187,7 @@ impl<'a> Course<'a> {
         Target { debugger: &mut self.debugger, evaluator: &mut self.evaluator }
     }
 
-    /// Runs to the end of a cycle. `None` if the debugger has stopped the run, or the cycle is not finished.
+    /// Runs to the end of a cycle; none if the debugger has stopped the run, or before the cycle is over.
     fn advance(&mut self, guide: &mut dyn Guide) -> Result<Option<Outcome>, UserError> {
         let start = self.debugger.controller.now();
         // Stepping back removes the limit.

@@ -6,7 +6,7 @@ use val3_machine::event::EndReason;
 /// End reason of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
-    /// The controller has ended, with its last outcome.
+    /// The controller, with its last outcome.
     Controller(Outcome),
     /// The replayed recording has ended, for this reason.
     Recorded(EndReason),

@@ -43,7 +43,7 @@ impl Console {
         }
         let now = shown_seconds(controller.now());
         match end {
-            // Errors of tasks are shown with their lines.
+            // The errors of tasks are shown with their lines.
             End::Controller(Outcome::Stuck) if controller.has_only_failed_tasks() => {}
             End::Controller(Outcome::Stuck) => {
                 self.list(&format!("error: no task can continue after {now} s"), UNSTICK, controller);
