@@ -1,7 +1,7 @@
-//! StoredFinding findings, which are not reported: those that existed when the check was introduced.
+//! Known findings, which are not reported: findings that existed when the check was introduced.
 //!
-//! A finding is identified by its [`Fingerprint`] and the number of equal findings. So it remains known when lines
-//! move, and becomes new when its line is edited: an edited line should be corrected.
+//! A finding is identified by its [`Fingerprint`] and the number of equal findings. It therefore remains known when
+//! lines move, and becomes new when its line is edited, because an edited line should be corrected.
 
 use std::collections::BTreeMap;
 
@@ -13,17 +13,17 @@ use crate::fingerprint::Fingerprint;
 /// Version of the file format.
 const VERSION: u32 = 1;
 
-/// StoredFinding findings with their numbers.
+/// Known findings with their numbers.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "Stored", into = "Stored")]
 pub struct Baseline(BTreeMap<Fingerprint, usize>);
 
-/// Result of the comparison of a check with a baseline.
+/// Result of comparing a check with a baseline.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Verdict {
-    /// For each finding, in their order: whether it is new.
+    /// Whether each finding is new, in order.
     pub new: Vec<bool>,
-    /// StoredFinding findings that were not found again.
+    /// Known findings that were not found again.
     pub gone: Baseline,
 }
 
@@ -34,9 +34,10 @@ impl Baseline {
     }
 
     /// Compares `found` with the known findings. Equal findings in all parts are matched first, then findings on the
-    /// same line with another message, because the tool or code elsewhere changed. If `is_gone` reports that a known
-    /// file no longer exists, it was renamed: then a finding in any other file may match if the message is equal, and
-    /// one in the same folder if only the line is (the message may contain the name of the program).
+    /// same line with a different message, because the tool or other code has changed. If `is_gone` reports that a
+    /// known file no longer exists, it was renamed: then a finding in any other file matches if the message is equal,
+    /// and a finding in the same folder also matches if only the line is equal, because the message may contain the
+    /// name of the program.
     pub fn compare(&self, found: &[Fingerprint], is_gone: impl Fn(&str) -> bool) -> Verdict {
         let mut gone = self.clone();
         let mut new = vec![true; found.len()];
@@ -52,8 +53,8 @@ impl Baseline {
         Verdict { new, gone }
     }
 
-    /// For each new finding, removes a known one with the same `key` that `may_be` accepts. The finding is then not
-    /// new.
+    /// For each new finding, removes a known finding with the same `key` that `may_be` accepts. The new finding then
+    /// counts as known.
     fn take(
         &mut self,
         found: &[Fingerprint],
@@ -94,7 +95,7 @@ impl Extend<Fingerprint> for Baseline {
     }
 }
 
-/// A baseline in the form of its file.
+/// A baseline in its file format.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Stored {
     version: u32,

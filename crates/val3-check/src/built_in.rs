@@ -1,4 +1,4 @@
-//! Properties of the types that a finding names.
+//! Properties of the types in a finding.
 //!
 //! Types are in the notation of the analysis: `num`, `pointRx`, `blend`. User types and containers are unknown here.
 
@@ -18,13 +18,13 @@ pub(crate) fn parse(ty: &str) -> Option<(BaseType, Option<Arm>)> {
     BaseType::from_file_name(ty).or_else(enumeration)
 }
 
-/// The names of its fields in order; `None` for a type that is not built in.
+/// Names of the type's fields, in order; `None` for a type that is not built in.
 pub(crate) fn field_names(ty: &str) -> Option<Vec<&'static str>> {
     let (ty, arm) = parse(ty)?;
     Some(fields(ty, arm).iter().map(|field| field.name).collect())
 }
 
-/// How a value of a structured type is written: `{{x,y,z,rx,ry,rz},{shoulder,elbow,wrist}}`.
+/// Notation of a structured type's values: `{{x,y,z,rx,ry,rz},{shoulder,elbow,wrist}}`.
 pub(crate) fn layout(ty: &str) -> Option<String> {
     let (ty, arm) = parse(ty)?;
     ty.is_structured().then(|| braces(ty, arm))
@@ -37,7 +37,7 @@ fn braces(ty: BaseType, arm: Option<Arm>) -> String {
     format!("{{{}}}", parts.collect::<Vec<_>>().join(","))
 }
 
-/// The values of an enumeration, such as "`joint`, `off` or `Cartesian`"; `None` for another type.
+/// Enumeration values, for example "`joint`, `off` or `Cartesian`"; `None` for another type.
 pub(crate) fn values(ty: &str) -> Option<String> {
     let (ty, _) = parse(ty)?;
     let names: Vec<_> = enumerations::values(ty).map(|row| row.name).collect();

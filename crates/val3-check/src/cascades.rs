@@ -1,4 +1,4 @@
-//! Removes faults that are consequences of a fault of the text, so that one mistake gives one message.
+//! Removes faults that are consequences of a syntax fault, so that one mistake causes one message.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File, FileStatus};
@@ -6,11 +6,11 @@ use val3_analysis::items::faults::text_faults;
 use val3_analysis::problem::{Problem, ProblemKind};
 use val3_syntax::TextSize;
 
-/// The problems in `file` that are not consequences of faults of its text. Problems on a line that cannot be read are
-/// removed, and those about misplaced elements if elements are not closed properly.
+/// Returns the problems in `file` that are not consequences of syntax faults. Problems on a line with a syntax error
+/// are removed, and problems with misplaced elements if elements are not closed properly.
 pub(crate) fn without_cascades<'p>(db: &dyn Db, file: File, problems: &'p [Problem]) -> Vec<&'p Problem> {
     let errors = &text_faults(db, file).errors;
-    // The empty text of a file that cannot be read has faults, but they are consequences themselves.
+    // The empty text of an unreadable file has faults, but they are consequences themselves.
     let is_unreadable = matches!(file.status(db), FileStatus::Unreadable(_));
     if errors.is_empty() || problems.is_empty() || is_unreadable {
         return problems.iter().collect();

@@ -39,7 +39,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// The application, library or type it belongs to.
+    /// Application, library or type of the unit.
     pub fn project(self) -> Project {
         match self {
             Self::Program(project, _) | Self::Data(project, _) | Self::Project(project) => project,
@@ -50,7 +50,7 @@ impl Unit {
         let configuration = self.project().configuration(db);
         configuration.is_some_and(|configuration| {
             let file = configuration.file(db);
-            // A project in an excluded folder was requested by name if it is here.
+            // A project in an excluded folder is only loaded if the user has named it.
             file.excludes(self.file(db).path(db)) && !file.excludes(self.project().manifest(db).path(db))
         })
     }
@@ -85,16 +85,16 @@ fn all_units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     units
 }
 
-/// Why the controller's compiler refuses a project, at the usual level of each rule and in the order of the project's
-/// files.
+/// Findings because of which the controller's compiler rejects a project, at each rule's default level and in the order
+/// of the project's files.
 ///
-/// The language decides ([`ProblemKind::is_refused`]). Settings, excluded files and comments that silence findings have
+/// The language determines them ([`ProblemKind::is_refused`]). Settings, excluded files and suppression comments have
 /// no influence.
 pub fn refusals(db: &dyn Db, project: Project) -> Vec<Diagnostic> {
     all_units(db, &[project]).into_iter().flat_map(|unit| unit_refusals(db, unit)).collect()
 }
 
-/// Why the controller's compiler refuses a unit, which need not be listed in its project.
+/// Findings because of which the controller's compiler rejects a unit, which need not be listed in its project.
 pub fn unit_refusals(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
     let settings = WorkspaceSettings::default();
     let mut refusals = Vec::new();
@@ -102,8 +102,8 @@ pub fn unit_refusals(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
     refusals
 }
 
-/// The items that `library` lacks to be loaded under the identifier `alias` of a project. The identifier may name another
-/// library.
+/// Items that `library` would have to contain to be loaded under the identifier `alias` of a project, in place of the
+/// library that the identifier names.
 pub fn stand_in_faults(db: &dyn Db, project: Project, alias: &SmolStr, library: Project) -> Vec<Diagnostic> {
     let (unit, settings) = (Unit::Project(project), WorkspaceSettings::default());
     let problems = interfaces::stand_in_problems(db, project, alias, library);
@@ -113,14 +113,14 @@ pub fn stand_in_faults(db: &dyn Db, project: Project, alias: &SmolStr, library: 
     faults
 }
 
-/// Result of the check of a unit.
+/// Result of a unit's check.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Checked {
     /// The reported findings, sorted by position.
     pub findings: Vec<Diagnostic>,
     /// Number of silenced findings.
     pub silenced: usize,
-    /// The comments that silenced them.
+    /// Comments that silenced them.
     pub(crate) used: UsedComments,
 }
 
@@ -135,16 +135,16 @@ impl Sum for Checked {
     }
 }
 
-/// The faults of a unit that are found without lints: those of its text, its declarations and its types.
+/// Faults in a unit that are found without lints: faults of its text, its declarations and its types.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Faults {
     found: Vec<Diagnostic>,
-    /// The unit has faults, reported or not. Lints do not run then, because most of their findings would be
-    /// consequences of the faults.
+    /// Whether the unit has faults, reported or not. In this case lints do not run, because most of their findings
+    /// would be consequences of the faults.
     any: bool,
 }
 
-/// Checks one piece of work.
+/// Checks one unit.
 pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Checked {
     let check = Check::new(db, unit, settings);
     let faults = check.faults();
@@ -152,22 +152,22 @@ pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Chec
     merge_findings(db, faults, alone, member)
 }
 
-/// The first part of [`check_unit`]; the other two need it.
+/// First stage of [`check_unit`], required by the other stages.
 pub fn check_faults(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Faults {
     Check::new(db, unit, settings).faults()
 }
 
-/// The second stage of [`check_unit`]. It reads no other program, so an edit elsewhere rarely affects it.
+/// Second stage of [`check_unit`]. It reads no other program, so an edit elsewhere rarely affects it.
 pub fn check_local(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
     Check::new(db, unit, settings).alone(faults)
 }
 
-/// The third stage of [`check_unit`]: lints that need the whole application.
+/// Third stage of [`check_unit`]: lints that read the whole application.
 pub fn check_in_application(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
     Check::new(db, unit, settings).member(faults)
 }
 
-/// The last stage of [`check_unit`]: merges the findings of the others.
+/// Last stage of [`check_unit`]: merges the findings of the other stages.
 pub fn merge_findings(db: &dyn Db, faults: Faults, alone: Vec<Diagnostic>, member: Vec<Diagnostic>) -> Checked {
     let mut found = faults.found;
     found.extend(alone);
@@ -176,15 +176,16 @@ pub fn merge_findings(db: &dyn Db, faults: Faults, alone: Vec<Diagnostic>, membe
     suppression::apply(db, found)
 }
 
-/// Completes a check after all its units: [`finish_each`], with one finding for a cause that several applications share.
+/// Completes a check after all its units: [`finish_each`], and then merges findings whose cause several applications
+/// share.
 pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, checked: Checked) -> Checked {
     let mut checked = finish_each(db, units, settings, checked);
     checked.findings = join_causes(db, checked.findings);
     checked
 }
 
-/// Completes the check of each application: adds the comments that silence nothing, and keeps one finding for each add-on
-/// that is missing.
+/// Completes each application's check: adds unused suppression comments, and keeps one finding for each missing
+/// add-on.
 pub fn finish_each(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut checked: Checked) -> Checked {
     for unit in units {
         if let Unit::Program(project, file) = *unit {
@@ -200,7 +201,7 @@ pub fn finish_each(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mu
     checked
 }
 
-/// The rule reports one finding per application, so the location of the finding is not significant.
+/// Whether the rule reports one finding per application, so that the location of the finding is not significant.
 pub fn is_once_per_application(rule: &Rule) -> bool {
     rule.code == MISSING_ADD_ON
 }
@@ -208,9 +209,9 @@ pub fn is_once_per_application(rule: &Rule) -> bool {
 /// A fault of a text, a declaration or a type.
 struct DetectedFault {
     diagnostic: Diagnostic,
-    /// The controller's compiler refuses it.
+    /// Whether the controller's compiler rejects it.
     is_refused: bool,
-    /// Lints would report its consequences, so they do not run.
+    /// Whether lints would report its consequences, so that they do not run.
     stops_lints: bool,
 }
 
@@ -235,7 +236,7 @@ struct Check<'db> {
     db: &'db dyn Db,
     unit: Unit,
     settings: &'db Settings,
-    /// The program as lints see it, created on demand.
+    /// View of the program for lints, created on demand.
     program: OnceCell<Program<'db>>,
 }
 
@@ -306,7 +307,7 @@ impl<'db> Check<'db> {
         self.program.get_or_init(|| Program::new(self.db, project, file, &self.settings.options))
     }
 
-    /// The faults of a file's text. Returns true if the rest of the file cannot be checked.
+    /// Reports the faults of a file's text. Returns whether the rest of the file cannot be checked.
     fn text(&self, file: File, take: &mut dyn FnMut(DetectedFault)) -> bool {
         if matches!(file.status(self.db), FileStatus::Unreadable(_)) {
             return true;
@@ -314,10 +315,10 @@ impl<'db> Check<'db> {
         let errors = &text_faults(self.db, file).errors;
         let mut too_deep = false;
         for error in errors {
-            // Text that is nested too deeply has many such faults; one of them is enough.
+            // Deeply nested text causes many equal faults; one of them is enough.
             let again = error.kind == SyntaxErrorKind::NestingTooDeep && std::mem::replace(&mut too_deep, true);
             if !again {
-                // The controller loads nothing that it cannot read.
+                // The controller does not load a file with a syntax error.
                 take(DetectedFault { diagnostic: self.of_syntax(file, error), is_refused: true, stops_lints: true });
             }
         }
@@ -356,7 +357,7 @@ impl<'db> Check<'db> {
         }
     }
 
-    /// The faults of the user pages of a project. Their files have no text of VAL 3.
+    /// Faults of a project's user pages, whose files contain no VAL 3 text.
     fn page_problems(&self, project: Project, take: &mut dyn FnMut(DetectedFault)) {
         for problem in pages::problems(self.db, project) {
             let (rule, wording) = word_problem(&problem.kind);
@@ -377,8 +378,8 @@ impl<'db> Check<'db> {
         Diagnostic { related, program, application, ..Diagnostic::new(rule, wording, place) }
     }
 
-    /// The level of a fault that may only exist in the checked files: a controller can have add-ons and libraries that
-    /// a repository lacks.
+    /// Level of a fault that may not exist on the controller, which can have add-ons and libraries that the checked
+    /// files do not contain.
     fn doubt(&self, kind: &ProblemKind) -> Option<Severity> {
         let project = self.unit.project();
         let (is_uncertain, severity) = match kind {
@@ -386,9 +387,9 @@ impl<'db> Check<'db> {
             ProblemKind::FileMissing { what: FileRole::Library | FileRole::Type, .. } => {
                 (!self.is_in_usrapp(project), Severity::Warning)
             }
-            // Every known tool writes the attribute. No source says whether a controller requires it.
+            // Every known tool writes the attribute. No source states whether a controller requires it.
             ProblemKind::MissingAttribute { default: Some(_), .. } => (true, Severity::Warning),
-            // Another medium, the name of a connection, or a part of a cell.
+            // The path may name another medium, a connection, or a part of a cell.
             ProblemKind::UnresolvedPath { near: None, .. } => (true, Severity::Info),
             // No public document lists every instruction of s8. A name that resembles a known one is still a
             // misspelling, and a name of another language is no instruction of any version.
@@ -418,7 +419,7 @@ impl<'db> Check<'db> {
     }
 }
 
-/// The line of a text around an offset.
+/// The line of a text that contains an offset.
 fn line_around(text: &str, at: TextSize) -> &str {
     let at = usize::from(at);
     let (before, after) = (text.part(..at), text.part(at..));

@@ -7,9 +7,9 @@ use crate::built_in;
 use crate::diagnostic::Fix;
 use crate::fix::Site;
 
-/// How a programmer converts a value of type `found` to type `wanted`; empty if there is no usual way.
+/// Describes how to convert a value of type `found` to type `wanted`; empty if there is no usual way.
 ///
-/// The types are in the notation of the analysis. The suffix of an arm makes no difference.
+/// The types are in the notation of the analysis. An arm suffix has no influence.
 pub(crate) fn advice(found: &str, wanted: &str) -> String {
     let base = |ty| built_in::parse(ty).map(|(ty, _)| ty);
     match (built_in::values(wanted), base(found), base(wanted)) {
@@ -19,7 +19,7 @@ pub(crate) fn advice(found: &str, wanted: &str) -> String {
     }
 }
 
-/// Converts the marked value from type `found` to type `wanted`, if a few letters around it do so.
+/// Converts the marked value from type `found` to type `wanted`, if a short text around it is sufficient.
 pub(crate) fn fix(site: &Site<'_>, found: &str, wanted: &str) -> Option<Fix> {
     let base = |ty| built_in::parse(ty).map(|(ty, _)| ty);
     let (before, after) = around(base(found)?, base(wanted)?)?;
@@ -30,7 +30,8 @@ pub(crate) fn fix(site: &Site<'_>, found: &str, wanted: &str) -> Option<Fix> {
     Some(Fix::guess(format!("write `{before}…{after}`"), edits))
 }
 
-/// A name with its indexes and fields, or a call: it needs no parentheses before an operator or a field.
+/// Whether the value is a name with its indexes and fields, or a call, which needs no parentheses before an operator or
+/// a field.
 fn is_simple(value: &str) -> bool {
     let mut depth = 0_i32;
     value.chars().all(|letter| {
@@ -43,7 +44,7 @@ fn is_simple(value: &str) -> bool {
     })
 }
 
-/// The text before and after a value that converts it.
+/// Text before and after a value that converts it.
 fn around(found: BaseType, wanted: BaseType) -> Option<(&'static str, &'static str)> {
     use BaseType as T;
     Some(match (found, wanted) {

@@ -4,24 +4,24 @@ use val3_analysis::db::{File, FileRange};
 
 use crate::rule::{Rule, Severity};
 
-/// One finding.
+/// A finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// The rule that found it.
+    /// Rule that found it.
     pub rule: &'static Rule,
-    /// Its level.
+    /// Level.
     pub severity: Severity,
-    /// The message: one sentence without a final full stop.
+    /// Message: one sentence without a final full stop.
     pub message: String,
-    /// The location.
+    /// Location.
     pub place: FileRange,
     /// A few words about the location ("this is a `string`"); may be empty.
     pub label: String,
-    /// The other locations that the finding involves.
+    /// Other locations of the finding.
     pub related: Vec<RelatedNote>,
     /// Advice for a correction; may be empty.
     pub help: String,
-    /// The program that contains the location, for findings in code or in a program's header.
+    /// Program that contains the location, for findings in code or in a program's header.
     pub program: Option<String>,
     /// The `.pjx` of the application.
     pub application: Option<File>,
@@ -30,7 +30,7 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// A finding of a rule at its own level, in no program and no application.
+    /// Creates a finding at the rule's level, without program and application.
     pub(crate) fn new(rule: &'static Rule, wording: Wording, place: FileRange) -> Self {
         let Wording { message, label, help } = wording;
         Self {
@@ -51,12 +51,12 @@ impl Diagnostic {
 /// A change that corrects a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fix {
-    /// The change as an imperative: "write `endIf`".
+    /// Change as an imperative: "write `endIf`".
     pub title: String,
-    /// The change keeps the behaviour of the program or is certainly what was meant. It may be applied without
-    /// confirmation.
+    /// Whether the fix may be applied without confirmation, because it keeps the behaviour of the program or is
+    /// certainly intended.
     pub safe: bool,
-    /// The edits, which do not overlap.
+    /// Edits, which do not overlap.
     pub edits: Vec<Edit>,
 }
 
@@ -66,34 +66,34 @@ impl Fix {
         Self { title: title.into(), safe: true, edits }
     }
 
-    /// A fix that may not be what was meant.
+    /// A fix that may not be intended.
     pub(crate) fn guess(title: impl Into<String>, edits: Vec<Edit>) -> Self {
         Self { title: title.into(), safe: false, edits }
     }
 }
 
-/// Replaces a range of a file.
+/// A replacement of a file range.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
-    /// The replaced range.
+    /// Replaced range.
     pub place: FileRange,
-    /// The new text, in the form of the file (escaped where the code is).
+    /// New text, encoded like the file (escaped if the code is escaped).
     pub text: String,
 }
 
 /// Maximum number of uses that a finding lists when it represents many.
 pub(crate) const MOST_RELATED: usize = 10;
 
-/// Another location that a finding involves.
+/// Another location of a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RelatedNote {
-    /// The location.
+    /// Location.
     pub place: FileRange,
-    /// A few words about it.
+    /// Description of the location, a few words.
     pub message: String,
 }
 
-/// The wording of a fault; its location comes from the analysis.
+/// Wording of a fault; its location comes from the analysis.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Wording {
     /// See [`Diagnostic::message`].
@@ -105,13 +105,13 @@ pub struct Wording {
 }
 
 impl Wording {
-    /// The three parts in the order in which they are read.
+    /// Creates a wording from its three parts, in reading order.
     pub(crate) fn new(message: impl Into<String>, label: impl Into<String>, help: impl Into<String>) -> Self {
         Self { message: message.into(), label: label.into(), help: help.into() }
     }
 }
 
-/// One part per line, without the empty ones, for snapshots.
+/// Formats one part per line, without empty parts, for snapshots.
 #[cfg(test)]
 impl std::fmt::Display for Wording {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

@@ -5,7 +5,7 @@ use val3_lang::foreign_names::remedy;
 
 use crate::phrase::{did_you_mean, name_kind};
 
-/// The similar name as a question, or other advice if there is none.
+/// Formats the similar name as a question, or other advice without a similar name.
 pub(crate) fn meant(name: &str, near: Option<&str>, otherwise: &str) -> String {
     match near {
         _ if remedy(name).is_some() => remedy(name).unwrap_or_default().to_owned(),
@@ -17,13 +17,13 @@ pub(crate) fn meant(name: &str, near: Option<&str>, otherwise: &str) -> String {
     }
 }
 
-/// "`num`, `string` or `bool`".
+/// For example "`num`, `string` or `bool`".
 pub(crate) fn one_of<T: AsRef<str>>(names: &[T]) -> String {
     let quoted: Vec<_> = names.iter().map(|name| format!("`{}`", name.as_ref())).collect();
     or(&quoted)
 }
 
-/// "1, 2 or 3": the parts without backticks.
+/// For example "1, 2 or 3": the parts without backticks.
 pub(crate) fn or<T: AsRef<str>>(parts: &[T]) -> String {
     let parts: Vec<_> = parts.iter().map(AsRef::as_ref).collect();
     match parts.as_slice() {
@@ -33,7 +33,7 @@ pub(crate) fn or<T: AsRef<str>>(parts: &[T]) -> String {
     }
 }
 
-/// "1, 2 and 3": the parts without backticks.
+/// For example "1, 2 and 3": the parts without backticks.
 pub(crate) fn and<T: AsRef<str>>(parts: &[T]) -> String {
     let parts: Vec<_> = parts.iter().map(AsRef::as_ref).collect();
     match parts.as_slice() {
@@ -42,7 +42,7 @@ pub(crate) fn and<T: AsRef<str>>(parts: &[T]) -> String {
     }
 }
 
-/// "`a`, `b` and `c`". Of many names only the first few.
+/// For example "`a`, `b` and `c`". Of many names, only the first few are listed.
 pub(crate) fn all_of<T: AsRef<str>>(names: &[T]) -> String {
     const SHOWN: usize = 5;
     let mut parts: Vec<_> = names.iter().take(SHOWN).map(|name| format!("`{}`", name.as_ref())).collect();
@@ -66,13 +66,13 @@ pub(crate) fn a_name_kind(kind: NameKind) -> String {
     }
 }
 
-/// `mdesc` is pronounced "em-desc", so it takes "an".
+/// Indefinite article of a word. `mdesc` is pronounced "em-desc", so it needs "an".
 fn article(word: &str) -> &'static str {
     let vowel = word.starts_with(['a', 'e', 'i', 'o', 'A', 'E', 'I', 'O']) || word == "mdesc";
     if vowel { "an" } else { "a" }
 }
 
-/// "1 argument", "3 arguments", "2 indexes".
+/// For example "1 argument", "3 arguments", "2 indexes".
 pub(crate) fn count(number: usize, noun: &str) -> String {
     let plural = match number {
         1 => "",
@@ -82,7 +82,7 @@ pub(crate) fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{plural}")
 }
 
-/// The container in the text of a type, with its article: `num[]` is "a one-dimensional array".
+/// Describes the container in the text of a type, with an article: `num[]` is "a one-dimensional array".
 pub(crate) fn container(ty: &str) -> &'static str {
     match ty.split_once('[').map(|(_, inside)| inside) {
         None => "a single value",

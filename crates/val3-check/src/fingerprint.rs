@@ -1,4 +1,4 @@
-//! The identity of a finding, which does not depend on the lines around it.
+//! Identity of a finding, independent of the surrounding lines.
 
 use serde::{Deserialize, Serialize};
 use val3_analysis::db::{Db, File};
@@ -7,27 +7,28 @@ use val3_syntax::Part;
 use crate::check::is_once_per_application;
 use crate::diagnostic::Diagnostic;
 
-/// Maximum number of characters of a line in a fingerprint.
+/// Maximum line length in a fingerprint, in characters.
 const LINE_LIMIT: usize = 200;
 
-/// The parts of a finding that an edit elsewhere does not change. Baselines and the formats of code scanning services
+/// Parts of a finding that an edit elsewhere does not change. Baselines and the formats for code scanning services
 /// share it.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct Fingerprint {
-    /// The path of the file, relative to the folder of the baseline or of the repository, with `/`.
+    /// Path of the file, relative to the folder of the baseline or to the repository's root, with `/`.
     pub file: String,
-    /// The code of the rule.
+    /// Code of the rule.
     pub rule: String,
-    /// The text of the line without the blanks around it. Of a long line the part from the marked position on. Empty
-    /// for a rule that reports one finding per application.
+    /// Text of the line, trimmed; for a long line, the part from the marked position on. Empty for a rule that reports
+    /// one finding per application.
     pub line: String,
-    /// The message. It may change with a version of the tool or with code elsewhere.
+    /// Message. It may change with a version of the tool or with code elsewhere.
     #[serde(default)]
     pub message: String,
 }
 
 impl Fingerprint {
-    /// The fingerprint of a finding. `path` gives the path of a file relative to the place of the fingerprints.
+    /// Creates the fingerprint of a finding. `path` returns the path of a file relative to the base of the
+    /// fingerprints.
     pub fn new(db: &dyn Db, diagnostic: &Diagnostic, path: impl Fn(File) -> String) -> Self {
         let rule = diagnostic.rule.code.to_owned();
         let message = diagnostic.message.clone();
@@ -42,7 +43,7 @@ impl Fingerprint {
     }
 }
 
-/// The line around `at`, as fingerprints contain it.
+/// The line that contains `at`, as stored in fingerprints.
 fn line_around(text: &str, at: usize) -> String {
     let (before, behind) = text.split_at_checked(at).unwrap_or((text, ""));
     let start = before.rfind('\n').map_or(0, |end| end + 1);
@@ -54,7 +55,7 @@ fn line_around(text: &str, at: usize) -> String {
     trimmed(text.part(at..end)).chars().take(LINE_LIMIT).collect()
 }
 
-/// The line without blanks and without the entity of a line end in escaped code.
+/// Removes blanks at both ends, and the entity of a line end in escaped code.
 fn trimmed(line: &str) -> &str {
     let line = line.trim();
     line.strip_suffix("&#13;").unwrap_or(line).trim_end()

@@ -1,8 +1,7 @@
-//! Fixes: what rules need to word them, and how they are applied.
+//! Fixes: their creation by rules, and their application.
 //!
-//! A fix lists ranges of files to replace, with their new text in the characters of the file. It is *safe* if the
-//! program keeps its behaviour or the change is certainly what was meant. Otherwise it is a guess that needs
-//! confirmation.
+//! A fix lists ranges of files to replace, with their new text encoded like the file. It is *safe* if the program keeps
+//! its behaviour or the change is certainly intended. Otherwise it is a guess that needs confirmation.
 
 mod apply;
 mod errors;

@@ -1,4 +1,4 @@
-//! Diagnostics: the rules with their pages, and the check that applies them.
+//! Diagnostics: the rules with their pages, and the check that applies the rules.
 
 pub mod baseline;
 mod built_in;

@@ -1,7 +1,7 @@
 //! Lints: rules about the behaviour of a program, beyond the errors of the controller's compiler.
 //!
-//! A lint is a function over a [`Program`] or a [`ProjectView`]. It only runs on files without faults, so that one
-//! mistake gives one message.
+//! A lint is a function of a [`Program`] or a [`ProjectView`]. It only runs on files without faults, so that one
+//! mistake causes one message.
 
 mod arm;
 mod call;

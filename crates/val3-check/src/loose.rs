@@ -1,4 +1,4 @@
-//! Findings about files that belong to no project.
+//! Findings about files without a project.
 
 use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_syntax::{TextRange, text_size};
@@ -10,16 +10,16 @@ use crate::settings::{Settings, WorkspaceSettings};
 
 pub use crate::rules::archive_not_read::ArchiveContent;
 
-/// The finding about a program or data file that was checked in `project`, which takes the place of a missing one;
-/// `None` if it is not reported.
+/// Finding about a program or data file without a project, which was checked in the stand-in `project`; `None` if it is
+/// not reported.
 pub fn without_project(db: &dyn Db, project: Project, file: File, settings: &WorkspaceSettings) -> Option<Diagnostic> {
     let wording = file_without_project::word(file.path(db).file_name().unwrap_or_default());
     let found = diagnostic(&file_without_project::RULE, wording, first_line(db, file), Some(project.manifest(db)));
     settings.of(db, project).with_level(found)
 }
 
-/// The finding about an archive that was not read; `None` if it is not reported. `shown` is the path of the archive as the
-/// reader opens it.
+/// Finding about an archive that was not read; `None` if it is not reported. `shown` is the displayed path of the
+/// archive.
 pub fn archive_not_read(
     db: &dyn Db,
     archive: File,

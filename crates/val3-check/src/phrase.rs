@@ -5,17 +5,17 @@ use val3_lang::runtime_errors;
 use val3_lang::suggest::question;
 use val3_syntax::error::XmlPart;
 
-/// ``did you mean `near`?``, or nothing.
+/// For example ``did you mean `near`?``; empty without a name.
 pub(crate) fn did_you_mean(near: Option<&str>) -> String {
     question(near).unwrap_or_default()
 }
 
-/// The similar name as a question, or other advice if there is none.
+/// Formats the similar name as a question, or other advice without a similar name.
 pub(crate) fn did_you_mean_or(near: Option<&str>, otherwise: &str) -> String {
     question(near).unwrap_or_else(|| otherwise.to_owned())
 }
 
-/// "run-time error 70: invalid parameter".
+/// For example "run-time error 70: invalid parameter".
 pub(crate) fn runtime_error(number: u16) -> String {
     let short = runtime_errors::find(number).map_or("", |error| error.short);
     format!("run-time error {number}: {short}")
@@ -35,7 +35,7 @@ pub(crate) fn name_kind(kind: NameKind) -> &'static str {
     }
 }
 
-/// The part of XML in words.
+/// Name of an XML part.
 pub(crate) fn xml_part(part: XmlPart) -> &'static str {
     match part {
         XmlPart::Comment => "the comment",
@@ -46,7 +46,7 @@ pub(crate) fn xml_part(part: XmlPart) -> &'static str {
     }
 }
 
-/// The bracket that `closing` closes.
+/// Bracket that `closing` closes.
 pub(crate) fn opening_bracket(closing: char) -> char {
     match closing {
         ')' => '(',
@@ -67,15 +67,14 @@ pub(crate) fn file_role(role: FileRole) -> &'static str {
     }
 }
 
-/// The last key of an array with this `size` attribute: `2,3` for `3 4`. `None` if a dimension is empty or not a
-/// number.
+/// Last key in an array with this `size` attribute: `2,3` for `3 4`. `None` if a dimension is empty or not a number.
 pub(crate) fn last_key(size: &str) -> Option<String> {
     let last = |dimension: &str| dimension.parse::<u32>().ok()?.checked_sub(1);
     let keys: Option<Vec<String>> = size.split_whitespace().map(|d| Some(last(d)?.to_string())).collect();
     keys.filter(|keys| !keys.is_empty()).map(|keys| keys.join(","))
 }
 
-/// The text that was found in place of something else: `text`, or the end of the line if it is empty.
+/// Describes the text that was found in place of the expected text: `text`, or the end of the line if it is empty.
 pub(crate) fn found_text(text: &str) -> String {
     if text.is_empty() {
         return "the line ends".to_owned();
@@ -83,7 +82,7 @@ pub(crate) fn found_text(text: &str) -> String {
     format!("`{}` was found", shortened(text))
 }
 
-/// The first characters of a text that may be long.
+/// First characters of a text that may be long.
 pub(crate) fn shortened(text: &str) -> String {
     const LIMIT: usize = 30;
     match text.char_indices().nth(LIMIT) {

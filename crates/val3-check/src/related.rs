@@ -1,11 +1,11 @@
-//! Notes about the other locations of a fault.
+//! Notes on the other locations of a fault.
 
 use val3_analysis::problem::Role;
 use val3_syntax::error::SyntaxErrorKind;
 
 use crate::phrase::{opening_bracket, xml_part};
 
-/// The role of another location of a fault that the analysis found.
+/// Note on another location of a fault that the analysis found.
 pub(crate) fn role(role: Role) -> String {
     match role {
         Role::Declared => "declared here",
@@ -20,7 +20,7 @@ pub(crate) fn role(role: Role) -> String {
     .to_owned()
 }
 
-/// The role of the related range of a fault of the text.
+/// Note on the related range of a syntax fault.
 pub(crate) fn other_side(kind: &SyntaxErrorKind) -> String {
     use SyntaxErrorKind as Kind;
     match kind {

@@ -1,4 +1,4 @@
-//! The definition of a rule: its code, name, level and page.
+//! Definition of a rule: code, name, level and page.
 
 use crate::lint::{DataFile, Findings, Program, ProjectView};
 
@@ -7,14 +7,14 @@ use crate::lint::{DataFile, Findings, Program, ProjectView};
 pub enum Severity {
     /// Advice.
     Info,
-    /// Nearly always a mistake.
+    /// Almost always a mistake.
     Warning,
-    /// The controller refuses to load it, or it certainly fails at run time.
+    /// The controller rejects it, or it certainly fails at run time.
     Error,
 }
 
 impl Severity {
-    /// The word for it in reports.
+    /// Name of the level in reports.
     pub fn word(self) -> &'static str {
         match self {
             Self::Info => "info",
@@ -24,39 +24,39 @@ impl Severity {
     }
 }
 
-/// One rule.
+/// A rule.
 #[derive(Debug)]
 pub struct Rule {
-    /// `V0203`: the first digit is the family (0 syntax, 1 names, 2 types, 3 flow, 4 motion, 5 project and data,
-    /// 6 library interfaces, 7 style).
+    /// Code, for example `V0203`. The first digit is the family (0 syntax, 1 names, 2 types, 3 flow, 4 motion, 5
+    /// project and data, 6 library interfaces, 7 style).
     pub code: &'static str,
-    /// `argument-type`.
+    /// Name, for example `argument-type`.
     pub name: &'static str,
-    /// The level unless configured otherwise.
+    /// Default level.
     pub severity: Severity,
-    /// Whether the rule is on by default; rules that enforce conventions are not.
+    /// Whether the rule is on by default. Rules that enforce conventions are off.
     pub on: bool,
-    /// The page in Markdown, with one leading blank per line: what, why, a bad and a good example.
+    /// Page in Markdown, with one leading blank per line: what, why, a bad and a good example.
     pub page: &'static str,
-    /// The function that finds its faults; `None` if the parser or the analysis finds them.
+    /// Function that finds its faults; `None` if the parser or the analysis finds them.
     pub(crate) lint: Option<Lint>,
 }
 
-/// A function that looks for the faults of one rule.
+/// A function that finds a rule's faults.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Lint {
     /// In each program without faults.
     Program(fn(&Program<'_>, &mut Findings)),
-    /// In each program without faults, with access to the other programs of its application. Rules about the state of
-    /// the arm are all of this kind, so that it is computed once.
+    /// In each program without faults, with access to the other programs of its application. All rules about the state
+    /// of the arm are of this kind, so that the state is computed once.
     Member(fn(&Program<'_>, &mut Findings)),
     /// In each `.dtx`.
     Data(fn(&DataFile<'_>, &mut Findings)),
-    /// In each project; its findings are in the `.pjx`.
+    /// In each project; findings are located in the `.pjx`.
     Project(fn(&ProjectView<'_>, &mut Findings)),
 }
 
-/// Codes are unique, so rules with equal codes are equal.
+/// Rules with equal codes are equal, because codes are unique.
 impl PartialEq for Rule {
     fn eq(&self, other: &Self) -> bool {
         self.code == other.code
@@ -65,8 +65,9 @@ impl PartialEq for Rule {
 
 impl Eq for Rule {}
 
-/// Declares the rule of a file: `/// page`, then `V0203 "argument-type" Error`. After the level comes `off` for a rule
-/// that is off by default, and `, Program: check`, `, Member: check`, `, Data: check` or `, Project: check` for a lint.
+/// Declares the rule of a file: `/// page`, then `V0203 "argument-type" Error`. The level is followed by `off` for a
+/// rule that is off by default, and by `, Program: check`, `, Member: check`, `, Data: check` or `, Project: check` for
+/// a lint.
 macro_rules! rule {
     ($(#[doc = $line:literal])* $code:ident $name:literal $severity:ident $($off:ident)? $(, $target:ident: $check:ident)?) => {
         $(#[doc = $line])*

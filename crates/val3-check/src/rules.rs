@@ -7,7 +7,7 @@ use val3_syntax::error::{Expected, SyntaxErrorKind};
 
 use crate::{diagnostic::Wording, rule::Rule};
 
-/// Declares the module of each rule and lists the rules, in the order given.
+/// Declares a module for each rule and lists the rules, in the order given.
 macro_rules! rules {
     ($($module:ident,)*) => {
         $(pub(crate) mod $module;)*
@@ -251,7 +251,7 @@ pub fn all() -> &'static [&'static Rule] {
     ALL
 }
 
-/// The rules that compare positions, moves and speeds with the arm (`val3 check --motion`).
+/// Rules that compare positions, moves and speeds with the arm (`val3 check --motion`).
 pub fn of_motion() -> [&'static Rule; 5] {
     [
         &point_out_of_reach::RULE,
@@ -262,7 +262,7 @@ pub fn of_motion() -> [&'static Rule; 5] {
     ]
 }
 
-/// The rule with this code (`V0203`, in any letter case) or this name (`argument-type`).
+/// Finds a rule by code (`V0203`, in upper or lower case) or by name (`argument-type`).
 pub fn find(code_or_name: &str) -> Option<&'static Rule> {
     all()
         .iter()
@@ -279,7 +279,7 @@ macro_rules! words {
     };
 }
 
-/// The rule and wording of a fault of the text.
+/// Rule and wording of a syntax fault.
 pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
     use SyntaxErrorKind as Kind;
     words! { kind:
@@ -330,7 +330,7 @@ pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
     }
 }
 
-/// The rule and wording of a fault that the analysis found.
+/// Rule and wording of a fault that the analysis found.
 pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
     use ProblemKind as Kind;
     words! { kind:

@@ -1,4 +1,4 @@
-//! The findings that an application reports and their levels, from its `val3.toml` and the command line.
+//! Rules and levels of an application, according to its `val3.toml` and the command line.
 
 mod selectors;
 
@@ -16,20 +16,20 @@ use crate::diagnostic::Diagnostic;
 use crate::rule::{Rule, Severity};
 use crate::rules;
 
-/// The choice of findings on a command line. It overrides every configuration.
+/// Rule selection of a command line. It overrides every configuration.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Selection {
-    /// Codes of the only findings to report; `None` for all.
+    /// Codes of the only rules to report; `None` for all.
     pub only: Option<BTreeSet<&'static str>>,
-    /// Those codes that were given individually. They are reported even if a configuration turns them off.
+    /// Codes that were stated individually. They are reported even if a configuration turns them off.
     pub named: BTreeSet<&'static str>,
-    /// Codes of findings that are not reported.
+    /// Codes of rules that are not reported.
     pub never: BTreeSet<&'static str>,
-    /// The version to which the applications are moved.
+    /// Version to which the applications are moved.
     pub target: Option<Version>,
 }
 
-/// The settings of one application.
+/// Application settings.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Settings {
     /// Configured levels by code.
@@ -39,7 +39,7 @@ pub struct Settings {
     pub options: Options,
 }
 
-/// The configured level of a rule, and its key in the configuration.
+/// Configured level of a rule, and its key in the configuration.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Configured {
     level: Level,
@@ -51,7 +51,7 @@ impl Settings {
     /// Combines a configuration and a command line.
     ///
     /// # Errors
-    /// If a key of `[rules]` names no rule, or two keys name the same one.
+    /// A key of `[rules]` names no rule, or two keys name the same rule.
     pub fn new(file: Option<&ConfigFile>, selection: &Selection) -> Result<Self, ConfigError> {
         let mut settings = Self { selection: selection.clone(), ..Self::default() };
         settings.options.target_version = selection.target;
@@ -85,7 +85,7 @@ impl Settings {
         Ok(())
     }
 
-    /// `motion` turns on the rules about the arm that `[rules]` does not mention.
+    /// Turns on the rules about the arm (`motion`) that `[rules]` does not mention.
     fn turn_motion_on(&mut self) {
         for rule in rules::of_motion() {
             let on = Configured { level: Level::On, exactness: Exactness::All, key: "lint.motion".to_owned() };
@@ -93,7 +93,7 @@ impl Settings {
         }
     }
 
-    /// The level of a finding whose default level is `usual`; `None` if it is not reported.
+    /// Level of a finding whose default level is `usual`; `None` if it is not reported.
     pub fn severity(&self, rule: &Rule, usual: Severity) -> Option<Severity> {
         if *rule == rules::file_unreadable::RULE {
             return Some(usual);
@@ -113,7 +113,7 @@ impl Settings {
         }
     }
 
-    /// The finding with its configured level; `None` if it is not reported.
+    /// Sets the configured level of a finding; `None` if it is not reported.
     pub(crate) fn with_level(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
         diagnostic.severity = self.severity(diagnostic.rule, diagnostic.severity)?;
         Some(diagnostic)
@@ -124,12 +124,12 @@ impl Settings {
         self.severity(rule, rule.severity).is_some()
     }
 
-    /// The key of `[rules]` that sets the level of a rule.
+    /// Key of `[rules]` that sets the level of a rule.
     pub fn key_of(&self, rule: &Rule) -> Option<&str> {
         self.levels.get(rule.code).map(|configured| configured.key.as_str())
     }
 
-    /// Whether the command line decides about a rule, whatever is configured.
+    /// Whether the command line determines the rule, regardless of the configuration.
     pub fn is_chosen(&self, rule: &Rule) -> bool {
         let Selection { only, named, never, .. } = &self.selection;
         let left_out = only.as_ref().is_some_and(|only| !only.contains(rule.code));
@@ -137,11 +137,11 @@ impl Settings {
     }
 }
 
-/// The settings of every application of a workspace.
+/// Settings of all applications in a workspace.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct WorkspaceSettings {
     by_configuration: FxHashMap<Configuration, Settings>,
-    /// For applications without a `val3.toml`.
+    /// Settings of applications without a `val3.toml`.
     unconfigured: Settings,
 }
 
@@ -149,7 +149,7 @@ impl WorkspaceSettings {
     /// Reads the configurations of `projects`.
     ///
     /// # Errors
-    /// Those of [`Settings::new`], one per configuration.
+    /// The errors of [`Settings::new`], one per configuration.
     pub fn new(db: &dyn Db, projects: &[Project], selection: &Selection) -> Result<Self, Vec<ConfigError>> {
         let mut unconfigured = Settings { selection: selection.clone(), ..Settings::default() };
         unconfigured.options.target_version = selection.target;
@@ -168,13 +168,13 @@ impl WorkspaceSettings {
         if errors.is_empty() { Ok(settings) } else { Err(errors) }
     }
 
-    /// The settings of an application.
+    /// An application's settings.
     pub fn of(&self, db: &dyn Db, project: Project) -> &Settings {
         let configured = project.configuration(db).and_then(|configuration| self.by_configuration.get(&configuration));
         configured.unwrap_or(&self.unconfigured)
     }
 
-    /// The settings of a file that belongs to no application: those of the nearest `val3.toml` that an application has.
+    /// Settings of a file without an application: the settings of the nearest `val3.toml` that an application has.
     pub fn at(&self, db: &dyn Db, path: &Utf8Path) -> &Settings {
         let configured = self.by_configuration.iter().map(|(configuration, it)| (configuration.file(db).folder(), it));
         let above = configured.filter(|(folder, _)| path.starts_with(folder));

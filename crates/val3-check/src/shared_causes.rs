@@ -1,4 +1,4 @@
-//! Merges findings of several applications that have the same cause.
+//! Merges findings of several applications with the same cause.
 
 use std::collections::hash_map::Entry;
 
@@ -13,16 +13,16 @@ use crate::rules::{ambiguous_name, file_unreadable, library_item_unknown};
 /// A cause that several applications may share.
 #[derive(PartialEq, Eq, Hash)]
 enum Cause<'db> {
-    /// A name that variables share with a program or library. Libraries that are loaded in place of each other have the
-    /// same programs with the same parameters.
+    /// A name that variables share with a program or library. Stand-in libraries have the same programs with the same
+    /// parameters as the libraries that they replace.
     Name(&'db str),
-    /// A library whose project does not list the items that are used: the location of its list.
+    /// A library whose project does not list the used items: the location of its list.
     Library(FileRange),
-    /// An unreadable file of a cell: the folder of `Disk://` of its cell, and its path in the cell.
+    /// An unreadable file of a cell: the folder of the cell's `Disk://`, and the file's path in the cell.
     CellFile(&'db Utf8Path, &'db str),
 }
 
-/// Keeps the first finding of each cause. The places of the others become related places of it.
+/// Keeps the first finding for each cause, and adds the locations of the other findings to it.
 pub fn join_causes(db: &dyn Db, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(findings.len());
     let mut firsts: FxHashMap<Cause<'_>, usize> = FxHashMap::default();
@@ -45,7 +45,7 @@ pub fn join_causes(db: &dyn Db, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     kept
 }
 
-/// Whether several applications can report a finding for the same cause.
+/// Whether several applications can report the finding for the same cause.
 pub fn has_shared_cause(db: &dyn Db, finding: &Diagnostic) -> bool {
     cause(db, finding).is_some()
 }
@@ -58,7 +58,7 @@ fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
     if finding.rule == &file_unreadable::RULE {
         return cell_file(db, finding);
     }
-    // This rule only reports outside of programs if a project lacks entries.
+    // Outside of programs, this rule only reports projects with missing entries.
     let is_about_project = finding.rule == &library_item_unknown::RULE && finding.program.is_none();
     finding.related.first().filter(|_| is_about_project).map(|list| Cause::Library(list.place))
 }

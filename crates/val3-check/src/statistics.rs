@@ -1,4 +1,4 @@
-//! The amount of checked code.
+//! Amount of checked code.
 
 use std::iter::Sum;
 
@@ -10,17 +10,17 @@ use val3_syntax::Part;
 /// Counts over the requested projects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Statistics {
-    /// Projects: applications, libraries and types.
+    /// Number of projects: applications, libraries and types.
     pub applications: usize,
-    /// Files of these projects.
+    /// Number of files in these projects.
     pub files: usize,
-    /// Programs.
+    /// Number of programs.
     pub programs: usize,
-    /// Lines of code, without blank lines and comments.
+    /// Number of code lines, without blank lines and comments.
     pub code_lines: usize,
 }
 
-/// Counts the contents of `project`.
+/// Counts the content of `project`.
 pub fn statistics(db: &dyn Db, project: Project) -> Statistics {
     let programs = project::program_files(db, project);
     Statistics {
@@ -42,7 +42,7 @@ impl Sum for Statistics {
     }
 }
 
-/// Lines from `begin` to `end` that are neither blank nor a comment.
+/// Number of lines from `begin` to `end` that are neither blank nor a comment.
 fn code_lines(db: &dyn Db, file: File) -> usize {
     let text: &str = file.text(db);
     let Some(start) = ["<Code", "<code"].iter().find_map(|tag| text.find(tag)) else { return 0 };
@@ -55,7 +55,7 @@ fn code_lines(db: &dyn Db, file: File) -> usize {
     lines.map(<[u8]>::trim_ascii).filter(|line| !line.is_empty() && !line.starts_with(b"//") && !is_mark(line)).count()
 }
 
-/// A line that contains only the marks of a CDATA section.
+/// Whether the line contains only the marks of a CDATA section.
 fn is_mark(line: &[u8]) -> bool {
     matches!(line, b"<![CDATA[" | b"]]>")
 }

@@ -15,11 +15,11 @@ use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use crate::rules::{self, unknown_suppression, unused_suppression};
 
-/// The locations of the words in comments that silenced something.
+/// Locations of the words in comments that silenced something.
 pub(crate) type UsedComments = FxHashSet<FileRange>;
 
-/// Whether comments can silence findings of a rule. They cannot if the text cannot be read, since the controller then
-/// refuses the whole application, or if the finding is about the comment itself.
+/// Whether comments can silence findings of a rule. They cannot for syntax errors, because of which the controller
+/// rejects the whole application, and for findings about the comment itself.
 pub fn can_be_silenced(rule: &Rule) -> bool {
     let of_comments = [unused_suppression::RULE.code, unknown_suppression::RULE.code];
     !rule.code.starts_with("V00") && !of_comments.contains(&rule.code)
@@ -40,7 +40,7 @@ pub(crate) fn apply(db: &dyn Db, found: Vec<Diagnostic>) -> Checked {
     checked
 }
 
-/// The words in comments that silence a finding.
+/// Words in comments that silence a finding.
 fn silencers(db: &dyn Db, diagnostic: &Diagnostic) -> Vec<FileRange> {
     let FileRange { file, range } = diagnostic.place;
     if !may_have_code(db, file) || !can_be_silenced(diagnostic.rule) {
@@ -51,7 +51,7 @@ fn silencers(db: &dyn Db, diagnostic: &Diagnostic) -> Vec<FileRange> {
     words.map(|word| FileRange { file, range: word.range }).collect()
 }
 
-/// Avoids searching data and project files, which are few but large.
+/// Whether the file may contain code. Data and project files, which are few but large, are not searched.
 fn may_have_code(db: &dyn Db, file: File) -> bool {
     file.path(db).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pgx"))
 }

@@ -1,4 +1,4 @@
-//! For tests: checks files in memory.
+//! Checks files in memory, for tests.
 
 #[cfg(test)]
 mod pages;
@@ -27,22 +27,22 @@ pub const OF_WHOLE_PROJECTS: [&str; 11] =
 /// One finding with its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CheckedFinding {
-    /// `V0203`
+    /// Code, for example `V0203`.
     pub code: &'static str,
-    /// Its level.
+    /// Level.
     pub severity: Severity,
     /// Path of the file.
     pub file: String,
     /// Line, from 1.
     pub line: usize,
-    /// The message.
+    /// Message.
     pub message: String,
 }
 
-/// Checks every project among `files`, given as path and bytes. A relative path starts at the root.
+/// Checks all projects in `files`, which are pairs of path and bytes. A relative path starts at the root.
 ///
 /// # Panics
-/// If there is no project among the files.
+/// If there is no project in the files.
 pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
     check_selected(files, &Selection::default())
 }
@@ -55,7 +55,7 @@ pub fn check_selected(files: &[(String, Vec<u8>)], selection: &Selection) -> Vec
     try_check(files, selection).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// As [`check_selected`], for files without a project or with a faulty `val3.toml` as well.
+/// As [`check_selected`], also for files without a project or with an invalid `val3.toml`.
 ///
 /// # Errors
 /// The reason why nothing is checked.
@@ -83,20 +83,20 @@ pub fn try_check(files: &[(String, Vec<u8>)], selection: &Selection) -> Result<V
 /// A fix that is offered for a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OfferedFix {
-    /// The code of the finding.
+    /// Code of the finding.
     pub code: &'static str,
-    /// The title of the fix.
+    /// Title of the fix.
     pub title: String,
-    /// It may be applied without confirmation.
+    /// Whether it may be applied without confirmation.
     pub safe: bool,
-    /// File, range of its decoded text, and the new text.
+    /// Edits: file, range in the decoded text, and new text.
     pub edits: Vec<(String, Range<usize>, String)>,
 }
 
-/// The fixes of all findings in `files`, in the order of the findings of each piece of work.
+/// Fixes of all findings in `files`, in the order of each unit's findings.
 ///
 /// # Panics
-/// If there is no project among the files.
+/// If there is no project in the files.
 pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
     let (workspace, found) = checked(files, &Selection::default());
     let offered = |diagnostic: &Diagnostic| {
@@ -111,10 +111,10 @@ pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
     found.iter().filter_map(offered).collect()
 }
 
-/// The files after all fixes, safe or not.
+/// Files after all fixes, safe or not.
 ///
 /// # Panics
-/// If there is no project among the files.
+/// If there is no project in the files.
 pub fn fixed_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
     let mut target = MemoryTarget::new(files);
     let Ok(AppliedFixes { settled, .. }) = apply_fixes(&mut target, true);
@@ -122,17 +122,17 @@ pub fn fixed_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
     target.files
 }
 
-/// The files with comments that silence the findings in programs.
+/// Files with comments that silence the findings in programs.
 ///
 /// # Panics
-/// If there is no project among the files.
+/// If there is no project in the files.
 pub fn silenced_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
     let mut target = MemoryTarget::new(files);
     let Ok(_) = add_suppressions(&mut target);
     target.files
 }
 
-/// Files in memory that fixes are applied to. They are read anew after each change.
+/// Files in memory to which fixes are applied. They are loaded once more after each change.
 pub(crate) struct MemoryTarget {
     files: Vec<(String, Vec<u8>)>,
     checked: (Workspace, Vec<Diagnostic>),
@@ -193,7 +193,7 @@ fn try_checked(files: &[(String, Vec<u8>)], selection: &Selection) -> Result<(Wo
     Ok((workspace, found))
 }
 
-/// The path in the form that the caller gave.
+/// Path in the form used by the caller.
 fn shown(path: &str, files: &[(String, Vec<u8>)]) -> String {
     let relative = path.strip_prefix('/').unwrap_or(path);
     let given = files.iter().find(|(given, _)| given == path || given == relative);

@@ -16,15 +16,15 @@ use crate::rule::Rule;
 pub use search::{Hit, search};
 pub use topic::{Kind, Topic};
 
-/// The address of the published book.
+/// Address of the published book.
 const BOOK: &str = env!("CARGO_PKG_HOMEPAGE");
 
-/// The address of the page of a rule in the published book.
+/// Address of a rule's page in the published book.
 pub fn address(rule: &Rule) -> String {
     format!("{BOOK}/{}/{}.html", Kind::Finding.folder(), rule.code)
 }
 
-/// Every topic, sorted by kind and group.
+/// All topics, sorted by kind and group.
 pub fn all() -> Vec<Topic> {
     let mut topics = rules::topics();
     topics.extend(statements::topics());
@@ -36,8 +36,8 @@ pub fn all() -> Vec<Topic> {
     topics
 }
 
-/// The topics with this name. A topic with the name as its first one hides others, and the exact letter case hides other
-/// spellings. Several topics can have one name: `config` is a type, a field and an instruction.
+/// Finds topics by name. A topic with this title hides other topics, and an exact match hides matches in another letter
+/// case. Several topics can share a name: `config` is a type, a field and an instruction.
 pub fn find<'a>(topics: &'a [Topic], name: &str) -> Vec<&'a Topic> {
     let is_title = |topic: &&Topic| topic.name() == name;
     let is_title_in_any_case = |topic: &&Topic| topic.name().eq_ignore_ascii_case(name);

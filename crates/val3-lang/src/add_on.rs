@@ -1,7 +1,7 @@
-//! Instructions that add-ons bring: read at run time from the tables of a cell.
+//! Instructions of add-ons, read at run time from the tables of a cell.
 //!
-//! A cell keeps one table for every add-on and kind of arm: `usr/app/val3.<Addon>.<anthro|scara|vrb>.cfx`. The data
-//! model has the meaning of [`crate::instruction`], owned.
+//! A cell has one table for each add-on and kind of arm: `usr/app/val3.<Addon>.<anthro|scara|vrb>.cfx`. The types
+//! correspond to [`crate::instruction`], with owned data.
 
 mod param;
 mod providers;
@@ -20,57 +20,58 @@ use crate::{
     types::{Arm, BaseType},
 };
 
-/// The instructions of one add-on for one kind of arm.
+/// An add-on's instructions for one kind of arm.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AddOnTable {
-    /// The version of VAL 3 in the table, in its spelling.
+    /// VAL 3 version in the table, as written.
     pub version: Option<String>,
     instructions: Vec<AddOnInstruction>,
-    /// The index of each name in `instructions`.
+    /// Index in `instructions` by name.
     places: FxHashMap<String, usize>,
 }
 
 /// One instruction name with all its forms.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AddOnInstruction {
-    /// The name with its `$`.
+    /// Name with `$`.
     pub name: String,
-    /// Every form, in the order of the file.
+    /// Forms, in file order.
     pub overloads: Vec<AddOnOverload>,
 }
 
-/// One form of an instruction.
+/// An instruction form.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AddOnOverload {
-    /// It is called on a library identifier: `id:$libOpen()`.
+    /// Whether the form is called on a library identifier: `id:$libOpen()`.
     pub on_library: bool,
     /// Parameters in order.
     pub params: Vec<AddOnParam>,
-    /// The value it yields; `None` for no value.
+    /// Type of the result; `None` without a result.
     pub result: Option<BaseType>,
-    /// Whether it can be a statement of its own.
+    /// Whether the form can be a statement.
     pub class: Class,
 }
 
-/// One parameter of an instruction.
+/// An instruction parameter.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AddOnParam {
-    /// Tables have no names: the usual prefix of the type and the position, `j1`, `t2`.
+    /// Generated name, because tables contain no names: the usual prefix of the type and the position, for example `j1`
+    /// or `t2`.
     pub name: String,
-    /// Its type; `None` means any type, also one that this version does not know.
+    /// Type; `None` for any type, including types that this version does not support.
     pub ty: Option<BaseType>,
-    /// The kind of argument.
+    /// Form of the argument.
     pub shape: Shape,
 }
 
 impl AddOnTable {
-    /// The instructions, in the order of the file.
+    /// Instructions, in file order.
     #[must_use]
     pub fn instructions(&self) -> &[AddOnInstruction] {
         &self.instructions
     }
 
-    /// The instruction with this name, `$` included.
+    /// Finds an instruction by name, including `$`.
     #[must_use]
     pub fn find(&self, name: &str) -> Option<&AddOnInstruction> {
         self.instructions.get(*self.places.get(name)?)
@@ -88,7 +89,7 @@ impl AddOnTable {
 }
 
 impl AddOnInstruction {
-    /// Every form as a syntax line: `num $velTool(tool t1, mdesc m2)`.
+    /// Syntax lines of all forms, for example `num $velTool(tool t1, mdesc m2)`.
     #[must_use]
     pub fn signatures(&self) -> Vec<String> {
         self.overloads.iter().map(|overload| overload.signature(&self.name)).collect()
@@ -96,8 +97,8 @@ impl AddOnInstruction {
 }
 
 impl AddOnOverload {
-    /// The form of the catalogue that takes the same arguments: what `name` does at run time. One of the same shapes is
-    /// preferred to one that takes an array where the table has a single variable, or the other way round.
+    /// Form of the catalogue with the same arguments, which implements `name` at run time. A form with exactly the same
+    /// argument forms has priority over a form that differs in array or single variable.
     #[must_use]
     pub fn known(&self, name: &str) -> Option<(&'static Instruction, &'static Overload)> {
         let instruction = instructions::find(name)?;
@@ -114,7 +115,7 @@ impl AddOnOverload {
         Some((instruction, form))
     }
 
-    /// The syntax line of this form; `name` is the instruction's name.
+    /// Syntax line of this form; `name` is the instruction's name.
     #[must_use]
     pub fn signature(&self, name: &str) -> String {
         let result = self.result.map_or("void", BaseType::name);
@@ -130,7 +131,7 @@ impl fmt::Display for AddOnParam {
     }
 }
 
-/// The add-on and the arm in the name of a table file: `val3.Velocity.anthro.cfx`, in any letter case.
+/// Add-on and arm in the name of a table file, for example `val3.Velocity.anthro.cfx`, in upper or lower case.
 #[must_use]
 pub fn table_of_file(file_name: &str) -> Option<(&str, Arm)> {
     let mut parts = file_name.split('.');
@@ -140,25 +141,25 @@ pub fn table_of_file(file_name: &str) -> Option<(&str, Arm)> {
     (is_table && !add_on.is_empty()).then_some((add_on, Arm::from_table_word(arm)?))
 }
 
-/// Why a table cannot be read.
+/// Error in a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableError {
-    /// Where in the text, in bytes.
+    /// Byte offset in the text.
     pub offset: usize,
-    /// The fault.
+    /// Kind of the error.
     pub kind: TableErrorKind,
 }
 
-/// A fault of a table.
+/// Kind of table error.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TableErrorKind {
-    /// The text is no XML.
+    /// The text is not valid XML.
     Xml(String),
     /// The root element is not `Language`.
     NotATable,
     /// A function has no name.
     NoName,
-    /// A function yields a type that does not exist.
+    /// The result type of a function does not exist.
     UnknownResult(String),
     /// An array parameter has neither 1, 2 nor 3 dimensions.
     Dimensions(String),

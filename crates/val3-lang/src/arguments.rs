@@ -1,4 +1,4 @@
-//! Which values an argument takes, where its type allows more: ranges of numbers and forms of texts.
+//! Valid argument values beyond the type: ranges of numbers and formats of strings.
 
 mod ranges;
 mod serial;

@@ -1,21 +1,22 @@
-//! Names that mean something in every application without being declared.
+//! Names that are defined in every application without a declaration.
 
 use crate::types::BaseType;
 
 /// A built-in variable or constant.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Builtin {
-    /// As code writes it.
+    /// Name in code.
     pub name: &'static str,
-    /// Its type.
+    /// Type.
     pub ty: BaseType,
-    /// Whether it is a variable, which can be passed by reference and be the father of data, or only a value.
+    /// Whether it is a variable, which can be passed by reference and be the father of data. Otherwise it is a
+    /// constant.
     pub is_variable: bool,
-    /// Its description, in one line.
+    /// Description, in one line.
     pub doc: &'static str,
 }
 
-/// The built-in names. Files of s5 and s6 also declare `world` and `flange`.
+/// Built-in names. Files of s5 and s6 also declare `world` and `flange`.
 pub static BUILTINS: [Builtin; 4] = [
     Builtin {
         name: "world",
@@ -34,7 +35,7 @@ pub static BUILTINS: [Builtin; 4] = [
     Builtin { name: "false", ty: BaseType::Bool, is_variable: false, doc: "The logical value false." },
 ];
 
-/// The built-in that is called `name`.
+/// Finds a built-in by name.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Builtin> {
     BUILTINS.iter().find(|builtin| builtin.name == name)

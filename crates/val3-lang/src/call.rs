@@ -1,8 +1,8 @@
-//! A call of an instruction at run time: its arguments, and what it may reach.
+//! An instruction call at run time: its arguments, and its access to the controller.
 //!
-//! The handler of a form is a plain function whose parameters are the types of its syntax line ([`FromArgument`]) and whose
-//! value is that of the line ([`InstructionValue`]). It reaches data through the memory and everything else through [`Ports`] and
-//! [`Tasks`]. An instruction that has to wait is called again in each turn of its task until it is done.
+//! The handler of a form is a function whose parameters have the types of its syntax line ([`FromArgument`]), and whose
+//! result has the line's type ([`InstructionValue`]). It accesses data through the memory and everything else through
+//! [`Ports`] and [`Tasks`]. A waiting instruction is called again in each turn of its task until it is done.
 
 mod from_argument;
 mod handler_result;
@@ -19,85 +19,85 @@ use crate::ports::{Ports, Reply, Tasks, Time};
 use crate::types::{Arm, BaseType, LengthUnit};
 use crate::versions::Version;
 
-/// Executes one form of an instruction.
+/// Executes an instruction form.
 pub type InstructionFn = fn(&mut Call<'_>) -> Result<Flow>;
 
-/// Whether an instruction is done.
+/// Result of a call: done, or a wait.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Flow<T = ()> {
-    /// It is.
+    /// The instruction is done.
     Done(T),
-    /// The task has to wait: the instruction is called again in its next turn.
+    /// The task has to wait. The instruction is called again in the task's next turn.
     Wait(Wait),
 }
 
-/// The condition under which a waiting task continues.
+/// Condition for the end of a wait.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Wait {
-    /// When time ends the wait; `None` where only the doing of others does.
+    /// Time at which the wait ends; `None` if only an external event ends it.
     pub wake: Option<Time>,
-    /// Nothing but time ends it.
+    /// Whether only time ends the wait.
     pub sleeps: bool,
-    /// The part of the instruction that waits, from 0 on: what is done before a later part is not done again.
+    /// Part of the instruction that waits, from 0. Preceding parts are not executed again.
     pub part: u8,
 }
 
 impl Wait {
-    /// The wait for what other tasks or the outside do.
+    /// A wait for other tasks or external events.
     pub const FOR_OTHERS: Self = Self { wake: None, sleeps: false, part: 0 };
 }
 
-/// The state of the instruction in which a task waits.
+/// State of the instruction in which a task waits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Waiting {
-    /// When the wait began.
+    /// Start time of the wait.
     since: Time,
-    /// The part of the instruction that waits.
+    /// Part of the instruction that waits.
     part: u8,
 }
 
 impl Waiting {
-    /// The wait at the next call: the wait `before` continues, unless another part of the instruction has begun one.
+    /// State for the next call: the wait `before` continues, unless another part of the instruction has begun to wait.
     #[must_use]
     pub fn then(before: Option<Self>, wait: Wait, now: Time) -> Self {
         before.filter(|before| before.part == wait.part).unwrap_or(Self { since: now, part: wait.part })
     }
 }
 
-/// One argument as the program passes it.
+/// An argument as the program passes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Argument {
-    /// A value: a variable where the argument is one, else a temporary.
+    /// A value: the variable if the argument is one, otherwise a temporary.
     Value(Place, BaseType),
     /// A value of a user type.
     UserValue(Place),
-    /// A container, or an array from an index on.
+    /// A container, or an array from an index.
     View(View),
-    /// A place that need not exist.
+    /// An element that need not exist.
     Slot(Slot),
     /// The library identifier before the colon, by its number in the application.
     Library(u16),
 }
 
-/// A call that is being executed.
+/// An instruction call.
 pub struct Call<'c> {
     /// All data.
     pub memory: &'c mut Memory,
-    /// Everything outside the program.
+    /// Access to everything outside of the program.
     pub ports: &'c mut dyn Ports,
-    /// Tasks and libraries, as the calling task sees them.
+    /// Tasks and libraries, from the calling task's point of view.
     pub tasks: &'c mut dyn Tasks,
-    /// The controller's clock.
+    /// Controller time.
     now: Time,
-    /// The wait of the task in this instruction, if it has waited.
+    /// State of the wait, if the task has waited in this instruction.
     waiting: Option<Waiting>,
-    /// The instruction has looked at the clock: what it yields depends on the time.
+    /// Whether the instruction has read the clock, so that its result depends on the time.
     pub reads_clock: bool,
-    /// The version of the application: which limits hold.
+    /// Version of the application, which determines limits.
     pub version: Version,
-    /// The unit of lengths in the application.
+    /// Length unit of the application.
     pub unit: LengthUnit,
-    /// The kind of arm that the positions of the application are for, if they are for one.
+    /// Kind of arm for which the application's positions are, if known.
     pub arm: Option<Arm>,
     arguments: &'c [Argument],
     next: usize,
@@ -105,7 +105,7 @@ pub struct Call<'c> {
 }
 
 impl<'c> Call<'c> {
-    /// A call with these arguments, whose value goes to `result`.
+    /// Creates a call with these arguments, whose value is written to `result`.
     #[inline]
     pub fn new(
         (memory, ports, tasks): (&'c mut Memory, &'c mut dyn Ports, &'c mut dyn Tasks),
@@ -117,10 +117,10 @@ impl<'c> Call<'c> {
         Self { memory, ports, tasks, now, waiting, reads_clock: false, version, unit, arm, arguments, next: 0, result }
     }
 
-    /// The next argument.
+    /// Returns the next argument.
     ///
     /// # Errors
-    /// 61 if there is none: the program was compiled wrongly.
+    /// 61 without further arguments, which means that the program was compiled wrongly.
     #[inline]
     pub fn argument(&mut self) -> Result<Argument> {
         let found = self.arguments.get(self.next).copied().ok_or(Fault::INTERPRETER)?;
@@ -128,50 +128,50 @@ impl<'c> Call<'c> {
         Ok(found)
     }
 
-    /// Where the value of the instruction goes; `None` where the program drops it.
+    /// Destination of the instruction's value; `None` if the program discards it.
     #[must_use]
     #[inline]
     pub fn result(&self) -> Option<Place> {
         self.result
     }
 
-    /// Nanoseconds since the controller was started; for instructions that yield the time.
+    /// Nanoseconds since the start of the controller, for instructions that return the time.
     pub fn now(&mut self) -> Time {
         self.reads_clock = true;
         self.now
     }
 
-    /// The instruction is not called again after a wait.
+    /// Whether this is the first call, and not a call after a wait.
     #[must_use]
     pub fn is_first(&self) -> bool {
         self.waiting.is_none()
     }
 
-    /// The part of the instruction that has waited; 0 at first.
+    /// Part of the instruction that has waited; 0 at first.
     #[must_use]
     pub fn part(&self) -> u8 {
         self.waiting.map_or(0, |waiting| waiting.part)
     }
 
-    /// Nanoseconds that the task has waited in this instruction.
+    /// Waiting time of the task in this instruction, in nanoseconds.
     #[must_use]
     pub fn waited(&self) -> Time {
         self.now.saturating_sub(self.since())
     }
 
-    /// The wait until something happens, or `time` nanoseconds have passed since the task reached the instruction.
+    /// Waits for an external event, but at most until `time` nanoseconds after the task reached the instruction.
     #[must_use]
     pub fn wait_at_most<T>(&self, time: Time) -> Flow<T> {
         Flow::Wait(Wait { wake: Some(self.since().saturating_add(time)), sleeps: false, part: self.part() })
     }
 
-    /// The wait until `time` nanoseconds have passed since the task reached the instruction.
+    /// Waits until `time` nanoseconds after the task reached the instruction.
     #[must_use]
     pub fn sleep<T>(&self, time: Time) -> Flow<T> {
         Flow::Wait(Wait { wake: Some(self.since().saturating_add(time)), sleeps: true, part: self.part() })
     }
 
-    /// The wait until `time` nanoseconds have passed from now on, in a part of the instruction that begins here.
+    /// Waits `time` nanoseconds from now, in a part of the instruction that begins here.
     #[must_use]
     pub fn sleep_in_part<T>(&self, part: u8, time: Time) -> Flow<T> {
         Flow::Wait(Wait { wake: Some(self.now.saturating_add(time)), sleeps: true, part })
@@ -183,7 +183,7 @@ impl<'c> Call<'c> {
 }
 
 impl<T> Reply<T> {
-    /// The value, or the wait of the task.
+    /// Converts the result to a value, or to a wait of the task.
     pub fn flow(self, call: &Call<'_>) -> Flow<T> {
         match self {
             Self::Done(value) => Flow::Done(value),

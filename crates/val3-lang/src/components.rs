@@ -1,28 +1,28 @@
-//! The parts of a controller whose version can be asked (8.1), and its software licences.
+//! Parts of a controller whose version can be queried (8.1), and software licences.
 
-/// A part whose version `getVersion` gives.
+/// A part whose version `getVersion` returns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Component {
-    /// The language: its version with date and time of the build.
+    /// The language: version with date and time of the build.
     Val3,
-    /// The controller's software; public programs ask for it.
+    /// The controller's software; public programs query it.
     System,
-    /// The model of the arm.
+    /// The arm model.
     ArmType,
     /// The tuning of the arm.
     Tuning,
-    /// How the arm is mounted: floor, wall or ceiling.
+    /// The mounting of the arm: floor, wall or ceiling.
     Mounting,
     /// The serial number of the controller.
     ControllerSerial,
     /// The serial number of the arm.
     ArmSerial,
-    /// The firmware of the axis board; empty where there is no board.
+    /// The firmware of the axis board; empty without a board.
     Starc,
 }
 
-/// Each part with the names by which it is asked for. The second names of the language and of the serial number are
-/// not the manual's; public programs use them.
+/// Parts with the names by which they are queried. The second names of the language and of the serial number are not in
+/// the manual; public programs use them.
 static NAMES: [(&str, Component); 10] = [
     ("VAL 3", Component::Val3),
     ("VAL3", Component::Val3),
@@ -36,27 +36,27 @@ static NAMES: [(&str, Component); 10] = [
     ("Starc", Component::Starc),
 ];
 
-/// The software licences that the manual names.
+/// Software licences named in the manual.
 pub const LICENCES: [&str; 9] =
     [ALTER, COMPLIANCE, ABSOLUTE_ROBOT, CONTINUOUS_AXIS, "remoteMcp", OEM_LICENCE, "plc", "testMode", "mcpMode"];
 
-/// The licence of `alter` (11.2).
+/// Licence for `alter` (11.2).
 pub const ALTER: &str = "alter";
 
-/// The licence of compliant moves (11.1).
+/// Licence for compliant moves (11.1).
 pub const COMPLIANCE: &str = "compliance";
 
-/// The licence of `setDH` (11.4). The manual does not print its name.
+/// Licence for `setDH` (11.4). The manual does not state its name.
 pub const ABSOLUTE_ROBOT: &str = "absoluteRobot";
 
-/// The licence of `resetTurn` (11.5).
+/// Licence for `resetTurn` (11.5).
 pub const CONTINUOUS_AXIS: &str = "continuousAxis";
 
-/// The licence without which no licence of a machine builder can be tested (11.3).
+/// Licence that is required to test licences of a machine builder (11.3).
 pub const OEM_LICENCE: &str = "oemLicence";
 
 impl Component {
-    /// The part that `name` asks for; any other name is that of a licence.
+    /// Finds the part for a name; other names are licences.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         NAMES.iter().find(|(known, _)| *known == name).map(|(_, component)| *component)

@@ -1,4 +1,4 @@
-//! The macros in which the catalogue is written.
+//! Macros that declare the catalogue.
 
 /// Declares the instruction of a file.
 ///
@@ -173,7 +173,7 @@ macro_rules! optional {
 }
 pub(crate) use optional;
 
-/// The function that takes the arguments of a form, calls its handler and gives back the value.
+/// Function that reads the arguments of a form, calls its handler and writes the result.
 macro_rules! run {
     ([] [$($library:ident)?] $($param:tt)*) => {
         None
@@ -196,7 +196,7 @@ macro_rules! run {
 }
 pub(crate) use run;
 
-/// Takes one argument into a variable of the parameter's name.
+/// Reads an argument into a variable with the parameter's name.
 macro_rules! take {
     ($call:ident, program $name:ident) => {
         compile_error!("a program is called by a statement of its own")
@@ -228,7 +228,7 @@ macro_rules! take {
 }
 pub(crate) use take;
 
-/// The type of a handler's parameter.
+/// Type of a handler's parameter.
 macro_rules! value {
     (any) => {
         $crate::call::Any
@@ -278,12 +278,12 @@ macro_rules! value {
 }
 pub(crate) use value;
 
-/// Declares the files of the catalogue, family by family, and the list of their instructions.
+/// Declares the catalogue's files by family, and the list of instructions.
 macro_rules! catalogue {
     ($($family:ident { $($name:ident),+ $(,)? })+) => {
         $(mod $family { $(pub(crate) mod $name;)+ })+
 
-        /// Every instruction, family by family in the manual's order.
+        /// Every instruction, by family in the manual's order.
         static CATALOGUE: &[&$crate::instruction::Instruction] =
             &[$($(&$family::$name::INSTRUCTION),+),+];
     };

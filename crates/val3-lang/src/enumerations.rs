@@ -1,17 +1,17 @@
-//! Names that are values: the enumerators of `mdesc.blend` and of the fields of `config` (9.7.2, 10.5.1).
+//! Names of enumeration values: the enumerators of `mdesc.blend` and of the `config` fields (9.7.2, 10.5.1).
 
 use crate::types::BaseType;
 
-/// One value of an enumeration.
+/// An enumeration value.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Enumerator {
-    /// As code spells it.
+    /// Spelling in code.
     pub name: &'static str,
-    /// As files spell it.
+    /// Spelling in files.
     pub file_name: &'static str,
-    /// The field type it belongs to.
+    /// Field type of the value.
     pub ty: BaseType,
-    /// Its meaning, in one line.
+    /// Meaning, in one line.
     pub doc: &'static str,
 }
 
@@ -19,7 +19,7 @@ const fn row(name: &'static str, ty: BaseType, doc: &'static str) -> Enumerator 
     Enumerator { name, file_name: name, ty, doc }
 }
 
-/// Every enumerator. The first one of a type is its default.
+/// All enumerators. The first enumerator of a type is its default.
 pub static ENUMERATORS: [Enumerator; 15] = [
     row("joint", BaseType::Blend, "Rounds the corner with a joint move: fast, free in shape."),
     row("off", BaseType::Blend, "Stops at the target."),
@@ -43,18 +43,18 @@ pub static ENUMERATORS: [Enumerator; 15] = [
     row("wnegative", BaseType::Wrist, "The wrist ends with j5 below 0."),
 ];
 
-/// The enumerator that code calls `name`. Code may also write `cartesian` as files do.
+/// Finds an enumerator by its name in code. Code may also use the file spelling `cartesian`.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Enumerator> {
     ENUMERATORS.iter().find(|row| row.name == name || row.file_name == name)
 }
 
-/// The values of a field type, its default first.
+/// Values of a field type, default first.
 pub fn values(ty: BaseType) -> impl Iterator<Item = &'static Enumerator> {
     ENUMERATORS.iter().filter(move |row| row.ty == ty)
 }
 
-/// The value of a field type that a file calls `name`, in any letter case.
+/// Finds the value of a field type by its name in files, in upper or lower case.
 #[must_use]
 pub fn find_in_file(ty: BaseType, name: &str) -> Option<&'static Enumerator> {
     values(ty).find(|row| row.file_name.eq_ignore_ascii_case(name))

@@ -1,18 +1,18 @@
-//! The meaning of the elements and attributes of project, data and program files, in a sentence each.
+//! Descriptions of the elements and attributes of project, data and program files, one sentence each.
 
 use crate::files::FileKind;
 use crate::types::BaseType;
 
-/// One page: the element, the attribute (empty for the element itself), the text.
+/// A description: the element, the attribute (empty for the element itself), the text.
 type Page = (&'static str, &'static str, &'static str);
 
-/// The meaning of an element. Letter case matters, as in [`crate::files::find`].
+/// Element description. Names are case-sensitive, as in [`crate::files::find`].
 #[must_use]
 pub fn element(file: FileKind, name: &str) -> Option<&'static str> {
     find(file, name, "").or_else(|| (file == FileKind::Data).then(|| old_data_element(name)).flatten())
 }
 
-/// The meaning of an attribute of an element. The fields in a `Value` have pages of their own
+/// Attribute description for an element. The fields in a `Value` have their own descriptions
 /// ([`crate::types::Field::doc`]).
 #[must_use]
 pub fn attribute(file: FileKind, element: &str, name: &str) -> Option<&'static str> {
@@ -174,7 +174,7 @@ const OLD_DATA_ATTRIBUTES: &[(&str, &str)] = &[
     ("ioIndex", "Index in the output that opens and closes the tool."),
 ];
 
-/// Data of the old dialect: sections, variables called as their type, values and their parts.
+/// Data elements of the old dialect: sections, variables named after their type, values and their parts.
 fn old_data_element(name: &str) -> Option<&'static str> {
     let is_type = |name: &str| BaseType::from_file_name(name).is_some();
     match name {

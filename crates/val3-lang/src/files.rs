@@ -1,56 +1,56 @@
-//! The XML of project, data and program files: elements, their attributes and namespaces, in both dialects.
+//! XML of project, data and program files: elements, attributes and namespaces, in both dialects.
 
 use crate::types::BaseType;
 
 /// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileKind {
-    /// `.pjx`
+    /// A project file (`.pjx`).
     Project,
-    /// `.dtx`
+    /// A data file (`.dtx`).
     Data,
-    /// `.pgx`
+    /// A program file (`.pgx`).
     Program,
 }
 
 /// An element.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Element {
-    /// Its name. Letter case counts: the old dialect (s5, s6) writes small letters.
+    /// Name. It is case-sensitive: the old dialect (s5, s6) uses lower case.
     pub name: &'static str,
-    /// Its attributes, in the order of the controller's own files. Those of a `Value` depend on its type as well
+    /// Attributes, in the order of the controller's files. The attributes of a `Value` also depend on its type
     /// ([`crate::types::attributes`]).
     pub attributes: &'static [Attribute],
-    /// The elements that it may contain, in the order of the controller's own files.
+    /// Child elements, in the order of the controller's files.
     pub children: &'static [&'static str],
-    /// The namespace that it declares, at the root of a file or of a part of it.
+    /// Declared namespace, at the root of a file or file part.
     pub namespace: Option<&'static str>,
 }
 
 /// An attribute.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Attribute {
-    /// Its name with its prefix.
+    /// Name with prefix.
     pub name: &'static str,
-    /// Whether it may be left out.
+    /// Whether the attribute is optional.
     pub presence: Presence,
-    /// The words that it takes; empty where it takes other text.
+    /// Valid words; empty if any text is valid.
     pub values: &'static [&'static str],
 }
 
-/// Whether an attribute may be left out.
+/// Whether an attribute is optional.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Presence {
-    /// It says what the element declares.
+    /// Required, because it identifies the declared item.
     Required,
-    /// Every known writer gives it. Without it this value is assumed.
+    /// Written by every known writer. Without it, this value is assumed.
     Expected(&'static str),
-    /// Without it this value applies.
+    /// Optional. Without it, this value applies.
     Optional(&'static str),
 }
 
 impl Element {
-    /// The attribute called `name`.
+    /// Finds an attribute by name.
     #[must_use]
     pub fn attribute(&self, name: &str) -> Option<&'static Attribute> {
         self.attributes.iter().find(|attribute| attribute.name == name)
@@ -64,7 +64,7 @@ impl Attribute {
     }
 }
 
-/// The element called `name` in a file of this kind.
+/// Finds an element by name in a file of this kind.
 #[must_use]
 pub fn find(file: FileKind, name: &str) -> Option<&'static Element> {
     let elements = match file {
@@ -76,7 +76,7 @@ pub fn find(file: FileKind, name: &str) -> Option<&'static Element> {
     elements.iter().find(|element| element.name == name).or_else(old_data)
 }
 
-/// The element called `name` that declares a variable: data, a field, a parameter or a local.
+/// Finds an element by name that declares a variable: data, a field, a parameter or a local.
 #[must_use]
 pub fn variable(name: &str) -> Option<(FileKind, &'static Element)> {
     let file = match name {
@@ -180,7 +180,7 @@ const DATA: &[Element] = &[
     root("dataList", "DataNameSpace", &[]),
 ];
 
-/// Data of the old dialect is called as its type, and its size is the number of its values.
+/// A data element of the old dialect is named after its type, and its size is the number of its values.
 const OLD_DATA: Element = item(
     "",
     &[required("name"), optional("public", "false").of(TRUTH), optional("privilege", "0"), optional("size", "1")],

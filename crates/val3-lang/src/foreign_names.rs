@@ -1,6 +1,6 @@
-//! Names of other languages, and what VAL 3 has in their place.
+//! Names of other languages and their VAL 3 equivalents.
 
-/// The VAL 3 form of a name of another language, in any letter case: ``"`delay(nSeconds)`"`` for `sleep`.
+/// VAL 3 equivalent of a name in another language, in upper or lower case: ``"`delay(nSeconds)`"`` for `sleep`.
 ///
 /// ```
 /// use val3_lang::foreign_names::remedy;
@@ -13,18 +13,19 @@ pub fn remedy(name: &str) -> Option<&'static str> {
     REMEDIES.iter().find(is_it).map(|(_, remedy)| *remedy)
 }
 
-/// Every name of another language with a VAL 3 form.
+/// All names of other languages with a VAL 3 equivalent.
 pub fn all() -> impl Iterator<Item = &'static str> {
     REMEDIES.iter().flat_map(|(names, _)| names.iter().copied())
 }
 
-/// Whether other languages have a field of this name, in any letter case, for the number of characters or elements.
+/// Whether other languages have a field with this name, in upper or lower case, for the number of characters or
+/// elements.
 #[must_use]
 pub fn is_length(field: &str) -> bool {
     ["length", "size", "count", "len"].iter().any(|name| name.eq_ignore_ascii_case(field))
 }
 
-/// Names, and the VAL 3 form.
+/// Names with their VAL 3 equivalent.
 const REMEDIES: &[(&[&str], &str)] = &[
     (&["sleep", "waitTime", "pause", "dwell", "waitMs", "wait_time"], "`delay(nSeconds)` waits for a time in seconds"),
     (

@@ -1,4 +1,4 @@
-//! The geometrical parameters of the arm in the arrays of `getDH`, `getDefaultDH` and `setDH` (11.4.4).
+//! Geometric parameters of the arm in the arrays of `getDH`, `getDefaultDH` and `setDH` (11.4.4).
 
 use val3_kinematics::Dh;
 
@@ -6,7 +6,7 @@ use crate::call::{Arr, Call};
 use crate::fault::{Fault, Result};
 use crate::runtime_errors::INVALID_PARAMETER;
 
-/// Writes parameters to `theta`, `d`, `a`, `alpha`, `beta`. The flange's `d` is written where its array has room.
+/// Writes parameters to `theta`, `d`, `a`, `alpha`, `beta`. The flange's `d` is written if the array has room for it.
 ///
 /// # Errors
 /// 70 if an array has fewer values than the arm has axes.
@@ -26,10 +26,10 @@ pub(crate) fn write(call: &mut Call<'_>, dh: &Dh, arrays: [Arr<f64>; 5]) -> Resu
     Ok(())
 }
 
-/// Reads `theta`, `d`, `a`, `b`, `alpha`, `beta`: a value an axis, and one more in `d`. `None` for other sizes.
+/// Reads `theta`, `d`, `a`, `b`, `alpha`, `beta`: one value for each axis, and one more in `d`. `None` for other sizes.
 ///
 /// # Errors
-/// 20 if an array is gone.
+/// 20 if an array does not exist.
 pub(crate) fn read(call: &mut Call<'_>, arrays: [Arr<f64>; 6]) -> Result<Option<Dh>> {
     let axes = call.ports.arm().axes();
     let mut dh = call.ports.arm().default_dh();

@@ -1,41 +1,41 @@
-//! Pages of the language's types, fields and operators, and of the words of the field.
+//! Pages about types, fields, operators and robot terms.
 //!
-//! A page is a Markdown file: a sentence, an explanation, an example in the listing form. What the tables of the language
-//! contain (fields, operators of a type, values) is no part of it; `val3 explain` and the book append that.
+//! A page is a Markdown file: a sentence, an explanation, and an example as a listing. It does not contain the
+//! language's tables (fields, operators of a type, values), which `val3 explain` and the book append.
 
 mod list;
 
 pub use list::ENTRIES;
 
-/// One page.
+/// A page.
 #[derive(Debug)]
 pub struct Entry {
-    /// The kind of its subject.
+    /// Kind of the subject.
     pub kind: EntryKind,
-    /// The words that find it. The first one is its title.
+    /// Words that find the page. The first word is the title.
     pub names: &'static [&'static str],
-    /// The name of its file, without an extension.
+    /// File name without extension.
     pub stem: &'static str,
-    /// Section of the manual, or several with commas.
+    /// Section of the manual; several are separated by commas.
     pub section: &'static str,
-    /// The page in Markdown. [`crate::page`] cuts it into its parts.
+    /// Page in Markdown. [`crate::page`] splits it into parts.
     pub page: &'static str,
 }
 
-/// The kind of a subject.
+/// Kind of a subject.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EntryKind {
     /// A type that variables can have.
     Type,
     /// A field of a type, or an attribute of values in data files.
     Field,
-    /// An operator, or several of one kind.
+    /// An operator, or several similar operators.
     Operator,
-    /// A word of robots and controllers.
+    /// A term of robots and controllers.
     Word,
 }
 
-/// The page of this kind that a name finds.
+/// Finds the page of this kind by name.
 #[must_use]
 pub fn find(kind: EntryKind, name: &str) -> Option<&'static Entry> {
     ENTRIES.iter().find(|entry| entry.kind == kind && entry.names.contains(&name))
@@ -48,7 +48,7 @@ mod tests {
     use crate::types::{Arm, BaseType, attributes, fields};
     use crate::{builtins, page, statements};
 
-    /// Attributes of files that are no field: the value of a `bool`, `num` or `string`.
+    /// File attribute that is no field: the value of a `bool`, `num` or `string`.
     const VALUE: &str = "value";
 
     #[test]

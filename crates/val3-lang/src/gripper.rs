@@ -1,4 +1,4 @@
-//! The effect of `open` and `close` (9.5.4): `waitEndMove`, then the output of the tool, then `delay`.
+//! Execution of `open` and `close` (9.5.4): `waitEndMove`, then the output of the tool, then `delay`.
 
 use crate::call::{Call, Flow, IoRef, StoredValue, ToolRef, Wait};
 use crate::fault::{Fault, Result};
@@ -6,14 +6,14 @@ use crate::memory::{Place, field_offset};
 use crate::ports::nanoseconds;
 use crate::types::BaseType;
 
-/// The part of the instruction in which the arm is on its way, and the one in which the tool is.
+/// Parts of the instruction: first the arm moves, then the tool.
 const ARM_MOVES: u8 = 0;
 const TOOL_MOVES: u8 = 1;
 
-/// Sets the output of a tool once the arm has arrived, and waits as long as its field `time` says.
+/// Sets the output of a tool when the arm has arrived, and waits for the time in its field `time`.
 ///
 /// # Errors
-/// 122 the output is an input, 123 it is not linked, 124 it is protected, 125 its device has failed.
+/// 122 if the output is an input, 123 if it is not linked, 124 if it is protected, 125 if its device has failed.
 pub(crate) fn set(call: &mut Call<'_>, ToolRef(tool): ToolRef, state: bool, time: &str) -> Result<Flow> {
     if call.part() == ARM_MOVES {
         if !call.ports.arrive()? {

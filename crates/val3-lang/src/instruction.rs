@@ -1,4 +1,4 @@
-//! The shape of the instruction catalogue: what a row says.
+//! Types of the instruction catalogue.
 
 use std::hash::{Hash, Hasher};
 
@@ -11,84 +11,85 @@ mod syntax;
 /// One instruction name with all its forms.
 #[derive(Debug)]
 pub struct Instruction {
-    /// The name in code (`movej`, `$fileOpen`).
+    /// Name in code (`movej`, `$fileOpen`).
     pub name: &'static str,
-    /// The family it belongs to, as the manual's chapters group them.
+    /// Family, as in the manual's chapters.
     pub family: Family,
-    /// Section of the manual ("10.6"), several for names shared by types ("2.5.4, 3.4.3"); empty for additions.
+    /// Section of the manual ("10.6"), or several sections if types share the name ("2.5.4, 3.4.3"); empty for
+    /// additions.
     pub section: &'static str,
-    /// The page in Markdown, one leading blank a line: what it does, parameters with units, result, errors, an
-    /// example. [`crate::page`] cuts it into its parts.
+    /// Page in Markdown, with one leading blank per line: description, parameters with units, result, errors and an
+    /// example. [`crate::page`] splits it into parts.
     pub page: &'static str,
-    /// Every form, in the manual's order.
+    /// Forms, in the manual's order.
     pub overloads: &'static [Overload],
-    /// The scheduler moves on to the next task while it waits (5.4).
+    /// Whether the scheduler continues with the next task while the instruction waits (5.4).
     pub blocking: bool,
     /// Numbers of the run-time errors it can raise (12.1), ascending.
     pub errors: &'static [u16],
-    /// Where it exists.
+    /// Versions and add-ons with the instruction.
     pub availability: Availability,
 }
 
-/// One form of an instruction.
+/// An instruction form.
 #[derive(Debug)]
 pub struct Overload {
-    /// It is called on a library identifier: `id:libLoad(…)`.
+    /// Whether the form is called on a library identifier: `id:libLoad(…)`.
     pub on_library: bool,
     /// Parameters in order.
     pub params: &'static [Param],
-    /// The value it yields; `None` for no value.
+    /// Type of the result; `None` without a result.
     pub result: Option<BaseType>,
-    /// Whether it can be a statement of its own. Forms of one name differ: `insert` of a container acts, `insert` of a
-    /// string only yields the new string.
+    /// Whether the form can be a statement. Forms of one name may differ: `insert` modifies a container, but only
+    /// returns the new string for a string.
     pub class: Class,
-    /// First major version with this form, where the form is younger than the instruction.
+    /// First major version with this form, if it was added after the instruction.
     pub since: Option<u8>,
-    /// Whether the manual prints the form. Other forms are known from programs that run on controllers.
+    /// Whether the form is in the manual. Other forms are known from programs that run on controllers.
     pub is_printed: bool,
-    /// Its handler; `None` if the virtual controller does not have the instruction.
+    /// Handler; `None` if the virtual controller does not support the instruction.
     pub run: Option<InstructionFn>,
 }
 
-/// One parameter of an instruction.
+/// An instruction parameter.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Param {
     /// Name in the syntax line (`nSeconds`).
     pub name: &'static str,
-    /// Its type; `None` means any type.
+    /// Type; `None` for any type.
     pub ty: Option<BaseType>,
-    /// The kind of argument.
+    /// Form of the argument.
     pub shape: Shape,
 }
 
-/// The kind of an argument.
+/// Argument form.
 ///
-/// An element counts as an array of one value (2.3.4), so `x`, `x[3]` and `x["k"]` all suit `Array { dims: 1 }`.
+/// An element counts as an array with one value (2.3.4), so `x`, `x[3]` and `x["k"]` all match `Array { dims: 1 }`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
-    /// Any expression of the type: passed by value.
+    /// An expression of the type, passed by value.
     Value,
-    /// A variable (or an element of one): passed by reference (2.6.2).
+    /// A variable or an element, passed by reference (2.6.2).
     Reference,
-    /// An array, or a one-dimensional array from an index on (2.6.3).
+    /// An array, or a one-dimensional array from an index (2.6.3).
     Array {
         /// Number of dimensions, 1 to 3.
         dims: u8,
     },
-    /// A whole collection, without a key (`first`, `last`).
+    /// A collection without a key (`first`, `last`).
     Collection,
-    /// The name of a whole container: an array or a collection; a one-dimensional array may have an index that
-    /// says where a part of it starts (`size`, `resize`, `append`).
+    /// The name of a container: an array or a collection. A one-dimensional array may have the index at which a part of
+    /// it begins (`size`, `resize`, `append`).
     Whole,
-    /// A place in a container: an index or key that need not exist (`insert`, `delete`, `next`, `prev`).
+    /// An element, by an index or key that need not exist (`insert`, `delete`, `next`, `prev`).
     Slot,
-    /// A place in a container or the whole variable; either need not exist (`isDefined`).
+    /// An element or a variable that need not exist (`isDefined`).
     Item,
     /// The call of a program with its arguments (`taskCreate`).
     ProgramCall,
 }
 
-/// Families of instructions.
+/// Instruction family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Family {
     /// All variables, arrays and collections (2.5).
@@ -121,33 +122,33 @@ pub enum Family {
     AddOns,
 }
 
-/// Where an instruction exists.
+/// Versions and add-ons with an instruction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Availability {
     /// In every version from s7 on (the v7 manual).
     Manual,
-    /// From major version `since` on (8 for s8, CS9), or in old versions only where `until` says so.
+    /// From major version `since` on (8 for s8, CS9), or only in versions up to `until`.
     Version {
-        /// First major version that has it; 0 where it is not known.
+        /// First major version; 0 if unknown.
         since: u8,
-        /// Last major version that has it, where it was dropped.
+        /// Last major version, if the instruction was removed.
         until: Option<u8>,
     },
-    /// Only where the add-on is installed; the best known of the add-ons that have it.
+    /// Only with an add-on. The value is the best known add-on with the instruction.
     AddOn(&'static str),
 }
 
-/// Whether a line may consist of the call alone.
+/// Whether the call can be a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Class {
-    /// It only yields a value; alone on a line it has no effect, which the compiler refuses.
+    /// Only returns a value. As a statement it would have no effect, so the compiler rejects it.
     Function,
-    /// It acts; its value, if any, may be dropped.
+    /// Has an effect; its value, if any, may be discarded.
     Modifier,
 }
 
 impl Instruction {
-    /// Every form as a syntax line, in the manual's order: `num sin(num nAngle)`.
+    /// Syntax lines of all forms, in the manual's order: `num sin(num nAngle)`.
     #[must_use]
     pub fn signatures(&self) -> Vec<String> {
         self.overloads.iter().map(|overload| overload.signature(self.name)).collect()
@@ -155,7 +156,7 @@ impl Instruction {
 
     /// Whether a controller of this version has the instruction without an add-on.
     ///
-    /// Instructions of the manual count as present in every version: the gaps of s5 and s6 are not known.
+    /// Instructions in the manual count as present in every version, because the restrictions of s5 and s6 are unknown.
     #[must_use]
     pub fn exists_in(&self, version: Version) -> bool {
         match self.availability {
@@ -177,7 +178,7 @@ impl Instruction {
     }
 }
 
-/// Names are unique in the catalogue: equal names are the same instruction.
+/// Instructions with equal names are equal, because names are unique in the catalogue.
 impl PartialEq for Instruction {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -192,7 +193,7 @@ impl Hash for Instruction {
     }
 }
 
-/// Forms are equal where they are the same form of the catalogue.
+/// Forms are equal only if they are the same catalogue entry.
 impl PartialEq for Overload {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
@@ -202,14 +203,14 @@ impl PartialEq for Overload {
 impl Eq for Overload {}
 
 impl Overload {
-    /// Whether a controller of this version has the form, given that it has the instruction.
+    /// Whether a controller of this version has the form, provided that it has the instruction.
     #[must_use]
     pub fn exists_in(&self, version: Version) -> bool {
         self.since.is_none_or(|since| version.language() >= since)
     }
 }
 
-/// Rows are built by the macro `instruction`: the clauses of its head line are these methods.
+/// Builder methods for the macro `instruction`: one for each clause in its first line.
 impl Instruction {
     pub(crate) const fn new(name: &'static str, family: Family) -> Self {
         Self {

@@ -1,6 +1,6 @@
-//! The instruction catalogue: every instruction, its forms and its page.
+//! Instruction catalogue: all instructions with their forms and pages.
 //!
-//! An instruction is one file in the folder of its family and one line here.
+//! An instruction is one file in the folder of its family, and one line here.
 
 use std::sync::LazyLock;
 
@@ -253,83 +253,83 @@ catalogue! {
 static BY_NAME: LazyLock<FxHashMap<&'static str, &'static Instruction>> =
     LazyLock::new(|| CATALOGUE.iter().map(|instruction| (instruction.name, *instruction)).collect());
 
-/// Every instruction, family by family in the manual's order.
+/// All instructions, by family in the manual's order.
 #[must_use]
 pub fn all() -> &'static [&'static Instruction] {
     CATALOGUE
 }
 
-/// The instruction with this name, `$` included for those of add-ons.
+/// Finds an instruction by name, including `$` for instructions of add-ons.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Instruction> {
     BY_NAME.get(name).copied()
 }
 
-/// Loads a library under an identifier: the analysis compares the library with the identifier's interface (6.7).
+/// Loads a library under an identifier. The analysis compares the library with the identifier's interface (6.7).
 pub const LIB_LOAD: &str = "libLoad";
 
 /// Instructions that name a task of the same application or library (5.10).
 pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", TASK_KILL, TASK_STATUS];
 
-/// Ends a task and takes its name away (5.10).
+/// Ends a task and releases its name (5.10).
 pub const TASK_KILL: &str = "taskKill";
 
-/// Gives the state of a task: a number of its own, or that of a run-time error (5.10).
+/// Returns the state of a task: a state number, or the number of a run-time error (5.10).
 pub const TASK_STATUS: &str = "taskStatus";
 
-/// Explains a run-time error, given by its number (5.10).
+/// Explains a run-time error by number (5.10).
 pub const HELP: &str = "help";
 
-/// Instructions that give the code of a key (4.3).
+/// Instructions that return a key code (4.3).
 pub const READ_KEYS: [&str; 2] = ["get", GET_KEY];
 
-/// Takes the code of a key as its last argument (4.3).
+/// The last argument is a key code (4.3).
 pub const IS_KEY_PRESSED: &str = "isKeyPressed";
 
-/// Reads data by its name, given as a text (2.5.4): what it names is used.
+/// Reads data whose name is a string (2.5.4); the named data count as used.
 pub const GET_DATA: &str = "getData";
 
-/// Changes an attribute of an element of a user page (s8): its page and id are texts.
+/// Changes an attribute of a user page element (s8); page and id are strings.
 pub const USER_PAGE_SET: &str = "userPageSet";
 
-/// Tells whether a library has an item (6.7): a guard before its use.
+/// Returns whether a library has an item (6.7); programs check it before they use the item.
 pub const LIB_EXIST: &str = "libExist";
 
-/// Tells the time (5.10): a loop that asks it paces itself.
+/// Returns the time (5.10); a loop that reads the clock limits its own speed.
 pub const CLOCK: &str = "clock";
 
-/// Waits until the arm has made every recorded move (10.6).
+/// Waits until the arm has executed every recorded move (10.6).
 pub const WAIT_END_MOVE: &str = "waitEndMove";
 
-/// Lets other tasks go on until a condition holds (5.10).
+/// Waits until a condition holds, while other tasks continue (5.10).
 pub const WAIT: &str = "wait";
 
-/// As [`WAIT`], for a limited time; returns whether the condition held (5.10).
+/// As [`WAIT`], with a timeout; returns whether the condition held (5.10).
 pub const WATCH: &str = "watch";
 
-/// Lets other tasks go on for a time, with 0 until their turns are over (5.10).
+/// Waits for a time while other tasks continue; with 0, until their turns are over (5.10).
 pub const DELAY: &str = "delay";
 
-/// Changes the reference of its first argument, although the manual does not mark it as passed by reference (9.4.4,
-/// 9.5.4, 9.6.3).
+/// Changes its first argument's father, although the manual does not mark it as passed by reference (9.4.4, 9.5.4,
+/// 9.6.3).
 pub const LINK: &str = "link";
 
-/// Tells whether a variable or element exists (2.5.4): a guard before its use.
+/// Returns whether a variable or element exists (2.5.4); programs check it before they use the variable.
 pub const IS_DEFINED: &str = "isDefined";
 
-/// The current move and its progress (10.6): a number that grows in steps of any size.
+/// Returns the current move and its progress (10.6), a number that increases in steps of any size.
 pub const GET_MOVE_ID: &str = "getMoveId";
 
-/// The last key that was struck since it was asked before, or -1 (4.3).
+/// Returns the last key that was pressed since the previous call, or -1 (4.3).
 pub const GET_KEY: &str = "getKey";
 
 /// Arms the latch of the arm's position (9.2.3).
 pub const SET_LATCH: &str = "setLatch";
 
-/// Reads the latched position (9.2.3): the one before until the latch is armed.
+/// Reads the latched position (9.2.3); returns the previous position until the latch is armed.
 pub const GET_LATCH: &str = "getLatch";
 
-/// Waits for a flag that tasks share and takes it, within one line (5.9).
+/// Waits for a shared flag and sets it, in one line (5.9).
 pub const SET_MUTEX: &str = "setMutex";
 
 /// Writes a number in binary to an array of outputs (3.5.3).
@@ -338,19 +338,19 @@ pub const DIO_SET: &str = "dioSet";
 /// Writes numerical outputs.
 pub const AIO_SET: &str = "aioSet";
 
-/// Encodes numbers as bytes (3.3.3): values, their number, format, bytes.
+/// Encodes numbers as bytes (3.3.3). Arguments: values, number of values, format, bytes.
 pub const TO_BINARY: &str = "toBinary";
 
-/// Decodes numbers from bytes (3.3.3): bytes, their number, format, values.
+/// Decodes numbers from bytes (3.3.3). Arguments: bytes, number of bytes, format, values.
 pub const FROM_BINARY: &str = "fromBinary";
 
 /// Changes a parameter of a serial line or socket (3.7.3).
 pub const SIO_CTRL: &str = "sioCtrl";
 
-/// Changes one dimension of an array (2.5.5): the array, the dimension, the size.
+/// Changes one dimension of an array (2.5.5). Arguments: array, dimension, size.
 pub const RESIZE: &str = "resize";
 
-/// The number of values of an array.
+/// Returns the size of an array.
 pub const SIZE: &str = "size";
 
 /// Cancels the recorded moves.
@@ -359,10 +359,10 @@ pub const RESET_MOTION: &str = "resetMotion";
 /// Switches the power of the arm off.
 pub const DISABLE_POWER: &str = "disablePower";
 
-/// A move on a circle.
+/// Records a circular move.
 pub const MOVEC: &str = "movec";
 
-/// A move on a circle that a program may deviate.
+/// Records a circular move that a program may alter.
 pub const ALTER_MOVEC: &str = "alterMovec";
 
 /// Computes a frame from three points.
@@ -374,20 +374,20 @@ pub const TITLE: &str = "title";
 /// Instructions that write the output of a tool.
 pub const ON_GRIPPERS: [&str; 2] = ["open", "close"];
 
-/// Raises a number to a power (3.2.3): the base, the exponent.
+/// Raises a number to a power (3.2.3). Arguments: base, exponent.
 pub const POWER: &str = "power";
 
-/// Changes the size of an array (2.5.4, 2.5.5): none of them takes a local array.
+/// Instructions that change the size of an array (2.5.4, 2.5.5). None of them accepts a local array.
 const RESIZING: [&str; 4] = ["insert", "delete", "append", RESIZE];
 
-/// The instruction changes the size of the array it is given.
+/// Whether the instruction changes the size of its array argument.
 #[must_use]
 pub fn resizes(name: &str) -> bool {
     RESIZING.contains(&name)
 }
 
-/// The instruction may change the size of a container that it is given: those above, and those that make a global
-/// array large enough for their result (6.7, 8.1). The effect of add-ons is not known.
+/// Whether the instruction may change the size of a container argument: [`resizes`], or it enlarges a global array for
+/// its result (6.7, 8.1). The effect of add-on instructions is unknown.
 #[must_use]
 pub fn may_resize(instruction: &Instruction) -> bool {
     resizes(instruction.name)
@@ -395,32 +395,32 @@ pub fn may_resize(instruction: &Instruction) -> bool {
         || matches!(instruction.family, Family::AddOns | Family::Additions)
 }
 
-/// The call shows a page made with HTML (s8), which names data and programs of the application on its own.
+/// Whether the call shows an HTML page (s8), which accesses data and programs of the application by name.
 #[must_use]
 pub fn shows_named_page(instruction: &Instruction, form: &Overload) -> bool {
     instruction.name == "userPage" && form.since.is_some()
 }
 
-/// The instruction adds values to a collection or removes them, by their keys (2.5.4); the others that change sizes
-/// take arrays alone.
+/// Whether the instruction inserts or removes elements of a collection by key (2.5.4). Other instructions that change
+/// sizes only accept arrays.
 #[must_use]
 pub fn resizes_collections(name: &str) -> bool {
     matches!(name, "insert" | "delete")
 }
 
-/// The key at which the instruction looks need not be that of a value (2.5.4, 2.5.6).
+/// Whether the key in the argument need not exist (2.5.4, 2.5.6).
 #[must_use]
 pub fn takes_any_key(name: &str) -> bool {
     matches!(name, IS_DEFINED | "next" | "prev")
 }
 
-/// The instruction yields a point in the frame that it is given (9.6.3).
+/// Whether the instruction returns a point in the frame of its argument (9.6.3).
 #[must_use]
 pub fn gives_point_in_frame(name: &str) -> bool {
     matches!(name, "here" | "jointToPoint")
 }
 
-/// The instruction changes the size of an array of two or three dimensions as well (2.5.5).
+/// Whether the instruction also changes the size of arrays with two or three dimensions (2.5.5).
 #[must_use]
 pub fn resizes_every_array(name: &str) -> bool {
     name == RESIZE
@@ -432,8 +432,8 @@ mod tests {
     use crate::instruction::Availability;
     use crate::keywords::is_task_creation;
 
-    /// Instructions that the compiler turns into operations, because their arguments are evaluated repeatedly or are a
-    /// call.
+    /// Whether the compiler converts the instruction to operations, because its arguments are evaluated repeatedly or
+    /// are a call.
     fn is_compiled(name: &str) -> bool {
         is_task_creation(name) || [WAIT, "watch"].contains(&name)
     }

@@ -1,9 +1,9 @@
-//! Paths of inputs and outputs as links name them: `BasicIO-1\%I0`.
+//! Link paths of inputs and outputs: `BasicIO-1\%I0`.
 
-/// Beginnings of the addresses of inputs.
+/// Prefixes of input addresses.
 const INPUTS: [&str; 3] = ["%I", "usrIn", "fIn"];
 
-/// Whether the address at the end of a path is that of an input, which programs cannot write.
+/// Whether the address at the end of a path is an input, which programs cannot write.
 ///
 /// ```
 /// use val3_lang::io_paths::is_input;
@@ -16,7 +16,7 @@ pub fn is_input(path: &str) -> bool {
     INPUTS.iter().any(|start| address.starts_with(start))
 }
 
-/// Beginnings of paths of a CS8, and what is in their place on a CS9; `None` for boards that a CS9 does not have.
+/// Prefixes of CS8 paths and their CS9 equivalents; `None` for boards that a CS9 does not have.
 const OF_CS8: [(&str, Option<&str>); 9] = [
     ("usrIn", Some(r"UserIO\usrIn")),
     ("usrOut", Some(r"UserIO\usrOut")),
@@ -29,8 +29,7 @@ const OF_CS8: [(&str, Option<&str>); 9] = [
     ("ApplicomIO-", None),
 ];
 
-/// The path on a CS9 for an input or output of a CS8: `None` if the link is not of a CS8, `Some(None)` if a CS9 has
-/// nothing of this name.
+/// CS9 path of a CS8 input or output: `None` if the link is no CS8 path, `Some(None)` if a CS9 has no equivalent.
 ///
 /// ```
 /// use val3_lang::io_paths::cs9_path;

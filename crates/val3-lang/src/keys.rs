@@ -1,48 +1,48 @@
-//! The keys of the pendant that have no character of their own (12.2).
+//! Keys of the pendant without a character (12.2).
 
-/// One key.
+/// A key.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Key {
-    /// The code that `get` and `getKey` give.
+    /// Code returned by `get` and `getKey`.
     pub code: u16,
-    /// Its label.
+    /// Label.
     pub name: &'static str,
 }
 
-/// Leaves what was begun; it closes a pop-up and ends an entry without a change (4.3).
+/// Closes a pop-up, or cancels an entry (4.3).
 pub const ESC: u16 = 255;
 
-/// Deletes the character before the place of editing.
+/// Deletes the character before the cursor.
 pub const BACKSPACE: u16 = 263;
 
-/// One character to the left.
+/// Moves one character to the left.
 pub const LEFT: u16 = 264;
 
-/// To the beginning of the line.
+/// Moves to the start of the line.
 pub const HOME: u16 = 265;
 
-/// One character to the right.
+/// Moves one character to the right.
 pub const RIGHT: u16 = 268;
 
-/// To the end of the line.
+/// Moves to the end of the line.
 pub const END: u16 = 269;
 
 /// Accepts an entry.
 pub const RETURN: u16 = 270;
 
-/// F1 to F8, the keys under the menu line; each accepts an entry as [`RETURN`] does.
+/// Whether the code is one of F1 to F8, the keys under the menu line, which accept an entry as [`RETURN`] does.
 #[must_use]
 pub fn is_menu(code: u16) -> bool {
     (271..=278).contains(&code)
 }
 
-/// The keys 1, 2 and 3, which are seen whatever the pendant shows (4.3).
+/// Whether the code is one of the keys 1, 2 and 3, which programs receive regardless of the displayed page (4.3).
 #[must_use]
 pub fn is_always_seen(code: u16) -> bool {
     (281..=283).contains(&code)
 }
 
-/// The character that a key writes, if it writes one; its code is the character's code point.
+/// Character of a key, if it has one; its code is the character's code point.
 #[must_use]
 pub fn character(code: u16) -> Option<char> {
     let written = (32..=126).contains(&code) || (code >= 160 && !(255..=283).contains(&code));
@@ -53,7 +53,7 @@ const fn row(code: u16, name: &'static str) -> Key {
     Key { code, name }
 }
 
-/// Every such key, ascending.
+/// All keys without a character, ascending.
 pub static KEYS: [Key; 24] = [
     row(ESC, "Esc"),
     row(259, "Tab"),

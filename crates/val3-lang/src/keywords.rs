@@ -1,10 +1,10 @@
-//! Keywords and the other words that no name may be.
+//! Keywords and other reserved words.
 //!
-//! Code is recognised in any letter case; [`canonical`] is the spelling that controllers write.
+//! Code may use upper and lower case; [`canonical`] is the spelling that controllers write.
 
 use crate::{builtins, enumerations, instructions, types::BaseType};
 
-/// Every keyword in its canonical spelling.
+/// Keywords in canonical spelling.
 pub const KEYWORDS: [&str; 28] = [
     "begin",
     "end",
@@ -39,36 +39,36 @@ pub const KEYWORDS: [&str; 28] = [
 const TASK_CREATE: &str = "taskCreate";
 const TASK_CREATE_SYNC: &str = "taskCreateSync";
 
-/// The canonical spelling of a keyword written in any letter case.
+/// Canonical spelling of a keyword, given in upper or lower case.
 #[must_use]
 pub fn canonical(word: &str) -> Option<&'static str> {
     KEYWORDS.into_iter().find(|keyword| keyword.eq_ignore_ascii_case(word))
 }
 
-/// Whether the instruction creates a task: its arguments have no parentheses and end with the call of a program.
+/// Whether the instruction creates a task; its arguments have no parentheses and end with the call of a program.
 #[must_use]
 pub fn is_task_creation(name: &str) -> bool {
     name.eq_ignore_ascii_case(TASK_CREATE) || name.eq_ignore_ascii_case(TASK_CREATE_SYNC)
 }
 
-/// Why a name may not be given to a variable, a program or a library identifier.
+/// Reason why a variable, program or library identifier cannot have a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reserved {
-    /// A keyword, in whatever letter case.
+    /// A keyword, in upper or lower case.
     Keyword,
     /// The name of a built-in type.
     Type,
-    /// `world`, `flange`.
+    /// A built-in variable: `world`, `flange`.
     Builtin,
-    /// A value of an enumeration: `off`, `lefty`.
+    /// An enumeration value: `off`, `lefty`.
     Enumerator,
     /// A built-in instruction.
     Instruction,
 }
 
-/// Whether `name` is a word of the language, and which.
+/// Returns why `name` is reserved, if it is.
 ///
-/// `joint` and `config` are several of these at once. The first one in the order of [`Reserved`] counts.
+/// `joint` and `config` are reserved for several reasons. The first reason in the order of [`Reserved`] is returned.
 #[must_use]
 pub fn reserved(name: &str) -> Option<Reserved> {
     if canonical(name).is_some() {
@@ -84,7 +84,7 @@ pub fn reserved(name: &str) -> Option<Reserved> {
     }
 }
 
-/// Letters, digits and underscores, no digit first (2.5.1).
+/// Whether the text is an identifier: letters, digits and underscores, not starting with a digit (2.5.1).
 #[must_use]
 pub fn is_identifier(name: &str) -> bool {
     let starts_well = name.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_');

@@ -1,8 +1,8 @@
-//! The definition of VAL 3, written once.
+//! Definition of VAL 3, the only one in the project.
 //!
-//! Types, instructions, operators, enumerations, run-time errors and versions as data that the analysis, the
-//! editor features and the run time read. Nothing else in the project spells an instruction, a built-in field
-//! or the number of a run-time error.
+//! Types, instructions, operators, enumerations, run-time errors and versions as data for the analysis, the editor
+//! features and the runtime. No other crate contains an instruction name or a built-in field, or the number of a
+//! run-time error.
 
 mod declare;
 

@@ -1,13 +1,13 @@
-//! Codes that `libLoad`, `libSave` and `libDelete` return (6.6). They never raise a run-time error.
+//! Codes returned by `libLoad`, `libSave` and `libDelete` (6.6). These instructions never raise a run-time error.
 
-/// One return code.
+/// A return code.
 #[derive(Debug, PartialEq, Eq)]
 pub struct LibraryError {
-    /// The code.
+    /// Code.
     pub number: u16,
-    /// The cause, in a few words.
+    /// Cause, in a few words.
     pub short: &'static str,
-    /// Why, and what to do about it.
+    /// Explanation and remedy.
     pub long: &'static str,
 }
 
@@ -15,25 +15,25 @@ const fn row(number: u16, short: &'static str, long: &'static str) -> LibraryErr
     LibraryError { number, short, long }
 }
 
-/// Loaded, saved or deleted.
+/// The library was loaded, saved or deleted.
 pub const DONE: u16 = 0;
 
-/// No library is under the identifier.
+/// No library is loaded under the identifier.
 pub const NO_LIBRARY: u16 = 10;
 
-/// Loaded; the library lacks some of its interface.
+/// The library was loaded, but does not match its interface.
 pub const INTERFACE_DIFFERS: u16 = 11;
 
-/// The library cannot be loaded; the event log says why.
+/// The library cannot be loaded; the event log contains the reason.
 pub const CANNOT_LOAD: u16 = 12;
 
-/// The library under the identifier is at work in another task.
+/// Another task is executing the library.
 pub const IN_USE: u16 = 13;
 
-/// A task that the library under the identifier has created still runs.
+/// A task that the library has created is still running.
 pub const HAS_TASKS: u16 = 14;
 
-/// Every code, ascending. From 30 on the file could not be read or written.
+/// All codes, ascending. Codes from 30 on mean that the file could not be read or written.
 #[rustfmt::skip]
 pub static LIBRARY_ERRORS: [LibraryError; 29] = [
     row(0, "no error", "The library was loaded, saved or deleted."),
@@ -76,15 +76,15 @@ pub static LIBRARY_ERRORS: [LibraryError; 29] = [
         controller."),
 ];
 
-/// The rows of the codes that `libLoad` returns: 10 is of calls on an identifier, 31 and others of writing.
+/// Codes that `libLoad` returns. Code 10 belongs to calls on an identifier, and 31 and others to writing.
 pub fn of_load() -> impl Iterator<Item = &'static LibraryError> {
     LIBRARY_ERRORS.iter().filter(|row| !NEVER_BY_LOAD.contains(&row.number))
 }
 
-/// Codes of instructions that need a loaded library, or write to the medium.
+/// Codes of instructions that require a loaded library or write to the medium.
 const NEVER_BY_LOAD: [u16; 6] = [NO_LIBRARY, 31, 35, 38, 40, 46];
 
-/// The row of a return code; a code above 30 without a row of its own is one more fault of the medium, as 30 is.
+/// Finds a return code. A code above 30 that is not listed is treated as 30, a fault of the medium.
 #[must_use]
 pub fn find(number: u16) -> Option<&'static LibraryError> {
     let row = LIBRARY_ERRORS.iter().find(|row| row.number == number);

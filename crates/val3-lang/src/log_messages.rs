@@ -1,13 +1,13 @@
-//! Messages of the controller's event log (`log/errors.log` of a CS8, `log/system.log` and `log/user.log` of a CS9).
+//! Messages in the controller's event log (`log/errors.log` of a CS8, `log/system.log` and `log/user.log` of a CS9).
 
-/// A kind of message, by its codes.
+/// A kind of message, identified by codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LogMessage {
-    /// The codes, as the log writes them: `0x5405`.
+    /// Codes as written in the log, for example `0x5405`.
     pub codes: &'static [&'static str],
-    /// A few words, without a full stop.
+    /// Summary in a few words, without a full stop.
     pub short: &'static str,
-    /// Explanation and advice.
+    /// Explanation and remedy.
     pub long: &'static str,
 }
 
@@ -15,7 +15,7 @@ const fn row(codes: &'static [&'static str], short: &'static str, long: &'static
     LogMessage { codes, short, long }
 }
 
-/// Every known kind of message. The meanings are those of public logs of CS8 and CS9 controllers.
+/// All known kinds of messages. Their meanings come from public logs of CS8 and CS9 controllers.
 pub static LOG_MESSAGES: [LogMessage; 24] = [
     row(
         &["0x0309"],

@@ -1,9 +1,9 @@
-//! The data of running programs: containers of values, the stacks of tasks, and references between them (2.3 to 2.6).
+//! Data of running programs: containers of values, task stacks, and references between values (2.3 to 2.6).
 //!
-//! A value is spread over lanes: numbers, truth values and enumerators are in the lane `num`, texts in `text`,
+//! A value is divided into lanes: numbers, truth values and enumerators are in the lane `num`, strings in `text`, and
 //! references to other data, inputs, outputs and screens in `link`. A value of a user type has a container for each of
-//! its fields in the lane `part` (7.2: the fields of a type are data, each with a container). So a number costs eight
-//! bytes wherever it is, and a point is nine numbers and one link.
+//! its fields in the lane `part`, because the fields of a type are data with containers (7.2). A number therefore
+//! always occupies eight bytes, and a point nine numbers and one link.
 
 mod budget;
 mod containers;
@@ -36,26 +36,27 @@ use crate::fault::{Fault, Result};
 use crate::types::BaseType;
 use crate::values::Text;
 
-/// All data of a controller, and the stack of the task that runs.
+/// All data of a controller, and the stack of the running task.
 #[derive(Debug, Clone)]
 pub struct Memory {
-    /// All containers.
+    /// Containers.
     pub stores: Stores,
-    /// The stack of the task that runs; [`Place::store`] names it [`StoreId::STACK`].
+    /// Stack of the running task; its [`Place::store`] is [`StoreId::STACK`].
     pub stack: Stack,
-    /// The libraries of library identifiers, by the number of the application or library that declares them.
+    /// Libraries by library identifier, for each application or library that declares identifiers.
     libraries: Vec<Vec<u16>>,
 }
 
 impl Memory {
-    /// The data that every controller has: `world` and `flange`. Each is its own reference, so that a copy has one.
+    /// Creates the data that every controller has: `world` and `flange`. Each is its own father, so that a copy has a
+    /// father.
     #[must_use]
     pub fn new() -> Self {
         let mut memory = Self { stores: Stores::default(), stack: Stack::default(), libraries: Vec::new() };
         for (index, base) in [(Self::WORLD, BaseType::Frame), (Self::FLANGE, BaseType::Tool)] {
             let mut store = Store::filled(Arc::new(Kind::builtin(base, None)), Shape::ELEMENT);
             store.links.first_mut().into_iter().for_each(|link| *link = Link::Data(Place::first(index)));
-            // Two small values always find room.
+            // Two small values always fit into the memory.
             let _ = memory.add(store);
         }
         memory
@@ -67,7 +68,7 @@ impl Memory {
     /// The variable `flange` (9.5).
     pub const FLANGE: StoreId = StoreId { index: 1, generation: 0 };
 
-    /// Takes a container in; it lives until [`remove`](Self::remove).
+    /// Adds a container, which exists until [`remove`](Self::remove).
     ///
     /// # Errors
     /// 40 without memory.
@@ -75,40 +76,40 @@ impl Memory {
         self.stores.add(store)
     }
 
-    /// Drops a container and those in it. References to it end in run-time error 20.
+    /// Removes a container and its inner containers. References to them cause run-time error 20.
     pub fn remove(&mut self, id: StoreId) {
         self.stores.remove(id);
     }
 
-    /// A container.
+    /// Returns a container.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if it does not exist.
     #[inline]
     pub fn store(&self, id: StoreId) -> Result<&Store> {
         self.stores.get(id)
     }
 
-    /// As [`store`](Self::store), to be changed.
+    /// As [`store`](Self::store), mutable.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if it does not exist.
     #[inline]
     pub fn store_mut(&mut self, id: StoreId) -> Result<&mut Store> {
         self.stores.get_mut(id)
     }
 
-    /// Bytes of a container and of those within its values.
+    /// Size of a container and its inner containers, in bytes.
     #[must_use]
     pub fn bytes(&self, id: StoreId) -> u64 {
         let Ok(store) = self.store(id) else { return 0 };
         store.parts.iter().fold(store.bytes(), |sum, part| sum + self.bytes(*part))
     }
 
-    /// A number, truth value (0 or 1) or enumerator (its place among those of its type), `offset` lanes behind `at`.
+    /// Returns a number, truth value (0 or 1) or enumerator (its index in its type), `offset` lanes after `at`.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     #[inline]
     pub fn num(&self, at: Place, offset: u32) -> Result<f64> {
         let index = (at.num + offset) as usize;
@@ -119,10 +120,10 @@ impl Memory {
         found.copied().ok_or(Fault::INDEX_TOO_LARGE)
     }
 
-    /// Writes what [`num`](Self::num) reads.
+    /// Writes a value that [`num`](Self::num) reads.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     #[inline]
     pub fn set_num(&mut self, at: Place, offset: u32, value: f64) -> Result<()> {
         let index = (at.num + offset) as usize;
@@ -134,10 +135,10 @@ impl Memory {
         Ok(())
     }
 
-    /// `N` numbers from `at` on: a transformation, a joint position.
+    /// Reads `N` numbers, for example a transformation or a joint position.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     #[inline]
     pub fn nums<const N: usize>(&self, at: Place, offset: u32) -> Result<[f64; N]> {
         let index = (at.num + offset) as usize;
@@ -148,10 +149,10 @@ impl Memory {
         nums.get(index..).and_then(|rest| rest.first_chunk()).copied().ok_or(Fault::INDEX_TOO_LARGE)
     }
 
-    /// Writes `N` numbers from `at` on.
+    /// Writes `N` numbers.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     #[inline]
     pub fn set_nums<const N: usize>(&mut self, at: Place, offset: u32, values: [f64; N]) -> Result<()> {
         let index = (at.num + offset) as usize;
@@ -164,10 +165,10 @@ impl Memory {
         Ok(())
     }
 
-    /// A text.
+    /// Returns a string.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     #[inline]
     pub fn text(&self, at: Place) -> Result<&Text> {
         let found = match at.store {
@@ -177,10 +178,10 @@ impl Memory {
         found.ok_or(Fault::INDEX_TOO_LARGE)
     }
 
-    /// A text to be written.
+    /// Returns a string for writing.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     #[inline]
     pub fn text_mut(&mut self, at: Place) -> Result<&mut Text> {
         let found = match at.store {
@@ -190,20 +191,20 @@ impl Memory {
         found.ok_or(Fault::INDEX_TOO_LARGE)
     }
 
-    /// Writes a text.
+    /// Writes a string.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     #[inline]
     pub fn set_text(&mut self, at: Place, value: Text) -> Result<()> {
         *self.text_mut(at)? = value;
         Ok(())
     }
 
-    /// The target of a value's link.
+    /// Returns the link target of a value.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     #[inline]
     pub fn link(&self, at: Place, offset: u32) -> Result<Link> {
         let index = (at.link + offset) as usize;
@@ -217,16 +218,17 @@ impl Memory {
     /// Links a value.
     ///
     /// # Errors
-    /// 20 if the value is gone, 165 if it is global and would refer to a local one, 82 to what it does not reach.
+    /// 20 if the value does not exist, 165 if it is global and the target is local, 82 if it cannot refer to the
+    /// target.
     pub fn set_link(&mut self, at: Place, offset: u32, link: Link) -> Result<()> {
         self.check_link(self.owner(at.store), link)?;
         self.set_file_link(at, offset, link)
     }
 
-    /// Links a value as a file says; whether it may be linked so is asked when the link is used.
+    /// Links a value as stated in a file, without a check. The link is checked when it is used.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     pub fn set_file_link(&mut self, at: Place, offset: u32, link: Link) -> Result<()> {
         let index = (at.link + offset) as usize;
         let found = match at.store {
@@ -237,10 +239,10 @@ impl Memory {
         Ok(())
     }
 
-    /// The container of a field of a user type, or of a local array.
+    /// Returns the container of a user type's field, or of a local array.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value does not exist.
     #[inline]
     pub fn part(&self, at: Place, offset: u32) -> Result<StoreId> {
         let index = (at.part + offset) as usize;

@@ -1,5 +1,5 @@
-//! Instructions that make a number of one to three numbers and have no other effect: they need no [`Call`], so the
-//! interpreter can compute them directly.
+//! Instructions that compute a number from one to three numbers and have no other effect. They do not require a
+//! [`Call`], so the interpreter can compute them directly.
 //!
 //! [`Call`]: crate::call::Call
 
@@ -12,19 +12,19 @@ use crate::types::BaseType;
 use crate::values::{bits, numbers};
 use crate::versions::Version;
 
-/// The function of such an instruction. Missing arguments may have any value.
+/// Computes the instruction. Missing arguments may have any value.
 type Compute = fn([f64; 3]) -> Result<f64>;
 
 macro_rules! number_functions {
     ($($function:ident $name:literal = $compute:expr;)+) => {
-        /// An instruction that makes a number of numbers or truth values.
+        /// An instruction that computes a number from numbers or truth values.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[repr(u8)]
         pub enum NumberFunction {
             $(#[doc = concat!("`", $name, "`")] $function,)+
         }
 
-        /// In the order of their numbers.
+        /// All functions, ordered by number.
         const ALL: &[(NumberFunction, &str, Compute)] = &[$((NumberFunction::$function, $name, $compute)),+];
     };
 }
@@ -57,7 +57,7 @@ number_functions! {
 }
 
 impl NumberFunction {
-    /// The function of a form of an instruction in a version, if it computes a number from numbers only.
+    /// Function for an instruction form in a version; `None` if it does not compute a number only from numbers.
     #[must_use]
     pub fn of(instruction: &Instruction, form: &Overload, version: Version) -> Option<Self> {
         let is_number = |ty| matches!(ty, Some(BaseType::Num | BaseType::Bool));
@@ -70,22 +70,22 @@ impl NumberFunction {
         (takes_numbers && is_number(form.result)).then_some(function)
     }
 
-    /// Its number.
+    /// Number of the function.
     #[must_use]
     pub fn number(self) -> u32 {
         self as u32
     }
 
-    /// The function with this number.
+    /// Finds the function with this number.
     #[must_use]
     pub fn numbered(number: u32) -> Option<Self> {
         ALL.get(number as usize).map(|(function, ..)| *function)
     }
 
-    /// Computes it. The arguments come first; further values are ignored.
+    /// Computes the result. The arguments come first; further values are ignored.
     ///
     /// # Errors
-    /// Those of the instruction.
+    /// The errors of the instruction.
     #[inline]
     pub fn compute(self, arguments: [f64; 3]) -> Result<f64> {
         let (.., compute) = ALL.get(self as usize).ok_or(Fault::INTERPRETER)?;

@@ -1,64 +1,65 @@
-//! Operators: how tightly they bind and which types they take.
+//! Operators: precedence and operand types.
 //!
-//! The manual gives a table for every type, in ascending order of precedence (3.1.2, 3.2.2, 3.4.2, 3.5.2,
-//! 3.7.2, 9.2.2, 9.3.3, 9.4.3, 9.5.3, 9.6.2, 9.7.3, 10.5.2). The tables agree with each other, and they agree with
-//! this grouping, in which operators of one line are equal and group from the left:
+//! The manual contains one table for each type, in ascending order of precedence (3.1.2, 3.2.2, 3.4.2, 3.5.2, 3.7.2,
+//! 9.2.2, 9.3.3, 9.4.3, 9.5.3, 9.6.2, 9.7.3, 10.5.2). The tables are consistent with each other and with these groups,
+//! in which the operators of one group have equal precedence and are left-associative:
 //!
 //! ```text
 //! or  <  and  <  xor  <  == !=  <  >= > <= <  <  - +  <  % / *  <  unary - !
 //! ```
 //!
-//! `and` and `or` evaluate their right side only where the left side does not decide; `xor` evaluates both.
+//! `and` and `or` evaluate their right operand only if the left operand does not determine the result; `xor` evaluates
+//! both.
 
 pub mod handlers;
 mod serial;
 
 use crate::types::BaseType;
 
-/// An operator between two values.
+/// A binary operator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum BinaryOp {
-    /// `or`
+    /// `or`.
     Or,
-    /// `and`
+    /// `and`.
     And,
-    /// `xor`
+    /// `xor`.
     Xor,
-    /// `==`
+    /// `==`.
     Equal,
-    /// `!=`
+    /// `!=`.
     NotEqual,
-    /// `>=`
+    /// `>=`.
     GreaterOrEqual,
-    /// `>`
+    /// `>`.
     Greater,
-    /// `<=`
+    /// `<=`.
     LessOrEqual,
-    /// `<`
+    /// `<`.
     Less,
-    /// `-`
+    /// `-`.
     Subtract,
-    /// `+`
+    /// `+`.
     Add,
-    /// `%`: the remainder has the sign of the left side.
+    /// `%`; the remainder has the sign of the left operand.
     Remainder,
-    /// `/`
+    /// `/`.
     Divide,
-    /// `*`
+    /// `*`.
     Multiply,
 }
 
-/// An operator before one value.
+/// A unary operator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum UnaryOp {
-    /// `-`
+    /// `-`.
     Negate,
-    /// `!`: the contrary of a truth value, the inverse of a transformation.
+    /// `!`: negation of a truth value, or inverse of a transformation.
     Not,
 }
 
 impl BinaryOp {
-    /// Every operator, in ascending order of precedence.
+    /// All operators, in ascending order of precedence.
     pub const ALL: [Self; 14] = [
         Self::Or,
         Self::And,
@@ -76,7 +77,7 @@ impl BinaryOp {
         Self::Multiply,
     ];
 
-    /// As code writes it.
+    /// Spelling in code.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
@@ -97,13 +98,14 @@ impl BinaryOp {
         }
     }
 
-    /// The operator with this symbol; the words in any letter case.
+    /// Finds an operator by its symbol; words in upper or lower case.
     #[must_use]
     pub fn from_symbol(symbol: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|op| op.symbol().eq_ignore_ascii_case(symbol))
     }
 
-    /// How tightly it binds: a greater number binds tighter, equal ones group from the left.
+    /// Precedence: operators with a greater number bind more tightly, operators with an equal number are
+    /// left-associative.
     #[must_use]
     pub fn precedence(self) -> u8 {
         match self {
@@ -119,10 +121,10 @@ impl BinaryOp {
 }
 
 impl UnaryOp {
-    /// How tightly a unary operator binds: tighter than every operator between two values.
+    /// Precedence of unary operators, which bind more tightly than binary operators.
     pub const PRECEDENCE: u8 = 8;
 
-    /// As code writes it.
+    /// Spelling in code.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
@@ -132,7 +134,7 @@ impl UnaryOp {
     }
 }
 
-/// The type of `left op right`; `None` where the operator is not defined for the two types.
+/// Type of `left op right`; `None` if the operator is not defined for the two types.
 #[must_use]
 pub fn binary(op: BinaryOp, left: BaseType, right: BaseType) -> Option<BaseType> {
     use BaseType::{Bool, Joint, Num, String, Trsf};
@@ -148,14 +150,14 @@ pub fn binary(op: BinaryOp, left: BaseType, right: BaseType) -> Option<BaseType>
     }
 }
 
-/// The structure that both operands of an operator have where they are written between braces; `None` if the operator
-/// does not determine it. Two transformations are the only structures that can be multiplied.
+/// Type of both operands of an operator if they are written in braces; `None` if the operator does not determine it.
+/// Transformations are the only structures that can be multiplied.
 #[must_use]
 pub fn structure(op: BinaryOp) -> Option<BaseType> {
     (op == BinaryOp::Multiply).then_some(BaseType::Trsf)
 }
 
-/// The type of `op operand`; `None` where the operator is not defined for the type.
+/// Type of `op operand`; `None` if the operator is not defined for the type.
 #[must_use]
 pub fn unary(op: UnaryOp, operand: BaseType) -> Option<BaseType> {
     match (op, operand) {
@@ -166,12 +168,11 @@ pub fn unary(op: UnaryOp, operand: BaseType) -> Option<BaseType> {
     }
 }
 
-/// Whether `target = value` is allowed from s7 on.
+/// Whether `target = value` is valid from s7 on.
 ///
-/// Beside equal types: a digital output takes a `bool` and a `bool` takes a digital input; a serial line takes and
-/// gives a `string` or a `num` (one byte). Two inputs or outputs cannot be assigned to each other: before s7
-/// `dio = dio` copied the state
-/// ([`Version::assigns_dio_to_dio`](crate::versions::Version::assigns_dio_to_dio)).
+/// Besides equal types, a `bool` can be assigned to a digital output and a digital input to a `bool`; a `string` or a
+/// `num` (one byte) can be assigned to and from a serial line. An input or output cannot be assigned to another: before
+/// s7, `dio = dio` copied the state ([`Version::assigns_dio_to_dio`](crate::versions::Version::assigns_dio_to_dio)).
 #[must_use]
 pub fn assignment(target: BaseType, value: BaseType) -> bool {
     use BaseType::{Bool, Dio, Num, Screen, Sio, String};
@@ -182,7 +183,7 @@ pub fn assignment(target: BaseType, value: BaseType) -> bool {
     }
 }
 
-/// Whether a value of this type can be a condition: the state of a digital input counts as `bool`.
+/// Whether a value of this type can be a condition; the state of a digital input counts as `bool`.
 #[must_use]
 pub fn reads_as_bool(ty: BaseType) -> bool {
     matches!(ty, BaseType::Bool | BaseType::Dio)

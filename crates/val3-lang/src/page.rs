@@ -1,9 +1,9 @@
-//! Pages: the Markdown texts of the catalogue, cut into the parts that a reader asks for.
+//! Splits Markdown pages of the catalogue into parts.
 //!
-//! A page starts with one sentence that says what the thing does. Its examples are fenced blocks marked `val3`
-//! in the listing form: the data they use, then code.
+//! A page starts with a sentence that describes its subject. Its examples are fenced blocks marked `val3`, as listings:
+//! data, followed by code.
 
-/// The page without the blank that every line of a doc comment starts with. A page from a file is returned unchanged.
+/// Returns the page without the leading blank in each doc comment line. A page from a file is returned unchanged.
 #[must_use]
 pub fn text(page: &str) -> String {
     let is_comment = page.lines().all(|line| line.is_empty() || line.starts_with(' '));
@@ -16,14 +16,14 @@ pub fn text(page: &str) -> String {
     text
 }
 
-/// The first paragraph of a page: one sentence.
+/// Returns the first paragraph of a page: one sentence.
 #[must_use]
 pub fn summary(page: &str) -> String {
     let lines = page.lines().map(str::trim).take_while(|line| !line.is_empty());
     lines.collect::<Vec<_>>().join(" ")
 }
 
-/// The text below the heading `## heading`, without blank lines around it; empty where there is no such heading.
+/// Returns the text below the heading `## heading`, trimmed; empty if there is no such heading.
 #[must_use]
 pub fn section(page: &str, heading: &str) -> String {
     let text = text(page);
@@ -32,7 +32,7 @@ pub fn section(page: &str, heading: &str) -> String {
     lines.join("\n").trim_matches('\n').to_owned()
 }
 
-/// The VAL 3 listings of a page, in order.
+/// Returns the VAL 3 listings of a page, in order.
 #[must_use]
 pub fn examples(page: &str) -> Vec<String> {
     let mut examples = Vec::new();

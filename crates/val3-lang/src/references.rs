@@ -1,7 +1,7 @@
-//! The references of points, frames and tools up to `world` and `flange` (9.4 to 9.6).
+//! Chains of fathers from points, frames and tools to `world` and `flange` (9.4 to 9.6).
 //!
-//! A way that comes back to where it was leads nowhere, and neither does one whose next frame or tool is no longer
-//! there (its array has shrunk, its library has left memory): then the last one on it has no reference.
+//! The last element of a chain has no father if the chain is circular, or if its father no longer exists because an
+//! array has shrunk or a library was unloaded.
 
 mod poses;
 
@@ -17,12 +17,12 @@ use crate::runtime_errors::{
 
 pub use poses::Poses;
 
-/// Transformations from the inside out, as [`val3_geometry::chain`] wants them.
+/// Transformations from the inside out, as [`val3_geometry::chain`] requires.
 ///
-/// The few of an ordinary chain are stored inline: `distance` of two points takes 0.7 of the time with a `Vec`.
+/// Short chains are stored inline: with a `Vec`, `distance` of two points takes 1.4 times as long.
 pub type Chain = SmallVec<[Trsf; 4]>;
 
-/// Where frames or tools begin.
+/// Root of frame or tool chains.
 struct Root {
     store: StoreId,
     changed: Fault,
@@ -30,7 +30,7 @@ struct Root {
 }
 
 impl Root {
-    /// Checks that the start of all chains still is where it was.
+    /// Checks that the root has not been moved.
     fn check(&self, memory: &Memory, at: Place) -> Result<()> {
         if Trsf::read(memory, at)? == Trsf::IDENTITY { Ok(()) } else { Err(self.changed) }
     }
@@ -42,33 +42,33 @@ const WORLD: Root =
 const FLANGE: Root =
     Root { store: Memory::FLANGE, changed: Fault(FLANGE_CHANGED), lacking: Fault(TOOL_WITHOUT_REFERENCE) };
 
-/// The way from a frame to `world`.
+/// Chain from a frame to `world`.
 ///
 /// # Errors
-/// 161 if `world` was changed, 163 if a frame on the way has no reference.
+/// 161 if `world` was changed, 163 if a frame in the chain has no father.
 pub fn of_frame(memory: &Memory, FrameRef(frame): FrameRef) -> Result<Chain> {
     follow(memory, Chain::new(), frame, &WORLD)
 }
 
-/// The way from a tool to `flange`.
+/// Chain from a tool to `flange`.
 ///
 /// # Errors
-/// 160 if `flange` was changed, 164 if a tool on the way has no reference.
+/// 160 if `flange` was changed, 164 if a tool in the chain has no father.
 pub fn of_tool(memory: &Memory, ToolRef(tool): ToolRef) -> Result<Chain> {
     follow(memory, Chain::new(), tool, &FLANGE)
 }
 
-/// The way from a point to `world`.
+/// Chain from a point to `world`.
 ///
 /// # Errors
-/// 161 if `world` was changed, 162 if the point and 163 if a frame on the way has no reference.
+/// 161 if `world` was changed, 162 if the point has no father, 163 if a frame in the chain has none.
 pub fn of_point(memory: &Memory, point: PointRef) -> Result<Chain> {
     let inner = Chain::from_iter([Trsf::read(memory, point.0)?]);
     let FrameRef(frame) = frame_of(memory, point)?;
     follow(memory, inner, frame, &WORLD)
 }
 
-/// The reference frame of a point.
+/// Father frame of a point.
 ///
 /// # Errors
 /// 162 if it has none.
@@ -77,10 +77,10 @@ pub fn frame_of(memory: &Memory, PointRef(point): PointRef) -> Result<FrameRef> 
     frame.map(FrameRef).ok_or(Fault(POINT_WITHOUT_REFERENCE))
 }
 
-/// The reference of a frame, a tool or a point; `None` if it has none that exists.
+/// Father of a frame, a tool or a point; `None` if it has no father or the father does not exist.
 ///
 /// # Errors
-/// 20 if it is gone itself, 82 if its reference is out of its reach.
+/// 20 if the value itself does not exist, 82 if it must not refer to its father.
 pub fn reference(memory: &Memory, at: Place) -> Result<Option<Place>> {
     match memory.link(at, 0)? {
         Link::Data(reference) if memory.link(reference, 0).is_ok() => {
@@ -95,8 +95,8 @@ pub fn reference(memory: &Memory, at: Place) -> Result<Option<Place>> {
 fn follow(memory: &Memory, mut chain: Chain, start: Place, root: &Root) -> Result<Chain> {
     let mut way = SmallVec::<[Place; 4]>::new();
     let mut at = start;
-    // A place to which a loop comes back. It moves on at double distances, so that it is once within every loop, and
-    // the loop shorter than its stay (Brent).
+    // Detects loops by Brent's algorithm: the checkpoint moves forward at doubling distances until it is inside a loop
+    // that is shorter than the distance.
     let mut checkpoint = None;
     while at.store != root.store {
         if checkpoint == Some(at) {

@@ -1,4 +1,4 @@
-//! Instructions that other versions of VAL 3 do not have, and what takes their place.
+//! Instructions that are missing in other versions of VAL 3, and their replacements.
 
 /// Whether the instruction writes on the text page or reads its keys (4.3). A CS9 (s8) does not show this page.
 #[must_use]
@@ -6,7 +6,7 @@ pub fn is_text_page(instruction: &str) -> bool {
     TEXT_PAGE.iter().any(|(name, _)| *name == instruction)
 }
 
-/// What takes the place of an instruction of another version.
+/// Replacement of an instruction that another version does not have.
 #[must_use]
 pub fn replacement(instruction: &str) -> Option<&'static str> {
     TEXT_PAGE.iter().chain(&OTHERS).find(|(name, _)| *name == instruction).map(|(_, replacement)| *replacement)

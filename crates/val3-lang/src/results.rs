@@ -1,15 +1,15 @@
-//! Results of instructions that a program should not ignore, and results that are rounded.
+//! Results of instructions that a program should not ignore, and rounded results.
 
 use crate::library_errors::LIBRARY_ERRORS;
 
-/// The meaning of a result that a program should not ignore, in a few words; `None` if the result can be ignored.
+/// Meaning of a result that a program should not ignore, in a few words; `None` if the result can be ignored.
 #[must_use]
 pub fn result_meaning(instruction: &str) -> Option<&'static str> {
     TELLING.iter().find(|(name, _)| *name == instruction).map(|(_, result_meaning)| *result_meaning)
 }
 
-/// The numbers that an instruction can return, ascending; none if it has no list of them. `taskStatus` returns the numbers
-/// of run-time errors as well.
+/// Numbers that an instruction can return, ascending; empty if the numbers are not listed. `taskStatus` also returns
+/// numbers of run-time errors.
 #[must_use]
 pub fn result_codes(instruction: &str) -> Vec<i16> {
     if LIBRARY_CODES.contains(&instruction) {
@@ -22,8 +22,7 @@ pub fn result_codes(instruction: &str) -> Vec<i16> {
 /// Instructions that return a code of `library_errors` (6.6).
 static LIBRARY_CODES: [&str; 3] = ["libLoad", "libSave", "libDelete"];
 
-/// The first and the last result of instructions that return codes without a gap (3.5 to 3.7, 4.2, 5.10, 8.1, 9.4.4,
-/// 11.2).
+/// First and last result of instructions that return consecutive codes (3.5 to 3.7, 4.2, 5.10, 8.1, 9.4.4, 11.2).
 static CODES: [(&str, i16, i16); 10] = [
     ("ioStatus", -3, 2),
     ("sioCtrl", -5, 0),
@@ -37,14 +36,14 @@ static CODES: [(&str, i16, i16); 10] = [
     ("alter", -3, 1),
 ];
 
-/// Whether the result is a number that is rounded after its fourteenth digit (3.2.1).
+/// Whether the result is rounded to fourteen digits (3.2.1).
 #[must_use]
 pub fn is_rounded(instruction: &str) -> bool {
     ROUNDED.contains(&instruction)
 }
 
-/// Instructions whose result is the only sign of a failure (6.6, 6.7, 8.1, 9.2.3, 9.4.4, 9.6.3). `libSave` is not among
-/// them: programs use it as a statement, since the application can do little about a full disk.
+/// Instructions whose result is the only sign of a failure (6.6, 6.7, 8.1, 9.2.3, 9.4.4, 9.6.3). `libSave` is not
+/// included, because programs use it as a statement: the application can do little about a full disk.
 static TELLING: [(&str, &str); 5] = [
     ("libLoad", "0, or why the library is not loaded"),
     ("libDelete", "0, or why the library is not deleted"),

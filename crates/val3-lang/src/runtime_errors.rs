@@ -1,32 +1,32 @@
-//! Run-time errors: what stops a task, why, and what to do about it (5.10, 12.1).
+//! Run-time errors: why a task was stopped, and the remedy (5.10, 12.1).
 //!
-//! `taskStatus` gives the number of the error that stopped a task and `help` explains it. The numbers from 50 on
-//! that the manual's tables lack are those of the controller's own messages.
+//! `taskStatus` returns the number of the error that stopped a task, and `help` explains it. Numbers from 50 on that
+//! are not in the manual's tables come from messages of the controller.
 
-/// One run-time error.
+/// A run-time error.
 #[derive(Debug, PartialEq, Eq)]
 pub struct RuntimeError {
-    /// The number, as `taskStatus` gives it.
+    /// Number, as returned by `taskStatus`.
     pub number: u16,
-    /// The cause, in a few words.
+    /// Cause, in a few words.
     pub short: &'static str,
-    /// Why, and what to do about it.
+    /// Explanation and remedy.
     pub long: &'static str,
 }
 
-/// The result of `taskStatus` for a task that no error has stopped.
+/// Result of `taskStatus` for a task that no error has stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum TaskState {
-    /// -1: the library or application has created no task of this name.
+    /// -1: the library or application has no task with this name.
     Absent,
     /// 0: halted, by `taskSuspend` or a debugger.
     Halted,
-    /// 1: running; a task that waits runs.
+    /// 1: running, including waiting.
     Running,
 }
 
 impl TaskState {
-    /// The number that `taskStatus` gives.
+    /// Number that `taskStatus` returns.
     #[must_use]
     pub fn number(self) -> i16 {
         match self {
@@ -36,7 +36,7 @@ impl TaskState {
         }
     }
 
-    /// The description in the table of 12.1, which `help` returns.
+    /// Description in the table of 12.1, which `help` returns.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
@@ -47,19 +47,19 @@ impl TaskState {
     }
 }
 
-/// An input, output or serial line is used without a link (3.5 to 3.7).
+/// An input, output or serial line without a link is used (3.5 to 3.7).
 pub const UNLINKED: u16 = 123;
 
-/// A number for which an instruction is not defined, or a result that is too large (3.2.3).
+/// A number is outside of an instruction's domain, or a result is too large (3.2.3).
 pub const INVALID_NUMBER: u16 = 11;
 
 /// A system input is written (3.5, 3.6).
 pub const WRITE_TO_INPUT: u16 = 122;
 
-/// A program writes an output of the system (3.5, 3.6).
+/// A program writes a system output (3.5, 3.6).
 pub const PROTECTED_OUTPUT: u16 = 124;
 
-/// The device of an input, output or serial line does not answer (3.5 to 3.7).
+/// The device for an input, output or serial line does not respond (3.5 to 3.7).
 pub const NO_ANSWER: u16 = 125;
 
 const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {
@@ -69,76 +69,76 @@ const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeErr
 /// A division by zero (3.2.2).
 pub const DIVISION_BY_ZERO: u16 = 10;
 
-/// An index is not below the size, or a key is not in the collection (2.5.3).
+/// An index is not below the size, or a key does not exist in the collection (2.5.3).
 pub const INDEX_TOO_LARGE: u16 = 20;
 
 /// An index is below zero (2.5.3).
 pub const INDEX_NEGATIVE: u16 = 21;
 
-/// There is no memory left, or a variable would hold more values than it may (2.5.4).
+/// There is no memory left, or a variable would exceed its maximum number of elements (2.5.4).
 pub const NO_MEMORY: u16 = 40;
 
 /// The stack of a task is full.
 pub const STACK_FULL: u16 = 41;
 
-/// The interpreter cannot go on.
+/// The interpreter cannot continue.
 pub const INTERPRETER: u16 = 61;
 
-/// Data or a program of a library that is not loaded, or that lacks them (6.4).
+/// Data or a program do not exist in a library, or the library is not loaded (6.4).
 pub const LIBRARY_ITEM_MISSING: u16 = 80;
 
-/// The reference of a variable is in a library that is not declared, or private there (12.1).
+/// The father of a variable is in a library that is not declared, or is private in it (12.1).
 pub const REFERENCE_OUT_OF_REACH: u16 = 82;
 
-/// A task cannot have this name (5.10).
+/// The name of a task is invalid (5.10).
 pub const BAD_TASK_NAME: u16 = 29;
 
-/// There is no task of this name (5.10).
+/// There is no task with this name (5.10).
 pub const NO_TASK: u16 = 30;
 
-/// There is a task of this name already (5.10).
+/// A task with this name already exists (5.10).
 pub const TASK_EXISTS: u16 = 31;
 
-/// A third period of synchronous tasks (5.10).
+/// Synchronous tasks have more than two different periods (5.10).
 pub const PERIODS: u16 = 32;
 
-/// A task cannot go on where `taskResume` asks for (5.10).
+/// A task cannot continue at the line that `taskResume` requests (5.10).
 pub const NO_LINE: u16 = 90;
 
-/// An argument that the instruction does not take.
+/// An argument is invalid for the instruction.
 pub const INVALID_PARAMETER: u16 = 70;
 
-/// A position for another kind of arm (12.1).
+/// A position belongs to another kind of arm (12.1).
 pub const ANOTHER_ARM: u16 = 81;
 
-/// `vel` of a motion descriptor (10.5).
+/// `vel` of a motion descriptor is invalid (10.5).
 pub const BAD_VEL: u16 = 100;
 
-/// `accel` of a motion descriptor (10.5).
+/// `accel` of a motion descriptor is invalid (10.5).
 pub const BAD_ACCEL: u16 = 101;
 
-/// `decel` of a motion descriptor (10.5).
+/// `decel` of a motion descriptor is invalid (10.5).
 pub const BAD_DECEL: u16 = 102;
 
-/// `tvel` of a motion descriptor (10.5).
+/// `tvel` of a motion descriptor is invalid (10.5).
 pub const BAD_TVEL: u16 = 103;
 
-/// `rvel` of a motion descriptor (10.5).
+/// `rvel` of a motion descriptor is invalid (10.5).
 pub const BAD_RVEL: u16 = 104;
 
-/// `reach` of a motion descriptor (10.5).
+/// `reach` of a motion descriptor is invalid (10.5).
 pub const BAD_REACH: u16 = 105;
 
-/// `leave` of a motion descriptor (10.5).
+/// `leave` of a motion descriptor is invalid (10.5).
 pub const BAD_LEAVE: u16 = 106;
 
-/// A move recorded before cannot be done (10.6).
+/// A move that was recorded before cannot be executed (10.6).
 pub const MOTION_FAULT: u16 = 150;
 
-/// The target of a move, or its path, is not possible (10.6).
+/// The target or the path of a move is impossible (10.6).
 pub const IMPOSSIBLE_MOVE: u16 = 154;
 
-/// The licence of an option is missing (11).
+/// An option's licence is missing (11).
 pub const NO_LICENCE: u16 = 250;
 
 /// The position of `flange` is not 0 (9.5.1).
@@ -147,16 +147,16 @@ pub const FLANGE_CHANGED: u16 = 160;
 /// The position of `world` is not 0 (9.4.1).
 pub const WORLD_CHANGED: u16 = 161;
 
-/// A point without reference frame (9.6.1).
+/// A point has no father (9.6.1).
 pub const POINT_WITHOUT_REFERENCE: u16 = 162;
 
-/// A frame without reference frame (9.4.1).
+/// A frame has no father (9.4.1).
 pub const FRAME_WITHOUT_REFERENCE: u16 = 163;
 
-/// A tool without reference tool (9.5.1).
+/// A tool has no father (9.5.1).
 pub const TOOL_WITHOUT_REFERENCE: u16 = 164;
 
-/// The reference of a global variable is a local one.
+/// The father of a global variable is local.
 pub const GLOBAL_REFERS_TO_LOCAL: u16 = 165;
 
 /// Whether it is an error of moves (10.6), of motion descriptors (10.5) or of frames that move with the motion.
@@ -165,13 +165,13 @@ pub const fn is_motion(number: u16) -> bool {
     matches!(number, BAD_VEL..=BAD_LEAVE | MOTION_FAULT | 153 | IMPOSSIBLE_MOVE | 170 | 171)
 }
 
-/// The error with this number.
+/// Finds an error by number.
 #[must_use]
 pub fn find(number: u16) -> Option<&'static RuntimeError> {
     RUNTIME_ERRORS.binary_search_by_key(&number, |row| row.number).ok().and_then(|at| RUNTIME_ERRORS.get(at))
 }
 
-/// Every run-time error, ascending.
+/// All run-time errors, ascending.
 #[rustfmt::skip]
 pub static RUNTIME_ERRORS: [RuntimeError; 46] = [
     row(10, "division by zero", "The right side of / or % is 0. Test it before, or keep it away from 0."),

@@ -1,26 +1,26 @@
-//! Pages of the statements: everything in the language apart from instructions (2.2.5, 3.1.2, 5.10).
+//! Pages of the statements and other parts of the language that are no instructions (2.2.5, 3.1.2, 5.10).
 
 mod pages;
 
 pub use pages::STATEMENTS;
 
-/// A statement or another part of the language that has a page.
+/// A statement or another part of the language with a page.
 #[derive(Debug)]
 pub struct Statement {
-    /// The word by which a reader asks for it: `if`, `?`, `//`.
+    /// Name of the page: `if`, `?`, `//`.
     pub name: &'static str,
-    /// Every keyword that belongs to it.
+    /// Keywords of the statement.
     pub keywords: &'static [&'static str],
-    /// Section of the manual; empty for what it does not describe.
+    /// Section of the manual; empty if the manual does not describe it.
     pub section: &'static str,
-    /// The page in Markdown, one leading blank a line. [`crate::page`] cuts it into its parts.
+    /// Page in Markdown, with one leading blank per line. [`crate::page`] splits it into parts.
     pub page: &'static str,
 }
 
 /// Prints a value (undocumented).
 pub const PRINT: &str = "?";
 
-/// The statement that this word belongs to, in any letter case: `endIf` gives `if`.
+/// Finds the statement of a word, in upper or lower case: `endIf` belongs to `if`.
 #[must_use]
 pub fn find(word: &str) -> Option<&'static Statement> {
     STATEMENTS.iter().find(|statement| {

@@ -1,13 +1,13 @@
-//! Proposals for misspelt names, for the messages about programs, configurations, settings and command lines.
+//! Suggestions for misspelled names in programs, configurations, settings and command lines.
 
-/// The candidate most similar to `name`, if one is similar enough to be proposed. Of equally similar candidates, the
-/// first in alphabetical order.
+/// Returns the candidate that is most similar to `name`, if it is similar enough. Among equally similar candidates, the
+/// first in alphabetical order is returned.
 pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     similar(name, candidates).min().map(|(_, candidate)| candidate)
 }
 
-/// The candidates that a person may have meant by `word`: those that are most similar, where the beginning of a
-/// candidate is as good as one slip. At most three, in alphabetical order.
+/// Returns the candidates for a word that the user has mistyped: the most similar ones. A candidate with the prefix
+/// `word` counts as one edit. At most three, in alphabetical order.
 pub fn proposals<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Vec<&'c str> {
     let candidates: Vec<&str> = candidates.into_iter().collect();
     let begun = candidates.iter().copied().filter(|candidate| is_beginning(word, candidate));
@@ -19,15 +19,14 @@ pub fn proposals<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) 
     found.into_iter().take_while(|(distance, _)| Some(*distance) == least).map(|(_, found)| found).take(3).collect()
 }
 
-/// The question that proposes names; `None` without names.
+/// Formats the question that suggests names; `None` without names.
 pub fn question<'c>(names: impl IntoIterator<Item = &'c str>) -> Option<String> {
     let quoted: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
     (!quoted.is_empty()).then(|| format!("did you mean {}?", quoted.join(", ")))
 }
 
-/// The candidates that are similar enough, with the number of slips: letters that are missing, added, changed or
-/// swapped. A third of the letters may be slips, at least one and at most three. Letter case does not count, and neither
-/// does the difference between `_` and `-`.
+/// Candidates that are similar enough, with the edit distance: missing, added, changed or swapped letters. The limit is
+/// a third of the letters, at least one and at most three. Upper and lower case, and `_` and `-`, count as equal.
 fn similar<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> impl Iterator<Item = (usize, &'c str)> {
     let (own, limit) = (name.to_owned(), (name.chars().count() / 3).clamp(1, 3));
     let folded = folded(name);
@@ -35,7 +34,7 @@ fn similar<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> imp
     let named = candidates.into_iter().filter(move |candidate| !candidate.is_empty() && *candidate != own);
     named.filter_map(move |candidate| {
         let candidate_folded = self::folded(candidate);
-        // Two names this near each other differ in at most twice as many letters; far faster than the distance.
+        // Cheap test before the distance: similar names differ in at most twice as many letters.
         let may_be_similar = candidate_folded.len().abs_diff(folded.len()) <= 4 * limit
             && (letters ^ self::letters(&candidate_folded)).count_ones() as usize <= 2 * limit;
         let distance = may_be_similar.then(|| strsim::osa_distance(&folded, &candidate_folded))?;
@@ -51,7 +50,7 @@ fn folded(name: &str) -> String {
     name.to_lowercase().replace('_', "-")
 }
 
-/// Which letters occur, as a set of bits.
+/// Set of the letters in a name, as bits.
 fn letters(name: &str) -> u64 {
     name.bytes().fold(0, |set, byte| set | 1 << (byte % 64))
 }

@@ -1,54 +1,54 @@
-//! Requirements of the controller on tasks (5.5, 5.10).
+//! Limits for tasks on the controller (5.5, 5.10).
 
 use crate::arguments::{Range, range};
 use crate::versions::Version;
 
-/// The unit of periods in seconds; the controller rounds a period down to a multiple of it.
+/// Unit of periods in seconds; the controller rounds a period down to a multiple of it.
 pub const PERIOD_STEP: f64 = 0.004;
 
-/// The number of different periods that synchronous tasks can have at a time; one more is run-time error 32.
+/// Maximum number of different periods of synchronous tasks at one time. One more is run-time error 32.
 pub const MAX_PERIODS: usize = 2;
 
-/// The lines that a task runs in its turn.
+/// Valid number of lines that a task executes in its turn.
 #[must_use]
 pub fn priority() -> Option<&'static Range> {
     range("taskCreate", "nPriority")
 }
 
-/// The time between two turns of a synchronous task in seconds.
+/// Valid time between two turns of a synchronous task, in seconds.
 #[must_use]
 pub fn period() -> Option<&'static Range> {
     range("taskCreateSync", "nPeriod")
 }
 
-/// The period is a multiple of the controller's unit, but for what a decimal fraction cannot say exactly.
+/// Whether the period is a multiple of the controller's unit, up to the rounding of decimal fractions.
 #[must_use]
 pub fn is_exact_period(seconds: f64) -> bool {
     let steps = seconds / PERIOD_STEP;
     (steps - steps.round()).abs() < 1e-6
 }
 
-/// A period in whole steps, rounded down as the controller does; `None` for one that is not possible.
+/// Period in whole steps, rounded down as the controller does; `None` for an invalid period.
 #[must_use]
 pub fn period_steps(seconds: f64) -> Option<u32> {
     let steps = (seconds / PERIOD_STEP + 1e-6).floor();
     (seconds > 0.0 && steps <= f64::from(u32::MAX)).then_some(steps as u32)
 }
 
-/// A fault of the name of a task.
+/// Fault in a task name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameFault {
-    /// There is none.
+    /// The name is empty.
     Empty,
-    /// It is longer than this limit.
+    /// The name is longer than this limit.
     Long(usize),
-    /// It has a character other than `a` to `z`, `A` to `Z`, `0` to `9` and `_`.
+    /// The name has a character other than `a` to `z`, `A` to `Z`, `0` to `9` and `_`.
     Character(char),
 }
 
-/// The fault of the name of a task in this version; `None` for a valid one.
+/// Fault in a task name in this version; `None` for a valid name.
 ///
-/// 1 to 15 characters up to s7 (5.10). Applications of s8 use longer ones.
+/// A name has 1 to 15 characters up to s7 (5.10). Applications of s8 use longer names.
 #[must_use]
 pub fn name_fault(name: &str, version: Version) -> Option<NameFault> {
     let is_allowed = |character: &char| character.is_ascii_alphanumeric() || *character == '_';

@@ -1,21 +1,21 @@
-//! The names by which programs are tests, applications have tests, and tests assert.
+//! Names that identify tests, applications with tests, and assertions.
 
-/// The beginning of the names of tests.
+/// Prefix of test names.
 const TEST: &str = "test";
 
-/// The program that is executed before each test of its application.
+/// Program that is executed before each test of its application.
 pub const SETUP: &str = "setup";
 
-/// The program that is executed after each test.
+/// Program that is executed after each test.
 pub const TEARDOWN: &str = "teardown";
 
-/// The folder below which applications have tests, and scenarios lie.
+/// Folder that contains applications with tests, and scenarios.
 pub const TESTS: &str = "tests";
 
-/// The library by which tests assert.
+/// Library with assertions.
 pub const ASSERTIONS: &str = "val3assert";
 
-/// Its program that every failed assertion calls, with the message.
+/// Program of the library that every failed assertion calls with its message.
 pub const FAILURE: &str = "fail";
 
 /// Whether a program of an application with tests is a test.
@@ -30,7 +30,7 @@ pub fn is_executed(program: &str) -> bool {
     is_test(program) || [SETUP, TEARDOWN].contains(&program)
 }
 
-/// Whether the name of an application says that it has tests.
+/// Whether the name identifies an application with tests.
 #[must_use]
 pub fn is_test_application(name: &str) -> bool {
     name.ends_with("Test")

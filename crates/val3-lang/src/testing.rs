@@ -1,7 +1,7 @@
-//! For tests of handlers: variables, and calls of instructions as a program writes them.
+//! Test bench for handlers: variables, and calls of instructions in VAL 3 notation.
 //!
-//! Compiles a single call in a simple way: its arguments choose the form, and a name becomes a value, a place, a part
-//! of an array or a slot, depending on the form.
+//! Compiles a single call in a simple way. Its arguments select the form, which determines whether a name is passed as
+//! a value, a place, a part of an array or a slot.
 
 mod no_controller;
 mod notation;
@@ -36,14 +36,14 @@ pub(crate) struct Bench {
     variables: BTreeMap<String, (View, BaseType)>,
 }
 
-/// The value of a call without variables.
+/// Checks the result of a call without variables.
 #[track_caller]
 pub(crate) fn check(call: &str, expected: &str) {
     assert_eq!(Bench::default().run(call), expected, "{call}");
 }
 
 impl Bench {
-    /// Global variables, declared as in a listing: `num nGrid[4,6]`, `point pPick`.
+    /// Adds global variables, declared as in a listing: `num nGrid[4,6]`, `point pPick`.
     pub(crate) fn global(mut self, declarations: &str) -> Self {
         for variable in declarations.split("; ").map(Variable::parse) {
             let store = self.memory.create(&variable.init()).unwrap();
@@ -52,7 +52,7 @@ impl Bench {
         self
     }
 
-    /// Local variables. All of them have a container here, those of one value too.
+    /// Adds local variables. Each of them has a container here, even with a single value.
     pub(crate) fn local(mut self, declarations: &str) -> Self {
         for variable in declarations.split("; ").map(Variable::parse) {
             let store = self.memory.create_local(&variable.init()).unwrap();
@@ -65,7 +65,7 @@ impl Bench {
         self.variables.insert(variable.name.to_owned(), (View::whole(store), variable.base));
     }
 
-    /// Gives the numbers of a variable, from the first value on.
+    /// Sets the numbers of a variable, from the first element on.
     pub(crate) fn with(mut self, name: &str, numbers: &[f64]) -> Self {
         self.set(name, numbers);
         self
@@ -79,12 +79,12 @@ impl Bench {
         }
     }
 
-    /// The numbers of a variable.
+    /// Numbers of a variable.
     pub(crate) fn numbers(&self, name: &str) -> &[f64] {
         &self.memory.store(self.view(name).store).unwrap().nums
     }
 
-    /// Gives the texts of a variable, from the first value on.
+    /// Sets the strings of a variable, from the first element on.
     pub(crate) fn with_texts(mut self, name: &str, texts: &[&str]) -> Self {
         let store = self.memory.store_mut(self.view(name).store).unwrap();
         for (value, text) in store.texts.iter_mut().zip(texts) {
@@ -93,7 +93,7 @@ impl Bench {
         self
     }
 
-    /// Gives a collection keys, in this order.
+    /// Inserts keys into a collection, in this order.
     pub(crate) fn with_keys(mut self, name: &str, keys: &[&str]) -> Self {
         let store = self.view(name).store;
         for key in keys {
@@ -115,8 +115,8 @@ impl Bench {
         self
     }
 
-    /// Executes a call, or an assignment of one, and prints its value: `12`, `"a"`, `{1,2,3,0,0,0}`. Else prints
-    /// `error 20`, `waits`, `sleeps until 1.5`.
+    /// Executes a call, or the assignment of a call, and formats its value: `12`, `"a"`, `{1,2,3,0,0,0}`. Otherwise
+    /// returns `error 20`, `waits` or `sleeps until 1.5`.
     #[track_caller]
     pub(crate) fn run(&mut self, line: &str) -> String {
         let line = WrittenCall::parse(line);
@@ -149,7 +149,7 @@ impl Bench {
         }
     }
 
-    /// The values of a variable, with their keys if it is a collection.
+    /// Formats the elements of a variable, with their keys if it is a collection.
     pub(crate) fn show(&self, name: &str) -> String {
         let (view, base) = self.variables[name];
         let store = self.memory.store(view.store).unwrap();
@@ -212,7 +212,7 @@ impl Bench {
         Argument::Value(Place::first(store), base)
     }
 
-    /// A container for one value that has no name.
+    /// Creates a container for an unnamed value.
     fn value_of(&mut self, base: BaseType) -> StoreId {
         self.memory.create_local(&Variable { name: "", base, shape: Shape::ELEMENT }.init()).unwrap()
     }
@@ -229,7 +229,7 @@ impl Bench {
         self.variable(name).unwrap_or_else(|| panic!("no variable {name}")).0
     }
 
-    /// A text that has no name.
+    /// Creates an unnamed string.
     fn text(&mut self, text: Text) -> Place {
         let place = Place::first(self.value_of(BaseType::String));
         self.memory.set_text(place, text).unwrap();

@@ -11,7 +11,7 @@ pub use attributes::{Attribute, AttributeValue, attribute, attributes};
 pub use fields::{DefaultValue, Field, Unit, field, fields};
 pub use length_unit::LengthUnit;
 
-/// The kinematics of an arm. Positions of one kind mean nothing to another.
+/// Kind of an arm's kinematics. Positions for one kind have no meaning for another kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Arm {
     /// Six axes (RX, TX): `jointRx`, `pointRx`, `configRx`; add-on tables `anthro`.
@@ -47,7 +47,7 @@ pub enum BaseType {
     Tool,
     /// Cartesian position of a tool (9.6).
     Point,
-    /// Position of each axis (9.2).
+    /// Joint position: one number per axis (9.2).
     Joint,
     /// Arm configuration (9.7).
     Config,
@@ -63,23 +63,22 @@ pub enum BaseType {
     Wrist,
 }
 
-/// How the values of a variable are stored (2.3.4).
+/// Container kind of a variable (2.3.4).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Container {
-    /// One value.
+    /// A single value.
     Element,
-    /// Values under 1, 2 or 3 whole numbers, from 0.
+    /// Elements with 1, 2 or 3 indexes, from 0.
     Array {
         /// Number of dimensions, 1 to 3.
         dims: u8,
     },
-    /// Values under text keys.
+    /// Elements with string keys.
     Collection,
 }
 
 impl BaseType {
-    /// The types a variable can have, in the manual's order. The field types of `mdesc` and `config` are not
-    /// among them: no variable has such a type.
+    /// Types that a variable can have, in the manual's order. The field types of `mdesc` and `config` are not included.
     pub const DECLARABLE: [Self; 14] = [
         Self::Bool,
         Self::Num,
@@ -97,26 +96,26 @@ impl BaseType {
         Self::Mdesc,
     ];
 
-    /// A field type whose values are names: `blend`, `shoulder`, `elbow`, `wrist`.
+    /// Whether it is a field type whose values are names: `blend`, `shoulder`, `elbow`, `wrist`.
     #[must_use]
     pub fn is_enumeration(self) -> bool {
         matches!(self, Self::Blend | Self::Shoulder | Self::Elbow | Self::Wrist)
     }
 
-    /// A type whose variables are linked to a physical input, output or line: `dio`, `aio`, `sio` (3.5 to 3.7).
+    /// Whether variables of the type are linked to a physical input, output or line: `dio`, `aio`, `sio` (3.5 to 3.7).
     #[must_use]
     pub fn is_linkable(self) -> bool {
         matches!(self, Self::Dio | Self::Aio | Self::Sio)
     }
 
-    /// A type whose values are relative to another variable: `frame` and `point` to a frame, `tool` to a tool
+    /// Whether values of the type are relative to another variable: `frame` and `point` to a frame, `tool` to a tool
     /// (9.4 to 9.6).
     #[must_use]
     pub fn has_father(self) -> bool {
         self.father().is_some()
     }
 
-    /// The type of the variable that values of this type are relative to.
+    /// Father type of this type's values.
     #[must_use]
     pub fn father(self) -> Option<Self> {
         match self {
@@ -126,13 +125,13 @@ impl BaseType {
         }
     }
 
-    /// A type that means something only together with an arm: `joint`, `point`, `config`.
+    /// Whether values of the type depend on the arm: `joint`, `point`, `config`.
     #[must_use]
     pub fn depends_on_arm(self) -> bool {
         matches!(self, Self::Joint | Self::Point | Self::Config)
     }
 
-    /// A type with fields (2.3.3): its value can be written `{…}`.
+    /// Whether the type has fields (2.3.3), so that its value can be written `{…}`.
     #[must_use]
     pub fn is_structured(self) -> bool {
         !fields(self, None).is_empty()

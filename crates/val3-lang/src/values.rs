@@ -1,8 +1,8 @@
 //! Values of the simple types, and the functions of their instructions (3.1 to 3.4, 4.3).
 //!
-//! Plain functions of plain values: no machine, no clock, no allocation. A value that an instruction does not accept
-//! results in the number of a run-time error. Numbers are IEEE doubles; the functions that the hardware or the system's
-//! library would compute differently from machine to machine come from `libm`.
+//! Plain functions without access to the machine or a clock, and without allocation. For an invalid value, they return
+//! the number of a run-time error. Numbers are IEEE doubles; functions whose results depend on the hardware or the
+//! system library come from `libm`.
 
 pub mod binary;
 pub mod bits;

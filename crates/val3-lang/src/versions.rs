@@ -1,17 +1,17 @@
-//! Versions of VAL 3 and what each lacks.
+//! Versions of VAL 3 and their differences.
 
 use std::fmt;
 
 /// A version of VAL 3: s5 to s7 run on CS8 controllers, s8 on CS9.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Version {
-    /// The number after the `s`.
+    /// Number after the `s`.
     pub major: u8,
-    /// 0 where none is given.
+    /// Minor version; 0 if missing.
     pub minor: u16,
-    /// 0 where none is given.
+    /// Patch version; 0 if missing.
     pub patch: u16,
-    /// Whether a version below s8 names the controller CS9, as `s7.0.1Cs9` of templates that come with this controller.
+    /// Whether a version below s8 names the controller CS9: `s7.0.1Cs9` in templates of this controller.
     pub on_cs9: bool,
 }
 
@@ -22,17 +22,17 @@ impl Default for Version {
 }
 
 impl Version {
-    /// The version that counts where a project names none: the one of the manual.
+    /// Version for a project that does not state one: the version of the manual.
     pub const DEFAULT: Self = Self::new(7, 11, 0);
 
-    /// The version `s{major}.{minor}.{patch}`.
+    /// Creates the version `s{major}.{minor}.{patch}`.
     #[must_use]
     pub const fn new(major: u8, minor: u16, patch: u16) -> Self {
         Self { major, minor, patch, on_cs9: false }
     }
 
-    /// Reads a version as project files spell it: `s7.11.3`, `s8.10.2Cs9_BS1991`, and the composite
-    /// `~VAL3:s5.2.4~Options:s5.2.4~` of s5. Of the text after the third number only `Cs9` below s8 has a meaning.
+    /// Parses a version in project files: `s7.11.3`, `s8.10.2Cs9_BS1991`, and the composite
+    /// `~VAL3:s5.2.4~Options:s5.2.4~` of s5. In the text after the third number, only `Cs9` below s8 has a meaning.
     ///
     /// ```
     /// use val3_lang::versions::Version;
@@ -50,13 +50,13 @@ impl Version {
         Some(Self { major, minor: rest(), patch: rest(), on_cs9: is_cs9 && major < FIRST_OF_CS9 })
     }
 
-    /// First number of the language version of the controller: 8 for every CS9.
+    /// First number of the controller's language version: 8 for every CS9.
     #[must_use]
     pub fn language(self) -> u8 {
         if self.on_cs9 { FIRST_OF_CS9 } else { self.major }
     }
 
-    /// The most characters an identifier may have; `None` where no limit is known.
+    /// Maximum number of characters in an identifier; `None` if there is no known limit.
     ///
     /// 15 up to s7 (2.5.1). Applications of s8 use 36 and more.
     #[must_use]
@@ -64,8 +64,8 @@ impl Version {
         (self.language() < 8).then_some(15)
     }
 
-    /// The most values that `insert`, `append` and `resize` leave in a variable (2.5.4); `None` where only memory
-    /// limits it (s8).
+    /// Maximum number of elements in a variable after `insert`, `append` and `resize` (2.5.4); `None` if it is only
+    /// limited by memory (s8).
     #[must_use]
     pub fn container_limit(self) -> Option<u32> {
         (self.language() < 8).then_some(9999)
@@ -77,7 +77,7 @@ impl Version {
         self.language() >= 8
     }
 
-    /// Whether `toBinary` encodes the numbers that exist where more are requested (s8; 3.3.3).
+    /// Whether `toBinary` encodes all available numbers if more are requested (s8; 3.3.3).
     #[must_use]
     pub fn encodes_what_exists(self) -> bool {
         self.language() >= 8
@@ -108,13 +108,13 @@ impl Version {
     }
 }
 
-/// The controller of s8, as versions name it.
+/// Name of the s8 controller in versions.
 const CS9: &str = "Cs9";
 
-/// First number of the versions of [`CS9`].
+/// First number of the versions on [`CS9`].
 const FIRST_OF_CS9: u8 = 8;
 
-/// Versions that applications are known to name, the newest first.
+/// Versions that known applications declare, newest first.
 pub const KNOWN: [&str; 12] =
     ["s8.20", "s8.13", "s8.10", "s8.3", "s7.11.3", "s7.11", "s7.10", "s7.8", "s7.7", "s7.3", "s6.8", "s5.4"];
 
@@ -131,7 +131,7 @@ impl fmt::Display for Version {
     }
 }
 
-/// The part of a composite version string that names the language.
+/// Language part of a composite version.
 fn language_part(text: &str) -> &str {
     text.split('~').find_map(|part| part.strip_prefix("VAL3:")).unwrap_or(text)
 }

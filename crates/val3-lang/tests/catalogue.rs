@@ -1,4 +1,4 @@
-//! The catalogue against the signature table of the v7 manual: all of it, and nothing else but marked additions.
+//! Compares the catalogue with the signature table of the v7 manual: both are equal except for marked additions.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use val3_lang::{
 
 const TABLE: &str = include_str!("instructions.tsv");
 
-/// One line of the table.
+/// A line of the table.
 struct Row {
     section: &'static str,
     name: String,
@@ -33,7 +33,8 @@ fn row(line: &'static str) -> Option<Row> {
     Some(Row { section, name, signature: canonical(signature), blocking, errors: numbers(errors) })
 }
 
-/// The table marks what a place in a container is changed by with `&`; the catalogue says it by the shape.
+/// Normalises a signature: in the table, `&` marks a modified element, which the catalogue expresses by the argument
+/// form.
 fn canonical(signature: &str) -> String {
     signature.replace("T& variable", "T variable").replace("ident:", "library:").replace("prog(", "program(")
 }
@@ -58,7 +59,7 @@ fn is_of_manual(instruction: &Instruction, overload: &Overload) -> bool {
     instruction.availability == Availability::Manual && overload.since.is_none() && overload.is_printed
 }
 
-/// Forms of the manual as `name -> signatures`.
+/// Forms in the manual as `name -> signatures`.
 fn catalogue() -> BTreeSet<String> {
     let forms = instructions::all().iter().flat_map(|instruction| {
         let overloads = instruction.overloads.iter().filter(|form| is_of_manual(instruction, form));
@@ -131,7 +132,7 @@ fn every_page_has_its_sections() {
     }
 }
 
-/// A page names each error, alone or within `100 to 106`, or refers to another page.
+/// Whether the page names the error directly or within `100 to 106`, or refers to another page.
 fn explains_error(page: &str, error: u16) -> bool {
     let words: Vec<&str> = page.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
     let is_within = |window: &[&str]| match window {

@@ -1,5 +1,5 @@
-//! `docs/fidelity.md` against the catalogue: each section of the manual lists its instructions, all of which run, and
-//! what it says to be kept by exists.
+//! Compares `docs/fidelity.md` with the catalogue: each manual section lists its instructions, all of which are
+//! implemented, and every test that it names exists.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
@@ -11,7 +11,7 @@ use val3_lang::{instructions, keywords};
 
 const PAGE: &str = include_str!("../../../docs/fidelity.md");
 
-/// The cells of the rows of the table section by section: sections, what there is, kept by.
+/// Cells of the table rows: sections, contents, "kept by".
 fn rows() -> Vec<[&'static str; 3]> {
     let (_, table) = PAGE.split_once("### Section by section").unwrap();
     let table = table.split("\n### ").next().unwrap();
@@ -21,12 +21,12 @@ fn rows() -> Vec<[&'static str; 3]> {
         .collect()
 }
 
-/// The texts in backticks.
+/// Texts in backticks.
 fn quoted(cell: &'static str) -> impl Iterator<Item = &'static str> {
     cell.split('`').skip(1).step_by(2)
 }
 
-/// Pairs of section and instruction that the page lists; other things in backticks are operators.
+/// Pairs of section and instruction that the page lists; other texts in backticks are operators.
 fn listed() -> BTreeSet<(&'static str, &'static str)> {
     let of = |row: [&'static str; 3]| {
         let names: Vec<_> = quoted(row[1]).filter(|text| text.chars().all(char::is_alphanumeric)).collect();
@@ -35,7 +35,7 @@ fn listed() -> BTreeSet<(&'static str, &'static str)> {
     rows().into_iter().flat_map(of).collect()
 }
 
-/// The compiler turns `wait`, `watch` and the creation of tasks into operations.
+/// Whether the instruction is implemented. The compiler converts `wait`, `watch` and task creation to operations.
 fn runs(row: &Instruction) -> bool {
     let is_compiled = keywords::is_task_creation(row.name) || ["wait", "watch"].contains(&row.name);
     is_compiled || row.overloads.iter().all(|form| form.run.is_some())
@@ -56,7 +56,7 @@ fn every_instruction_is_listed_in_its_sections() {
     assert!(of_the_manual().all(runs));
 }
 
-/// So that the test above cannot pass because nothing was read.
+/// Ensures that the test above does not pass because nothing was read.
 #[test]
 fn the_page_is_read() {
     assert!(listed().len() > 120 && listed().contains(&("3.2.3", "sin")) && listed().contains(&("9.7.6", "config")));

@@ -1,4 +1,4 @@
-//! The execution of a scenario: a whole application from its program `start` on, as `val3 run` executes it, in virtual time.
+//! Executes scenarios: a complete application from its program `start`, as `val3 run` does, in virtual time.
 
 use toml::Spanned;
 use val3_lang::ports::{TaskNumber, Time};
@@ -14,8 +14,7 @@ use crate::scenario::{START, Scenario};
 use crate::stages::refusal;
 use crate::unfinished::Unfinished;
 
-/// Runs the application of a scenario, and judges what is expected of it.
-/// `None` if it may not go on.
+/// Runs the application of a scenario and checks its expectations. `None` if the caller has ended the run.
 pub(crate) fn execute(
     controller: &mut Controller,
     scenario: &Scenario,
@@ -45,7 +44,7 @@ fn run(
     let mut run = Run { controller, name, observer: scenario.observer(), journal: Journal::default(), killed: None };
     let outcome = run.cycles(until.unwrap_or(limit), supervision.may_go_on)?;
     let Run { controller, observer, journal, killed, .. } = run;
-    // An application may end itself so. Then its expectations decide.
+    // An application may end itself in this way; then its expectations determine the result.
     let killed = killed.filter(|_| scenario.expectations.is_empty());
     let has_ended = matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking);
     let endless = (until.is_none() && !has_ended)
@@ -75,14 +74,14 @@ fn run(
     })
 }
 
-/// A run of an application.
+/// An application run.
 struct Run<'c> {
     controller: &'c mut Controller,
-    /// The name of its first task.
+    /// First task's name.
     name: String,
     observer: Observer,
     journal: Journal,
-    /// The failure of its first task, if a program has killed it.
+    /// Failure, if a program has killed the first task.
     killed: Option<Failure>,
 }
 

@@ -1,5 +1,5 @@
-//! The message of a failed assertion, from the arguments in its frame. The message in the event log is a VAL 3 string, which
-//! ends after 128 bytes.
+//! Message of a failed assertion, created from the arguments in its stack frame. The message in the event log is a
+//! string, which is cut at 128 bytes.
 
 mod numbers;
 mod positions;
@@ -15,17 +15,17 @@ use crate::failure::Failure;
 use crate::library::NAME;
 use crate::unfinished::places;
 
-/// The data of the library with the text that failures begin with.
+/// Data of the library with the text that precedes failures.
 const ABOUT: &str = "sAbout";
 
-/// The failure of the assertion that a task is in. `logged` is its message in the event log.
+/// Failure of a task's current assertion. `logged` is its message in the event log.
 pub(crate) fn failed_assertion(logged: String, task: Option<TaskNumber>, controller: &Controller) -> Failure {
-    // The logged message has the text of `about` before it.
+    // The logged message already contains the text of `about`.
     let message = task.and_then(|task| message(controller, task)).unwrap_or(logged);
     Failure { message, places: task.map(|task| places(controller, task)).unwrap_or_default() }
 }
 
-/// The message of the assertion that a task is in; `None` if it is in none, or in one with other parameters.
+/// Message of a task's current assertion; `None` outside of an assertion, or if it has unknown parameters.
 fn message(controller: &Controller, task: TaskNumber) -> Option<String> {
     let programs = frames(&controller.vm, task).into_iter().take_while(|frame| frame.application == NAME);
     let programs: Vec<_> = programs.zip(0..).collect();
@@ -33,12 +33,12 @@ fn message(controller: &Controller, task: TaskNumber) -> Option<String> {
     let about = string_of_data(controller, instance, ABOUT).filter(|text| !text.is_empty());
     let programs: Vec<_> = programs.into_iter().map(|(frame, depth)| (frame.program, depth)).collect();
     let of = |(program, depth): &(String, usize)| worded(program, &arguments(&controller.vm, task, *depth));
-    // The program `fail` is the innermost one, and its text the fallback.
+    // The innermost program is `fail`, whose text is the fallback.
     let message = programs.iter().skip(1).find_map(of).or_else(|| programs.first().and_then(of))?;
     Some(about.map_or_else(|| message.clone(), |about| format!("{about}: {message}")))
 }
 
-/// The message of one of the programs of the library.
+/// Message for a program of the library.
 fn worded(program: &str, arguments: &[FrameArgument]) -> Option<String> {
     match (program, arguments) {
         ("fail", [text]) => Some(text.text.clone()),

@@ -1,4 +1,4 @@
-//! The tests of an application.
+//! Test cases of an application.
 
 use val3_bytecode::{Image, Program};
 use val3_lang::test_names::is_test;
@@ -6,79 +6,79 @@ use val3_session::Application;
 
 use crate::table::{Table, table};
 
-/// A kind of tests.
+/// Kind of a test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TestKind {
     /// A program of a test application.
     Program,
-    /// A file that runs a whole application and says what it expects.
+    /// A file that runs a complete application and states expectations.
     Scenario,
 }
 
 /// A test: a program, or a scenario.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TestCase {
-    /// Its kind.
+    /// Kind.
     pub kind: TestKind,
-    /// The name of its application; of a scenario, of the application that it runs.
+    /// Application name; for a scenario, the name of the application that it runs.
     pub application: String,
-    /// The name of the program, or that of the file of a scenario without its extension.
+    /// Program name, or file name of a scenario without extension.
     pub program: String,
-    /// The file of the program or of the scenario.
+    /// File of the program or scenario.
     pub file: String,
-    /// The line of its first statement, from 1.
+    /// Line of the first statement, from 1.
     pub line: u32,
-    /// The row of its table with which it is executed, from 0; none for a test without a table.
+    /// Row of the table with which the test is executed, from 0; `None` without a table.
     pub row: Option<u32>,
-    /// The path by which people know its application, if another one has the same name.
+    /// Displayed path of the application, if another application has the same name.
     pub application_path: Option<String>,
-    /// The path by which people know a scenario, without its extension, if another one of the application has the same name.
+    /// Displayed path of the scenario without extension, if another scenario of the application has the same name.
     pub scenario_path: Option<String>,
-    /// The columns of its table, in order; none for a test without a table.
+    /// Columns of the table, in order; empty without a table.
     pub columns: Vec<String>,
-    /// The reason why it cannot be executed.
+    /// Reason why the test cannot be executed.
     pub refusal: Option<String>,
 }
 
 impl TestCase {
-    /// Its name among all tests: `application:program`, with the row of its table as `application:program[2]`.
+    /// Name among all tests: `application:program`, or `application:program[2]` for a table row.
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}:{}", self.application, self.title())
     }
 
-    /// Its name among all tests for people, which no other test has: [`name`](Self::name), with paths instead of names that
-    /// several applications or scenarios have.
+    /// Unique displayed name among all tests: [`name`](Self::name), with paths in place of names that several
+    /// applications or scenarios share.
     #[must_use]
     pub fn shown_name(&self) -> String {
         format!("{}:{}", self.shown_application(), self.shown_title())
     }
 
-    /// The name of its application, or its path if another one has the same name.
+    /// Displayed name of the application, or its path if another application has the same name.
     #[must_use]
     pub fn shown_application(&self) -> &str {
         self.application_path.as_deref().unwrap_or(&self.application)
     }
 
-    /// Its name among the tests of its application for people.
+    /// Displayed name among the tests of the application.
     #[must_use]
     pub fn shown_title(&self) -> String {
         self.scenario_path.clone().unwrap_or_else(|| self.title())
     }
 
-    /// The name that all rows of its table share: `application:program`.
+    /// Name shared by all rows of the table: `application:program`.
     #[must_use]
     pub fn program_name(&self) -> String {
         format!("{}:{}", self.application, self.program)
     }
 
-    /// Its name among the tests of its application.
+    /// Name among the tests of the application.
     #[must_use]
     pub fn title(&self) -> String {
         self.row.map_or_else(|| self.program.clone(), |row| format!("{}[{row}]", self.program))
     }
 
-    /// The scenario called `name` in `file`, which runs an application.
+    /// Creates the test case of a scenario file.
     #[must_use]
     pub fn scenario(application: &str, name: &str, file: &str) -> Self {
         Self {
@@ -96,12 +96,12 @@ impl TestCase {
     }
 }
 
-/// The tests of an application, by name; a test with a table once for each row.
+/// Returns an application's tests, sorted by name; a test with a table occurs once for each row.
 #[must_use]
 pub fn cases(application: &Application, image: &Image) -> Vec<TestCase> {
     let tests = image.programs.iter().filter(|program| is_test(&program.name));
     let mut found: Vec<TestCase> = tests.flat_map(|program| of(application, image, program)).collect();
-    // The sort is stable: rows keep their order.
+    // A stable sort keeps the order of rows.
     found.sort_by(|one, other| one.program.cmp(&other.program));
     found
 }

@@ -1,4 +1,4 @@
-//! The coverage of the programs that a controller has in memory.
+//! Coverage of the programs in a controller's memory.
 
 use std::collections::BTreeMap;
 
@@ -13,8 +13,8 @@ use val3_session::Application;
 
 use crate::library::NAME;
 
-/// How often the programs that tests execute were executed since the initial state of a controller: those of each
-/// application and library that was in memory, except test applications, tests and `val3assert`.
+/// Returns the execution counts of tested programs since a controller's initial state: programs of each loaded
+/// application and library, without test applications, tests and `val3assert`.
 #[must_use]
 pub fn counted(controller: &Controller, application: &Application) -> Coverage {
     let mut coverage = Coverage::default();
@@ -29,14 +29,15 @@ pub fn counted(controller: &Controller, application: &Application) -> Coverage {
     coverage
 }
 
-/// Whether coverage reports an image: neither its name nor its folder states that it has only tests, and it is not
+/// Whether coverage includes an image: neither its name nor its folder marks it as a test application, and it is not
 /// `val3assert`. A library that only a test has written is no project of the application.
 fn is_tested(image: &Image, application: &Application) -> bool {
     let is_of_tests = project(image, application).is_some_and(|project| project.is_below_tests(application.db()));
     image.name != NAME && !is_of_tests && !is_test_application(&image.name)
 }
 
-/// Whether `val3.toml` lists an image as an application that also has tests. The other programs are what they test.
+/// Whether `val3.toml` lists an image as an application that also contains tests. Its other programs are tested
+/// programs.
 fn is_listed(image: &Image, application: &Application) -> bool {
     project(image, application).is_some_and(|project| has_tests(application.db(), project))
 }

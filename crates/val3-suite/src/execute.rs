@@ -1,4 +1,4 @@
-//! The execution of a test on one controller in virtual time.
+//! Executes a test on one controller in virtual time.
 
 use std::ops::ControlFlow;
 
@@ -14,25 +14,25 @@ use crate::scenario::Scenario;
 use crate::stages::{Stages, Transition};
 use crate::unfinished::Unfinished;
 
-/// The settings of tests.
+/// Settings of tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TestSettings {
-    /// The time that a program of a test may take, on the controller's clock in nanoseconds.
+    /// Timeout of a test's program, on the controller's clock in nanoseconds.
     pub limit: Time,
 }
 
-/// The caller's part in the execution of a test.
+/// Callbacks and settings of the caller.
 pub struct Supervision<'s> {
-    /// The settings.
+    /// Settings.
     pub settings: TestSettings,
-    /// Whether the test may go on, which is asked after each cycle.
+    /// Whether the test may continue; called after each cycle.
     pub may_go_on: &'s dyn Fn() -> bool,
-    /// Reads the conditions that a task waits for.
+    /// Returns the conditions for which a task waits.
     pub conditions: &'s mut dyn FnMut(&mut Controller, TaskNumber) -> Vec<LineCondition>,
 }
 
-/// Executes a test on a controller on which nothing has been executed yet, and which follows the script of `scenario`.
-/// `None` if it may not go on.
+/// Executes a test on a controller that has not executed anything, and that follows the script of `scenario`. `None` if
+/// `may_go_on` has returned false.
 #[must_use]
 pub fn execute(
     controller: &mut Controller,
@@ -54,8 +54,8 @@ pub fn execute(
     }
 }
 
-/// Executes the present program of a test to its end or to the limit, and starts the next one. Breaks off if the test may
-/// not go on.
+/// Executes the current program of a test to its end or to the timeout, and starts the next program. Aborts if
+/// `may_go_on` returns false.
 fn execute_program(
     controller: &mut Controller,
     stages: &mut Stages,

@@ -1,27 +1,27 @@
-//! Tests that are not executed, or that are known to fail.
+//! Tests that are skipped, or known to fail.
 
 use crate::failure::Failure;
 use crate::result::TestResult;
 
-/// The reason why a test counts neither as passed nor as failed.
+/// Reason why a test counts neither as passed nor as failed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Exemption {
-    /// It was not executed, or not to its end.
+    /// The test was not executed, or not to its end.
     Skipped {
-        /// The reason.
+        /// Reason.
         reason: String,
     },
-    /// It fails, as it says.
+    /// The test has failed, as it states.
     KnownFailure {
-        /// The reason.
+        /// Reason.
         reason: String,
-        /// The failures.
+        /// Failures.
         failures: Vec<Failure>,
     },
 }
 
 impl Exemption {
-    /// A word and the reason: `skipped: no scale on this line`.
+    /// Kind and reason: `skipped: no scale on this line`.
     #[must_use]
     pub fn label(&self) -> String {
         match self {
@@ -32,14 +32,14 @@ impl Exemption {
 }
 
 impl TestResult {
-    /// The result of a test that is not executed.
+    /// Result of a skipped test.
     #[must_use]
     pub fn skipped(reason: &str) -> Self {
         let exemption = Some(Exemption::Skipped { reason: reason.to_owned() });
         Self { exemption, ..Self::default() }
     }
 
-    /// Judges a test that is known to fail, once all its failures are known: it must fail.
+    /// Checks, after all failures are known, that a test with a known failure has failed.
     pub fn judge_known_failure(&mut self) {
         if matches!(self.exemption, Some(Exemption::Skipped { .. })) {
             return;

@@ -1,4 +1,4 @@
-//! `[expect]`: what a test expects of the controller.
+//! `[expect]`: expectations of a test.
 //!
 //! ```toml
 //! [expect]
@@ -22,10 +22,10 @@
 //! events = [{ move = "pick" }, { print = "picked" }, { data = { nState = 0 } }]
 //! ```
 //!
-//! The expectations about motion are in `motion` and `cycle_time`.
+//! Expectations about motion are in `motion` and `cycle_time`.
 //!
-//! Each family of expectations is a file. It has the keys of the file as plain data, and where it looks at the run, a type
-//! that sees each cycle and gives its failures at the end.
+//! Each family of expectations has a file, which contains its keys as plain data and, if it depends on the run, an
+//! observer type that receives each cycle and returns failures at the end.
 
 mod cycle;
 mod cycle_time;
@@ -60,7 +60,7 @@ use state::{State, TimedState};
 use values::Values;
 use within::Within;
 
-/// The keys of `[expect]`.
+/// Keys of `[expect]`.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct Expectations {
@@ -88,12 +88,12 @@ pub(crate) struct Expectations {
 }
 
 impl Expectations {
-    /// The state that is expected at the end.
+    /// Expected state at the end.
     fn last_state(&self) -> State<'_> {
         State { table: "expect", screen: &self.screen, io: &self.io, data: &self.data }
     }
 
-    /// The links of the lines that are expected to send something.
+    /// Links of the lines with expected output.
     pub(crate) fn lines(&self) -> impl Iterator<Item = &str> {
         let deadlines = self.within.iter().flat_map(|within| within.get_ref().occurrences());
         let orders = self.order.iter().flat_map(Order::occurrences);
@@ -102,7 +102,7 @@ impl Expectations {
         self.sent.iter().map(|text| text.get_ref().link()).chain(occurrences)
     }
 
-    /// Whether nothing is expected.
+    /// Whether there are no expectations.
     pub(crate) fn is_empty(&self) -> bool {
         let Self { screen, io, data, print, log, popup, sent, errors, at, within, order, time, trace, .. } = self;
         let texts = [screen, print, log, popup].iter().all(|texts| texts.is_empty());
@@ -113,7 +113,7 @@ impl Expectations {
         texts && values && course && files && motion
     }
 
-    /// The expectations that no run of the application can meet, because of their names or times.
+    /// Expectations that no run of the application can meet, because of their names or times.
     pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
         let states =
             self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));

@@ -1,4 +1,4 @@
-//! A run-time error that a test expects by the program `expectError` of `val3assert`.
+//! A run-time error that a test expects with the program `expectError` of `val3assert`.
 
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
@@ -10,22 +10,22 @@ use crate::unfinished::{is_in_library, places};
 
 /// An expected run-time error, and the line that expects it.
 pub(crate) struct ExpectedCode {
-    /// Its number.
+    /// Error number.
     pub(crate) code: u16,
-    /// The programs that the task was in, the innermost first.
+    /// Call stack of the task, innermost program first.
     places: Vec<Place>,
 }
 
 impl ExpectedCode {
-    /// The error that a task expects at present. A version of the library that has returned already leaves no line: then
-    /// the place is the test.
+    /// Creates the current expectation of a task. If the program of the library has already returned, its line is
+    /// unknown, and the place is the test.
     pub(crate) fn new(code: u16, case: &TestCase, task: Option<TaskNumber>, controller: &Controller) -> Self {
         let expecting = task.filter(|task| is_in_library(controller, *task));
         let test = || vec![Place { program: case.program_name(), file: case.file.clone(), line: case.line }];
         Self { code, places: expecting.map_or_else(test, |task| places(controller, task)) }
     }
 
-    /// The failure of another error, which also names the expected one.
+    /// Extends the failure of another error with the expected error.
     pub(crate) fn instead(&self, mut failure: Failure) -> Failure {
         failure.message += &format!("\n  instead of {}, which `expectError` expects", self.described());
         let here =
@@ -34,7 +34,7 @@ impl ExpectedCode {
         failure
     }
 
-    /// The failure if nothing has raised it.
+    /// Failure if the error was not raised.
     pub(crate) fn missing(self) -> Failure {
         let message = format!("{} was expected, and nothing has raised it", self.described());
         Failure { message, places: self.places }

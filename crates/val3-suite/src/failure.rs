@@ -1,22 +1,22 @@
-//! The failures of tests.
+//! Failures of tests.
 
 /// A failure of a test.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Failure {
-    /// A sentence that says what is wrong; further lines show what there is instead.
+    /// A sentence about the problem; further lines show the actual state.
     pub message: String,
-    /// The programs that the task was in, the innermost first, without those of `val3assert`; of an expectation, its
-    /// place in the file of the scenario.
+    /// Call stack of the task, innermost program first, without programs of `val3assert`; for an expectation, its place
+    /// in the scenario file.
     pub places: Vec<Place>,
 }
 
 /// A line of a program or of a scenario.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
-    /// The program, with the name of its application or library before it, or the key of an expectation.
+    /// Program name with its application or library, or the key of an expectation.
     pub program: String,
-    /// Its file.
+    /// File.
     pub file: String,
-    /// The line of the file, from 1.
+    /// Line of the file, from 1.
     pub line: u32,
 }

@@ -1,4 +1,4 @@
-//! What a test has left behind: outputs, variables, the screen, printed lines. Two runs of it can be compared.
+//! Final state of a test: outputs, variables, the screen, printed lines. The states of two runs can be compared.
 
 use std::fmt;
 
@@ -12,21 +12,21 @@ use crate::expect::shown_page;
 use crate::library::NAME;
 use crate::result::TestResult;
 
-/// The values that can be observed at the end of a test, in an order that does not depend on them.
+/// Observable values at the end of a test, in an order that does not depend on the values.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FinalState {
-    /// The name of each, and its value.
+    /// Names and texts of the values.
     values: Vec<(String, String)>,
 }
 
-/// A value that two runs of a test have left behind differently.
+/// A value that differs between two runs of a test.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Difference {
-    /// The variable, signal or other thing.
+    /// Name of the variable, signal or output.
     pub name: String,
-    /// Its value in the run asked for; none if it is missing there.
+    /// Value in this run; `None` if it does not exist.
     pub value: Option<String>,
-    /// Its value in the other run; none if it is missing there.
+    /// Value in the other run; `None` if it does not exist.
     pub instead_of: Option<String>,
 }
 
@@ -38,7 +38,7 @@ impl fmt::Display for Difference {
 }
 
 impl FinalState {
-    /// The state of a controller after a test with this result.
+    /// Reads the state of a controller after a test with this result.
     #[must_use]
     pub fn of(controller: &Controller, result: &TestResult) -> Self {
         let mut values = signals(controller);
@@ -47,7 +47,7 @@ impl FinalState {
         }
         if let Some(page) = shown_page(controller) {
             values.push(("the title of the screen".to_owned(), quoted(page.title())));
-            // As `gotoxy` counts them.
+            // Counted as by `gotoxy`.
             let rows = page.lines().zip(0u32..);
             values.extend(rows.map(|(text, row)| (format!("row {row} of the screen"), quoted(&text))));
         }
@@ -57,7 +57,7 @@ impl FinalState {
         Self { values }
     }
 
-    /// The first value that differs from that of another run.
+    /// First value that differs from another run.
     #[must_use]
     pub fn first_difference(&self, other: &Self) -> Option<Difference> {
         let of = |state: &Self, name: &str| {
@@ -66,7 +66,7 @@ impl FinalState {
         let same = self.values.iter().zip(&other.values).take_while(|(one, other)| one == other).count();
         let (mine, theirs) = (self.values.get(same), other.values.get(same));
         let name = mine.or(theirs).map(|(name, _)| name.clone())?;
-        // A value that only the other run has comes first where the rest goes on with the same name.
+        // A value that exists only in the other run comes first if the remaining values follow it under the same names.
         let name = match theirs {
             Some((known, _)) if of(self, known).is_none() => known.clone(),
             _ => name,
@@ -75,14 +75,14 @@ impl FinalState {
     }
 }
 
-/// The values of all inputs and outputs, as programs see them.
+/// Values of all inputs and outputs, as programs read them.
 fn signals(controller: &Controller) -> Vec<(String, String)> {
     let io = &controller.devices.state.io;
     let of = |id| Some((io.signal(id)?.path.clone(), io.image(id)?.to_string()));
     io.signals().filter_map(of).collect()
 }
 
-/// The global variables of an application or library. Those that have no value are left out.
+/// Global variables in an application or library, without variables that have no value.
 fn variables(controller: &Controller, image: &Image, data: &[StoreId], values: &mut Vec<(String, String)>) {
     let memory = &controller.vm.space.memory;
     for (data, id) in image.data.iter().zip(data) {

@@ -1,21 +1,21 @@
-//! Texts that are compared with recorded ones: the page at the end of a test, and the printed lines.
+//! Texts to compare with recorded texts: the page at the end of a test, and the printed lines.
 
 use crate::failure::{Failure, Place};
 
-/// The remedy for a file that is missing or outdated.
+/// Help for a missing or outdated file.
 const RECORD: &str = "record it with `val3 test --update`";
 
-/// What a recorded text is.
+/// Kind of a recorded text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum GoldenKind {
-    /// The title and the lines of the page that is shown at the end.
+    /// Title and lines of the page displayed at the end.
     Screen,
-    /// The lines that `?` has printed.
+    /// Lines printed by `?`.
     Prints,
 }
 
 impl GoldenKind {
-    /// The first line of a file of this kind.
+    /// First line in this kind of file.
     fn heading(self) -> &'static str {
         match self {
             Self::Screen => "# Screen at the end of a test",
@@ -30,7 +30,7 @@ impl GoldenKind {
         }
     }
 
-    /// The key of the expectation.
+    /// Key of the expectation.
     pub(crate) fn key(self) -> &'static str {
         match self {
             Self::Screen => "expect.screen_file",
@@ -39,52 +39,52 @@ impl GoldenKind {
     }
 }
 
-/// A text of a test, and the file with the recorded one.
+/// A text of a test, and the file with the recorded text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GoldenText {
     pub(crate) kind: GoldenKind,
-    /// The file, relative to that of the test.
+    /// File relative to the test's file.
     pub(crate) file: String,
-    /// The expectation.
+    /// Expectation.
     pub(crate) place: Place,
-    /// The lines of the test, without blanks at their ends.
+    /// Lines of the test, without trailing blanks.
     pub(crate) lines: Vec<String>,
 }
 
 impl GoldenText {
-    /// The file, relative to that of the test.
+    /// File relative to the test's file.
     #[must_use]
     pub fn file(&self) -> &str {
         &self.file
     }
 
-    /// The key of the expectation.
+    /// Key of the expectation.
     #[must_use]
     pub fn key(&self) -> &'static str {
         self.kind.key()
     }
 
-    /// The text of the file.
+    /// Text of the file.
     #[must_use]
     pub fn text(&self) -> String {
         let lines = self.lines.iter().map(|line| format!("{line}\n"));
         format!("{}\n{}", self.kind.heading(), lines.collect::<String>())
     }
 
-    /// Whether a file with this text is a recorded one of this kind, which may be replaced.
+    /// Whether the text is a recorded text of this kind, so that its file may be replaced.
     #[must_use]
     pub fn is_recorded(&self, text: &str) -> bool {
         text.lines().next() == Some(self.kind.heading())
     }
 
-    /// The failure of a test that has written nothing: nothing would be compared.
+    /// Failure of a test without output, for which nothing would be compared.
     #[must_use]
     pub fn empty(&self) -> Option<Failure> {
         let message = format!("the {} is empty, so there is nothing to compare with `{}`", self.kind.name(), self.file);
         self.lines.iter().all(String::is_empty).then(|| self.failure(message))
     }
 
-    /// Compares the text with that of its file.
+    /// Compares the text with its file's content.
     #[must_use]
     pub fn judge(&self, text: &str) -> Option<Failure> {
         if !self.is_recorded(text) {
@@ -107,13 +107,13 @@ impl GoldenText {
         Some(self.failure(message))
     }
 
-    /// The failure of a file that does not exist.
+    /// Failure of a file that does not exist.
     #[must_use]
     pub fn missing(&self) -> Failure {
         self.failure(format!("there is no recorded {} `{}`: {RECORD}", self.kind.name(), self.file))
     }
 
-    /// The failure of a file that cannot be read.
+    /// Failure of a file that cannot be read.
     #[must_use]
     pub fn refused(&self, reason: &str) -> Failure {
         self.failure(format!("the recorded {} `{}` cannot be read: {reason}", self.kind.name(), self.file))

@@ -1,4 +1,4 @@
-//! The record of a test that its result keeps: what it has printed, and the last events before its end.
+//! Part of a test's event record in its result: printed lines, and the last events before its end.
 
 use std::collections::VecDeque;
 
@@ -6,27 +6,27 @@ use val3_machine::event::{Event, EventKind};
 
 use crate::library::{EXPECTATION, FAILURE, KNOWN_FAILURE, SKIP};
 
-/// The lines of output that a result keeps.
+/// Maximum number of printed lines in a result.
 const PRINTS: usize = 100;
 
-/// The events that a result keeps.
+/// Maximum number of events in a result.
 const EVENTS: usize = 100;
 
-/// Similar events that a result keeps, such as blocks of a stream over one line.
+/// Maximum number of similar events in a result, for example blocks of a stream over one line.
 const ALIKE: usize = 3;
 
-/// An event, and the earlier ones for which it stands: equal ones at other times, or similar ones.
+/// An event that represents earlier equal or similar events.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RepeatedEvent {
-    /// The last of them.
+    /// Last event.
     pub event: Event,
-    /// The number of all.
+    /// Number of events.
     pub count: u32,
-    /// The time of the first one, in seconds on the controller's clock.
+    /// Time of the first event, in seconds on the controller's clock.
     pub since: f64,
 }
 
-/// The last lines that `?` has printed, and the last events that explain a failure.
+/// Last lines printed by `?`, and last events that explain a failure.
 #[derive(Debug, Default)]
 pub(crate) struct Journal {
     prints: VecDeque<String>,
@@ -42,7 +42,8 @@ impl Journal {
         }
     }
 
-    /// Keeps an event as the last one. It replaces an equal one, and so do the oldest of many similar ones become one.
+    /// Records an event as the last event. It replaces an equal event. If there are many similar events, the oldest
+    /// ones are merged.
     fn note(&mut self, event: &Event) {
         let is_equal = |known: &RepeatedEvent| known.event.task == event.task && known.event.kind == event.kind;
         let equal = self.events.iter().position(is_equal).and_then(|at| self.events.remove(at));
@@ -59,7 +60,7 @@ impl Journal {
         }
     }
 
-    /// The lines, and the events.
+    /// Printed lines and events.
     pub(crate) fn into_parts(self) -> (Vec<String>, Vec<RepeatedEvent>) {
         (self.prints.into(), self.events.into())
     }
@@ -72,7 +73,7 @@ fn keep<T: Clone>(kept: &mut VecDeque<T>, most: usize, new: &T) {
     kept.push_back(new.clone());
 }
 
-/// Whether two events are of the same kind at the same place: bytes over one line in one direction, a phase of moves of one
+/// Whether two events have the same kind and origin: bytes over one line in one direction, or phases of moves from one
 /// line of code.
 fn is_alike(one: &Event, other: &Event) -> bool {
     match (&one.kind, &other.kind) {
@@ -85,9 +86,9 @@ fn is_alike(one: &Event, other: &Event) -> bool {
     }
 }
 
-/// Whether people look at an event of this kind for the cause of a failure.
+/// Whether an event of this kind helps to explain a failure.
 ///
-/// Texts of the screen are shown where they are expected, and moves by their beginnings. A run-time error has its own event.
+/// Texts of the screen are shown by expectations, and moves by their start. A run-time error has its own event.
 fn explains(event: &Event) -> bool {
     match &event.kind {
         EventKind::Log { text, .. } => {

@@ -1,10 +1,10 @@
-//! Tests of VAL 3 applications: finds them, and executes each on a controller of its own.
+//! Tests of VAL 3 applications: finds tests, and executes each on its own controller.
 //!
-//! A test is a program, or a scenario: a file that says what happens around an application, and what is expected of it.
+//! A test is a program or a scenario. A scenario is a file with the environment of an application and expectations.
 //!
-//! A test program is one whose name begins with `test` in an application that is named `…Test` or lies below a folder `tests`.
-//! It asserts by the programs of the library `val3assert`, which is plain VAL 3: a failure is a line of the event log, on a
-//! real controller too.
+//! A test program has a name that begins with `test`, in an application that is named `…Test` or is in a folder
+//! `tests`. Its assertions are programs of the library `val3assert`, which is plain VAL 3: a failure is a line in the
+//! event log, also on a real controller.
 
 mod application;
 mod assertion;

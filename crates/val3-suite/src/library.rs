@@ -1,29 +1,29 @@
-//! `val3assert`, the library by which tests assert: plain VAL 3, so that the same tests run on a real controller.
+//! `val3assert`, the assertion library: plain VAL 3, so that the same tests run on a real controller.
 
 use val3_lang::types::Arm;
 use val3_lang::versions::Version;
 
-/// The name of the library.
+/// Name of the library.
 pub use val3_lang::test_names::ASSERTIONS as NAME;
 
-/// The beginning of the message that a failure writes into the event log.
+/// Prefix of the message that a failure writes to the event log.
 pub(crate) const FAILURE: &str = "val3assert failure: ";
 
-/// The beginning of the message by which a test expects a run-time error.
+/// Prefix of the message with which a test expects a run-time error.
 pub(crate) const EXPECTATION: &str = "val3assert expects: ";
 
-/// The beginning of the message by which a test ends, because it cannot be executed.
+/// Prefix of the message with which a test skips itself.
 pub(crate) const SKIP: &str = "val3assert skips: ";
 
-/// The beginning of the message by which a test says that it fails.
+/// Prefix of the message with which a test states a known failure.
 pub(crate) const KNOWN_FAILURE: &str = "val3assert knows a failure: ";
 
-/// What a message of the library says after its beginning. Date, time and the mark `USR` precede it.
+/// Text of a library message after its prefix. Date, time and the mark `USR` precede the message.
 pub(crate) fn after(text: &str, beginning: &str) -> Option<String> {
     text.split_once(beginning).map(|(_, message)| message.trim().to_owned())
 }
 
-/// The files of the library for an application with positions of this kind of arm: name and contents.
+/// Files of the library for an application with positions of this kind of arm: name and content.
 #[must_use]
 pub fn files(arm: Arm) -> Vec<(&'static str, String)> {
     let text = |name: &str, text: &str| match (arm, name) {
@@ -34,7 +34,7 @@ pub fn files(arm: Arm) -> Vec<(&'static str, String)> {
     FILES.iter().map(|(name, content)| (*name, text(name, content))).collect()
 }
 
-/// The files of the library for six axes: name and contents.
+/// Files of the library for six axes: name and content.
 const FILES: &[(&str, &str)] = &[
     ("val3assert.pjx", include_str!("../library/val3assert/val3assert.pjx")),
     ("val3assert.dtx", include_str!("../library/val3assert/val3assert.dtx")),
@@ -60,32 +60,32 @@ const FILES: &[(&str, &str)] = &[
     ("text.pgx", include_str!("../library/val3assert/text.pgx")),
 ];
 
-/// The library identifier of [`NAME`] in a test application.
+/// Library alias of [`NAME`] in a test application.
 pub const ALIAS: &str = "assert";
 
-/// The first test of an application without programs that are known.
+/// First test for an application without known programs.
 pub const FIRST_TEST: (&str, &str) = ("testFirst", include_str!("../library/first/testFirst.pgx"));
 
 /// An application with a first test, next to the tested application.
 #[derive(Debug, Clone, Copy)]
 pub struct TestApplication<'a> {
-    /// The name of the tested application.
+    /// Name of the tested application.
     pub application: &'a str,
-    /// The library identifier of the tested application.
+    /// Library alias of the tested application.
     pub alias: &'a str,
-    /// The version of VAL 3 that both declare.
+    /// VAL 3 version that both declare.
     pub version: Version,
 }
 
 impl TestApplication<'_> {
-    /// The name of the test application.
+    /// Name of the test application.
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}Test", self.application)
     }
 
-    /// Name and text of each file. `program` is the text of the program `test`, with `{alias}` for the library
-    /// identifier of the tested application.
+    /// Returns all files' names and texts. `program` is the text of the program `test`, with `{alias}` for the
+    /// library alias of the tested application.
     #[must_use]
     pub fn files(&self, (test, program): (&str, &str)) -> Vec<(String, String)> {
         let name = self.name();

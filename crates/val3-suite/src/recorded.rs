@@ -1,4 +1,4 @@
-//! The motion of a test, compared with a recorded one or recorded itself.
+//! Motion of a test, which is compared with a recorded motion or recorded itself.
 
 use val3_machine::controller::CodeSource;
 use val3_machine::event::seconds;
@@ -7,26 +7,26 @@ use val3_trace::{Comparison, Recording, Trace, TraceError, TraceFile, amount, co
 
 use crate::failure::{Failure, Place};
 
-/// The help of failures that a new recording removes.
+/// Help for failures that a new recording resolves.
 const RECORD: &str = "`val3 test --update` records this motion";
 
-/// The beginning of failures of an expectation about motion, where there was none.
+/// Prefix of failures about motion if the arm has not moved.
 pub(crate) const AT_REST: &str = "the arm has not moved (`power = true` in a script gives it power)";
 
-/// The motion of a test.
+/// Motion of a test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedMotion {
     pub(crate) recording: Recording,
     pub(crate) picture: Picture,
     pub(crate) file: TraceFile,
-    /// The place of the expectation.
+    /// Place of the expectation.
     pub(crate) place: Place,
 }
 
-/// The result of a comparison.
+/// Result of a comparison.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Judgement {
-    /// The failure; none if the motion is the recorded one.
+    /// Failure; `None` if the motion equals the recorded motion.
     pub failure: Option<Failure>,
     /// Both motions as an SVG file, if they differ.
     pub picture: Option<String>,
@@ -39,26 +39,26 @@ impl From<Failure> for Judgement {
 }
 
 impl RecordedMotion {
-    /// The path of the file with the recorded motion, relative to that of the expectation.
+    /// Path of the file with the recorded motion, relative to the file with the expectation.
     #[must_use]
     pub fn file(&self) -> &str {
         &self.file.file
     }
 
-    /// The text of the file that records this motion.
+    /// Text of the file that records this motion.
     #[must_use]
     pub fn text(&self) -> String {
         self.recording.trace.thinned().to_text()
     }
 
-    /// The failure of a test in which the arm has not moved. There is nothing to compare or to record.
+    /// Failure of a test in which the arm has not moved, so that there is nothing to compare or to record.
     #[must_use]
     pub fn at_rest(&self) -> Option<Failure> {
         let message = format!("{AT_REST}, so there is nothing to compare with `{}`", self.file());
         self.recording.is_empty().then(|| self.failure(message))
     }
 
-    /// Compares the motion with the text of its file.
+    /// Compares the motion with its file's content.
     #[must_use]
     pub fn judge(&self, text: &str) -> Judgement {
         let recorded = match Trace::parse(text) {
@@ -74,13 +74,13 @@ impl RecordedMotion {
         Judgement { failure, picture }
     }
 
-    /// The failure of a motion that was never recorded.
+    /// Failure of a motion that was never recorded.
     #[must_use]
     pub fn missing(&self) -> Failure {
         self.failure(format!("there is no recorded motion `{}`: {RECORD}", self.file()))
     }
 
-    /// The failure of a file that cannot be read.
+    /// Failure of a file that cannot be read.
     #[must_use]
     pub fn refused(&self, reason: &str) -> Failure {
         self.failure(format!("the recorded motion `{}` cannot be read: {reason}", self.file()))
@@ -94,7 +94,7 @@ impl RecordedMotion {
         Failure { message, places: vec![self.place.clone()] }
     }
 
-    /// The failure of a motion of another arm. A trace of `val3 run` does not name its arm.
+    /// Failure of a motion that was recorded with another arm. A trace of `val3 run` does not name its arm.
     fn other_arm(&self, recorded: &Trace) -> Option<Failure> {
         let present = &self.recording.trace;
         let is_same = recorded.axes == present.axes && (recorded.arm.is_none() || recorded.arm == present.arm);
@@ -108,7 +108,7 @@ impl RecordedMotion {
         (!is_same).then(|| self.failure(message))
     }
 
-    /// The failure of a motion that differs.
+    /// Failure of a motion that differs.
     fn difference(&self, comparison: &Comparison) -> Option<Failure> {
         let mut findings = describe(comparison, &self.recording).into_iter();
         let first = findings.next()?;
@@ -118,7 +118,7 @@ impl RecordedMotion {
         Some(Failure { message: message + &further.collect::<String>(), places })
     }
 
-    /// Both motions in one picture.
+    /// Draws both motions in one picture.
     fn drawn(&self, recorded: &Trace, comparison: &Comparison) -> String {
         let largest = comparison.largest().filter(|(_, deviation)| deviation.is_beyond());
         let deviation = largest.map(|(_, deviation)| val3_plot::Deviation {
@@ -132,7 +132,7 @@ impl RecordedMotion {
     }
 }
 
-/// The line of an instruction.
+/// An instruction's line.
 pub(crate) fn place_of(CodeSource { program, file, line, .. }: CodeSource) -> Place {
     Place { program, file, line }
 }

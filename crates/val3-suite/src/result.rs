@@ -1,4 +1,4 @@
-//! The results of tests.
+//! Results of tests.
 
 use val3_lang::ports::Time;
 
@@ -11,31 +11,30 @@ use crate::recorded::RecordedMotion;
 /// The result of a test.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TestResult {
-    /// Its failures; none if it has passed. Only expectations can cause several.
+    /// Failures; empty if the test has passed. Only expectations can cause several failures.
     pub failures: Vec<Failure>,
-    /// The reason why the test counts neither as passed nor as failed.
+    /// Reason why the test counts neither as passed nor as failed.
     pub exemption: Option<Exemption>,
-    /// The reason by which the test says that it fails, until
-    /// [`judge_known_failure`](Self::judge_known_failure) is called.
+    /// Reason with which the test states a known failure, until [`judge_known_failure`](Self::judge_known_failure) is
+    /// called.
     pub known_failure: Option<String>,
-    /// The controller's clock at its end, in nanoseconds.
+    /// Duration on the controller's clock, in nanoseconds.
     pub duration: Time,
-    /// The lines that `?` has printed, at most the last 100.
+    /// Lines printed by `?`, at most the last 100.
     pub prints: Vec<String>,
-    /// The last events that may explain a failure, at most 100 that differ.
+    /// Last events that may explain a failure, at most 100 different events.
     pub events: Vec<RepeatedEvent>,
-    /// The values of its row: the name of each column, and its value at the start of the test.
+    /// Values of the test's row: column names with the values at the start of the test.
     pub row: Vec<(String, String)>,
-    /// The title and the lines of the user page that was shown at the failure; `None` if nothing was written on it.
+    /// Title and lines of the user page that was displayed at the failure; `None` if it was empty.
     pub page: Option<String>,
-    /// The note for readers of cycle times; `None` unless a cycle in which the arm has moved was compared with a limit, with
-    /// times of a model arm.
+    /// Note on cycle times; `None` unless a cycle with motion was compared with a limit, and the arm has model times.
     pub times_note: Option<String>,
-    /// The texts that are to be compared with recorded ones.
+    /// Texts to compare with recorded texts.
     pub golden_texts: Vec<GoldenText>,
-    /// The drawing of the motion and the recorded one as SVG, if they differ.
+    /// Drawing of the motion and the recorded motion as SVG, if they differ.
     pub picture: Option<String>,
-    /// The motion, if it is to be compared with a recorded one, as `expect.trace` asks.
+    /// Motion to compare with a recorded motion, if `expect.trace` requests it.
     pub motion: Option<Box<RecordedMotion>>,
 }
 
@@ -46,7 +45,7 @@ impl TestResult {
         self.failures.is_empty()
     }
 
-    /// Keeps so many of the last events if it has failed, and none otherwise.
+    /// Keeps at most `most` events of a failed test, and none otherwise.
     pub fn keep_last_events(&mut self, most: usize) {
         let most = if self.has_passed() { 0 } else { most };
         self.events.drain(..self.events.len().saturating_sub(most));

@@ -1,6 +1,6 @@
-//! The file of a scenario: `NAME.toml`, a script of the cell with expectations.
+//! Scenario file `NAME.toml`: a script of the cell with expectations.
 //!
-//! A program test may have such a file beside its program. A scenario also names the application that it runs:
+//! A test program may have such a file next to it. A scenario also names the application that it runs:
 //!
 //! ```toml
 //! application = "../usr/usrapp/palletiser"   # relative to the file
@@ -34,30 +34,30 @@ use crate::controller_keys::ControllerKeys;
 use crate::expect::{Expectations, Fit, Observer};
 use crate::source::Source;
 
-/// The program of an application that a scenario starts unless it names another one.
+/// Program that a scenario starts by default.
 pub(crate) const START: &str = "start";
 
-/// The contents of a file.
+/// Content of a file.
 #[derive(Debug, Clone, Default)]
 pub struct Scenario {
-    /// What happens around the controller.
+    /// Script of the controller's environment.
     script: Script,
     pub(crate) run: Run,
-    /// The controller at the start.
+    /// Initial state of the controller.
     controller_keys: ControllerKeys,
-    /// The seconds after which the test has failed.
+    /// Timeout of the test, in seconds.
     limit: Option<Seconds>,
-    /// The reason why the test is not executed.
+    /// Reason why the test is skipped.
     skip: Option<Reason>,
-    /// The reason why the test fails.
+    /// Reason of the known failure.
     known_failure: Option<Reason>,
-    /// Words by which tests are chosen.
+    /// Tags for the selection of tests.
     tags: Vec<String>,
     pub(crate) expectations: Expectations,
     pub(crate) source: Source,
 }
 
-/// The run of an application that a scenario asks for.
+/// Requested application run.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Run {
     application: Option<Spanned<String>>,
@@ -65,7 +65,7 @@ pub(crate) struct Run {
     pub(crate) until: Option<Spanned<Seconds>>,
 }
 
-/// The keys of a file.
+/// Keys of a file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
@@ -94,7 +94,7 @@ struct File {
     expect: Expectations,
 }
 
-/// A text that says why.
+/// A non-empty reason.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(try_from = "String")]
 struct Reason(String);
@@ -107,7 +107,7 @@ impl TryFrom<String> for Reason {
     }
 }
 
-/// A monitor speed in per cent.
+/// Monitor speed in per cent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(try_from = "i64")]
 struct MonitorSpeed(u8);
@@ -121,20 +121,20 @@ impl TryFrom<i64> for MonitorSpeed {
     }
 }
 
-/// What a TOML file among tests is for.
+/// Role of a TOML file among tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// It names an application, which it runs.
+    /// It names the application that it runs.
     Scenario,
-    /// It expects something, and names no application: it belongs to a test program.
+    /// It has expectations, but names no application: it belongs to a test program.
     Expectations,
-    /// It says what happens around a controller, and expects nothing.
+    /// It is only a script of a controller's environment.
     Script,
-    /// It has no part in tests.
+    /// It is unrelated to tests.
     Other,
 }
 
-/// The reason why a file cannot be used, with its place in the file.
+/// Reason why a file is invalid, with the location in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ScenarioError(String);
 
@@ -147,10 +147,10 @@ impl fmt::Display for ScenarioError {
 impl std::error::Error for ScenarioError {}
 
 impl Scenario {
-    /// Reads the text of the file at `path`, which failures name.
+    /// Parses the file at `path`, which failures name.
     ///
     /// # Errors
-    /// The text is no TOML, or has a key or value that is not possible.
+    /// The text is no TOML, or has an invalid key or value.
     pub fn parse(path: &str, text: &str) -> Result<Self, ScenarioError> {
         let file: File =
             toml::from_str(text).map_err(|error| ScenarioError(error.to_string().trim_end().to_owned()))?;
@@ -175,7 +175,7 @@ impl Scenario {
         Ok(Self { script, run, controller_keys, tags, limit, skip, known_failure, expectations, source })
     }
 
-    /// What the text of a file below a folder of tests, or beside programs, is.
+    /// Role of a file in a test folder or next to programs, according to its text.
     #[must_use]
     pub fn role(text: &str) -> Role {
         #[derive(Deserialize)]
@@ -192,72 +192,71 @@ impl Scenario {
             Ok(Probe { expect: Some(_), .. }) => Role::Expectations,
             Ok(Probe { at, when, silent, .. }) if at.or(when).or(silent).is_some() => Role::Script,
             Ok(_) => Role::Other,
-            // The fault of a file that seems to be one is reported.
+            // An invalid file that appears to be a scenario is reported.
             Err(_) if begins("application") => Role::Scenario,
             Err(_) if begins("[expect") || begins("[[expect") => Role::Expectations,
             Err(_) => Role::Other,
         }
     }
 
-    /// The application that a scenario runs, relative to its file.
+    /// Application that a scenario runs, relative to its file.
     ///
     /// # Errors
-    /// The file names none.
+    /// The file names no application.
     pub fn application(&self) -> Result<&str, ScenarioError> {
         let application = self.run.application.as_ref().map(|name| name.get_ref().as_str());
         application.ok_or_else(|| ScenarioError("it names no application, and no test program has its name".to_owned()))
     }
 
-    /// The controller at the start.
+    /// Initial state of the controller.
     #[must_use]
     pub fn controller_keys(&self) -> &ControllerKeys {
         &self.controller_keys
     }
 
-    /// The time after which the test has failed, on the controller's clock in nanoseconds.
+    /// Timeout of the test, on the controller's clock in nanoseconds.
     #[must_use]
     pub fn limit(&self) -> Option<Time> {
         self.limit.map(Seconds::time)
     }
 
-    /// Words by which tests are chosen.
+    /// Tags for the selection of tests.
     #[must_use]
     pub fn tags(&self) -> &[String] {
         &self.tags
     }
 
-    /// The reason why the test is not executed.
+    /// Reason why the test is skipped.
     #[must_use]
     pub fn skip(&self) -> Option<&str> {
         self.skip.as_ref().map(|reason| reason.0.as_str())
     }
 
-    /// The reason why the test is known to fail.
+    /// Reason of the known failure.
     pub(crate) fn known_failure(&self) -> Option<String> {
         self.known_failure.as_ref().map(|reason| reason.0.clone())
     }
 
-    /// What happens around the controller.
+    /// Script of the controller's environment.
     #[must_use]
     pub fn script(&self) -> &Script {
         &self.script
     }
 
-    /// Prepares a controller on which nothing has been executed yet: it follows the script. Lines that the script sends to
-    /// or that are expected to send something end in the test.
+    /// Prepares a controller that has not executed anything: it follows the script, and lines with input in the script
+    /// or with expected output are connected to the test.
     pub fn prepare(&self, controller: &mut Controller) {
         self.expectations.lines().for_each(|link| controller.devices.lines.connect_script(link));
         controller.follow(self.script.clone());
     }
 
-    /// Its expectations, ready to see a test.
+    /// Creates the observer of the expectations.
     pub(crate) fn observer(&self) -> Observer {
         Observer::new(&self.expectations, &self.source)
     }
 
-    /// The faults of the script and of the expectations, before the run: variables, signals and other names that the
-    /// application does not have, values of another type, times after the end. `is_resized` returns whether a data item
-    /// changes its size.
+    /// Faults of the script and the expectations, before the run: unknown variables, signals and other names, values of
+    /// the wrong type, and times after the end. `is_resized` returns whether a data item changes its size.
     #[must_use]
     pub fn faults(&self, controller: &Controller, is_resized: &dyn Fn(&str) -> bool) -> Vec<String> {
         let until = self.run.until.as_ref().map(|until| until.get_ref().time());
@@ -268,10 +267,10 @@ impl Scenario {
         script.chain(program.into_iter().chain(self.expectations.faults(&fit)).map(worded)).collect()
     }
 
-    /// Checks that the file has no keys of the other kind of tests.
+    /// Checks that the file has no keys for the other kind of test.
     ///
     /// # Errors
-    /// The file is beside the program of a test, and says which application runs.
+    /// The file belongs to a test program, and states which application to run.
     pub fn check_kind(&self, kind: TestKind) -> Result<(), ScenarioError> {
         let Run { application, program, until } = &self.run;
         let keys = [

@@ -1,4 +1,4 @@
-//! The places of expectations in their file.
+//! Locations of expectations in their file.
 
 use std::ops::Range;
 
@@ -24,12 +24,12 @@ impl Source {
         Self { path: path.to_owned(), lines: LineIndex::new(text) }
     }
 
-    /// The line of a part of the text, from 1.
+    /// Line number of a range in the text, from 1.
     pub(crate) fn line(&self, range: Range<usize>) -> u32 {
         u32::try_from(self.lines.line(range.start) + 1).unwrap_or(u32::MAX)
     }
 
-    /// The place of the expectation that a key such as `expect.screen` has there.
+    /// An expectation's place: a key such as `expect.screen` with its line.
     pub(crate) fn place(&self, key: &str, range: Range<usize>) -> Place {
         Place { program: key.to_owned(), file: self.path.clone(), line: self.line(range) }
     }

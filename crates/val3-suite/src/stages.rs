@@ -1,6 +1,6 @@
-//! A test program between its `setup` and its `teardown`: what is known of it, and what follows.
+//! Stages of a test: `setup`, the test program and `teardown`.
 //!
-//! The caller advances the controller: [`execute`](crate::execute()) in virtual time, a debugger from line to line.
+//! The caller advances the controller: [`execute`](crate::execute()) in virtual time, a debugger line by line.
 
 use val3_debug::{frames, row_of_data};
 use val3_lang::ports::{TaskNumber, Time};
@@ -23,38 +23,38 @@ use crate::result::TestResult;
 use crate::scenario::Scenario;
 use crate::unfinished::{Conditions, Unfinished, is_stopped, places, places_of};
 
-/// A test whose caller advances the controller.
+/// State of a test whose caller advances the controller.
 pub struct Stages {
-    /// The test.
+    /// Test.
     pub case: TestCase,
     stage: Stage,
     lead: Option<TaskNumber>,
-    /// The name of the task of the program.
+    /// Name of the program's task.
     lead_name: Option<String>,
     failures: Vec<Failure>,
-    /// The run-time error that the test expects.
+    /// Run-time error that the test expects.
     expected: Option<ExpectedCode>,
-    /// The reason why the test does not go on.
+    /// Reason why the test skips itself.
     skipped: Option<String>,
-    /// The reason by which the test says that it fails.
+    /// Reason with which the test states a known failure.
     known_failure: Option<String>,
-    /// The program is over, although its task may not have ended.
+    /// Whether the program's result is decided, although its task may not have ended.
     is_decided: bool,
-    /// The expected error was raised, which ends all tasks.
+    /// Whether the expected error was raised, which ends all tasks.
     is_raised: bool,
     observer: Observer,
     journal: Journal,
-    /// The values of its row at its start.
+    /// Values of the test's row at its start.
     row: Vec<(String, String)>,
-    /// The texts that are to be compared with recorded ones.
+    /// Texts to compare with recorded texts.
     golden_texts: Vec<GoldenText>,
-    /// The user page at the first failure.
+    /// User page at the first failure.
     page: Option<String>,
-    /// The begin and the events of a cycle of which a part was executed.
+    /// Start and events of a cycle that was partly executed.
     part: Option<(Time, Vec<Event>)>,
 }
 
-/// The program that is executed.
+/// Program in execution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Stage {
     Setup,
@@ -63,20 +63,20 @@ enum Stage {
     Over,
 }
 
-/// What has changed with [`Stages::follow`].
+/// Result of [`Stages::follow`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Transition {
-    /// Nothing: the program is executed further.
+    /// The program continues.
     None,
-    /// The next program has been started.
+    /// The next program has started.
     Started,
-    /// The test is over.
+    /// The test has ended.
     Over,
 }
 
 impl Stages {
-    /// Starts the first program of a test on a controller on which nothing has been executed yet, and which follows the
-    /// script of `scenario`. A test that cannot be executed is over at once.
+    /// Starts the first program of a test on a controller that has not executed anything, and that follows the script
+    /// of `scenario`. A test that cannot be executed ends immediately.
     #[must_use]
     pub fn start(controller: &mut Controller, case: TestCase, scenario: &Scenario) -> Self {
         let mut stages = Self {
@@ -112,15 +112,16 @@ impl Stages {
         self.stage == Stage::Over
     }
 
-    /// The time of the next cycle that has to be seen even if nothing happens.
+    /// Time of the next cycle that must not be skipped even if nothing happens.
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
         self.observer.next_due()
     }
 
-    /// Takes the events of a cycle or of a part of it, which began at `start`. They count when the cycle is over.
+    /// Adds the events of a cycle, or of a part of it, that began at `start`. They are processed at the end of the
+    /// cycle.
     pub fn see_part(&mut self, start: Time, events: &[Event], controller: &Controller) {
-        // A debugger may have gone back to a time before the cycle.
+        // A debugger may have stepped back to a time before the cycle.
         let known = self.part.take().filter(|(begun, _)| *begun <= start);
         let (start, mut seen) = known.unwrap_or((start, Vec::new()));
         seen.extend_from_slice(events);
@@ -131,9 +132,9 @@ impl Stages {
         }
     }
 
-    /// Takes a cycle that is over.
+    /// Processes a finished cycle.
     pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
-        // Expectations are judged before `teardown`.
+        // Expectations are checked before `teardown`.
         if matches!(self.stage, Stage::Setup | Stage::Test) {
             self.observer.see(cycle);
         }
@@ -166,7 +167,7 @@ impl Stages {
                 self.expected = None;
                 (self.is_decided, self.is_raised) = (true, true);
             }
-            // The error follows.
+            // The error event follows.
             EventKind::Fault { .. } if self.expects(MOTION_FAULT) || self.observer.expects(event) => {}
             EventKind::Error { .. } if self.observer.expects(event) => {
                 self.is_decided = self.lead.is_some_and(|lead| is_stopped(controller, lead));
@@ -184,7 +185,7 @@ impl Stages {
         self.expected.as_ref().is_some_and(|expected| expected.code == code)
     }
 
-    /// The failure of a run-time error, which is perhaps not the expected one.
+    /// Failure of a run-time error that may differ from the expected error.
     fn raised(&self, event: &Event, controller: &Controller) -> Option<Failure> {
         let failure = error_failure(event, &|task| places_of(controller, task))?;
         Some(match &self.expected {
@@ -193,18 +194,18 @@ impl Stages {
         })
     }
 
-    /// The task of an event, or that of the program.
+    /// An event's task, otherwise the program's task.
     fn task_of(&self, event: &Event, controller: &Controller) -> Option<TaskNumber> {
         event.task.as_deref().and_then(|name| task_number(controller, name)).or(self.lead)
     }
 
-    /// Ends the program as one that does not end by itself.
+    /// Ends a program that does not end by itself.
     pub(crate) fn give_up(&mut self, controller: &mut Controller, unfinished: Unfinished, conditions: Conditions<'_>) {
         let failure = self.lead.map(|lead| unfinished.failure(controller, lead, conditions));
         failure.into_iter().for_each(|failure| self.fail(failure));
     }
 
-    /// The first failure counts, and ends its program.
+    /// Records the first failure, which ends the program.
     fn fail(&mut self, failure: Failure) {
         if self.failures.is_empty() {
             self.failures.push(failure);
@@ -216,14 +217,14 @@ impl Stages {
         self.lead.map(|lead| places(controller, lead)).unwrap_or_default()
     }
 
-    /// Starts the next program if the present one is over.
+    /// Starts the next program if the current program has ended.
     pub fn follow(&mut self, controller: &mut Controller) -> Transition {
         let is_alive = self.lead.is_some_and(|lead| controller.vm.tasks().iter().any(|task| task.id == lead));
         if is_alive && !self.is_decided { Transition::None } else { self.leave(controller) }
     }
 
-    /// Leaves the program that is over, and starts the next one that exists. The tasks of `setup` run during the test.
-    /// `teardown` is executed whatever the result is.
+    /// Ends the current program, and starts the next one that exists. Tasks of `setup` continue during the test.
+    /// `teardown` is executed regardless of the result.
     fn leave(&mut self, controller: &mut Controller) -> Transition {
         loop {
             let next = match self.stage {
@@ -248,7 +249,7 @@ impl Stages {
         }
     }
 
-    /// Judges what is expected of the test at its end.
+    /// Checks the expectations at the end of the test.
     fn judge(&mut self, controller: &Controller) {
         if self.skipped.is_some() {
             return;
@@ -260,7 +261,8 @@ impl Stages {
         self.golden_texts = self.observer.golden_texts(controller);
     }
 
-    /// Starts the program of a stage. Returns whether there is one; an application need not have `setup` and `teardown`.
+    /// Starts the program of a stage. Returns whether the application has this program, because `setup` and `teardown`
+    /// are optional.
     fn enter(&mut self, stage: Stage, controller: &mut Controller) -> bool {
         let row = self.case.row.map(f64::from);
         let (program, numbers) = match stage {
@@ -284,7 +286,7 @@ impl Stages {
         self.lead.is_some()
     }
 
-    /// The result of a run that has ended. One that no task can continue has not ended by itself.
+    /// Result of a run that has ended. If no task can continue, the run has not ended by itself.
     #[must_use]
     pub fn result(mut self, controller: &Controller) -> TestResult {
         if let Some((start, events)) = self.part.take() {
@@ -317,7 +319,7 @@ impl Stages {
     }
 }
 
-/// The values in the row of a test that has just been started.
+/// Values in the row of a test that has just started.
 fn row_values(controller: &Controller, case: &TestCase, lead: TaskNumber) -> Vec<(String, String)> {
     let frames = frames(&controller.vm, lead);
     let (Some(row), Some(frame)) = (case.row, frames.first()) else { return Vec::new() };

@@ -1,6 +1,7 @@
 //! Tables of tests: a test with the parameter `num x_nCase` is executed once for each row.
 //!
-//! The table of a test is the global arrays that it reads by `x_nCase`, such as `nInput[x_nCase]` or `tCases[x_nCase].nSum`.
+//! The table of a test consists of the global arrays that it reads with the index `x_nCase`, such as `nInput[x_nCase]`
+//! or `tCases[x_nCase].nSum`.
 
 use std::collections::BTreeMap;
 
@@ -11,18 +12,18 @@ use val3_lang::memory::Shape;
 use val3_lang::types::{BaseType, Container};
 use val3_session::Application;
 
-/// The parameter that gets the number of the row, from 0.
+/// Parameter that receives the row number, from 0.
 const ROW: &str = "x_nCase";
 
-/// The table of a test.
+/// Table of a test.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Table {
     pub(crate) rows: u32,
-    /// The names of its columns, in order.
+    /// Column names, in order.
     pub(crate) columns: Vec<String>,
 }
 
-/// The table that a test reads; `None` for a test without parameters.
+/// Returns the table that a test reads; `None` for a test without parameters.
 ///
 /// # Errors
 /// The test has other parameters, or its table has no rows or columns of different lengths.
@@ -61,7 +62,7 @@ fn is_number(param: &Param) -> bool {
     is_value && param.container == Container::Element && param.kind.base_type() == Some(BaseType::Num)
 }
 
-/// The variables that are read by the number of the row.
+/// Variables that are read with the row number as index.
 fn columns(body: &Body) -> Vec<&str> {
     let column = |expr| match expr {
         &Expr::Index(base, ref indexes) if indexes.first().is_some_and(|index| is_row(body, *index)) => {
@@ -83,7 +84,7 @@ fn name(body: &Body, id: ExprId) -> Option<&str> {
     }
 }
 
-/// The size of the first dimension of a global array.
+/// Size of a global array's first dimension.
 fn length(image: &Image, name: &str) -> Option<u32> {
     let data = image.data.get(usize::from(image.data(name)?))?;
     match data.init.shape {

@@ -1,4 +1,4 @@
-//! The failure of a program that does not end, and the programs that a task is in.
+//! Failure of a program that does not end, and call stacks of tasks.
 
 use val3_debug::{TaskFrame, frames};
 use val3_lang::ports::{TaskNumber, Time};
@@ -13,18 +13,18 @@ use crate::library::NAME;
 /// A program that does not end.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Unfinished {
-    /// The time that it may take, on the controller's clock in nanoseconds.
+    /// Timeout on the controller's clock, in nanoseconds.
     pub(crate) limit: Time,
-    /// Whether something can happen yet.
+    /// Whether something can still happen.
     pub(crate) has_time: bool,
 }
 
-/// Reads the conditions that a task waits for.
+/// Returns the conditions for which a task waits.
 pub(crate) type Conditions<'c> = &'c mut dyn FnMut(&mut Controller, TaskNumber) -> Vec<LineCondition>;
 
 impl Unfinished {
-    /// The failure of a program that does not end in its task. If this task is over, another one keeps the application
-    /// alive.
+    /// Failure of a program whose task does not end. If this task has ended, another task keeps the application
+    /// running.
     pub(crate) fn failure(self, controller: &mut Controller, task: TaskNumber, conditions: Conditions<'_>) -> Failure {
         let mut tasks = controller.vm.tasks().iter().map(|task| task.id).zip(controller.task_positions());
         let found = tasks.clone().find(|(id, _)| *id == task).map(|(id, position)| (id, "it".to_owned(), position));
@@ -44,7 +44,7 @@ impl Unfinished {
     }
 }
 
-/// The lines that show a condition and the values in it.
+/// Formats a condition and the values in it as lines.
 fn worded(LineCondition { line, text, values }: &LineCondition) -> String {
     let values = values.iter().map(|(name, value)| format!("\n    {name} = {value}"));
     format!("\n  line {line}: {text}{}", values.collect::<String>())
@@ -60,7 +60,7 @@ fn activity(controller: &Controller, task: TaskNumber) -> Option<Activity> {
     positions.find(|(known, _)| known.id == task).map(|(_, position)| position.activity)
 }
 
-/// The programs that a task is in, without those of the library `val3assert`.
+/// Call stack of a task, without programs of the library `val3assert`.
 pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<Place> {
     let frames = frames(&controller.vm, task).into_iter().filter(|frame| frame.application != NAME);
     let place = |frame: TaskFrame| Place {
@@ -71,7 +71,7 @@ pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<Place> {
     frames.map(place).collect()
 }
 
-/// The programs that the task with this name is in; none if it has ended.
+/// Call stack of the task with this name; empty if it has ended.
 pub(crate) fn places_of(controller: &Controller, task: &str) -> Vec<Place> {
     task_number(controller, task).map(|task| places(controller, task)).unwrap_or_default()
 }

@@ -1,6 +1,6 @@
-//! One line of a listing: data, locals, parameters and program heads.
+//! Parses one line of a listing: data, locals, parameters and program heads.
 
-/// The types that a declaration may begin with, besides the project's user types.
+/// Types with which a declaration may begin, besides the project's user types.
 const TYPES: &[&str] = &[
     "bool",
     "num",
@@ -27,27 +27,27 @@ const TYPES: &[&str] = &[
     "configVrb",
 ];
 
-/// A variable of an application, or a local.
+/// An application variable, or a local.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Data {
     pub(crate) public: bool,
     pub(crate) ty: String,
     pub(crate) name: String,
     pub(crate) shape: Shape,
-    /// The text after `=`: a VAL 3 literal.
+    /// Text after `=`: a VAL 3 literal.
     pub(crate) value: Option<String>,
 }
 
-/// The content of the brackets after a declared name.
+/// Content of the brackets after a declared name.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Shape {
-    /// The sizes, one number a dimension; no brackets mean one element.
+    /// Sizes, one number for each dimension; without brackets, one element.
     Array(Vec<usize>),
-    /// The keys.
+    /// Keys.
     Collection(Vec<String>),
 }
 
-/// A program's head.
+/// Head of a program.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Head {
     pub(crate) public: bool,
@@ -64,7 +64,7 @@ pub(crate) struct Parameter {
     pub(crate) container: Container,
 }
 
-/// The kind of argument of a parameter.
+/// Form of a parameter's argument.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Container {
     Element,
@@ -72,7 +72,7 @@ pub(crate) enum Container {
     Collection,
 }
 
-/// The declaration in `line`; `None` if it is none.
+/// Parses the declaration in `line`; `None` if it is no declaration.
 ///
 /// `types` are the user types of the project.
 #[track_caller]
@@ -96,7 +96,7 @@ pub(crate) fn data(line: &str, types: &[String]) -> Option<Data> {
     Some(Data { public: access == Some("public"), ty: ty.to_owned(), name: name.to_owned(), shape, value })
 }
 
-/// Refuses an initial value that the data file would not contain.
+/// Rejects an initial value that the data file would not contain.
 #[track_caller]
 fn check_value(line: &str, ty: &str, shape: &Shape, value: &str) {
     let fits = match ty {
@@ -113,7 +113,7 @@ fn check_value(line: &str, ty: &str, shape: &Shape, value: &str) {
     assert!(!is_empty, "`{line}`: there is no first element for the value `{value}`");
 }
 
-/// The program head in `line`; `None` if it is none.
+/// Parses the program head in `line`; `None` if it is no program head.
 #[track_caller]
 pub(crate) fn head(line: &str) -> Option<Head> {
     let (access, rest) = access(line);
@@ -136,7 +136,7 @@ fn parameter(text: &str, line: &str) -> Parameter {
     Parameter { ty: ty.trim_end_matches('&').to_owned(), name: name.to_owned(), reference, container }
 }
 
-/// The parts of a parameter list: commas inside brackets divide nothing.
+/// Splits a parameter list at commas outside of brackets.
 fn split_outside_brackets(text: &str) -> Vec<&str> {
     let mut inside = false;
     let parts = text.split(|c| {
@@ -157,7 +157,7 @@ fn access(line: &str) -> (Option<&str>, &str) {
     }
 }
 
-/// The name at the start of `text`, and what follows it.
+/// Splits `text` after the name at its start.
 pub(crate) fn word(text: &str) -> Option<(&str, &str)> {
     let end = text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len());
     (end > 0).then(|| text.split_at(end))
@@ -178,7 +178,8 @@ fn shape(text: &str) -> (Shape, &str) {
     (Shape::Array(sizes.collect()), rest)
 }
 
-/// The keys at the start of `text`, and what follows their bracket. A single empty key means that there are none.
+/// Parses the keys at the start of `text`. Returns the keys and the text after the bracket. A single empty key means
+/// that there are no keys.
 #[track_caller]
 fn keys(text: &str) -> (Vec<String>, &str) {
     let (mut keys, mut rest) = (Vec::new(), text);
@@ -199,7 +200,7 @@ fn keys(text: &str) -> (Vec<String>, &str) {
     (keys, rest)
 }
 
-/// The content of the string literal at the start of `text`, and what follows it.
+/// Content of the string literal at the start of `text`, and the remaining text.
 pub(crate) fn quoted(text: &str) -> Option<(&str, &str)> {
     text.strip_prefix('"')?.split_once('"')
 }
@@ -256,7 +257,7 @@ mod tests {
         }
     }
 
-    /// The message of the panic at a line.
+    /// Panic message for an invalid line.
     fn mistake(line: &'static str) -> String {
         let caught = std::panic::catch_unwind(|| data(line, &[]));
         *caught.expect_err(line).downcast::<String>().unwrap()

@@ -1,26 +1,27 @@
-//! A listing as files in memory.
+//! Converts a listing to files in memory.
 
 use crate::indent::dedent;
 use crate::listing::{self, Listing, Project};
 use crate::write::{self, File};
 
-/// The folder that the paths of a fixture are relative to: `Disk://x/y.pjx` is `/cell/usr/usrapp/x/y.pjx`.
+/// Base folder of a fixture's paths: `Disk://x/y.pjx` is `/cell/usr/usrapp/x/y.pjx`.
 pub const ROOT: &str = "/cell/usr";
 
-/// The files of a listing.
+/// Files of a listing.
 #[derive(Debug, Clone)]
 pub struct Fixture {
-    /// Path relative to [`ROOT`] and text, in the order of the listing. Line ends are LF, the last line has none.
+    /// Path relative to [`ROOT`] and text, in the order of the listing. Line ends are LF; the last line has no line
+    /// end.
     pub files: Vec<(String, String)>,
-    /// Line of the listing, index of the file, line of the file.
+    /// Line number in the listing, file index, and line number in the file.
     places: Vec<(usize, usize, usize)>,
 }
 
 impl Fixture {
-    /// Reads a listing; the crate's page describes its form.
+    /// Parses a listing; the crate's documentation describes the format.
     ///
     /// # Panics
-    /// If the listing is not of that form.
+    /// If the listing is invalid.
     #[track_caller]
     pub fn parse(listing: &str) -> Fixture {
         let mut fixture = Fixture { files: Vec::new(), places: Vec::new() };
@@ -28,7 +29,7 @@ impl Fixture {
         fixture
     }
 
-    /// The text of the file at `path`, which is relative to [`ROOT`].
+    /// Text of the file at `path`, which is relative to [`ROOT`].
     ///
     /// # Panics
     /// If there is no such file.
@@ -38,11 +39,11 @@ impl Fixture {
         file.map_or_else(|| panic!("the listing has no file `{path}`"), |(_, text)| text)
     }
 
-    /// The file and its line that come from line `line` of the listing; both lines count from 1.
+    /// File and line number that correspond to line `line` of the listing; both numbers count from 1.
     ///
-    /// Columns of code are those of the listing, less the indentation that its lines share; `begin` of a program
-    /// follows the start of its element on the same line. Code that contains `]]>` is escaped, which moves its columns.
-    /// Comments and blank lines between declarations are in no file.
+    /// Code has the listing's columns, without the common indentation. `begin` of a program follows the start
+    /// tag of its element on the same line. Code that contains `]]>` is escaped, which changes its columns. Comments
+    /// and blank lines between declarations are not in any file.
     pub fn place_of_line(&self, line: usize) -> Option<(&str, usize)> {
         let (_, file, line) = self.places.iter().find(|(from, _, _)| *from == line)?;
         Some((self.files.get(*file)?.0.as_str(), *line))
@@ -57,7 +58,7 @@ impl Fixture {
     }
 }
 
-/// Every file of a listing: the generated files of its projects, unless a raw file replaces them, then the raw files.
+/// Returns the files of a listing: generated project files, unless a raw file replaces them, followed by the raw files.
 fn files(listing: Listing) -> Vec<File> {
     let given: Vec<File> = listing.files.into_iter().map(|file| File { path: file.path, lines: file.lines }).collect();
     let mut files: Vec<File> = listing.projects.iter().flat_map(|project| project_files(project, &given)).collect();

@@ -1,6 +1,6 @@
-//! The indentation that all lines of a listing share.
+//! Common indentation of the lines in a listing.
 
-/// `text` without the blanks that every line with content begins with; the number of lines stays.
+/// Removes the common indentation of all non-blank lines; the number of lines is unchanged.
 pub(crate) fn dedent(text: &str) -> String {
     let shared = text.lines().filter(|line| !line.trim().is_empty()).map(indentation).min().unwrap_or(0);
     text.lines().map(|line| line.get(shared..).unwrap_or("")).collect::<Vec<_>>().join("\n")

@@ -1,8 +1,8 @@
-//! Fixtures for tests: whole VAL 3 projects from a few lines of text.
+//! Fixtures for tests: complete VAL 3 projects from a few lines of text.
 //!
 //! # Listings
-//! A *listing* is the short form in which examples and tests show a program with the data it uses. It becomes
-//! the `.pjx`, `.dtx` and `.pgx` files of one application or more.
+//! A *listing* is the short notation in which examples and tests show a program with its data. It is converted to the
+//! `.pjx`, `.dtx` and `.pgx` files of one or more applications.
 //!
 //! ```text
 //! num nCount                          private data of the application, one declaration a line
@@ -31,10 +31,10 @@
 //! skipped.
 //!
 //! - A user type without a `type` line is recognised only after `public` or `private`.
-//! - `=== /configs/arm.cfx` names a file of the controller's `usr` folder instead of `usrapp`.
-//! - A raw file replaces the generated one; a `.pgx` of a project's folder joins its programs.
+//! - `=== /configs/arm.cfx` names a file in the controller's `usr` folder instead of `usrapp`.
+//! - A raw file replaces the generated file; a raw `.pgx` in a project's folder is added to its programs.
 //! - Points and frames have the father `world`, tools `flange`.
-//! - The indentation that all lines share is no part of the listing.
+//! - The common indentation of all lines is not part of the listing.
 
 #![allow(
     clippy::panic,

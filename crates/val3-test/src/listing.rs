@@ -1,18 +1,18 @@
-//! From the lines of a listing to projects.
+//! Parses the lines of a listing.
 
 use crate::declaration::{self, Data, Head, Shape};
 
-/// The content of a listing.
+/// Content of a listing.
 #[derive(Debug, Default)]
 pub(crate) struct Listing {
     pub(crate) projects: Vec<Project>,
     pub(crate) files: Vec<RawFile>,
 }
 
-/// A raw file: its text is used without changes.
+/// A raw file, whose text is used unchanged.
 #[derive(Debug)]
 pub(crate) struct RawFile {
-    /// Relative to the `usr` folder.
+    /// Path relative to the `usr` folder.
     pub(crate) path: String,
     pub(crate) lines: Vec<Numbered<String>>,
 }
@@ -20,7 +20,7 @@ pub(crate) struct RawFile {
 /// An application, library or type.
 #[derive(Debug)]
 pub(crate) struct Project {
-    /// The folder below `usrapp`.
+    /// Folder in `usrapp`.
     pub(crate) folder: String,
     pub(crate) version: Numbered<String>,
     pub(crate) data: Vec<Numbered<Data>>,
@@ -45,14 +45,14 @@ pub(crate) struct Program {
     pub(crate) code: Vec<Numbered<String>>,
 }
 
-/// A part of a listing with the number of its line, from 1; 0 if it is in no line.
+/// A part of a listing with its line number, from 1; 0 if it is generated.
 #[derive(Debug)]
 pub(crate) struct Numbered<T> {
     pub(crate) number: usize,
     pub(crate) content: T,
 }
 
-/// Reads a listing whose lines share no indentation.
+/// Parses a listing without common indentation.
 #[track_caller]
 pub(crate) fn read(text: &str) -> Listing {
     let mut reader = Reader { listing: Listing::default(), state: State::Project, comments: Vec::new() };
@@ -84,7 +84,7 @@ impl Project {
         self.data.is_empty() && self.libraries.is_empty() && self.types.is_empty() && self.programs.is_empty()
     }
 
-    /// The program that lines outside `program … end` belong to.
+    /// Program for lines outside of `program … end`.
     fn start(&mut self, number: usize) -> &mut Program {
         let index = self.programs.iter().position(|program| program.head.content.name == "start");
         let index = index.unwrap_or_else(|| {
@@ -95,7 +95,7 @@ impl Project {
         &mut self.programs[index]
     }
 
-    /// Gives the program of loose lines its `begin` and `end`.
+    /// Adds `begin` and `end` to the program of loose lines.
     fn complete_start(&mut self) {
         for program in &mut self.programs {
             if !program.code.iter().any(|line| first_word_is(&line.content, "begin")) {
@@ -106,7 +106,7 @@ impl Project {
     }
 }
 
-/// The part of the listing that the next line belongs to.
+/// Part of the listing to which the next line belongs.
 enum State {
     Project,
     Locals,
@@ -117,7 +117,7 @@ enum State {
 struct Reader {
     listing: Listing,
     state: State,
-    /// Comments that belong to the next line, if that is code.
+    /// Comments that belong to the next line, if it is code.
     comments: Vec<Numbered<String>>,
 }
 
@@ -159,7 +159,7 @@ impl Reader {
         }
     }
 
-    /// Whether `text` declares something.
+    /// Parses a declaration, if `text` is one. Returns whether it is.
     #[track_caller]
     fn declaration(&mut self, number: usize, text: &str) -> bool {
         let project = self.project();
@@ -218,7 +218,7 @@ impl Reader {
     }
 }
 
-/// `/x` lies in `usr`, everything else in `usr/usrapp`.
+/// Path of a raw file: `/x` is in `usr`, other paths are in `usr/usrapp`.
 fn raw_path(path: &str) -> String {
     path.strip_prefix('/').map_or_else(|| format!("usrapp/{path}"), str::to_owned)
 }

@@ -1,36 +1,35 @@
-//! `$0` for the cursor and `^^^` for a place with a remark.
+//! Marks in test texts: `$0` for the cursor and `^^^` for a range with a note.
 
 use crate::indent::dedent;
 
-/// A text freed of its marks.
+/// A text without its marks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MarkedText {
-    /// The text, without shared indentation and without marks.
+    /// Text without common indentation and marks.
     pub text: String,
     /// Byte offset of `$0` in [`MarkedText::text`].
     pub cursor: Option<usize>,
-    /// The remarks, in their order.
+    /// Notes, in order.
     pub notes: Vec<Note>,
 }
 
-/// A remark below a line: `   ^^^ the remark`.
+/// A note below a line: `   ^^^ the note`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
-    /// The line above the carets, from 1.
+    /// Number of the line above the carets, from 1.
     pub line: usize,
-    /// The first column the carets cover, in bytes from 0.
+    /// First column under which there are carets, in bytes from 0.
     pub column: usize,
-    /// How many columns they cover.
+    /// Number of carets.
     pub width: usize,
-    /// The text after the carets.
+    /// Text after the carets.
     pub text: String,
 }
 
-/// Takes the marks out of `text`: one `$0` at most, and lines that begin with `^`, which speak about the line
-/// above them.
+/// Removes the marks from `text`: at most one `$0`, and lines that begin with `^`, which refer to the line above.
 ///
 /// # Panics
-/// If the text has two `$0`, or a remark has no line above it.
+/// If the text has two `$0`, or a note has no line above it.
 #[track_caller]
 pub fn extract_markers(text: &str) -> MarkedText {
     let mut lines: Vec<String> = Vec::new();

@@ -1,4 +1,4 @@
-//! From projects to files, as the PC tools write them: defaults left out, code in CDATA where possible.
+//! Writes projects to files as the PC tools do: without default values, and with code in CDATA if possible.
 
 use crate::declaration::{Container, Data, Parameter, Shape, quoted};
 use crate::listing::{Numbered, Program, Project, Reference};
@@ -7,10 +7,10 @@ const DECLARATION: &str = r#"<?xml version="1.0" encoding="utf-8"?>"#;
 const VAL3: &str = "http://www.staubli.com/robotics/VAL3";
 const INSTANCE: &str = "http://www.w3.org/2001/XMLSchema-instance";
 
-/// A file that knows which of its lines come from which lines of the listing.
+/// A file with the listing line number of every line.
 #[derive(Debug)]
 pub(crate) struct File {
-    /// Relative to the `usr` folder.
+    /// Path relative to the `usr` folder.
     pub(crate) path: String,
     pub(crate) lines: Vec<Numbered<String>>,
 }
@@ -37,7 +37,7 @@ impl File {
     }
 }
 
-/// The `.pjx`; `programs` are the names of its `.pgx` files.
+/// Creates the `.pjx`; `programs` are the `.pgx` file names.
 pub(crate) fn project(project: &Project, mut programs: Vec<String>) -> File {
     programs.sort_by_key(|name| name.to_lowercase());
     let name = base_name(project);
@@ -63,7 +63,7 @@ fn user_type(ty: &Reference) -> String {
     format!(r#"    <Type name="{}" path="{}" />"#, escape(&ty.name), escape(&ty.path))
 }
 
-/// The `.dtx`.
+/// Creates the `.dtx`.
 pub(crate) fn data_file(project: &Project) -> File {
     let mut file = File::new(path(project, &format!("{}.dtx", base_name(project))));
     file.add(0, format!(r#"<Database xmlns:xsi="{INSTANCE}" xmlns="{VAL3}/Data/2">"#));
@@ -89,8 +89,8 @@ fn data(file: &mut File, number: usize, data: &Data) {
     file.add(0, "    </Data>");
 }
 
-/// The attributes of the values that differ from the default: links to `world` and `flange`, and the value of the
-/// first element.
+/// Attributes of values that differ from the default: links to `world` and `flange`, and the value of the first
+/// element.
 fn values(data: &Data) -> Vec<String> {
     let father = match data.ty.as_str() {
         "frame" | "point" | "pointRx" | "pointRs" | "pointVrb" => r#" fatherId="world[0]""#,
@@ -109,7 +109,7 @@ fn values(data: &Data) -> Vec<String> {
     keys.map(|(index, key)| format!(r#"key="{}"{}{father}"#, escape(key), value(index))).collect()
 }
 
-/// A `.pgx`.
+/// Creates a `.pgx`.
 pub(crate) fn program(project: &Project, program: &Program) -> File {
     let head = &program.head.content;
     let mut file = File::new(path(project, &format!("{}.pgx", head.name)));
@@ -151,7 +151,7 @@ fn local(local: &Data) -> String {
     }
 }
 
-/// The code: in a CDATA section, or escaped if it contains the end of one.
+/// Writes the code: in a CDATA section, or escaped if it contains the end of a CDATA section.
 fn code(file: &mut File, lines: &[Numbered<String>]) {
     let is_escaped = lines.iter().any(|line| line.content.contains("]]>"));
     let (open, close) = if is_escaped { ("", "") } else { ("<![CDATA[", "]]>") };
@@ -171,7 +171,7 @@ fn base_name(project: &Project) -> &str {
     project.folder.rsplit('/').next().unwrap_or(&project.folder)
 }
 
-/// In data files the types of positions name the arm.
+/// Type name in data files, in which position types have the arm's suffix.
 fn stored_type(ty: &str) -> String {
     match ty {
         "point" | "joint" | "config" => format!("{ty}Rx"),
@@ -179,7 +179,7 @@ fn stored_type(ty: &str) -> String {
     }
 }
 
-/// Every index of an array, as keys are written.
+/// Index texts of all elements in an array.
 fn indexes(sizes: &[usize]) -> Vec<String> {
     sizes.iter().fold(vec![String::new()], |keys, &size| {
         let longer = |key: &String, index: usize| {
@@ -197,7 +197,7 @@ fn join(sizes: &[usize]) -> String {
     sizes.iter().map(usize::to_string).collect::<Vec<_>>().join(" ")
 }
 
-/// A string literal without its quotes; other literals unchanged.
+/// Content of a string literal; other literals are unchanged.
 fn plain(literal: &str) -> &str {
     quoted(literal).map_or(literal, |(text, _)| text)
 }

@@ -1,4 +1,4 @@
-//! The chain of an arm, from which pages compute where its links are.
+//! Arm description, from which pages compute link poses.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use serde_json::{Value, json};
@@ -8,8 +8,9 @@ use val3_machine::shapes::LinkShape;
 
 use crate::coordinates;
 
-/// Name, the note about its times, axes with their limits, the frame of each axis in that of the one before, the flange in that of the last one, and
-/// the shapes of the links. An axis turns about the z axis of its frame, or moves along it.
+/// Returns the name, the note about times, the axes with their limits, all axis frames' poses, each relative to the
+/// previous frame, the pose of the flange relative to the last frame, and the shapes of the links. An axis rotates
+/// about the z axis of its frame, or moves along it.
 pub(crate) fn description(arm: &Arm, shapes: &[Option<LinkShape>]) -> Value {
     let poses = arm.links(&Joints::default());
     let mut before = IsometryMatrix3::identity();
@@ -50,7 +51,7 @@ mod tests {
     use proptest::prelude::*;
     use val3_geometry::{Rotation3, Trsf};
 
-    /// The flange as a page computes it.
+    /// Computes the flange as a page does.
     fn flange(description: &Value, joints: &Joints) -> IsometryMatrix3<f64> {
         let pose = |value: &Value| {
             let numbers: Vec<f64> = value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect();

@@ -16,7 +16,7 @@ use val3_machine::script::Action;
 
 use crate::positions::{self, Datum};
 
-/// The reason why a command was not executed, for users.
+/// Reason why a command was not executed, for users.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CommandError(String);
 
@@ -34,19 +34,19 @@ impl From<&str> for CommandError {
     }
 }
 
-/// The operators of a run. All pages share what they have changed and not yet saved.
+/// Operators of a run. All pages share the changes that were not saved.
 #[derive(Debug, Default)]
 pub struct Operator {
-    /// Points with new values: their names, and their indexes or keys.
+    /// Points with new values: names with indexes or keys.
     changed: BTreeSet<(String, Option<String>)>,
 }
 
 impl Operator {
-    /// Executes a command between two cycles: `operate`, `setPoint`, `teach`, `save`, `userPage`. Returns the parts of
-    /// its answer.
+    /// Executes a command between two cycles: `operate`, `setPoint`, `teach`, `save`, `userPage`. Returns the keys of
+    /// its response.
     ///
     /// # Errors
-    /// The command is unknown, its arguments are wrong, or the controller refuses it.
+    /// The command is unknown, its arguments are invalid, or the controller rejects it.
     pub fn execute(
         &mut self,
         name: &str,
@@ -64,7 +64,7 @@ impl Operator {
             "userPage" => user_page(arguments, controller)?,
             _ => return Err(CommandError(format!("`{name}` is not a command"))),
         }
-        // An action with the keys of a script is in the record already.
+        // `operate` with the keys of a script is recorded elsewhere.
         if name != "operate" {
             let keys = Map::from_iter([(name.to_owned(), Value::Object(arguments.clone()))]);
             controller.devices.record_outside(controller.now(), EventKind::Act { keys });
@@ -72,7 +72,7 @@ impl Operator {
         Ok(Map::new())
     }
 
-    /// The message `unsaved`: the points that were changed and are not saved.
+    /// Message `unsaved`: the points with unsaved changes.
     #[must_use]
     pub fn unsaved(&self) -> Value {
         let points = self.changed.iter().map(|(name, key)| json!({ "name": name, "key": key }));
@@ -89,7 +89,7 @@ impl Operator {
         Ok(())
     }
 
-    /// Writes the changed points into their files. Those that the program has removed meanwhile are left out.
+    /// Writes the changed points to their files, without points that the program has removed meanwhile.
     fn save(&mut self, overwrite: bool, controller: &mut Controller) -> Result<Map<String, Value>, CommandError> {
         let is_changed = |datum: &Datum| {
             datum.base == BaseType::Point && self.changed.contains(&(datum.name.clone(), datum.key.clone()))
@@ -147,7 +147,7 @@ fn trsf(value: Option<&Value>) -> Option<Trsf> {
     }
 }
 
-/// The point that a command names.
+/// Finds the point that a command names.
 fn point(arguments: &Map<String, Value>, controller: &Controller) -> Result<Datum, CommandError> {
     let name = arguments.get("name").and_then(Value::as_str).ok_or("`name` is that of a point")?;
     let key = key(arguments.get("key"))?;
@@ -161,7 +161,7 @@ fn point(arguments: &Map<String, Value>, controller: &Controller) -> Result<Datu
     })
 }
 
-/// The index or key of an element as text; `None` for data with a single value.
+/// Element index or key as text; `None` for data with a single value.
 fn key(value: Option<&Value>) -> Result<Option<String>, CommandError> {
     match value {
         None | Some(Value::Null) => Ok(None),
@@ -171,7 +171,8 @@ fn key(value: Option<&Value>) -> Result<Option<String>, CommandError> {
     }
 }
 
-/// Writes where the tool centre point is into a point, seen from the point's frame. Its configuration stays.
+/// Sets a point to the current pose of the tool centre point, relative to the point's father. Its configuration is
+/// unchanged.
 fn teach(point: &Datum, controller: &mut Controller) -> Result<(), CommandError> {
     let here = Trsf::from(controller.devices.state.arm.sample().pose);
     let memory = &controller.vm.space.memory;

@@ -1,4 +1,4 @@
-//! The messages of a run, cycle by cycle.
+//! Messages of a run, cycle by cycle.
 
 use std::collections::BTreeMap;
 
@@ -18,23 +18,23 @@ use crate::samples::{Batch, NO_SOURCE};
 use crate::signals::SignalStates;
 use crate::{numbers, positions, scene, state, user_page};
 
-/// Time between two looks at the state, in nanoseconds of the controller.
+/// Polling interval of the state, in nanoseconds on the controller's clock.
 const LOOK: Time = 25 * CYCLE;
 
-/// Looks between two comparisons of the positions in memory.
+/// Number of state polls between two comparisons of the positions in memory.
 const POSITIONS: u32 = 10;
 
-/// Two tools nearer than this are one, in mm and degrees.
+/// Difference up to which two tools are equal, in mm and degrees.
 const SAME_TOOL: f64 = 1e-6;
 
-/// The number of all tools after the first 255.
+/// Number that all tools after the first 255 share.
 const OTHER_TOOL: u8 = u8::MAX;
 
-/// The messages of one run.
+/// Source of a run's messages.
 #[derive(Debug)]
 pub struct Feed {
     batch: Batch,
-    /// The last sample, when it was taken, and whether it is in a batch.
+    /// Time of the last sample, the sample, and whether it is in a batch.
     last: Option<(Time, (Sample, SpeedLimit), bool)>,
     tools: Vec<[f64; 6]>,
     sources: BTreeMap<(String, u32, String), u16>,
@@ -45,14 +45,14 @@ pub struct Feed {
     page: Value,
     points: Vec<Value>,
     signals: SignalStates,
-    /// The latest time that the messages are about.
+    /// Latest time in the messages.
     seen: Time,
     messages: Vec<Message>,
 }
 
 impl Feed {
-    /// The messages of a run that begins now, or is seen from now on: first its scene and its whole state. The `role` of
-    /// the reader is `operator`, `guest`, `recording` or `debugger`.
+    /// Starts the messages of a run that begins or is observed from now on. The first messages are its scene and
+    /// complete state. The reader's `role` is `operator`, `guest`, `recording` or `debugger`.
     #[must_use]
     pub fn new(controller: &Controller, role: &str) -> Self {
         let mut feed = Self {
@@ -75,7 +75,7 @@ impl Feed {
         feed
     }
 
-    /// A cycle that began at `start` is over, with its events.
+    /// Processes the finished cycle that began at `start`, with its events.
     pub fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
         self.sample(start, controller);
         self.see_events(events, controller);
@@ -84,7 +84,7 @@ impl Feed {
         }
     }
 
-    /// Events of the present cycle, or of a command.
+    /// Processes events of the current cycle, or of a command.
     pub fn see_events(&mut self, events: &[Event], controller: &Controller) {
         if !events.is_empty() {
             self.tell(json!({ "kind": "events", "events": events }));
@@ -95,7 +95,7 @@ impl Feed {
         }
     }
 
-    /// Gives the whole state once more, for readers that have missed what was before.
+    /// Sends the complete state once more, for readers that have missed earlier messages.
     pub fn repeat(&mut self, controller: &Controller) {
         self.forget();
         self.look(controller.now(), controller);
@@ -107,7 +107,7 @@ impl Feed {
         (self.signals, self.points) = (SignalStates::default(), Vec::new());
     }
 
-    /// Compares everything now: after a command, at a stop, or after the run has gone back.
+    /// Compares the complete state immediately: after a command, at a stop, or after stepping back.
     pub fn refresh(&mut self, controller: &Controller) {
         let now = controller.now();
         if now < self.seen {
@@ -121,7 +121,7 @@ impl Feed {
         self.seen = now;
     }
 
-    /// The run has ended.
+    /// Sends the end of the run.
     pub fn end(&mut self, reason: EndReason, exit_code: u8, controller: &Controller) {
         let now = controller.now();
         self.look(now, controller);
@@ -162,7 +162,7 @@ impl Feed {
         let data = positions::data(controller);
         let points = Positions::new(&data, &controller.vm.space.memory).of_type(BaseType::Point);
         let known = std::mem::take(&mut self.points);
-        // The scene has the first ones.
+        // The scene contains the initial positions.
         if !known.is_empty() || self.looks > 0 {
             let changed: Vec<&Value> = points.iter().filter(|point| !known.contains(point)).collect();
             if !changed.is_empty() {
@@ -172,7 +172,7 @@ impl Feed {
         self.points = points;
     }
 
-    /// The messages since the last call.
+    /// Removes and returns the pending messages.
     pub fn take(&mut self) -> Vec<Message> {
         std::mem::take(&mut self.messages)
     }
@@ -193,7 +193,7 @@ impl Feed {
         self.messages.extend(self.batch.take().map(Message::Samples));
     }
 
-    /// Adds the arm, unless it rests where it was.
+    /// Adds a sample of the arm, unless the arm has stopped and not moved.
     fn sample(&mut self, time: Time, controller: &Controller) {
         if self.last.is_some_and(|(last, ..)| time < last + CYCLE) {
             return;
@@ -231,7 +231,7 @@ impl Feed {
         self.batch.add(time, sample, *limit, (tool, source));
     }
 
-    /// The number of a tool, which pages learn.
+    /// Number of a tool. New tools are sent to pages.
     fn tool(&mut self, tool: &IsometryMatrix3<f64>, controller: &Controller) -> u8 {
         let pose = numbers(&Trsf::from(*tool));
         if let Some(number) = self.tools.iter().position(|known| is_same(known, &pose)) {
@@ -246,7 +246,7 @@ impl Feed {
         number
     }
 
-    /// The number of a line that requests moves, which pages learn.
+    /// Number of a program line that requests moves. New lines are sent to pages.
     fn number_of(&mut self, source: Option<&CodeSource>) -> u16 {
         let Some(source) = source else { return NO_SOURCE };
         let key = (source.file.clone(), source.line, source.program.clone());
@@ -273,7 +273,7 @@ fn is_same(known: &[f64; 6], tool: &[f64; 6]) -> bool {
     known.iter().zip(tool).all(|(known, number)| (known - number).abs() < SAME_TOOL)
 }
 
-/// A message at a time.
+/// Adds the time to a message.
 fn with_time(time: Time, message: &Value) -> Value {
     let mut message = message.clone();
     if let Some(keys) = message.as_object_mut() {

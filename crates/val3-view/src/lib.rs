@@ -1,7 +1,7 @@
-//! A run as messages for the pages that show and operate it (docs/src/view.md).
+//! Messages of a run for the pages that show and operate it (docs/src/view.md).
 //!
-//! Everything that a page shows follows from the messages up to that time. The crate knows no connection: its caller hands
-//! over each cycle to a [`Feed`], and passes the messages on.
+//! All displayed content is determined by the messages up to that time. The crate has no connections: its caller sends
+//! each cycle to a [`Feed`], and transmits the messages.
 
 mod arm;
 mod commands;
@@ -26,7 +26,7 @@ pub use user_page::user_page;
 
 use val3_geometry::{IsometryMatrix3, Trsf};
 
-/// x, y, z in mm, rx, ry, rz in degrees, as the fields of a `trsf`.
+/// Returns x, y, z in mm, rx, ry, rz in degrees, as in the fields of a `trsf`.
 #[must_use]
 pub fn coordinates(position: &IsometryMatrix3<f64>) -> [f64; 6] {
     numbers(&Trsf::from(*position))

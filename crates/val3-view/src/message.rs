@@ -2,11 +2,11 @@
 
 use serde_json::Value;
 
-/// A message.
+/// A message for pages.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Message {
-    /// A JSON object; `kind` names it.
+    /// A JSON object; `kind` is its type.
     Object(Value),
-    /// A batch of samples of the arm.
+    /// A batch of arm samples.
     Samples(Vec<u8>),
 }

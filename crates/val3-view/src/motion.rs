@@ -1,4 +1,4 @@
-//! The message `motion`: the recorded moves, and the way ahead of the tool centre point.
+//! Message `motion`: the recorded moves, and the remaining path of the tool centre point.
 
 use serde_json::{Value, json};
 use val3_geometry::Vector3;
@@ -7,16 +7,16 @@ use val3_motion::{Progress, Way};
 
 use crate::coordinates;
 
-/// Pieces of the way ahead: nominal parts and blends.
+/// Maximum number of path pieces in the message: nominal parts and blends.
 const PIECES: usize = 60;
 
-/// The way ahead is drawn within this distance of the real one, in mm.
+/// Maximum deviation of the drawn path, in mm.
 const TOLERANCE: f64 = 0.2;
 
-/// Its coordinates are multiples of this, in mm.
+/// Resolution of coordinates, in mm.
 const PRECISION: f64 = 0.01;
 
-/// Everything that decides what the message says, apart from how far the arm is on its present piece.
+/// Properties that determine the message, except the progress on the current piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MotionKey {
     revision: u64,
@@ -38,7 +38,7 @@ impl MotionKey {
     }
 }
 
-/// The message, without its time. `number` gives the number of the line that requests a move.
+/// Creates the message, without its time. `number` returns the number of the line that requests a move.
 pub(crate) fn message(controller: &Controller, mut number: impl FnMut(&RecordedMove) -> u16) -> Value {
     let queue = controller.motion_queue();
     json!({
@@ -80,7 +80,8 @@ fn rounded(point: &Vector3<f64>) -> [f64; 3] {
     point.map(|number| (number / PRECISION).round() * PRECISION).into()
 }
 
-/// The points of a curve without those that are near the straight line between the others, after Douglas and Peucker.
+/// Simplifies a curve by removing points that are within the tolerance of the lines between the other points
+/// (Douglas-Peucker).
 fn simplified(points: &[Vector3<f64>], tolerance: f64) -> Vec<Vector3<f64>> {
     let [first, inner @ .., last] = points else { return points.to_vec() };
     let along = last - first;

@@ -1,26 +1,26 @@
-//! The pace of a run as pages spell it.
+//! Pace of a run in the format of pages.
 
 use std::ops::RangeInclusive;
 
 use serde_json::{Value, json};
 
-/// The slowest and the fastest pace on the real clock.
+/// Range of paces in real time.
 const SPEEDS: RangeInclusive<f64> = 0.1..=100.0;
 
-/// The pace of a run.
+/// Pace of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Speed {
-    /// This many seconds of the controller in a second of the wall.
+    /// Controller seconds per real second.
     Times(f64),
-    /// Without waiting.
+    /// As fast as possible.
     Fastest,
 }
 
 impl Speed {
-    /// The word for [`Speed::Fastest`].
+    /// Text for [`Speed::Fastest`].
     const FASTEST: &str = "max";
 
-    /// The pace that a page asks for: a number from 0.1 to 100, or `"max"`.
+    /// Parses the pace that a page requests: a number from 0.1 to 100, or `"max"`.
     #[must_use]
     pub fn of(value: &Value) -> Option<Self> {
         match value {
@@ -29,7 +29,7 @@ impl Speed {
         }
     }
 
-    /// The message `clock` at a time in seconds.
+    /// Message `clock` at a time in seconds.
     #[must_use]
     pub fn message(self, t: f64, is_paused: bool) -> Value {
         let speed = match self {

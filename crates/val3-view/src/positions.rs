@@ -1,4 +1,4 @@
-//! The positions of the applications and libraries in memory, and the names of data that are linked to signals.
+//! Positions of the applications and libraries in memory, and the names of data linked to signals.
 
 use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
@@ -13,19 +13,19 @@ use val3_machine::io::{LinkId, SignalId};
 
 use crate::numbers;
 
-/// A global value of an application or library.
+/// A global value in an application or library.
 #[derive(Debug, Clone)]
 pub(crate) struct Datum {
-    /// Its data, with the name of the library before it.
+    /// Data name, prefixed by the library.
     pub(crate) name: String,
-    /// Its index or key; none of data with a single value.
+    /// Index or key; `None` for data with a single value.
     pub(crate) key: Option<String>,
     pub(crate) base: BaseType,
     pub(crate) place: Place,
 }
 
 impl Datum {
-    /// Its name with its index or key.
+    /// Name with index or key.
     fn whole_name(&self) -> String {
         match &self.key {
             Some(key) => format!("{}[{key}]", self.name),
@@ -34,7 +34,7 @@ impl Datum {
     }
 }
 
-/// The global values of types that pages show, of the application and its libraries.
+/// Global values of the application and its libraries, for the types that pages show.
 pub(crate) fn data(controller: &Controller) -> Vec<Datum> {
     let space = &controller.vm.space;
     let mut found = Vec::new();
@@ -58,7 +58,7 @@ fn is_shown(base: &BaseType) -> bool {
     matches!(base, BaseType::Frame | BaseType::Tool | BaseType::Point | BaseType::Joint | BaseType::Dio | BaseType::Aio)
 }
 
-/// The names of the data that are linked to each signal.
+/// Names of the data linked to each signal.
 pub(crate) fn names_by_signal(data: &[Datum], controller: &Controller) -> FxHashMap<SignalId, Vec<String>> {
     let (memory, io) = (&controller.vm.space.memory, &controller.devices.state.io);
     let mut names: FxHashMap<SignalId, Vec<String>> = FxHashMap::default();
@@ -71,7 +71,7 @@ pub(crate) fn names_by_signal(data: &[Datum], controller: &Controller) -> FxHash
     names
 }
 
-/// The name of the tool in memory whose tool centre point is at a place in the flange. The flange itself is a tool too.
+/// Name of the tool in memory with this pose on the flange. The flange itself is a tool, too.
 pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> bool) -> Option<String> {
     if is_there(&[0.0; 6]) {
         return Some("flange".to_owned());
@@ -83,7 +83,7 @@ pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> b
     data(controller).iter().find(is_meant).map(Datum::whole_name)
 }
 
-/// Finds the names and poses of all values, each in a time that does not depend on the length of its chain.
+/// Computes names and poses of all values; the time per value does not depend on its chain length.
 pub(crate) struct Positions<'a> {
     data: &'a [Datum],
     memory: &'a Memory,
@@ -97,7 +97,7 @@ impl<'a> Positions<'a> {
         Self { data, memory, by_place, poses: Poses::new(memory) }
     }
 
-    /// The values of one type as objects; those without a place in the cell are left out.
+    /// Objects for all values with this type, without values that have no placement.
     pub(crate) fn of_type(&mut self, base: BaseType) -> Vec<Value> {
         let of_base = self.data.iter().filter(|datum| datum.base == base);
         of_base.filter_map(|datum| self.described(datum)).collect()
@@ -130,7 +130,7 @@ impl<'a> Positions<'a> {
     }
 }
 
-/// The words of a point's configuration: shoulder, elbow, wrist; a SCARA arm has a shoulder only.
+/// Enumerators of a point's configuration: shoulder, elbow, wrist; a SCARA arm has only a shoulder.
 fn configuration(memory: &Memory, place: Place) -> String {
     let is_scara = memory
         .store(place.store)
@@ -145,7 +145,7 @@ fn configuration(memory: &Memory, place: Place) -> String {
     (6..).zip(fields).take(if is_scara { 1 } else { 3 }).filter_map(word).collect::<Vec<_>>().join(" ")
 }
 
-/// The first numbers of a value.
+/// First numbers of a value.
 fn nums(memory: &Memory, place: Place, count: u32) -> Option<Vec<f64>> {
     (0..count).map(|lane| memory.num(place, lane).ok()).collect()
 }

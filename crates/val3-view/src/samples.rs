@@ -1,26 +1,26 @@
-//! Samples of the arm in batches of bytes.
+//! Samples of the arm in binary batches.
 
 use val3_lang::ports::Time;
 use val3_machine::event::seconds;
 use val3_motion::{Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
-/// The first byte of a batch.
+/// First byte of a batch.
 const KIND: u8 = 1;
 
-/// The time that the samples of a batch cover at most.
+/// Maximum time that a batch covers.
 const BATCH: Time = 10 * CYCLE;
 
-/// The number of a sample that no line has requested.
+/// Source number of a sample without a requesting line.
 pub(crate) const NO_SOURCE: u16 = u16::MAX;
 
-/// Samples that wait for a batch to be full.
+/// Samples in a batch that is not full.
 #[derive(Debug)]
 pub(crate) struct Batch {
     axes: usize,
     bytes: Vec<u8>,
     count: u32,
-    /// When the first sample was taken.
+    /// Time of the first sample.
     begun: Time,
 }
 
@@ -29,8 +29,8 @@ impl Batch {
         Self { axes, bytes: Vec::new(), count: 0, begun: 0 }
     }
 
-    /// Adds the arm at a time, with the limit of its speed and the numbers of its tool and of the line that has requested
-    /// its move.
+    /// Adds a sample at a time, with the limit of the arm's speed, and the numbers of the tool and of the line that
+    /// requested the move.
     pub(crate) fn add(&mut self, time: Time, sample: &Sample, limit: SpeedLimit, (tool, source): (u8, u16)) {
         if self.count == 0 {
             self.begun = time;
@@ -48,12 +48,12 @@ impl Batch {
         self.bytes.push(number_of(limit));
     }
 
-    /// Whether a sample of this time belongs to another batch.
+    /// Whether a sample at this time belongs to the next batch.
     pub(crate) fn is_full(&self, time: Time) -> bool {
         self.count > 0 && time >= self.begun + BATCH
     }
 
-    /// The message with all samples; none without one.
+    /// Removes and returns the message with all samples; `None` without samples.
     pub(crate) fn take(&mut self) -> Option<Vec<u8>> {
         let count = std::mem::take(&mut self.count);
         let samples = std::mem::take(&mut self.bytes);
@@ -64,7 +64,7 @@ impl Batch {
     }
 }
 
-/// Names of the limits of the speed, by their numbers in samples.
+/// Names of the speed limits, by their numbers in samples.
 pub(crate) fn limit_names() -> Vec<String> {
     SpeedLimit::all().map(|limit| limit.to_string()).collect()
 }

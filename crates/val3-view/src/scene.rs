@@ -1,4 +1,4 @@
-//! The message `scene`: everything that stays during a run.
+//! Message `scene`: the constant content of a run.
 
 use serde_json::{Value, json};
 use val3_lang::types::BaseType;
@@ -9,14 +9,14 @@ use crate::positions::{self, Positions};
 use crate::samples::limit_names;
 use crate::{arm, signals};
 
-/// The version of the messages.
+/// Version of the messages.
 const VERSION: u32 = 1;
 
 /// The phases of motion by their numbers in samples.
 const PHASES: [Phase; 7] =
     [Phase::Nominal, Phase::Blend, Phase::Alter, Phase::Connection, Phase::Compliant, Phase::Stopping, Phase::Waiting];
 
-/// The first message for a page: the application, its arm, positions and signals. The `role` is that of the reader.
+/// First message for a page: the application, its arm, positions and signals. `role` is the reader's role.
 #[must_use]
 pub fn scene(controller: &Controller, role: &str) -> Value {
     let data = positions::data(controller);

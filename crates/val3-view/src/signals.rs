@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use val3_machine::controller::Controller;
 use val3_machine::io::{Direction, IoTable, Kind, SignalId};
 
-/// The value of a signal as the cell shows it: an input's at the terminal, an output's as written.
+/// Displayed value of a signal: at the terminal for an input, the written value for an output.
 #[must_use]
 pub fn level(io: &IoTable, id: SignalId) -> Option<f64> {
     match io.signal(id)?.direction {
@@ -14,7 +14,7 @@ pub fn level(io: &IoTable, id: SignalId) -> Option<f64> {
     }
 }
 
-/// The name of a direction.
+/// Name of a direction.
 #[must_use]
 pub fn direction(direction: Direction) -> &'static str {
     match direction {
@@ -23,7 +23,7 @@ pub fn direction(direction: Direction) -> &'static str {
     }
 }
 
-/// The signals of the cell. `names` has the data that are linked to each.
+/// Signals of the cell. `names` contains the data linked to each signal.
 pub(crate) fn described(io: &IoTable, names: &FxHashMap<SignalId, Vec<String>>) -> Vec<Value> {
     let described = |id: SignalId| {
         let signal = io.signal(id)?;
@@ -41,13 +41,13 @@ pub(crate) fn described(io: &IoTable, names: &FxHashMap<SignalId, Vec<String>>) 
     io.signals().filter_map(described).collect()
 }
 
-/// The serial lines and sockets.
+/// Serial lines and sockets.
 pub(crate) fn lines(controller: &Controller) -> Vec<Value> {
     let kinds = controller.devices.lines.kinds();
     kinds.map(|(link, kind)| json!({ "link": link, "type": format!("{kind:?}").to_lowercase() })).collect()
 }
 
-/// The last state of each signal that pages have.
+/// Last states of all signals that were sent to pages.
 #[derive(Debug, Default)]
 pub(crate) struct SignalStates(Vec<SignalState>);
 
@@ -61,7 +61,7 @@ struct SignalState {
 }
 
 impl SignalStates {
-    /// The message `io` with everything that has changed, if something has.
+    /// Message `io` with all changes, if any.
     pub(crate) fn changes(&mut self, t: f64, io: &IoTable) -> Option<Value> {
         let mut changes = Vec::new();
         for (number, id) in io.signals().enumerate() {

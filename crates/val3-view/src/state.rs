@@ -1,11 +1,11 @@
-//! The message `state`: tasks and robot.
+//! Message `state`: tasks and robot.
 
 use serde_json::{Value, json};
 use val3_machine::controller::{Activity, Controller, TaskPosition};
 use val3_machine::event::seconds;
 use val3_vm::{Rate, Task, TaskState};
 
-/// The message, without its time.
+/// Creates the message, without its time.
 pub(crate) fn message(controller: &Controller) -> Value {
     let state = &controller.devices.state;
     let (arm, robot) = (&state.arm, &state.robot);

@@ -1,10 +1,10 @@
-//! The page that the pendant shows.
+//! User page that the pendant shows.
 
 use serde_json::{Value, json};
 use val3_machine::controller::Controller;
 use val3_machine::screen::{Cell, HtmlCallback, HtmlPage, HtmlValue};
 
-/// The name of the screen, its title and its 14 lines.
+/// Name of the screen, its title and its 14 lines.
 #[must_use]
 pub fn user_page(controller: &Controller) -> Value {
     let pendant = &controller.devices.state.pendant;
@@ -16,7 +16,7 @@ pub fn user_page(controller: &Controller) -> Value {
     })
 }
 
-/// The message `page`, without its time.
+/// Message `page`, without its time.
 pub(crate) fn message(controller: &Controller) -> Value {
     let pendant = &controller.devices.state.pendant;
     let page = pendant.page(pendant.shown());
@@ -32,7 +32,7 @@ pub(crate) fn message(controller: &Controller) -> Value {
     })
 }
 
-/// The bindings of a page made with HTML: the values of its elements, and what a click executes.
+/// Bindings of the HTML page: element values and click actions.
 fn html(page: &HtmlPage, controller: &Controller) -> Value {
     let value = |bound: &HtmlValue| {
         let value = controller.shown_value(&bound.path);
@@ -47,7 +47,7 @@ fn html(page: &HtmlPage, controller: &Controller) -> Value {
     })
 }
 
-/// Runs of text modes, each with its number of columns.
+/// Runs of equal text modes, each with its number of columns.
 fn modes(cells: &[Cell]) -> Value {
     let mut runs: Vec<(usize, u8)> = Vec::new();
     for cell in cells {

@@ -124,7 +124,7 @@ pub(crate) struct Args {
 }
 
 impl Args {
-    /// The limits of files.
+    /// Size limits for files that are read.
     pub(crate) fn limits(&self) -> Limits {
         Limits { file: self.max_file_size.map(|ByteSize(bytes)| bytes), workspace: Some(self.max_workspace_size.0) }
     }
@@ -311,7 +311,7 @@ mod tests {
         Args::command().debug_assert();
     }
 
-    /// The short and the long help of each command, as a terminal of 100 columns and more shows them.
+    /// All commands' short and long help, as shown in a terminal of at least 100 columns.
     #[test]
     fn the_help_of_each_command() {
         let mut command = Args::command().color(clap::ColorChoice::Never);
@@ -321,7 +321,7 @@ mod tests {
 
     fn check_help(command: &mut clap::Command) {
         let name = command.get_display_name().unwrap_or("val3").to_owned();
-        // Lines of descriptions end with blanks.
+        // clap ends the lines of descriptions with blanks.
         let text = |help: clap::builder::StyledStr| -> String {
             help.to_string().lines().flat_map(|line| [line.trim_end(), "\n"]).collect()
         };

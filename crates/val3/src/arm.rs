@@ -1,4 +1,4 @@
-//! `val3 arm`: arms, and the measurement of their times.
+//! `val3 arm`: lists and shows arms, and measures their times.
 
 mod files;
 mod fit;

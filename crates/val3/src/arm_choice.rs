@@ -1,4 +1,4 @@
-//! The arm that `val3 check --motion` compares positions and moves with.
+//! Choice of the arm for `val3 check --motion`.
 
 use val3_analysis::arm::{ArmOrigin, ProjectArm, arm};
 use val3_analysis::db::{Database, Project};
@@ -12,7 +12,8 @@ use val3_session::SessionError;
 
 use crate::user_error::UserError;
 
-/// What a check with the arm has to say about its choice: once, wherever the default arm takes the place of another.
+/// Returns the notice that the positions of a project are compared with the default arm; only one notice for all
+/// projects.
 ///
 /// # Errors
 /// The arm that a `val3.toml` names cannot be used.
@@ -26,7 +27,7 @@ pub(crate) fn notice(
         let file = project.configuration(db).map(|found| found.file(db));
         let setting = file.and_then(|file| file.config.arm.as_ref()).and_then(ArmSetting::model);
         let is_compared = is_compared(db, *project, settings);
-        // The file of an arm concerns only those who compare something with it.
+        // An arm file only matters to projects with positions that are compared with it.
         if !is_compared && !matches!(setting, Some(ArmModel::Name(_))) {
             continue;
         }
@@ -41,13 +42,13 @@ pub(crate) fn notice(
     Ok(notice)
 }
 
-/// The error about the arm in a `val3.toml`, with its line.
+/// Error about the arm in a `val3.toml`, with its line.
 fn fault(file: &ConfigFile, reason: &str) -> UserError {
     let fault = file.fault("arm", reason.to_owned(), "`val3 arm list` shows the known arms".to_owned());
     SessionError::Load(LoadError::Configuration(vec![fault])).into()
 }
 
-/// The project has points or joints, and a rule that compares them with the arm is on.
+/// Whether the project has points or joints, and a rule that compares them with the arm is on.
 fn is_compared(db: &Database, project: Project, settings: &WorkspaceSettings) -> bool {
     let settings = settings.of(db, project);
     let has_positions = || {

@@ -21,44 +21,44 @@ use crate::paths::{Paths, relative};
 use crate::unread::is_unreadable;
 use crate::user_error::UserError;
 
-/// The treatment of the baselines.
+/// How the check uses baselines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Mode {
-    /// Known findings are left out.
+    /// Omits known findings.
     #[default]
     Use,
-    /// All findings are known from now on.
+    /// Writes all findings to the baselines.
     Write,
-    /// As [`Mode::Use`], and known findings that are not found any more are removed.
+    /// As [`Mode::Use`], and removes known findings that no longer occur.
     Prune,
 }
 
-/// The effect of the baselines.
+/// Effect of the baselines on a check.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct BaselineResult {
-    /// Findings that are known.
+    /// Number of omitted known findings.
     pub(crate) known: usize,
-    /// Known findings of a baseline that are not found any more.
+    /// Number of known findings that no longer occur.
     pub(crate) gone: usize,
-    /// The written files, as people see them, each with its number of findings.
+    /// Written files, as they are shown to the user, with their numbers of findings.
     pub(crate) written: Vec<(String, usize)>,
 }
 
-/// A check whose findings are compared with the baselines.
+/// Comparison of a check's findings with the baselines.
 pub(crate) struct KnownFindings<'a> {
     /// All loaded files.
     pub(crate) workspace: &'a Workspace,
     /// The checked units.
     pub(crate) units: &'a [Unit],
-    /// The selection of the command line.
+    /// Rule selection of the command line.
     pub(crate) selection: &'a Selection,
-    /// How paths are shown.
+    /// How paths are displayed.
     pub(crate) paths: &'a Paths,
 }
 
 impl KnownFindings<'_> {
-    /// Removes the known findings from `diagnostics`. A baseline named on the command line (`named`, absolute) applies
-    /// to all applications. Otherwise each has the one of its `val3.toml`.
+    /// Removes the known findings from `diagnostics`. A baseline named on the command line (`named`, absolute path)
+    /// applies to all applications. Otherwise each `val3.toml` names its application's baseline.
     pub(crate) fn apply(
         &self,
         named: Option<&Utf8Path>,
@@ -87,7 +87,7 @@ impl KnownFindings<'_> {
         &self.workspace.db
     }
 
-    /// The baselines with the project files to which they apply, and the `val3.toml` that names them.
+    /// Baselines, each with the project files to which it applies and the `val3.toml` that names it.
     fn baselines(&self, named: Option<&Utf8Path>) -> BTreeMap<Utf8PathBuf, (FxHashSet<File>, Option<&ConfigFile>)> {
         let mut baselines: BTreeMap<Utf8PathBuf, (FxHashSet<File>, Option<&ConfigFile>)> = BTreeMap::new();
         for project in &self.workspace.projects {
@@ -107,20 +107,20 @@ impl KnownFindings<'_> {
     }
 }
 
-/// One baseline.
+/// One baseline file.
 struct BaselineFile<'a> {
     known: &'a KnownFindings<'a>,
     path: Utf8PathBuf,
-    /// The `val3.toml` that names it.
+    /// The `val3.toml` that names the baseline.
     named_by: Option<&'a ConfigFile>,
     mode: Mode,
 }
 
 impl BaselineFile<'_> {
-    /// The findings that are new.
+    /// Returns the new findings.
     fn apply(&self, mut found: Vec<Diagnostic>, outcome: &mut BaselineResult) -> Result<Vec<Diagnostic>, UserError> {
         let mut baseline = self.read()?;
-        // A file that two applications use is checked twice.
+        // A file that two applications share is checked twice.
         let mut seen = FxHashSet::default();
         found.retain(|it| seen.insert((it.place, it.rule.code, it.message.clone())));
         let fingerprints: Vec<Fingerprint> = found.iter().map(|diagnostic| self.fingerprint(diagnostic)).collect();
@@ -154,7 +154,7 @@ impl BaselineFile<'_> {
         Fingerprint::new(db, diagnostic, |file| relative(self.folder(), file.path(db)))
     }
 
-    /// Whether this check would have found it again: its file and its rule were not left out this time.
+    /// Whether this check would have found the known finding again: it has checked the file with the rule.
     fn was_checked(&self, known: &Fingerprint, files: &BTreeSet<String>) -> bool {
         let Selection { only, never, .. } = self.known.selection;
         let code = known.rule.as_str();
@@ -163,7 +163,7 @@ impl BaselineFile<'_> {
     }
 
     fn is_gone(&self, file: &str) -> bool {
-        // A file whose folder cannot be read may exist.
+        // The file may exist in a folder that cannot be read.
         self.folder().join(file).try_exists().is_ok_and(|exists| !exists)
     }
 
@@ -189,7 +189,7 @@ impl BaselineFile<'_> {
         })
     }
 
-    /// The error of a baseline that cannot be read, with the line that names it.
+    /// Error for a baseline that cannot be read, with the line that names it.
     fn refused(&self, message: String, help: &str) -> UserError {
         match self.named_by {
             Some(file) => {

@@ -1,4 +1,4 @@
-//! `val3 check`: finds the faults of applications, libraries and whole cells, and fixes those that have a fix.
+//! `val3 check`: finds faults in applications, libraries and whole cells, and fixes faults that have a fix.
 
 use std::process::ExitCode;
 
@@ -19,7 +19,7 @@ use crate::user_error::{EXIT_USAGE, UserError};
 use crate::watch::Watch;
 use crate::{explain_config, fixing, format, patch, rule_counts, selection, summary};
 
-/// Runs the command; the exit code says whether findings reach the fail level.
+/// Runs the command. The exit code states whether a finding reaches the fail level.
 pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError> {
     if args.watch && args.fix {
         let message = "--watch cannot be used with --fix: each time a file is saved, programs would be rewritten";
@@ -64,7 +64,7 @@ fn request(args: &CheckArgs) -> Result<Request, UserError> {
     })
 }
 
-/// The selected rules. `--motion` adds those about the arm.
+/// Rules selected by the arguments. `--motion` adds the rules about the arm.
 fn selection(args: &CheckArgs) -> Result<Selection, UserError> {
     let motion = if args.motion { rules::of_motion().map(|rule| rule.code.to_owned()).to_vec() } else { Vec::new() };
     let extend = [args.extend_select.as_slice(), &motion].concat();
@@ -72,7 +72,7 @@ fn selection(args: &CheckArgs) -> Result<Selection, UserError> {
     Ok(Selection { target: args.target, ..selection })
 }
 
-/// The file that `-` means.
+/// The file that the standard input replaces (`-`).
 fn standard_input(args: &CheckArgs) -> Result<Option<StandardInput>, UserError> {
     let help = "write `val3 check - --stdin-path FILE`";
     let error = |message: &str| Err(UserError::new(message).with_help(help));
@@ -96,7 +96,7 @@ fn check(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<Ex
     write_report(args, color, &session.report(found))
 }
 
-/// Writes fixes, or comments that silence findings, and reports what a check of the new files finds.
+/// Writes fixes or suppression comments, and reports the findings of a second check.
 fn rewrite(
     args: &CheckArgs,
     color: Color,
@@ -122,7 +122,8 @@ fn write_report(args: &CheckArgs, color: Color, report: &Report) -> Result<ExitC
     Ok(exit_code(args, report, report.reaches(args.fail_level)))
 }
 
-/// Repeats the check. Each round reads all files again. It ends with an error, or with the process.
+/// Repeats the check after each change. Each round reads all files again. It ends only with an error or with the
+/// process.
 fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, UserError> {
     let mut watch = Watch::start(&request.asked)?;
     let mut session = Some(Session::open(request)?);
@@ -149,7 +150,7 @@ fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, 
     }
 }
 
-/// Shows what the fixes would change.
+/// Shows the changes that the fixes would make.
 fn diff(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<ExitCode, UserError> {
     let applied = fixes(args, session)?;
     to_stdout_as(Content::Data, color, |out| patch::write(&applied.files, session.paths(), out))?;
@@ -174,7 +175,7 @@ fn exit_code(args: &CheckArgs, report: &Report, failed: bool) -> ExitCode {
     if failed && !args.exit_zero { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }
 
-/// Findings go to the standard output; the summary for people goes to the standard error output.
+/// Writes findings to the standard output and the summary to the standard error output.
 fn write_findings(args: &CheckArgs, color: Color, report: &Report) -> Result<(), UserError> {
     to_stdout_as(args.format.content(), color, |out| match args.statistics {
         true => rule_counts::write(args.format, report, out),

@@ -1,19 +1,19 @@
-//! Lines as the controller counts them: within the code of a program, the line of `begin` being 1.
+//! Line numbers as the controller counts them: within the code of a program, `begin` being line 1.
 
 use val3_analysis::items::faults::CodeRange;
 use val3_lines::LineIndex;
 
-/// The ranges of the code of each program of a file.
+/// Ranges of the programs' code in a file.
 #[derive(Debug)]
 pub(crate) struct CodeLines(Vec<CodeRange>);
 
 impl CodeLines {
-    /// The code lines of a file with code in these ranges.
+    /// Creates the code lines of a file from its code ranges.
     pub(crate) fn new(codes: &[CodeRange]) -> Self {
         Self(codes.to_vec())
     }
 
-    /// The line within the code around `offset`, from 1; `None` outside of code.
+    /// Line number of `offset` within its code, from 1; `None` outside of code.
     pub(crate) fn line(&self, offset: usize, lines: &LineIndex) -> Option<usize> {
         let around =
             |code: &&CodeRange| usize::from(code.range.start()) <= offset && offset <= usize::from(code.range.end());

@@ -1,4 +1,4 @@
-//! The option `--color`, and environment variables about colours.
+//! The option `--color`, and the environment variables for colours.
 
 use std::env;
 use std::ffi::OsString;
@@ -16,17 +16,17 @@ pub(crate) enum Color {
     Never,
 }
 
-/// Variables that request colours, also where no terminal is.
+/// Environment variables that request colours even without a terminal.
 const FORCING: [&str; 2] = ["FORCE_COLOR", "CLICOLOR_FORCE"];
 
 impl Color {
-    /// Whether an output has colours.
+    /// Whether the output uses colours.
     pub(crate) fn is_wanted(self, is_terminal: bool) -> bool {
         let variable = |name: &str| env::var_os(name).and_then(|value| value.into_string().ok()).unwrap_or_default();
         self.is_wanted_with(&variable, is_terminal)
     }
 
-    /// As [`is_wanted`](Self::is_wanted), with these values of variables; absent ones are empty.
+    /// As [`is_wanted`](Self::is_wanted), with these values of environment variables; missing variables are empty.
     fn is_wanted_with(self, variable: &dyn Fn(&str) -> String, is_terminal: bool) -> bool {
         let is_forced = FORCING.iter().any(|name| !["", "0", "false"].contains(&variable(name).as_str()));
         match self {
@@ -37,12 +37,12 @@ impl Color {
         }
     }
 
-    /// The colours of help and of messages about arguments, which are written before the arguments are known.
+    /// Colours of the help and of argument errors, which are written before the arguments are parsed.
     pub(crate) fn of_help(arguments: impl IntoIterator<Item = OsString>, is_terminal: bool) -> ColorChoice {
         if Self::requested(arguments).is_wanted(is_terminal) { ColorChoice::Always } else { ColorChoice::Never }
     }
 
-    /// The last `--color` of the arguments.
+    /// Last `--color` in the arguments.
     fn requested(arguments: impl IntoIterator<Item = OsString>) -> Self {
         let mut arguments = arguments.into_iter().map(|argument| argument.to_string_lossy().into_owned());
         let mut found = Self::Auto;

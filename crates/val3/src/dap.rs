@@ -20,7 +20,7 @@ use crate::output::text;
 use crate::run::{self, DebugSettings, OpenedApplication, ReadyApplication};
 use crate::user_error::UserError;
 
-/// Longer than anybody waits.
+/// Timeout for a client that may stay idle.
 const FOREVER: Duration = Duration::from_secs(3600);
 
 /// Runs the command.
@@ -34,7 +34,7 @@ pub(crate) fn run(args: &DapArgs) -> Result<ExitCode, UserError> {
 /// Serves the client on the standard input and output.
 fn attend() -> Result<ExitCode, UserError> {
     let (sender, inbox) = mpsc::channel();
-    // The standard input can be read on a blocking thread alone. It ends with the process.
+    // The standard input can only be read by a blocking thread, which ends with the process.
     std::thread::spawn(move || read_messages(BufReader::new(io::stdin()), &sender));
     let mut greeting = Greeting::new(Client::new(inbox, Box::new(io::stdout())));
     loop {
@@ -59,7 +59,7 @@ fn attend() -> Result<ExitCode, UserError> {
     }
 }
 
-/// Opens the application that a launch configuration names.
+/// Opens the application in a launch configuration.
 fn open(start: &SessionStart, greeting: &mut Greeting) -> Result<(RunArgs, DebugSettings, ReadyApplication), String> {
     let args = launch::arguments(&start.arguments)?;
     let test = launch::test(&start.arguments)?;

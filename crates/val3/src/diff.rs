@@ -1,4 +1,4 @@
-//! `val3 diff`: what differs between two backups of a controller.
+//! `val3 diff`: compares two backups of a controller.
 
 mod base;
 mod folder;
@@ -20,13 +20,13 @@ use crate::paths::current_folder;
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
-/// Both versions, and what they are called.
+/// Both versions, and their names.
 struct Versions {
     trees: [Tree; 2],
     names: [String; 2],
 }
 
-/// Runs the command; the exit code says whether something differs.
+/// Runs the command. The exit code states whether the versions differ.
 pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> {
     let current = current_folder()?;
     if let Some(file) = &args.textconv {
@@ -44,7 +44,7 @@ pub(crate) fn run(args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> 
     Ok(if report(&versions, args, color)? { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-/// Shows the changes of both versions since `base`, and what a merge leaves to a person.
+/// Shows both versions' changes since `base`, and the conflicts of a merge.
 fn both_sides(current: &Utf8Path, base: &Utf8Path, args: &DiffArgs, color: Color) -> Result<ExitCode, UserError> {
     let [ours, theirs] = base::sides(args)?;
     let mut is_different = false;
@@ -56,7 +56,7 @@ fn both_sides(current: &Utf8Path, base: &Utf8Path, args: &DiffArgs, color: Color
     Ok(if is_different { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-/// Writes the differences; returns whether there are any.
+/// Writes the differences, and returns whether there are any.
 fn report(versions: &Versions, args: &DiffArgs, color: Color) -> Result<bool, UserError> {
     let comparison = compared(versions, args);
     print::write(&comparison, args, color)?;
@@ -88,7 +88,7 @@ fn wrong_number(count: usize) -> UserError {
         .with_help("write `val3 diff OLD NEW`, or `val3 diff --git REV` for changes since a revision")
 }
 
-/// Prints one file for git, which compares the lines.
+/// Prints one file as text lines that git compares.
 fn textconv(path: &Utf8Path, shown: &Utf8Path) -> Result<(), UserError> {
     let bytes = folder::read(path, shown.as_str())?;
     let text = listing(&pair::named_by_content(path, &bytes), &bytes);

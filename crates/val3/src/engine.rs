@@ -1,4 +1,4 @@
-//! From a request to findings. Only this file knows how to run the analysis.
+//! Runs the analysis for a request. No other file of this crate starts an analysis.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -27,28 +27,28 @@ use crate::unread::{Unread, is_unreadable};
 use crate::user_error::UserError;
 use crate::write_scope::WriteScope;
 
-/// Number of units after which the code of programs is freed that is not needed any more. Memory that a process touches
-/// for the first time costs more than freeing what it no longer needs.
+/// Number of units after which unused program code is freed. Allocating new memory would take longer than freeing and
+/// reusing it.
 const BATCH: usize = 1500;
 
-/// Findings that are translated together. Those of a file are adjacent and share its indexes.
+/// Number of findings that are translated in one task. Findings of a file are adjacent and share its line index.
 const CHUNK: usize = 32;
 
-/// The files of a request, read and ready to be checked.
+/// The loaded files of a request, ready to be checked.
 pub(crate) struct Session<'r> {
     request: &'r Request,
     opened: OpenedWorkspace,
     started: Instant,
-    /// Texts that were changed since everything was read.
+    /// Texts that were changed after loading.
     edited: EditedTexts,
 }
 
-/// The processing of the findings of all units.
+/// Function that processes the findings of all units.
 type Finish = fn(&dyn Db, &[Unit], &WorkspaceSettings, Checked) -> Checked;
 
-/// The result of one check of a session.
+/// Result of a session's check.
 pub(crate) struct CheckResult {
-    /// The findings in the order of the files, for any number of threads, without the known ones.
+    /// New findings in file order, for any number of threads.
     pub(crate) diagnostics: Vec<Diagnostic>,
     silenced: usize,
     baseline: BaselineResult,
@@ -57,31 +57,31 @@ pub(crate) struct CheckResult {
 }
 
 impl<'r> Session<'r> {
-    /// Reads everything that the request needs.
+    /// Loads all files of the request.
     pub(crate) fn open(request: &'r Request) -> Result<Self, UserError> {
         let started = Instant::now();
         Ok(Self { request, opened: open(request)?, started, edited: EditedTexts::default() })
     }
 
-    /// As [`open`](Self::open), with a workspace that has been read before.
+    /// As [`open`](Self::open), with a workspace that was loaded before.
     pub(crate) fn with_workspace(request: &'r Request, workspace: Workspace) -> Result<Self, UserError> {
         let started = Instant::now();
         let opened = open_workspace(request, workspace)?;
         Ok(Self { request, opened, started, edited: EditedTexts::default() })
     }
 
-    /// The workspace, for another use.
+    /// Releases the workspace for another use.
     pub(crate) fn into_workspace(self) -> Workspace {
         self.opened.workspace
     }
 
-    /// Checks everything.
+    /// Checks the requested projects.
     pub(crate) fn check(&mut self) -> Result<CheckResult, UserError> {
         self.check_with(finish)
     }
 
-    /// As [`check`](Self::check), but with each place of findings that are reported once for an application, and
-    /// without findings that need the whole application.
+    /// As [`check`](Self::check), but with all occurrences of findings that are reported once per application, and
+    /// without findings that require the whole application.
     pub(crate) fn occurrences(&mut self) -> Result<CheckResult, UserError> {
         self.check_with(|_, _, _, found| found)
     }
@@ -104,20 +104,20 @@ impl<'r> Session<'r> {
         let named = request.baseline.as_ref().map(|path| current.join(path));
         let unread = Unread::new(workspace, &units, paths);
         let known = KnownFindings { workspace, units: &units, selection: &request.selection, paths };
-        // The findings of a file that was not read are not known.
+        // A baseline is not rewritten if files could not be read, because their findings are unknown.
         let mode = if unread.is_empty() { request.mode } else { Mode::Use };
         let baseline = known.apply(named.as_deref(), mode, &mut checked.findings)?;
         let unread = unread.into_errors(mode != request.mode);
         Ok(CheckResult { diagnostics: checked.findings, silenced: checked.silenced, baseline, unread })
     }
 
-    /// All findings in all files that were read, including those outside the request.
+    /// Returns all findings of all loaded files, also outside the request.
     pub(crate) fn check_everything(&mut self) -> Vec<Diagnostic> {
         let OpenedWorkspace { threads, workspace, .. } = &mut self.opened;
         let mut projects: Vec<Project> =
             Sources::get(&workspace.db).projects(&workspace.db).values().copied().collect();
         projects.sort_unstable_by_key(|project| project.manifest(&workspace.db).path(&workspace.db));
-        // Faults of configurations were reported before, or the configurations do not apply to the request.
+        // Configuration faults were reported before, or the configurations do not apply to the request.
         let settings = WorkspaceSettings::new(&workspace.db, &projects, &Selection::default()).unwrap_or_default();
         let units = units(workspace, &projects, threads);
         let progress = Progress::new("checking", units.len(), !self.request.quiet);
@@ -125,7 +125,7 @@ impl<'r> Session<'r> {
         finish(&workspace.db, &units, &settings, found).findings
     }
 
-    /// Replaces texts, and reads the files that become part of the workspace.
+    /// Replaces file texts, and loads the files that become part of the workspace.
     pub(crate) fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>) {
         let mut is_shaped = false;
         for (path, text) in texts {
@@ -134,15 +134,15 @@ impl<'r> Session<'r> {
         }
         if is_shaped {
             let OpenedWorkspace { threads, workspace, asked, .. } = &mut self.opened;
-            // An archive that has become unreadable keeps its previous content.
+            // An archive that can no longer be read keeps its previous content.
             let system = system(threads, self.request.input.as_ref(), &self.edited, asked);
             let Ok((system, _)) = system else { return };
-            // A configuration that has become faulty keeps its previous content.
+            // A configuration that has become invalid keeps its previous content.
             let _ = workspace.refresh(&system, asked, &|_| false);
         }
     }
 
-    /// Whether the change may make other files or projects part of the workspace.
+    /// Replaces a file's text. Returns whether the change may add other files or projects to the workspace.
     fn set_text(&mut self, path: &Utf8Path, text: &Arc<str>) -> bool {
         let db = &mut self.opened.workspace.db;
         let Some(file) = Sources::get(db).files(db).get(&path_key(path.as_str())).copied() else { return true };
@@ -154,7 +154,7 @@ impl<'r> Session<'r> {
         !is_program(path.as_str()) && !is_data(path.as_str()) || !loads_alike(&before, text)
     }
 
-    /// The report on the findings.
+    /// Converts the findings to a report.
     pub(crate) fn report(&self, outcomes: CheckResult) -> Report {
         let OpenedWorkspace { threads, paths, workspace, loose, .. } = &self.opened;
         let translator = Translator::new(workspace.db.clone(), paths, loose);
@@ -170,42 +170,42 @@ impl<'r> Session<'r> {
         }
     }
 
-    /// The database with all files.
+    /// Database with all files.
     pub(crate) fn db(&self) -> &Database {
         &self.opened.workspace.db
     }
 
-    /// The paths below which fixes change files.
+    /// Paths in which fixes may change files.
     pub(crate) fn write_scope(&self) -> WriteScope {
         WriteScope::new(&self.opened.asked)
     }
 
-    /// How paths are written.
+    /// How paths are displayed.
     pub(crate) fn paths(&self) -> &Paths {
         &self.opened.paths
     }
 
-    /// The folders of all files that were read, also of libraries elsewhere.
+    /// Folders of all loaded files, including external libraries.
     pub(crate) fn folders(&self) -> BTreeSet<Utf8PathBuf> {
         let files = Sources::get(self.db()).files(self.db()).values();
         files.filter_map(|file| file.path(self.db()).parent()).map(Utf8Path::to_owned).collect()
     }
 
-    /// Ends the session without dropping its database, because the process ends anyway.
+    /// Ends the session without dropping its database, because the process ends immediately.
     pub(crate) fn abandon(self) {
         std::mem::forget(self.opened.workspace);
     }
 }
 
-/// The units, in the order of the projects.
+/// Units in project order.
 fn units(workspace: &Workspace, projects: &[Project], threads: &ThreadPool) -> Vec<Unit> {
     let units = |db: &mut Database, project: &Project| val3_check::units(db, std::slice::from_ref(project));
     let found = projects.par_iter().map_with(workspace.db.clone(), units);
     threads.install(|| found.flatten_iter().collect())
 }
 
-/// Checks projects, and the units of each, in parallel. The trees of a finished project are dropped, so that memory
-/// grows with the largest project instead of with all of them.
+/// Checks the units of all projects in parallel. The trees of a finished project are dropped, so that memory grows with
+/// the largest project and not with the sum.
 fn check_units(
     workspace: &mut Workspace,
     units: &[Unit],
@@ -248,7 +248,7 @@ fn check_units(
     checked.into_iter().flatten().sum()
 }
 
-/// The units of each project, in batches of about [`BATCH`] units.
+/// Each project's units, in batches of about [`BATCH`] units.
 fn batches<'a, 'u>(projects: &'a [&'u [Unit]]) -> impl Iterator<Item = &'a [&'u [Unit]]> {
     let mut count = 0;
     projects.chunk_by(move |project, _| {

@@ -1,4 +1,4 @@
-//! `val3 eval`: values of expressions and effects of statements that share their variables.
+//! `val3 eval`: evaluates expressions and executes statements, which share their variables.
 
 mod interrupt;
 mod prompt;
@@ -21,7 +21,7 @@ use crate::standard_input;
 use crate::user_error::UserError;
 use crate::wall_clock::duration;
 
-/// Runs the command; the exit code says whether every text could be evaluated.
+/// Runs the command. The exit code states whether every text could be evaluated.
 pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> {
     if let Some(option) = args.texts.iter().find(|text| is_option(text)) {
         return Err(
@@ -47,16 +47,16 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
     Ok(if progress.sound { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// Texts that are evaluated one after the other.
+/// Evaluation of several texts in order.
 struct Progress {
     evaluator: Evaluator,
     color: Color,
-    /// Every text could be evaluated so far.
+    /// Whether every text so far could be evaluated.
     sound: bool,
 }
 
 impl Progress {
-    /// Evaluates texts until one of them ends the session. The answer is whether the session continues.
+    /// Evaluates texts until one of them ends the session. Returns whether the session continues.
     fn evaluate_all(&mut self, texts: impl IntoIterator<Item = String>) -> Result<bool, UserError> {
         for text in texts {
             match evaluate(&mut self.evaluator, &text, self.color)? {
@@ -68,7 +68,7 @@ impl Progress {
         Ok(true)
     }
 
-    /// Evaluates each text of the input when it is complete.
+    /// Evaluates each text of the input as soon as it is complete.
     fn read_lines(&mut self, input: &InputArgs) -> Result<(), UserError> {
         let mut open = String::new();
         for line in standard_input::lines(input)? {
@@ -81,7 +81,8 @@ impl Progress {
     }
 }
 
-/// Texts may begin with a hyphen (`-nA`), so an option after a text would be read as a text.
+/// Whether the text is an option. Texts may begin with a hyphen (`-nA`), so clap reads an option after a text as a
+/// text.
 fn is_option(text: &str) -> bool {
     let Some(name) = text.strip_prefix("--").and_then(|text| text.split('=').next()) else { return false };
     let mut command = Args::command();
@@ -90,16 +91,16 @@ fn is_option(text: &str) -> bool {
     known.is_some_and(|mut known| known.any(|option| option.get_long() == Some(name)))
 }
 
-/// The outcome of a text.
+/// Outcome of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum TextOutcome {
-    /// It was evaluated.
+    /// The text was evaluated.
     Sound,
-    /// It has a fault, or ended with an error.
+    /// The text has a fault, or ended with an error.
     Faulty,
-    /// The output is no longer read.
+    /// The reader has closed the output.
     Unread,
-    /// It ends the session.
+    /// The text ends the session.
     Exit,
 }
 
@@ -111,7 +112,7 @@ enum Command {
     Help,
 }
 
-/// The text of `help`.
+/// Output of `help`.
 const HELP: &str = "\
 num nA, num nA=2, point pA[3]   declare variables
 nA*2                            print the value of an expression
@@ -119,7 +120,7 @@ nA=nA+1                         execute statements; blocks may have several line
 exit, quit                      leave; at a terminal Ctrl-D does the same
 The program `val3 explain NAME` shows the page of an instruction.";
 
-/// Executes a word that is a command of the session, unless a variable has this name.
+/// Executes a session command, unless a variable has its name.
 fn command(evaluator: &Evaluator, text: &str, color: Color) -> Result<Option<TextOutcome>, UserError> {
     let word = text.trim();
     if evaluator.has_variable(word) {
@@ -135,7 +136,7 @@ fn command(evaluator: &Evaluator, text: &str, color: Color) -> Result<Option<Tex
     })
 }
 
-/// Evaluates one text and shows its answers as they come.
+/// Evaluates one text and shows its results as they arrive.
 fn evaluate(evaluator: &mut Evaluator, text: &str, color: Color) -> Result<TextOutcome, UserError> {
     if let Some(outcome) = command(evaluator, text, color)? {
         return Ok(outcome);
@@ -145,11 +146,11 @@ fn evaluate(evaluator: &mut Evaluator, text: &str, color: Color) -> Result<TextO
     display.shown
 }
 
-/// Shows answers at the terminal.
+/// Shows results at the terminal.
 struct Display<'t> {
     text: &'t str,
     color: Color,
-    /// The outcome so far, or the error of writing.
+    /// Outcome so far, or a write error.
     shown: Result<TextOutcome, UserError>,
 }
 
@@ -172,8 +173,8 @@ impl Listener for Display<'_> {
     }
 }
 
-/// Shows a line on the standard output, and the place of a fault on the standard error output. The result is whether
-/// the output is still read.
+/// Writes a result to the standard output and the location of a fault to the standard error output. Returns whether the
+/// output is still read.
 fn show(answer: &EvaluationOutput, text: &str, color: Color) -> Result<bool, UserError> {
     let is_read = to_reader(Content::Data, color, |out| writeln!(out, "{answer}"))?;
     if let Some(excerpt) = answer.fault().and_then(|fault| fault.excerpt(text)) {

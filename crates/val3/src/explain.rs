@@ -1,4 +1,4 @@
-//! `val3 explain`: the page of a word, or a search of all pages.
+//! `val3 explain`: shows the page of a word, or searches all pages.
 
 mod json;
 mod list;
@@ -34,16 +34,17 @@ pub(crate) fn run(args: &ExplainArgs, color: Color) -> Result<(), UserError> {
     })
 }
 
-/// What the command prints for words.
+/// Result of the command.
 #[derive(Debug, PartialEq)]
 enum Answer<'a> {
-    /// The pages with this name. Several errors may share a number.
+    /// Pages with this name. Several errors may share a number.
     Pages(Vec<&'a Topic>),
-    /// The pages that contain the words.
+    /// Pages that contain the words.
     Hits(Vec<Hit<'a>>),
 }
 
-/// The pages that the words name together, such as `tool centre point`, otherwise the pages that contain them.
+/// Returns the pages whose name consists of all words, such as `tool centre point`, otherwise the pages that contain
+/// the words.
 fn answer<'a>(topics: &'a [Topic], words: &[&str]) -> Result<Answer<'a>, UserError> {
     let name = words.join(" ");
     let named = topics::find(topics, number_of_error(words).unwrap_or(&name));
@@ -54,7 +55,7 @@ fn answer<'a>(topics: &'a [Topic], words: &[&str]) -> Result<Answer<'a>, UserErr
     if hits.is_empty() { Err(unknown(topics, &name)) } else { Ok(Answer::Hits(hits)) }
 }
 
-/// The number in `error 123`, as a run and the log of a controller write it.
+/// Number in `error 123`, as in the log of a run or a controller.
 fn number_of_error<'w>(words: &[&'w str]) -> Option<&'w str> {
     let (number, before) = words.split_last()?;
     let is_error = |word: &&str| ["error", "err", "run-time"].contains(&word.to_lowercase().as_str());

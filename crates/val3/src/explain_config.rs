@@ -1,4 +1,4 @@
-//! `val3 check --explain-config`: the settings of each application, with their sources.
+//! `val3 check --explain-config`: each application's settings with their sources.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -13,9 +13,9 @@ use val3_config::ConfigFile;
 use crate::opening::{OpenedWorkspace, Request};
 use crate::report::Severity;
 
-/// The source of settings without another source.
+/// Source of default values.
 const DEFAULT: &str = "default";
-/// The source of settings that take precedence over every file.
+/// Source of settings that take precedence over every file.
 const COMMAND_LINE: &str = "command line";
 
 /// Writes the settings of every application, grouped by `val3.toml`.
@@ -69,7 +69,7 @@ impl Group<'_> {
         self.configuration.map(|configuration| configuration.file(self.db()))
     }
 
-    /// The application with its version, arm and disk.
+    /// Describes the application: version, arm and disk.
     fn application(&self, project: Project) -> String {
         let (db, paths) = (self.db(), &self.opened.paths);
         let known = items(db, project);
@@ -92,7 +92,7 @@ impl Group<'_> {
         val3_config::settings(self.file()).into_iter().map(row).collect()
     }
 
-    /// The rules with another level than the default.
+    /// Rules whose level differs from the default.
     fn levels(&self, file: &str) -> Vec<Row> {
         let Some(project) = self.projects.first() else { return Vec::new() };
         let settings = self.opened.settings.of(self.db(), *project);
@@ -103,7 +103,7 @@ impl Group<'_> {
         rules::all().iter().filter_map(row).collect()
     }
 
-    /// The source of the level of a rule; `None` for its default.
+    /// Source of a rule's level; `None` for its default.
     fn level_source(&self, settings: &Settings, rule: &Rule, file: &str) -> Option<String> {
         if settings.is_chosen(rule) {
             return Some(COMMAND_LINE.to_owned());

@@ -1,4 +1,4 @@
-//! Fingerprints as services require them: one text for each finding, no two equal.
+//! Unique fingerprints of findings, as services require them.
 
 use std::fmt::Write;
 
@@ -8,8 +8,8 @@ use val3_check::fingerprint::Fingerprint;
 
 use crate::report::Finding;
 
-/// One fingerprint for each finding, in the same order; no two are equal. Findings of a rule on equal lines of a file
-/// are numbered. The message is left out, so that a service recognises a finding after an update of the tool.
+/// Returns one unique fingerprint for each finding, in order. Findings with the same rule on equal lines of a file are
+/// numbered. The message is not included, so that a service recognises a finding after an update of the tool.
 pub(crate) fn fingerprints(findings: &[Finding]) -> Vec<String> {
     let mut seen: FxHashMap<[&str; 3], usize> = FxHashMap::default();
     let mut hashes = Vec::with_capacity(findings.len());
@@ -35,7 +35,7 @@ mod tests {
     use super::*;
     use crate::report::sample;
 
-    /// Findings on lines.
+    /// Fingerprints of findings on these lines.
     fn of(lines: &[&str]) -> Vec<String> {
         let finding = sample::report().findings.remove(2);
         let found = lines.iter().map(|line| {

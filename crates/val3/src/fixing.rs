@@ -1,4 +1,4 @@
-//! `val3 check --fix` and `--diff`: applies fixes to what a session has read.
+//! `val3 check --fix` and `--diff`: applies fixes to the loaded files of a session.
 
 use std::sync::Arc;
 
@@ -38,8 +38,8 @@ impl TrialWorkspace for Session<'_> {
     }
 }
 
-/// Writes the files. Each is replaced as a whole or stays unchanged. Files outside of the paths that the command names
-/// are never changed.
+/// Writes the files. Each file is replaced completely or stays unchanged. Files outside of the paths that the command
+/// names are never changed.
 pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), UserError> {
     let scope = session.write_scope();
     files.iter().try_for_each(|file| scope.check(&file.path, &session.paths().shown(&file.path)))?;
@@ -54,7 +54,7 @@ pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), Us
     Ok(())
 }
 
-/// The bytes of the text; `None` if they would not be read as the same text.
+/// Encodes the text; `None` if decoding would not return the same text.
 pub(crate) fn encoded(encoding: Encoding, text: &str) -> Option<Vec<u8>> {
     let bytes = encoding.encode(text);
     let read = decode(bytes.clone());

@@ -1,4 +1,4 @@
-//! `val3 fmt`: gives the code of programs its layout.
+//! `val3 fmt`: formats the code of programs.
 
 mod bare;
 mod program;
@@ -23,7 +23,7 @@ use crate::{patch, standard_input};
 use program::Formatted;
 use search::FoundProgram;
 
-/// Runs the command; the exit code says whether something would change.
+/// Runs the command. The exit code states whether a program is not formatted.
 pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
     let current = current_folder()?;
     let paths = Paths::new(&[], &current);
@@ -61,7 +61,7 @@ pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
     Ok(exit_code(args, formatted.iter().any(Formatted::changes)))
 }
 
-/// The formatted programs, and the errors of the others.
+/// Splits the results into formatted programs and errors.
 fn partition(results: Vec<Result<Formatted, UserError>>) -> (Vec<Formatted>, Vec<UserError>) {
     let (mut formatted, mut errors) = (Vec::new(), Vec::new());
     for result in results {
@@ -92,7 +92,7 @@ fn format(found: &FoundProgram, paths: &Paths) -> Result<Formatted, UserError> {
     Formatted::new(found.path.clone(), shown, bytes, &found.style)
 }
 
-/// One program from the standard input to the standard output.
+/// Formats a program from the standard input to the standard output.
 fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, UserError> {
     if args.paths.len() > 1 {
         return Err(UserError::new("`-`, the standard input, cannot be combined with other paths"));
@@ -113,7 +113,7 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
     Ok(exit_code(args, formatted.changes()))
 }
 
-/// Shows the diffs or names of the programs that change, according to the arguments.
+/// Shows the diffs or names of the programs that would change, according to the arguments.
 fn show(args: &FmtArgs, color: Color, formatted: &[Formatted]) -> Result<(), UserError> {
     let mut changing = formatted.iter().filter(|program| program.changes());
     let content = if args.diff { Content::Data } else { Content::Words };
@@ -126,7 +126,7 @@ fn show(args: &FmtArgs, color: Color, formatted: &[Formatted]) -> Result<(), Use
     })
 }
 
-/// Names the programs with code that cannot be read.
+/// Reports programs with code that was not formatted because of syntax errors.
 fn report_unreadable(formatted: &[Formatted]) {
     for program in formatted.iter().filter(|program| program.left_alone) {
         to_stderr(|out| writeln!(out, "{}: code with syntax errors keeps its layout; see val3 check", program.shown));

@@ -1,4 +1,4 @@
-//! The output formats of `val3 check`, one a file.
+//! Output formats of `val3 check`, one per file.
 
 pub(crate) mod azure;
 pub(crate) mod checkstyle;
@@ -58,12 +58,12 @@ pub(crate) enum Format {
 }
 
 impl Format {
-    /// Whether people read it, so that a summary follows it.
+    /// Whether the format is for people, so that a summary follows the findings.
     pub(crate) fn is_for_people(self) -> bool {
         matches!(self, Self::Human | Self::Concise)
     }
 
-    /// The kind of its output.
+    /// Content kind of the output.
     pub(crate) fn content(self) -> Content {
         match self {
             Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => Content::Json,
@@ -74,7 +74,7 @@ impl Format {
 }
 
 impl Format {
-    /// The kind of content that the format has in a file.
+    /// File kind of a report in this format.
     pub(crate) fn file_kind(self) -> FileKind {
         match self {
             Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => FileKind::Json,
@@ -84,7 +84,7 @@ impl Format {
     }
 }
 
-/// Writes the findings of `report`; `template` shapes the records of [`Format::Val3Check`].
+/// Writes the findings of `report`. `template` is the record template of [`Format::Val3Check`].
 pub(crate) fn write(format: Format, report: &Report, template: &Template, out: &mut dyn WriteColor) -> io::Result<()> {
     match format {
         Format::Human => human::write(report, out),
@@ -102,7 +102,7 @@ pub(crate) fn write(format: Format, report: &Report, template: &Template, out: &
     }
 }
 
-/// The output of `write` without colours.
+/// Returns the output of `write` without colours.
 #[cfg(test)]
 fn rendered(format: Format, report: &Report) -> String {
     let mut out = codespan_reporting::term::termcolor::NoColor::new(Vec::new());

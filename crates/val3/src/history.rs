@@ -1,19 +1,19 @@
-//! New findings since the last round of `val3 check --watch`.
+//! Marks findings that are new since the last round of `val3 check --watch`.
 
 use val3_check::baseline::Baseline;
 use val3_check::fingerprint::Fingerprint;
 
 use crate::report::{Changes, Report};
 
-/// The findings of the last round.
+/// Findings of the last round.
 #[derive(Debug, Default)]
 pub(crate) struct History {
     last: Option<Baseline>,
 }
 
 impl History {
-    /// Marks the findings that the last round did not have, and remembers this round. In the first round no finding is
-    /// new.
+    /// Marks the findings that the last round did not have, and stores the findings of this round. In the first round,
+    /// no finding is new.
     pub(crate) fn mark(&mut self, report: &mut Report) {
         let found: Vec<Fingerprint> = report.findings.iter().map(|finding| finding.fingerprint.clone()).collect();
         if let Some(last) = &self.last {

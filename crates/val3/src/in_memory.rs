@@ -1,4 +1,4 @@
-//! Requested archives, whose files are laid over the disk.
+//! Requested archives, whose files are overlaid on the disk.
 
 use std::collections::BTreeSet;
 
@@ -8,10 +8,10 @@ use val3_analysis::paths::normalise;
 use val3_analysis::system::{OverlayFs, System};
 use val3_files::{is_archive_name, unpack};
 
-/// Extensions of the files of a cell that a check reads.
+/// Extensions of the cell files that a check reads.
 const EXTENSIONS: [&str; 9] = ["pjx", "pgx", "dtx", "cfx", "cf", "xml", "toml", "json", "html"];
 
-/// Lays the files of the requested archives over a file system. An archive in an archive becomes an empty file.
+/// Overlays the files of the requested archives on the file system. An archive within an archive becomes an empty file.
 ///
 /// # Errors
 /// An archive cannot be read.
@@ -34,7 +34,7 @@ pub(crate) fn add<S: System>(system: &mut OverlayFs<S>, asked: &[Utf8PathBuf]) -
     Ok(())
 }
 
-/// The archive that a path names, or in which it lies.
+/// The archive at the path or above it.
 pub(crate) fn archive_around(path: &Utf8Path) -> Option<&Utf8Path> {
     path.ancestors().find(|path| is_archive_name(path) && path.is_file())
 }

@@ -1,5 +1,5 @@
-//! Files of a request that belong to no project: programs and data files, which are checked alone, and archives, which are
-//! only read if they are named.
+//! Files without a project: programs and data files, which are checked separately, and archives, which are only read if
+//! an argument names them.
 
 mod archives;
 mod stand_in;
@@ -20,20 +20,20 @@ use val3_syntax::encoding::Encoding;
 use crate::paths::Paths;
 pub(crate) use archives::UnreadArchive;
 
-/// The loose files of a request.
+/// Requested files without a project.
 #[derive(Debug, Default)]
 pub(crate) struct LooseFiles {
-    /// Programs and data files, by the path key of the project file that takes the place of a missing one.
+    /// Programs and data files, by the stand-in project file's path key.
     alone: FxHashMap<String, Utf8PathBuf>,
-    /// Archives with VAL 3 files, and archives whose contents are unknown.
+    /// Archives with VAL 3 files, and archives with unknown contents.
     archives: Vec<UnreadArchive>,
-    /// Entries that cannot be searched, with the reason.
+    /// Paths that cannot be searched, with the reason.
     unreadable: Vec<(Utf8PathBuf, String)>,
 }
 
 impl LooseFiles {
-    /// Finds the loose files under the requested paths, and lays a project over the file system for each program and data
-    /// file.
+    /// Finds the files without a project in the requested paths, and overlays a stand-in project file for each program
+    /// and data file.
     pub(crate) fn lay_over<S: System>(system: &mut OverlayFs<S>, asked: &[Utf8PathBuf]) -> Self {
         let mut loose = Self::default();
         let mut found: Vec<Utf8PathBuf> =
@@ -53,14 +53,14 @@ impl LooseFiles {
         loose
     }
 
-    /// Adds the entries that cannot be searched to those of the workspace.
+    /// Adds the paths that cannot be searched to the unreadable paths of the workspace.
     pub(crate) fn report_unreadable(&mut self, workspace: &mut Workspace) {
         workspace.unreadable.append(&mut self.unreadable);
         workspace.unreadable.sort_unstable();
         workspace.unreadable.dedup();
     }
 
-    /// The program or data file for which a project file takes the place of a missing one; `None` for other project files.
+    /// Program or data file of a stand-in project file; `None` for other project files.
     pub(crate) fn file_of(&self, manifest: &Utf8Path) -> Option<&Utf8Path> {
         if self.alone.is_empty() {
             return None;
@@ -68,12 +68,12 @@ impl LooseFiles {
         self.alone.get(&path_key(manifest.as_str())).map(Utf8PathBuf::as_path)
     }
 
-    /// Whether a project takes the place of a missing one.
+    /// Whether the project is a stand-in for a file without a project.
     pub(crate) fn stands_in(&self, db: &Database, project: Project) -> bool {
         self.file_of(project.manifest(db).path(db)).is_some()
     }
 
-    /// The findings about loose files.
+    /// Findings about the files themselves.
     pub(crate) fn findings(
         &self,
         workspace: &Workspace,
@@ -95,13 +95,13 @@ impl LooseFiles {
     }
 }
 
-/// Archives with VAL 3 files in a folder and below it.
+/// Archives with VAL 3 files in a folder and its subfolders.
 pub(crate) fn archives_under(system: &dyn System, folder: &Utf8Path) -> Vec<UnreadArchive> {
     let found = found_under(system, folder, &mut Vec::new());
     found.into_iter().filter(|path| is_archive_name(path)).filter_map(UnreadArchive::of).collect()
 }
 
-/// The loose files under a requested path that no `val3.toml` excludes.
+/// Finds the files without a project in a requested path that no `val3.toml` excludes.
 fn found_under(system: &dyn System, asked: &Utf8Path, unreadable: &mut Vec<(Utf8PathBuf, String)>) -> Vec<Utf8PathBuf> {
     match system.kind(asked) {
         Some(Kind::Folder) => {
@@ -114,10 +114,11 @@ fn found_under(system: &dyn System, asked: &Utf8Path, unreadable: &mut Vec<(Utf8
     }
 }
 
-/// Whether a `val3.toml` excludes a file from a search in `asked`. A folder that is excluded as a whole was named on purpose.
+/// Whether a `val3.toml` excludes a file from a search in `asked`. If the entire folder is excluded, the user has named
+/// it on purpose.
 fn is_excluded(system: &dyn System, asked: &Utf8Path, path: &Utf8Path) -> bool {
     let folder = path.parent().unwrap_or(Utf8Path::new(""));
-    // A faulty configuration is reported when the projects are read.
+    // An invalid configuration is reported when the projects are loaded.
     let configuration = nearest_configuration(system, folder).ok().flatten();
     configuration.is_some_and(|file| {
         let is_named = file.excludes(asked) || file.excludes(&asked.join(ANY_FILE));
@@ -125,14 +126,14 @@ fn is_excluded(system: &dyn System, asked: &Utf8Path, path: &Utf8Path) -> bool {
     })
 }
 
-/// Name of a file that only a pattern for all files of its folder matches.
+/// File name that only a pattern for all files of a folder matches.
 const ANY_FILE: &str = "_";
 
 fn is_part(path: &Utf8Path) -> bool {
     is_program(path.as_str()) || is_data(path.as_str())
 }
 
-/// Whether a project file lies in the folder of a file.
+/// Whether the file's folder contains a project file.
 fn has_project(system: &dyn System, path: &Utf8Path) -> bool {
     let is_project = |name: &String| Utf8Path::new(name).extension().is_some_and(|it| it.eq_ignore_ascii_case("pjx"));
     path.parent().and_then(|folder| system.list(folder).ok()).is_some_and(|names| names.iter().any(is_project))

@@ -8,7 +8,7 @@ use crate::args::LspArgs;
 use crate::user_error::UserError;
 use crate::version::VERSION;
 
-/// Serves one client. The exit code says whether the client has ended the session as the protocol requires.
+/// Serves one client. The exit code states whether the client has ended the session as the protocol requires.
 pub(crate) fn run(args: &LspArgs) -> Result<ExitCode, UserError> {
     let executable = std::env::current_exe().ok().and_then(|path| path.into_os_string().into_string().ok());
     let defaults = ServerOptions::default();

@@ -86,7 +86,7 @@ fn main() -> ExitCode {
     })
 }
 
-/// Reads the arguments. Help and messages have colours as the arguments and the environment request.
+/// Parses the arguments. The arguments and the environment determine the colours of help and messages.
 fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Args, clap::Error> {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let color = Color::of_help(arguments.iter().cloned(), std::io::stdout().is_terminal());
@@ -94,9 +94,9 @@ fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Args, clap::Er
     Args::from_arg_matches(&matches)
 }
 
-/// Shows why the arguments cannot be used, or the requested help, and ends the process.
+/// Prints a usage error or the requested help, and ends the process.
 ///
-/// The message quotes arguments, so it is worded for arguments with visible control characters.
+/// The message quotes arguments, so the arguments are parsed once more with visible control characters.
 fn refuse(error: &clap::Error) -> ! {
     let shown = std::env::args_os().map(|argument| shown_argument(&argument.to_string_lossy()));
     match parse(shown.map(OsString::from)) {
@@ -125,7 +125,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
     Ok(code)
 }
 
-/// Lets a file take the place of the nearest `val3.toml`.
+/// Replaces the nearest `val3.toml` by a file.
 fn request_settings(path: &Utf8Path) -> Result<(), UserError> {
     val3_files::read_text(path, FileClass::Settings).map_err(|reason| {
         UserError::new(format!("cannot read the settings `{path}`: {reason}")).with_help("name a file like val3.toml")

@@ -30,7 +30,7 @@ pub(crate) fn run(args: &ManArgs) -> Result<(), UserError> {
     Ok(())
 }
 
-/// Writes the page of a command and those of its commands. Returns the number of pages.
+/// Writes the pages for a command and its subcommands. Returns the number of pages.
 fn write(folder: &Utf8Path, command: &Command) -> Result<usize, Unwritable> {
     let name = command.get_display_name().unwrap_or_else(|| command.get_name());
     let text = page(command.clone())?;

@@ -1,4 +1,4 @@
-//! Pages in Markdown, shown plainly in a terminal: headings bold, code indented, text filled.
+//! Renders Markdown pages for a terminal: bold headings, indented code, filled text.
 
 use std::io;
 
@@ -8,7 +8,7 @@ const CODE_INDENT: &str = "    ";
 /// Maximum number of characters in a line of text.
 const WIDTH: usize = 80;
 
-/// Writes `page`. Colours mark headings and code. Without colours the text is complete too.
+/// Writes `page`. Colours mark headings and code; the text is also complete without colours.
 pub(crate) fn render(page: &str, out: &mut dyn WriteColor) -> io::Result<()> {
     let mut renderer = Renderer { out, paragraph: String::new(), in_code: false };
     page.lines().try_for_each(|line| renderer.line(line))?;
@@ -17,7 +17,7 @@ pub(crate) fn render(page: &str, out: &mut dyn WriteColor) -> io::Result<()> {
 
 struct Renderer<'a> {
     out: &'a mut dyn WriteColor,
-    /// The lines of the paragraph or list item that is being read, joined.
+    /// Joined lines of the current paragraph or list item.
     paragraph: String,
     in_code: bool,
 }
@@ -77,7 +77,7 @@ fn heading(line: &str) -> Option<&str> {
     line.starts_with('#').then(|| line.trim_start_matches('#').strip_prefix(' ')).flatten()
 }
 
-/// Writes a paragraph in lines. Those of a list item are aligned with its text.
+/// Breaks a paragraph into lines. In a list item, they are aligned with its text.
 fn filled(paragraph: &str) -> Vec<String> {
     let indent = if paragraph.starts_with("- ") { "  " } else { "" };
     let mut lines: Vec<String> = Vec::new();
@@ -94,7 +94,7 @@ fn filled(paragraph: &str) -> Vec<String> {
     lines
 }
 
-/// Words between blanks; a blank in `code` parts no words.
+/// Splits the text at blanks outside of `code`.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     let mut in_code = false;
     text.split(move |letter| {
@@ -104,7 +104,7 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     .filter(|word| !word.is_empty())
 }
 
-/// Text with `code` in it. Where there are no colours the marks of the code stay.
+/// Writes a line with `code`. Without colours, the backticks remain.
 fn inline(line: &str, out: &mut dyn WriteColor) -> io::Result<()> {
     let mut is_code = false;
     for part in line.split_inclusive('`') {
@@ -119,21 +119,21 @@ fn inline(line: &str, out: &mut dyn WriteColor) -> io::Result<()> {
     Ok(())
 }
 
-/// Writes `text` in a style and returns to the plain one.
+/// Writes `text` in a style and resets the style.
 pub(crate) fn styled(style: &ColorSpec, text: &str, out: &mut dyn WriteColor) -> io::Result<()> {
     out.set_color(style)?;
     write!(out, "{text}")?;
     out.reset()
 }
 
-/// The style of headings.
+/// Style of headings.
 pub(crate) fn heading_style() -> ColorSpec {
     let mut style = ColorSpec::new();
     style.set_bold(true);
     style
 }
 
-/// The style of code and of the words to type.
+/// Style of code and of text to type.
 pub(crate) fn code_style() -> ColorSpec {
     let mut style = ColorSpec::new();
     style.set_fg(Some(Color::Cyan));

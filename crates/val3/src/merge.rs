@@ -1,4 +1,4 @@
-//! `val3 merge`: a three-way merge of one file, also as the merge driver of git.
+//! `val3 merge`: three-way merge of one file, also as git's merge driver.
 
 mod contents;
 mod install;
@@ -17,13 +17,13 @@ use crate::output::{Content, to_stderr, to_stdout_as};
 use crate::paths::current_folder;
 use crate::user_error::UserError;
 
-/// Exit code of a driver that cannot do its work. From 129 on, git stops the merge instead of recording a conflict.
+/// Exit code of a merge driver that has failed. From 129 on, git aborts the merge instead of recording a conflict.
 const EXIT_FAILED: u8 = 129;
 
-/// Names of the base that does not exist.
+/// Paths that mean a base that does not exist.
 const ABSENT: [&str; 3] = ["/dev/null", "NUL", "nul"];
 
-/// Root elements, and the kinds of their files.
+/// File kinds by root element.
 const ROOTS: [(&str, FileKind); 6] = [
     ("<Programs", FileKind::Program),
     ("<programList", FileKind::Program),
@@ -33,7 +33,7 @@ const ROOTS: [(&str, FileKind); 6] = [
     ("<project", FileKind::Project),
 ];
 
-/// Runs the command; the exit code says whether a conflict is left.
+/// Runs the command. The exit code states whether conflicts remain.
 ///
 /// # Errors
 /// The driver cannot be installed.
@@ -41,7 +41,7 @@ pub(crate) fn run(args: &MergeArgs) -> Result<ExitCode, UserError> {
     if args.install {
         return install::run(&current_folder()?).map(|()| ExitCode::SUCCESS);
     }
-    // The usual exit code of an error would be a conflict for git, and ours its result.
+    // The usual exit code of an error would be a conflict for git.
     merge_files(args).or_else(|error| {
         to_stderr(|out| writeln!(out, "{error}"));
         Ok(ExitCode::from(EXIT_FAILED))
@@ -78,7 +78,7 @@ fn read(current: &Utf8Path, path: &Utf8Path, is_base: bool) -> Result<Vec<u8>, U
     })
 }
 
-/// The kind of the file, by its name, or by the root element where a temporary file has another name.
+/// File kind according to the name, or to the root element if a temporary file has another name.
 fn kind(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> FileKind {
     let by_content = || {
         let heads =

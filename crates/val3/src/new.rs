@@ -29,7 +29,7 @@ use positions::Positions;
 /// Runs the command.
 ///
 /// # Errors
-/// The name, the version or the arm cannot be used, a folder exists, or a file cannot be written.
+/// The name, the version or the arm is invalid, a folder exists, or a file cannot be written.
 pub(crate) fn run(args: &NewArgs, color: Color) -> Result<ExitCode, UserError> {
     let current = current_folder()?;
     let place = Place::find(&current.join(&args.folder), &args.name)?;
@@ -84,12 +84,12 @@ fn say(path: &str) {
     to_stderr(|out| writeln!(out, "wrote {path}"));
 }
 
-/// A path as an argument in a shell.
+/// Quotes a path as an argument in a shell.
 fn quoted(path: &str) -> String {
     if path.contains(|char: char| char.is_whitespace()) { format!("\"{path}\"") } else { path.to_owned() }
 }
 
-/// Writes files into a folder, which is created with those above it.
+/// Writes files to a folder, which is created with its parent folders.
 fn write(folder: &Utf8Path, files: &[(String, String)], paths: &Paths) -> Result<(), UserError> {
     let refused = |reason: Unwritable| {
         UserError::new(format!("cannot write `{}`: {reason}", paths.shown(folder)))

@@ -1,4 +1,4 @@
-//! From a request to the workspace that is checked: threads, files in the database, settings.
+//! Opens the workspace for a request: threads, files in the database, settings.
 
 use std::sync::Arc;
 
@@ -26,55 +26,55 @@ use crate::standard_input::StandardInput;
 use crate::user_error::UserError;
 use crate::{arm_choice, in_memory};
 
-/// Bytes of stack a thread, ample for the deepest nesting the parser takes.
+/// Stack size of a thread in bytes, ample for the parser's deepest nesting.
 const STACK_SIZE: usize = 16 << 20;
 
-/// The paths to check, with the options of the check.
+/// Paths to check, and options of the check.
 #[derive(Debug, Default)]
 pub(crate) struct Request {
-    /// Folders and files.
+    /// Requested folders and files.
     pub(crate) asked: Vec<Utf8PathBuf>,
-    /// The selected rules.
+    /// Selected rules.
     pub(crate) selection: Selection,
-    /// The arm of all applications; without it each has its own.
+    /// Arm of all applications; without it, each application has its own arm.
     pub(crate) arm: Option<String>,
-    /// The baseline of all applications; without it each has the one of its `val3.toml`.
+    /// Baseline of all applications; without it, each `val3.toml` names its application's baseline.
     pub(crate) baseline: Option<Utf8PathBuf>,
-    /// The treatment of the baselines.
+    /// How the check uses baselines.
     pub(crate) mode: Mode,
-    /// Number of threads; by default one for each core.
+    /// Number of threads; one for each core by default.
     pub(crate) jobs: Option<u16>,
-    /// For single programs and data files in the request, only their own findings are reported.
+    /// Whether a requested program or data file restricts the report to its own findings.
     pub(crate) files_alone: bool,
-    /// A file whose text is not the stored one.
+    /// File whose text comes from the standard input.
     pub(crate) input: Option<StandardInput>,
     /// Whether progress is hidden.
     pub(crate) quiet: bool,
 }
 
-/// The result of [`open`].
+/// Result of [`open`].
 pub(crate) struct OpenedWorkspace {
-    /// The threads for the work.
+    /// Worker threads.
     pub(crate) threads: ThreadPool,
-    /// The current folder, absolute.
+    /// Current folder, absolute.
     pub(crate) current: Utf8PathBuf,
-    /// The form of paths in the output.
+    /// How paths are displayed.
     pub(crate) paths: Paths,
     /// All files.
     pub(crate) workspace: Workspace,
-    /// The settings of each application.
+    /// Settings by application.
     pub(crate) settings: WorkspaceSettings,
-    /// The requested paths, absolute.
+    /// Requested paths, absolute.
     pub(crate) asked: Vec<Utf8PathBuf>,
-    /// The scope of reported findings.
+    /// Scope of reported findings.
     pub(crate) scope: Scope,
-    /// Files that belong to no project.
+    /// Files without a project.
     pub(crate) loose: LooseFiles,
-    /// A sentence for the user about the arm.
+    /// Notice about the arm for the user.
     pub(crate) notice: Option<String>,
 }
 
-/// Reads everything that the request needs.
+/// Loads all files of the request.
 pub(crate) fn open(request: &Request) -> Result<OpenedWorkspace, UserError> {
     open_with(request, |threads, asked| {
         let (system, mut loose) = system(threads, request.input.as_ref(), &EditedTexts::default(), asked)?;
@@ -84,7 +84,7 @@ pub(crate) fn open(request: &Request) -> Result<OpenedWorkspace, UserError> {
     })
 }
 
-/// As [`open`], with a workspace that has been read before.
+/// As [`open`], with a workspace that was loaded before.
 pub(crate) fn open_workspace(request: &Request, workspace: Workspace) -> Result<OpenedWorkspace, UserError> {
     open_with(request, |_, _| Ok((workspace, LooseFiles::default())))
 }
@@ -96,7 +96,7 @@ fn open_with(
     let threads = threads(request.jobs)?;
     let current = current_folder()?;
     let paths = Paths::new(&folders(&request.asked), &current).within(repository(&current));
-    // Only an absolute path shows the `usrapp` above the current folder.
+    // An absolute path is required to find the `usrapp` above the current folder.
     let asked: Vec<_> = request.asked.iter().map(|path| current.join(path)).collect();
     let (mut workspace, loose) = load(&threads, &asked).map_err(|error| refused(error, &paths))?;
     if let Some(name) = &request.arm {
@@ -112,7 +112,7 @@ fn open_with(
     Ok(OpenedWorkspace { threads, current, paths, workspace, settings, asked, scope, loose, notice })
 }
 
-/// States the settings and the arm of an application for `--verbose`.
+/// Writes the settings and the arm of an application if `--verbose` is set.
 pub(crate) fn mention(db: &Database, project: Project, paths: &Paths) {
     to_verbose(|| {
         let settings = project.configuration(db).map(|configuration| paths.shown(&configuration.file(db).path));
@@ -122,11 +122,11 @@ pub(crate) fn mention(db: &Database, project: Project, paths: &Paths) {
     });
 }
 
-/// Texts of files that were changed in memory, by path.
+/// Edited texts by file path.
 pub(crate) type EditedTexts = FxHashMap<Utf8PathBuf, Arc<str>>;
 
-/// The disk, read on these threads, below the requested files that are not on it, the standard input and the edited texts;
-/// and the requested files that belong to no project.
+/// Returns the file system that the threads read: the disk, overlaid with requested archives, the standard input and
+/// the edited texts. The second value contains the requested files without a project.
 ///
 /// # Errors
 /// A requested archive cannot be read.
@@ -169,7 +169,7 @@ fn refused(error: LoadError, paths: &Paths) -> UserError {
     }
 }
 
-/// The error of a folder without a project. Backups in it are named.
+/// Error for a folder without a project. It names backup archives in the folder.
 fn no_application(folder: &Utf8Path, paths: &Paths) -> UserError {
     let error = UserError::new(format!("`{}`: {NO_APPLICATION}", paths.shown(folder)));
     let archives = archives_under(&Disk, folder);
@@ -194,7 +194,7 @@ fn configuration_refused(errors: Vec<ConfigError>, paths: &Paths) -> UserError {
     UserError::new(message).with_details(details)
 }
 
-/// Threads with a stack for the deepest nesting.
+/// Creates threads with a stack for the deepest nesting.
 pub(crate) fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
     let threads = jobs.map_or(0, usize::from);
     ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build().map_err(|error| {
@@ -202,14 +202,14 @@ pub(crate) fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
     })
 }
 
-/// The nearest folder above `current` that is under version control.
+/// Nearest folder, from `current` upwards, that is under version control.
 pub(crate) fn repository(current: &Utf8Path) -> Option<&Utf8Path> {
     current.ancestors().find(|folder| [".git", ".hg", ".svn"].iter().any(|name| folder.join(name).exists()))
 }
 
-/// The requested folders. For a file, its folder.
+/// Requested folders; for a file, its folder.
 fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
-    // A file that is read from the standard input need not be there.
+    // A file that the standard input replaces need not exist.
     let is_part = |path: &Utf8Path| (is_program(path.as_str()) || is_data(path.as_str())) && !path.exists();
     let folder = |path: &Utf8PathBuf| match path.parent() {
         Some(parent) if path.is_file() || is_part(path) => parent.to_owned(),

@@ -1,5 +1,5 @@
-//! Destinations of text: the standard output, with or without colours, and files. Every text passes through a filter, so
-//! that names, messages and code of strangers cannot steer a terminal ([`Content`]).
+//! Text output: the standard output, with or without colours, and files. All text passes through a filter, so that
+//! untrusted names, messages and code cannot control a terminal ([`Content`]).
 
 mod commands;
 mod content;
@@ -24,24 +24,24 @@ pub(crate) use content::{Content, Destination};
 use filter::Filter;
 pub(crate) use redirection::{commit, redirect};
 
-/// The output for a terminal as text, with ANSI escape sequences if the client of a debugger shows them.
+/// Returns terminal output as text, with ANSI escape sequences if the debug client supports them.
 pub(crate) fn text(has_colors: bool, write: &dyn Fn(&mut dyn WriteColor) -> io::Result<()>) -> String {
     let mut out = if has_colors { Buffer::ansi() } else { Buffer::no_color() };
-    // A vector accepts everything.
+    // Writing to a buffer cannot fail.
     let _ = filtered(Content::Words, Destination::FILE, &mut out, write);
     String::from_utf8_lossy(out.as_slice()).into_owned()
 }
 
-/// An argument in one line as messages may quote it.
+/// Formats an argument in one line, as messages quote it.
 pub(crate) fn shown_argument(argument: &str) -> String {
     let mut out = Buffer::no_color();
-    // A vector accepts everything.
+    // Writing to a buffer cannot fail.
     let _ =
         Filter::before(&mut out, Content::Words, Destination::stderr(), |out| write!(out, "{}", one_line(argument)));
     String::from_utf8_lossy(out.as_slice()).into_owned()
 }
 
-/// Writes to a destination as `content` requires.
+/// Writes to a destination, filtered as `content` requires.
 pub(crate) fn filtered(
     content: Content,
     to: Destination,
@@ -51,7 +51,8 @@ pub(crate) fn filtered(
     Filter::before(out, content, to, write)
 }
 
-/// Writes texts for people to the standard output. A closed pipe is no error, because its reader has read enough.
+/// Writes human-readable text to the standard output. A closed pipe is no error, because its reader has received
+/// enough.
 pub(crate) fn to_stdout(
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
@@ -59,7 +60,7 @@ pub(crate) fn to_stdout(
     to_stdout_as(Content::Words, color, write)
 }
 
-/// As [`to_stdout`], for another kind of output.
+/// As [`to_stdout`], for another content kind.
 pub(crate) fn to_stdout_as(
     content: Content,
     color: Color,
@@ -90,48 +91,48 @@ fn to_redirection(
     content: Content,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<(), UserError> {
-    // The text may depend on other outputs, which must not wait for this one.
+    // Buffered first: writing the text may access other outputs, which must not wait for the lock on this file.
     let mut text = Buffer::no_color();
-    // A vector accepts everything.
+    // Writing to a buffer cannot fail.
     let _ = Filter::before(&mut text, content, Destination::FILE, write);
     redirection::write(|file| file.write_all(text.as_slice())).unwrap_or(Ok(()))
 }
 
-/// Clears the screen, if the standard output is one.
+/// Clears the screen if the standard output is a terminal.
 pub(crate) fn clear_screen() {
     if io::stdout().is_terminal() {
-        // Everything on it, everything above it, and back to its first line.
+        // Clears the screen and the scrollback, and moves the cursor to the first line.
         let _ = write!(io::stdout().lock(), "\u{1b}[2J\u{1b}[3J\u{1b}[H");
     }
 }
 
-/// Writes to the standard error output. Errors of writing are ignored, because they cannot be reported.
+/// Writes to the standard error output. Write errors are ignored, because they cannot be reported.
 pub(crate) fn to_stderr(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) {
     to_stderr_in_color(Color::Never, |mut out| write(&mut out));
 }
 
-/// Whether notes for `--verbose` are written.
+/// Whether `--verbose` is set.
 static IS_VERBOSE: AtomicBool = AtomicBool::new(false);
 
-/// Lets [`to_verbose`] write.
+/// Enables [`to_verbose`].
 pub(crate) fn set_verbose() {
     IS_VERBOSE.store(true, Ordering::Relaxed);
 }
 
-/// Writes a note to the standard error output if `--verbose` requests it.
+/// Writes a note to the standard error output if `--verbose` is set.
 pub(crate) fn to_verbose(note: impl FnOnce() -> String) {
     if IS_VERBOSE.load(Ordering::Relaxed) {
         to_stderr(|out| writeln!(out, "verbose: {}", one_line(&note())));
     }
 }
 
-/// Writes to the standard error output, with colours where it shows them.
+/// Writes to the standard error output, with colours if they are enabled.
 pub(crate) fn to_stderr_in_color(color: Color, write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>) {
     let mut out = BufferedStandardStream::stderr(color_choice(color, io::stderr().is_terminal()));
     let _ = Filter::before(&mut out, Content::Words, Destination::stderr(), write).and_then(|()| out.flush());
 }
 
-/// Writes a file, without colours. An existing file is replaced as a whole, if it has content of the same kind.
+/// Writes a file without colours. An existing file is replaced atomically if its content has the same kind.
 pub(crate) fn to_file(
     path: &Utf8Path,
     kind: FileKind,

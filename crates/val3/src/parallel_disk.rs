@@ -1,4 +1,4 @@
-//! The disk, with many files read in parallel, and each folder listed once.
+//! The disk, with parallel reading of files and cached folder lists.
 
 use std::io;
 use std::sync::{Mutex, PoisonError};
@@ -10,17 +10,17 @@ use rustc_hash::FxHashMap;
 use val3_analysis::system::{Content, Disk, Kind, System};
 use val3_files::{FileClass, Unreadable};
 
-/// A snapshot of the disk, read on several threads.
+/// View of the disk that reads files on several threads.
 #[derive(Debug)]
 pub(crate) struct ParallelDisk<'t> {
-    /// The threads that read.
+    /// Threads that read files.
     threads: &'t ThreadPool,
-    /// The entries of the folders that were listed. They are needed to find projects, and again to read them.
+    /// Cached entries of folders, used first to find projects and then to load them.
     listed: Mutex<FxHashMap<Utf8PathBuf, Vec<String>>>,
 }
 
 impl<'t> ParallelDisk<'t> {
-    /// The disk, read on these threads.
+    /// Creates a view of the disk that reads on these threads.
     pub(crate) fn new(threads: &'t ThreadPool) -> Self {
         Self { threads, listed: Mutex::default() }
     }

@@ -1,4 +1,4 @@
-//! Changes of files as a unified diff, which `patch -p1` and `git apply` take.
+//! Changes as a unified diff for `patch -p1` and `git apply`.
 
 use std::io;
 
@@ -8,18 +8,18 @@ use val3_check::fix::FixedFile;
 
 use crate::paths::Paths;
 
-/// Writes the diff of each file.
+/// Writes a diff for each file.
 pub(crate) fn write(files: &[FixedFile], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     files.iter().try_for_each(|file| write_diff(&paths.shown(&file.path), &file.before, &file.after, out))
 }
 
-/// Writes the diff of one file.
+/// Writes one file's diff.
 pub(crate) fn write_diff(path: &str, before: &str, after: &str, out: &mut dyn WriteColor) -> io::Result<()> {
     let diff = TextDiff::from_lines(before, after);
     let text = diff.unified_diff().header(&format!("a/{path}"), &format!("b/{path}")).to_string();
     for line in text.split_inclusive('\n') {
         out.set_color(&color(line))?;
-        // A line of the file may end with a carriage return: colours end before it.
+        // A line of the file may end with a carriage return: colours are reset before it.
         let content = line.trim_end_matches(['\r', '\n']);
         out.write_all(content.as_bytes())?;
         out.reset()?;

@@ -1,11 +1,11 @@
-//! The form of written paths: relative to the requested folder, or to the reader's folder; always with `/`.
+//! Displayed paths: relative to the requested folder or to the current folder, always with `/`.
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
-/// The folders that written paths are relative to. Only names are compared, links are not followed.
+/// Base folders of displayed paths. Only names are compared; links are not resolved.
 #[derive(Debug)]
 pub(crate) struct Paths {
     asked: Utf8PathBuf,
@@ -14,8 +14,9 @@ pub(crate) struct Paths {
 }
 
 impl Paths {
-    /// `asked` are the folders asked for, `current` is the absolute path of the current folder. Of several folders the
-    /// deepest one above all of them counts, so that no two files get the same path.
+    /// Creates the base folders. `asked` are the requested folders; `current` is the absolute path of the current
+    /// folder. The base for several requested folders is their deepest common parent, so that no two files get the same
+    /// path.
     pub(crate) fn new(asked: &[Utf8PathBuf], current: &Utf8Path) -> Self {
         let absolute = asked.iter().map(|folder| normal(&current.join(folder)));
         let asked = absolute.reduce(|a, b| common(&a, &b)).unwrap_or_default();
@@ -23,7 +24,7 @@ impl Paths {
         Self { repository: current.clone(), asked, current }
     }
 
-    /// `repository` is the absolute path of the folder under version control, instead of the current one.
+    /// Sets the absolute path of the repository's root, which is the current folder by default.
     pub(crate) fn within(mut self, repository: Option<&Utf8Path>) -> Self {
         if let Some(folder) = repository {
             self.repository = normal(folder);
@@ -31,27 +32,27 @@ impl Paths {
         self
     }
 
-    /// The path relative to the folder under version control: services that show findings know files by it.
+    /// Path relative to the repository's root, by which review services identify files.
     pub(crate) fn in_repository(&self, path: &Utf8Path) -> String {
         relative(&self.repository, &self.absolute(path))
     }
 
-    /// The folder under version control, with `/`.
+    /// The repository's root, with `/`.
     pub(crate) fn source_root(&self) -> String {
         slashes(&self.repository)
     }
 
-    /// The path relative to the requested folder.
+    /// Path relative to the requested folder.
     pub(crate) fn relative(&self, path: &Utf8Path) -> String {
         relative(&self.asked, &self.absolute(path))
     }
 
-    /// The path as people read it, in one line: that of [`to_open`](Self::to_open) with visible control characters.
+    /// Path as displayed in one line: as [`to_open`](Self::to_open), with visible control characters.
     pub(crate) fn shown(&self, path: &Utf8Path) -> String {
         one_line(&self.to_open(path)).into_owned()
     }
 
-    /// The path that opens the file from the current folder, or the absolute path where that is shorter.
+    /// Path that opens the file from the current folder: relative, or absolute if that is shorter.
     pub(crate) fn to_open(&self, path: &Utf8Path) -> String {
         let absolute = self.absolute(path);
         let relative = relative(&self.current, &absolute);
@@ -59,13 +60,13 @@ impl Paths {
         if relative.len() <= absolute.len() { relative } else { absolute }
     }
 
-    /// The absolute path without `.` and with as few `..` as possible.
+    /// Absolute path without `.` and with as few `..` as possible.
     pub(crate) fn absolute(&self, path: &Utf8Path) -> Utf8PathBuf {
         normal(&self.current.join(path))
     }
 }
 
-/// The path without `.` and with as few `..` as possible.
+/// Path without `.` and with as few `..` as possible.
 fn normal(path: &Utf8Path) -> Utf8PathBuf {
     let mut normal = Utf8PathBuf::new();
     for component in path.components() {
@@ -85,7 +86,7 @@ fn common(a: &Utf8Path, b: &Utf8Path) -> Utf8PathBuf {
     pairs.take_while(|(a, b)| a == b).map(|(a, _)| a).collect()
 }
 
-/// `path` seen from `base`; itself where they have nothing in common.
+/// Path of `path` relative to `base`; unchanged if both have no common folder.
 pub(crate) fn relative(base: &Utf8Path, path: &Utf8Path) -> String {
     let common = common(base, path);
     if common.as_str().is_empty() {
@@ -147,15 +148,15 @@ mod tests {
     }
 }
 
-/// The path that opens a file from the current folder.
+/// Path that opens a file from the current folder.
 ///
 /// # Errors
-/// The current folder is not known.
+/// The current folder cannot be determined.
 pub(crate) fn from_here(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     Ok(Paths::new(&[], &current_folder()?).to_open(path).into())
 }
 
-/// The current folder, absolute.
+/// Current folder, absolute.
 pub(crate) fn current_folder() -> Result<Utf8PathBuf, UserError> {
     let path = std::env::current_dir()
         .map_err(|error| UserError::new(format!("cannot determine the current folder: {error}")))?;

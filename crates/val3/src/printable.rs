@@ -1,9 +1,9 @@
-//! Visible forms of control characters, so that texts from strangers cannot steer a terminal or forge lines of a report.
+//! Visible forms of control characters, so that untrusted text cannot control a terminal or forge lines of a report.
 
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// The distance from a control character below a blank to its picture (U+2400 to U+241F).
+/// Distance from a control character below a blank to its picture (U+2400 to U+241F).
 const PICTURES: u32 = 0x2400;
 
 /// Returns the text with a visible form of each control character except tab and line feed.
@@ -11,7 +11,7 @@ pub(crate) fn pictured(text: &str) -> Cow<'_, str> {
     replaced(text, is_unprintable)
 }
 
-/// As [`pictured`], and line feeds are visible too: for names and paths, which are a part of a line.
+/// As [`pictured`], and replaces line feeds, too: for names and paths within a line.
 pub(crate) fn one_line(text: &str) -> Cow<'_, str> {
     replaced(text, |character| character == '\n' || is_unprintable(character))
 }
@@ -27,8 +27,8 @@ fn replaced(text: &str, is_replaced: impl Fn(char) -> bool) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// Whether a terminal obeys the character instead of showing it: C0 except tab and line feed, DEL, C1, and characters
-/// that change the direction of the text around them, so that code reads differently from what it is.
+/// Whether a terminal executes the character instead of showing it: C0 except tab and line feed, DEL, C1, and
+/// characters that change the text direction, so that displayed code would differ from its real order.
 pub(crate) fn is_unprintable(character: char) -> bool {
     match character {
         '\t' | '\n' => false,
@@ -49,7 +49,7 @@ pub(crate) fn push_picture(character: char, text: &mut String) {
     match picture {
         Some(picture) => text.push(picture),
         None => {
-            // A string accepts everything.
+            // Writing to a string cannot fail.
             let _ = write!(text, "<{code:02X}>");
         }
     }

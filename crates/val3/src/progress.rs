@@ -1,13 +1,13 @@
-//! A progress bar for work that takes long.
+//! Progress bar for long operations.
 
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// Work shorter than this shows no bar.
+/// Duration from which an operation shows a bar.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Counts finished pieces of work on the standard error output, if that is a terminal and the work takes long.
+/// Counts finished units on the standard error output, if that is a terminal and the operation is long.
 #[derive(Debug)]
 pub(crate) struct Progress {
     bar: ProgressBar,
@@ -16,7 +16,8 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// A bar for `total` pieces of what `activity` says. It is invisible at first, and always if `is_wanted` is false.
+    /// Creates a bar for `total` units, labelled `activity`. It is hidden at first, and permanently if `is_wanted` is
+    /// false.
     pub(crate) fn new(activity: &str, total: usize, is_wanted: bool) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template(&format!("{activity} {{bar:30}} {{pos}}/{{len}} {{msg}}")) {
@@ -25,21 +26,21 @@ impl Progress {
         Self { bar, started: Instant::now(), is_wanted }
     }
 
-    /// Shows what is being done.
+    /// Shows the name of the current unit.
     pub(crate) fn name(&self, piece: String) {
         self.bar.set_message(piece);
     }
 
-    /// Counts a finished piece. Any thread may call it.
+    /// Counts a finished unit. Any thread may call it.
     pub(crate) fn advance(&self) {
         if self.is_wanted && self.bar.is_hidden() && self.started.elapsed() > PATIENCE {
-            // Where the standard error output is no terminal, this target draws nothing either.
+            // If the standard error output is no terminal, this target draws nothing.
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
         self.bar.inc(1);
     }
 
-    /// Removes the bar while `write` writes to the terminal.
+    /// Hides the bar while `write` writes to the terminal.
     pub(crate) fn pause<T>(&self, write: impl FnOnce() -> T) -> T {
         self.bar.suspend(write)
     }

@@ -1,4 +1,4 @@
-//! The result of a check as plain data, ready for every output format.
+//! Result of a check as plain data for all output formats.
 
 mod finding;
 #[cfg(test)]
@@ -29,7 +29,7 @@ pub(crate) enum Severity {
 }
 
 impl Severity {
-    /// The word all outputs use.
+    /// Name of the level in all outputs.
     pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Info => "info",
@@ -49,61 +49,61 @@ impl From<rule::Severity> for Severity {
     }
 }
 
-/// The extent of a check.
+/// Extent of a check.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Statistics {
-    /// Projects that are applications or libraries.
+    /// Number of applications and libraries.
     pub(crate) applications: usize,
-    /// Files read.
+    /// Number of loaded files.
     pub(crate) files: usize,
-    /// Programs.
+    /// Number of programs.
     pub(crate) programs: usize,
-    /// Lines of code without blank lines and comments.
+    /// Number of code lines, without blank lines and comments.
     pub(crate) code_lines: usize,
     /// Wall-clock time in seconds.
     pub(crate) seconds: f64,
 }
 
-/// How a check differs from the one before it.
+/// Difference between a check and the previous check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Changes {
-    /// Findings that the last check did not have.
+    /// Number of findings that the previous check did not have.
     pub(crate) new: usize,
-    /// Findings that only the last check had.
+    /// Number of findings that only the previous check had.
     pub(crate) gone: usize,
 }
 
-/// The complete result of a check.
+/// Complete result of a check.
 #[derive(Debug)]
 pub(crate) struct Report {
-    /// The extent of the check.
+    /// Extent of the check.
     pub(crate) statistics: Statistics,
-    /// The paths of the `.pjx` of all applications, and of files without an application, like [`SourceFile::path`], sorted.
+    /// Paths of all applications' `.pjx`, and of files without an application, as in [`SourceFile::path`], sorted.
     pub(crate) applications: Vec<String>,
-    /// In the order of file, place and code: the same input gives the same order on every machine.
+    /// Findings, sorted by file, range and code: the order is the same on every machine.
     pub(crate) findings: Vec<Finding>,
-    /// The number of findings that `--fix` has fixed before the report, if it was given.
+    /// Number of findings that `--fix` has fixed before the report; `None` without `--fix`.
     pub(crate) fixed: Option<usize>,
-    /// How many fixes were left out because they would have added errors.
+    /// Number of fixes that were omitted because they would have added errors.
     pub(crate) refused: usize,
-    /// The number of findings silenced by comments that were written before the report, if that was requested.
+    /// Number of findings silenced by comments that the command has written before the report; `None` if not requested.
     pub(crate) newly_silenced: Option<usize>,
-    /// The difference from the last check, if the check is repeated.
+    /// Difference from the previous check, if the check is repeated.
     pub(crate) changes: Option<Changes>,
-    /// The folder under version control as an absolute path with `/`; empty where it is not known.
+    /// Absolute path of the repository's root, with `/`; empty if unknown.
     pub(crate) source_root: String,
-    /// The number of findings that comments in the code silence.
+    /// Number of findings silenced by comments in the code.
     pub(crate) silenced: usize,
-    /// The effect of the baselines.
+    /// Effect of the baselines.
     pub(crate) baseline: BaselineResult,
-    /// Files and folders without a finding that could not be read, so that findings may be missing.
+    /// Unreadable files and folders without a finding. Their findings may be missing.
     pub(crate) unreadable: Vec<UserError>,
-    /// A sentence for the user about the arm.
+    /// Notice about the arm for the user.
     pub(crate) notice: Option<String>,
 }
 
 impl Report {
-    /// Sorts the findings and drops repetitions.
+    /// Sorts the findings and removes duplicates.
     pub(crate) fn new(
         statistics: Statistics,
         applications: Vec<String>,
@@ -111,7 +111,7 @@ impl Report {
         unreadable: Vec<UserError>,
     ) -> Self {
         findings.sort_by(|a, b| order(a).cmp(&order(b)));
-        // A file that two applications use may be checked twice.
+        // A file that two applications share may be checked twice.
         findings.dedup_by(|a, b| order(a) == order(b));
         Self {
             statistics,
@@ -129,26 +129,26 @@ impl Report {
         }
     }
 
-    /// The number of findings of a level.
+    /// Number of findings with this level.
     pub(crate) fn count(&self, severity: Severity) -> usize {
         let same = |finding: &&Finding| finding.severity == severity;
         self.findings.iter().filter(same).count()
     }
 
-    /// The number of findings with a safe fix, or with an unsafe one.
+    /// Number of findings with a safe fix, or with an unsafe fix.
     pub(crate) fn fixable(&self, safe: bool) -> usize {
         let fixes = self.findings.iter().filter_map(|finding| finding.fix.as_ref());
         fixes.filter(|fix| fix.safe == safe).count()
     }
 
-    /// The number of read files with findings.
+    /// Number of loaded files with findings.
     pub(crate) fn faulty_files(&self) -> usize {
         let read = self.findings.iter().filter(|finding| finding.code != UNREAD_ARCHIVE);
         let paths = read.map(|finding| &finding.place.file.path);
         paths.collect::<BTreeSet<_>>().len()
     }
 
-    /// Whether every file was read.
+    /// Whether all files were read.
     pub(crate) fn is_complete(&self) -> bool {
         self.unreadable.is_empty() && !self.findings.iter().any(|finding| finding.code == UNREADABLE_FILE)
     }

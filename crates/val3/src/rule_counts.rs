@@ -1,4 +1,4 @@
-//! `val3 check --statistics`: the number of findings of each rule.
+//! `val3 check --statistics`: counts findings by rule.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -11,21 +11,21 @@ use crate::format::Format;
 use crate::report::{Finding, Report, Severity};
 use crate::user_error::UserError;
 
-/// The findings of one rule.
+/// Finding counts for one rule.
 #[derive(Debug, Serialize)]
 struct RuleCount {
     code: &'static str,
     name: &'static str,
-    /// The highest level among them.
+    /// Highest level of the findings.
     severity: Severity,
     count: usize,
-    /// The number of them that `--fix` fixes.
+    /// Number of findings that `--fix` fixes.
     fixable: usize,
-    /// The number of them that only `--unsafe-fixes` fixes.
+    /// Number of findings that only `--unsafe-fixes` fixes.
     fixable_unsafely: usize,
 }
 
-/// Whether counts can be written in a format. The error names the formats that can.
+/// Checks that the format supports counts. The error names the supported formats.
 pub(crate) fn supports(format: Format) -> Result<(), UserError> {
     match format {
         Format::Human | Format::Concise | Format::Json | Format::JsonLines => Ok(()),
@@ -34,7 +34,7 @@ pub(crate) fn supports(format: Format) -> Result<(), UserError> {
     }
 }
 
-/// Writes the rules that have findings, those with most first.
+/// Writes the rules with findings, sorted by decreasing number of findings.
 pub(crate) fn write(format: Format, report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     let counts = counts(&report.findings);
     match format {

@@ -1,4 +1,4 @@
-//! `val3 run`: an application on the embedded controller.
+//! `val3 run`: runs an application on the embedded controller.
 
 mod console;
 mod course;
@@ -45,10 +45,10 @@ use observers::Observers;
 use record::Record;
 use replay::Recording;
 
-/// Exit code of a run that `--until` has ended.
+/// Exit code of a run that reached the limit of `--until`.
 const EXIT_LIMIT: u8 = 3;
 
-/// Exit code of a run that the operator has broken off, as shells give it for Ctrl-C.
+/// Exit code of a run that the operator has aborted, as shells report Ctrl-C.
 const EXIT_BROKEN_OFF: u8 = 130;
 
 /// Runs the command.
@@ -86,7 +86,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     Ok(ExitCode::from(code))
 }
 
-/// The record of a run that has not begun consists of its end.
+/// Ends a run that cannot begin. Its event record contains only the end.
 fn refuse(args: &RunArgs, code: ExitCode) -> Result<ExitCode, UserError> {
     let mut record = Record::open(args.events.as_deref())?;
     record.write(&Event { t: 0.0, task: None, kind: EventKind::End { reason: Outcome::Refused.into() } })?;

@@ -1,4 +1,4 @@
-//! The scope of reported findings: everything in the request, or single files.
+//! Scope of reported findings: all findings in the request, or findings in single files.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
@@ -9,24 +9,25 @@ use val3_analysis::paths::{normalise, path_key};
 
 use val3_check::Unit;
 
-/// The scope of the report.
+/// Scope of the report.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Scope {
-    /// The keys of the requested programs and data files. Their applications are read, but not reported on.
+    /// Path keys of the requested programs and data files. Their applications are loaded without reporting their
+    /// findings.
     files: FxHashSet<String>,
-    /// The requested folders and project files. All findings in them are reported.
+    /// Requested folders and project files, in which all findings are reported.
     whole: Vec<Utf8PathBuf>,
 }
 
 impl Scope {
-    /// The scope for the absolute paths `asked`.
+    /// Creates the scope for the requested absolute paths.
     pub(crate) fn new(asked: &[Utf8PathBuf]) -> Self {
         let is_file = |path: &Utf8PathBuf| (is_program(path.as_str()) || is_data(path.as_str())) && !path.is_dir();
         let (files, whole) = asked.iter().map(|path| normalise(path)).partition::<Vec<_>, _>(is_file);
         Self { files: files.iter().map(|path| path_key(path.as_str())).collect(), whole }
     }
 
-    /// Whether a finding in `file` is reported, which the check of `project` has made.
+    /// Whether a finding in `file` from the check of `project` is reported.
     pub(crate) fn covers(&self, db: &Database, project: Project, file: File) -> bool {
         self.files.is_empty() || self.names(db, file) || self.is_whole(project.manifest(db).path(db))
     }

@@ -1,4 +1,4 @@
-//! Secrets of ports: of the page of `--serve`, and of debuggers.
+//! Secrets for ports: for the page of `--serve`, and for debuggers.
 
 use std::env;
 use std::fmt::{self, Display, Write as _};
@@ -7,17 +7,17 @@ use val3_dap::Secret;
 
 use crate::user_error::UserError;
 
-/// Number of random bytes of a secret.
+/// Number of random bytes in a secret.
 const SECRET_BYTES: usize = 16;
 
 /// Environment variable with a secret for debuggers. Other users can read the arguments of a process, but not its
 /// environment.
 const VARIABLE: &str = "VAL3_DEBUG_SECRET";
 
-/// Minimum number of characters of a secret that the user has chosen.
+/// Minimum length of a secret chosen by the user, in characters.
 const MINIMUM: usize = 16;
 
-/// A new secret of 128 bits, in hexadecimal digits.
+/// Returns a new secret of 128 bits, in hexadecimal digits.
 ///
 /// # Errors
 /// The system has no random numbers.
@@ -26,24 +26,24 @@ pub(crate) fn random() -> Result<String, UserError> {
     getrandom::fill(&mut bytes)
         .map_err(|error| UserError::new(format!("the system has no random numbers: {error}")))?;
     Ok(bytes.iter().fold(String::new(), |mut text, byte| {
-        // A string takes everything.
+        // Writing to a string cannot fail.
         let _ = write!(text, "{byte:02x}");
         text
     }))
 }
 
-/// The secret of a port for debuggers.
+/// Secret of a debug port.
 pub(crate) struct DebugSecret {
     pub(crate) secret: Secret,
-    /// The text of a random secret. `None` if the user has chosen one.
+    /// Text of a random secret; `None` if the user has chosen the secret.
     shown: Option<String>,
 }
 
 impl DebugSecret {
-    /// The secret of the environment variable, or a random one.
+    /// Returns the secret of the environment variable, or a random secret.
     ///
     /// # Errors
-    /// The secret of the variable is too short, or the system has no random numbers.
+    /// The secret in the variable is too short, or the system has no random numbers.
     pub(crate) fn choose() -> Result<Self, UserError> {
         match env::var_os(VARIABLE) {
             None => random().map(|text| Self { secret: Secret::new(text.clone()), shown: Some(text) }),
@@ -56,7 +56,7 @@ impl DebugSecret {
     }
 }
 
-/// The words after the address of the port.
+/// Text after the address of the port.
 impl Display for DebugSecret {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.shown {

@@ -1,4 +1,4 @@
-//! The selection of findings: `--select`, `--extend-select` and `--ignore`.
+//! Selection of rules: `--select`, `--extend-select` and `--ignore`.
 
 use val3_check::rule::Rule;
 use val3_check::rules;
@@ -7,9 +7,9 @@ use val3_lang::suggest::{proposals, question};
 
 use crate::user_error::UserError;
 
-/// The findings that an entry of `select` means (all if it is empty), and those that an entry of `extend` means, on or
-/// off, without those that an entry of `ignore` means. An entry is a code, the beginning of one, a name or `all`, in
-/// any letter case; one that means no rule is an error.
+/// Parses the selection: the rules in `select` (all if it is empty) and the rules in `extend`, which may be off by
+/// default, without the rules in `ignore`. An entry is a code, a code prefix, a name or `all`, in upper or lower case.
+/// An entry without a matching rule is an error.
 pub(crate) fn read(select: &[String], extend: &[String], ignore: &[String]) -> Result<Selection, UserError> {
     let mut selection = Selection::default();
     for (rule, exactness) in meant(select, "--select")? {

@@ -1,5 +1,5 @@
-//! Signals that end a run from outside. Resources such as the terminal and the record are released first, and reports are
-//! written.
+//! Signals that end a run. The run first releases resources such as the terminal and the record, and writes its
+//! reports.
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering::Relaxed;
@@ -7,33 +7,33 @@ use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 use crate::user_error::UserError;
 
-/// Base of the exit codes of processes that a signal ends, as in shells. The number of the signal is added.
+/// Base of the exit code of a process that a signal ends, as in shells; the signal number is added.
 const EXIT_SIGNAL: u8 = 128;
 
-/// The signal that was caught, or 0.
+/// The caught signal, or 0.
 #[derive(Debug, Default)]
 pub(crate) struct Signals {
     caught: Arc<AtomicUsize>,
-    /// Set with the first signal.
+    /// Whether a signal was caught.
     seen: Arc<AtomicBool>,
 }
 
 impl Signals {
-    /// Set with the first signal. Long operations check it.
+    /// Flag that the first signal sets. Long operations poll it.
     pub(crate) fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.seen)
     }
 
-    /// The exit code that a signal asks for, if one was caught.
+    /// Exit code for the caught signal, if any.
     pub(crate) fn exit_code(&self) -> Option<u8> {
         let signal = u8::try_from(self.caught.load(Relaxed)).ok().filter(|signal| *signal != 0)?;
         Some(EXIT_SIGNAL.saturating_add(signal))
     }
 
-    /// Catches Ctrl-C, the end of the terminal and the request to end. The second signal has its usual effect.
+    /// Catches SIGINT (Ctrl-C), SIGHUP (closed terminal) and SIGTERM. The second signal has its default effect.
     ///
     /// # Errors
-    /// The system refuses.
+    /// The signal handlers cannot be installed.
     #[cfg(unix)]
     pub(crate) fn catch() -> Result<Self, UserError> {
         use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
@@ -51,7 +51,7 @@ impl Signals {
         Ok(signals)
     }
 
-    /// Signals have their usual effect.
+    /// Does nothing: signals keep their default effect.
     #[cfg(not(unix))]
     pub(crate) fn catch() -> Result<Self, UserError> {
         Ok(Self::default())

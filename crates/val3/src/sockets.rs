@@ -1,4 +1,5 @@
-//! Sockets whose ports only the cell names: announced in runs, closed in tests; and everything outside that a run was given.
+//! Sockets whose ports only the cell names: announced in runs, closed in tests. Also notes on all external access of a
+//! run.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -11,21 +12,21 @@ use val3_machine::sio::{LineKind, SocketGuard, SocketRequest};
 
 use crate::output::to_stderr;
 
-/// The receiver of announcements.
+/// Receiver of announcements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reader {
-    /// A person at a terminal, unless there is none.
+    /// The user at a terminal, if there is one.
     Terminal,
-    /// A person at a debugger.
+    /// The user of a debugger.
     Debugger,
 }
 
-/// Announces connections to ports of this machine, once each, before they are made. In CI and without a terminal they are
-/// refused, because nobody would see what the cell sends to another program.
+/// Announces each connection to a port of this machine once, before it is made. In CI and without a terminal, such
+/// connections are rejected, because no user would see what the cell sends to another program.
 #[derive(Debug)]
 pub(crate) struct Announcements {
     is_read: bool,
-    /// Sockets of a debugged test, none of which opens.
+    /// Whether a test is debugged, in which no such socket opens.
     is_test: bool,
     reader: Reader,
     announced: RefCell<BTreeSet<(String, SocketAddr)>>,
@@ -40,12 +41,12 @@ impl Announcements {
         Self { is_read, is_test: false, reader, announced: RefCell::default(), texts: RefCell::default() }
     }
 
-    /// The announcements of a debugged test.
+    /// Announcements of a debugged test.
     pub(crate) fn of_test() -> Self {
         Self { is_read: false, is_test: true, ..Self::new(Reader::Debugger) }
     }
 
-    /// The texts since the last call, for the debugger.
+    /// Returns the texts since the last call, for the debugger.
     pub(crate) fn take_texts(&self) -> Option<String> {
         Some(self.texts.take()).filter(|texts| !texts.is_empty())
     }
@@ -68,7 +69,7 @@ impl Announcements {
         };
         match self.reader {
             Reader::Terminal => to_stderr(|out| writeln!(out, "{text}")),
-            // Writing to a text cannot fail.
+            // Writing to a string cannot fail.
             Reader::Debugger => _ = writeln!(self.texts.borrow_mut(), "{text}"),
         }
     }
@@ -76,7 +77,7 @@ impl Announcements {
 
 impl SocketGuard for Announcements {
     fn admits(&self, request: SocketRequest<'_>) -> bool {
-        // A server is called by the programs that know its port.
+        // A server only accepts connections from programs that use its port.
         if request.kind == LineKind::Server && !self.is_test {
             return true;
         }
@@ -85,19 +86,19 @@ impl SocketGuard for Announcements {
     }
 }
 
-/// Prints what a run was given outside of its cell.
+/// Prints the external access that was granted to a run.
 pub(crate) fn note_grants(grants: &[String]) {
     to_stderr(|out| grants.iter().try_for_each(|grant| writeln!(out, "note: {grant}")));
 }
 
-/// The lines of tests that a test has used without a connection. All threads share it.
+/// Lines that tests have used without a connection. All threads share the list.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ClosedSockets {
     links: Arc<Mutex<BTreeSet<String>>>,
 }
 
 impl ClosedSockets {
-    /// Prints once which lines were not connected.
+    /// Prints the unconnected lines, once.
     pub(crate) fn report(&self) {
         let links = self.links.lock().unwrap_or_else(PoisonError::into_inner);
         if !links.is_empty() {
@@ -107,7 +108,7 @@ impl ClosedSockets {
     }
 }
 
-/// The note on lines of tests that were not connected.
+/// Note on the unconnected lines of tests.
 fn closed(links: &[&str]) -> String {
     let listed: Vec<String> = links.iter().map(|link| format!("`{link}`")).collect();
     let first = links.first().copied().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The standard input, or the file that `--input` names in its place.
+//! The standard input, or the file that `--input` names.
 
 use std::io;
 
@@ -11,12 +11,12 @@ use crate::args::InputArgs;
 use crate::paths::current_folder;
 use crate::user_error::UserError;
 
-/// A file that is read from the standard input.
+/// A file whose content comes from the standard input.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct StandardInput {
-    /// Its path, absolute and without `.` and `..`.
+    /// Absolute path without `.` and `..`.
     pub(crate) path: Utf8PathBuf,
-    /// Its content.
+    /// Content.
     pub(crate) bytes: Vec<u8>,
 }
 
@@ -27,7 +27,7 @@ impl StandardInput {
     }
 }
 
-/// The bytes of the standard input, or of the file in its place: a program or a data file.
+/// Reads the bytes of the standard input, or of the program or data file in `--input`.
 pub(crate) fn bytes(input: &InputArgs) -> Result<Vec<u8>, UserError> {
     match &input.input {
         Some(path) => val3_files::read(path, FileClass::Program)
@@ -37,7 +37,7 @@ pub(crate) fn bytes(input: &InputArgs) -> Result<Vec<u8>, UserError> {
     }
 }
 
-/// The lines of the standard input, or of the file in its place.
+/// Reads the lines of the standard input, or of the file in `--input`.
 pub(crate) fn lines(input: &InputArgs) -> Result<Box<dyn Iterator<Item = io::Result<String>>>, UserError> {
     if input.input.is_none() {
         return Ok(Box::new(io::stdin().lines()));

@@ -1,11 +1,11 @@
-//! The last lines for people: counts of findings and files.
+//! Final lines of a human-readable report: counts of findings and files.
 
 use std::io::{self, Write};
 
 use crate::baseline::BaselineResult;
 use crate::report::{Changes, Report, Severity};
 
-/// Writes the reference to the pages, if there are findings, and the counts.
+/// Writes the counts and, if there are findings, a reference to the pages.
 pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     if let Some(finding) = most_serious(report) {
         writeln!(out, "More about a finding: val3 explain {}", finding)?;
@@ -18,13 +18,13 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     fixes(report).map_or(Ok(()), |fixes| writeln!(out, "{fixes}"))
 }
 
-/// A note on the check before a run, which shows errors only.
+/// Note on the check before a run, which only shows errors.
 pub(crate) fn of_checked_run(report: &Report) -> String {
     let found = format!("the check has {} {}", findings(report), files(report));
     if report.findings.is_empty() { found } else { format!("{found}; `val3 check` shows them") }
 }
 
-/// Writes the numbers of findings that are not reported, and the effect of the baselines.
+/// Writes the number of unreported findings, and the effect of the baselines.
 fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     let BaselineResult { known, gone, written } = &report.baseline;
     let hidden = [(*known, "known from the baseline"), (report.silenced, "silenced by comments")];
@@ -40,7 +40,7 @@ fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     written.iter().try_for_each(|(path, count)| writeln!(out, "wrote {path} with {}", number(*count, "known finding")))
 }
 
-/// The numbers of findings that were fixed, or can be.
+/// Number of findings that were fixed or can be fixed.
 fn fixes(report: &Report) -> Option<String> {
     if let Some(fixed) = report.fixed {
         let all = number(fixed + report.findings.len(), "finding");
@@ -60,7 +60,7 @@ fn fixes(report: &Report) -> Option<String> {
     }
 }
 
-/// Fixes that were left out because they would have added errors.
+/// Number of fixes that were omitted because they would have added errors.
 fn refused(count: usize) -> String {
     match count {
         0 => String::new(),
@@ -69,7 +69,7 @@ fn refused(count: usize) -> String {
     }
 }
 
-/// The code of the first finding of the highest level.
+/// Code of the first finding with the highest level.
 fn most_serious(report: &Report) -> Option<&'static str> {
     let levels = [Severity::Error, Severity::Warning, Severity::Info];
     let first = |level| report.findings.iter().find(|finding| finding.severity == level);
@@ -109,7 +109,7 @@ fn files(report: &Report) -> String {
     }
 }
 
-/// `1 file`, `2 files`, `1,412 files`
+/// For example `1 file`, `2 files` or `1,412 files`.
 fn number(count: usize, word: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{} {word}{plural}", grouped(count))

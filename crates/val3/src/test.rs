@@ -1,4 +1,4 @@
-//! `val3 test`: the tests of applications, each on a controller of its own in virtual time.
+//! `val3 test`: executes the tests of applications, each on its own controller in virtual time.
 
 mod asked;
 mod cell;
@@ -81,7 +81,7 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
     if args.watch { watched(args, &current, color) } else { once(args, &current, &Signals::catch()?, color) }
 }
 
-/// Executes the tests again whenever a file of their cells is changed, until Ctrl-C.
+/// Executes the tests again whenever a cell file changes, until Ctrl-C.
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
     let mut watch = Watch::start(&asked)?;
@@ -94,7 +94,7 @@ fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode
     }
     loop {
         clear_screen();
-        // A signal has its usual effect, which ends the command.
+        // A signal has its default effect, which ends the command.
         if let Err(error) = once(args, current, &Signals::default(), color) {
             to_stderr(|out| writeln!(out, "{error}"));
         }
@@ -141,7 +141,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     let surroundings = Surroundings { sockets: &sockets, signals };
     let (mut results, counted) = workers::executed(args, &repeated, &surroundings, &mut observer)?;
     for tests in refused.into_iter().map(RefusedTests::into_tested) {
-        // Nobody may read the lines any more. The exit code counts all the same.
+        // The reader may have closed the output. The exit code remains valid.
         let _ = observer(&Progress::Finished(&tests))?;
         let _ = observer(&Progress::Next(&tests))?;
         results.tested.push(tests);
@@ -151,7 +151,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     sockets.report();
     note_times(&results.tested);
     to_stdout_as(args.format.content(), color, |out| match args.format {
-        // The other lines were written while the tests were executed.
+        // All other lines were written during the execution.
         TestFormat::Human => {
             human::slowest(&results, args.durations as usize, out).and_then(|()| human::summary(&results, &paths, out))
         }
@@ -171,7 +171,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     Ok(exit_code(&results, is_covered))
 }
 
-/// The exit code of a run, which a signal decides before anything else.
+/// Exit code of a run. A signal has precedence over results.
 fn exit_code(results: &Results, is_covered: bool) -> ExitCode {
     let all = |is_good: fn(&Tested) -> bool| results.tested.iter().all(is_good);
     match results.early_end {
@@ -182,7 +182,7 @@ fn exit_code(results: &Results, is_covered: bool) -> ExitCode {
     }
 }
 
-/// Sentences on what the controllers of the tests can reach outside of their cells, each once.
+/// Descriptions of external access granted to the tests' controllers, without duplicates.
 fn grants(args: &TestArgs, suites: &[Suite], tests: &[TestFile<'_>]) -> Result<Vec<String>, UserError> {
     let settings = args.controller.settings(Rc::new(ClosedSockets::default()));
     let tested: BTreeSet<&Utf8Path> = tests.iter().map(|test| test.manifest).collect();
@@ -193,7 +193,7 @@ fn grants(args: &TestArgs, suites: &[Suite], tests: &[TestFile<'_>]) -> Result<V
     Ok(all.into_iter().collect())
 }
 
-/// Names the test programs that are not executed, because their projects do not list them.
+/// Warns about test programs that are not executed, because their projects do not list them.
 fn note_unlisted(suites: &[Suite], paths: &Paths) {
     // Scenarios run applications whose programs are no tests.
     let of_tests = suites.iter().filter(|suite| suite.cases.iter().any(|case| case.kind == TestKind::Program));
@@ -203,7 +203,7 @@ fn note_unlisted(suites: &[Suite], paths: &Paths) {
     }
 }
 
-/// Prints once for each arm that limits of cycle times were compared with times of a model.
+/// Notes, once for each arm, that limits of cycle times were compared with model times.
 fn note_times(tested: &[Tested]) {
     let notes: BTreeSet<&str> = tested.iter().filter_map(|test| test.result.times_note.as_deref()).collect();
     to_stderr(|out| notes.iter().try_for_each(|note| writeln!(out, "note: {note}")));
@@ -230,7 +230,7 @@ fn advance(bar: &progress::Progress, progress: &Progress<'_>) {
     }
 }
 
-/// The standard output while the tests are executed.
+/// Standard output during the execution.
 struct Display<'d> {
     args: &'d TestArgs,
     paths: &'d Paths,
@@ -239,14 +239,14 @@ struct Display<'d> {
 }
 
 impl Display<'_> {
-    /// Shows what happens, in the formats that do so.
+    /// Shows an event, if the format has output during the execution.
     fn show(&mut self, progress: &Progress<'_>) -> Result<ControlFlow<()>, UserError> {
         let paths = self.paths;
         let is_read = match (self.args.format, progress) {
             (TestFormat::JsonLines, Progress::Started(_) | Progress::Finished(_)) => {
                 to_reader(Content::Json, Color::Never, |out| json_lines::write(progress, paths, out))?
             }
-            // The tests and their other reports do not depend on a reader such as `head`.
+            // A closed output (`head`) affects neither the tests nor the report files.
             (TestFormat::Human, Progress::Next(tested)) => {
                 to_reader(Content::Words, self.color, |out| self.listing.add(tested, paths, out))?;
                 true

@@ -1,4 +1,4 @@
-//! From diagnostics of the analysis to findings with lines and columns.
+//! Converts diagnostics of the analysis to findings with lines and columns.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::paths::Paths;
 use crate::printable::one_line;
 use crate::report::{Edit, Finding, Fix, Related, ReportRange, SourceFile};
 
-/// Turns diagnostics into findings; each file is indexed once. A clone is for another thread.
+/// Converts diagnostics to findings; each file is indexed once. Use a clone in another thread.
 #[derive(Clone)]
 pub(crate) struct Translator<'a> {
     db: Database,
@@ -33,12 +33,12 @@ struct IndexedFile {
 }
 
 impl<'a> Translator<'a> {
-    /// A translator that writes paths as `paths` has them.
+    /// Creates a translator that displays paths as `paths` defines them.
     pub(crate) fn new(db: Database, paths: &'a Paths, loose: &'a LooseFiles) -> Self {
         Self { db, paths, loose, files: FxHashMap::default() }
     }
 
-    /// The finding of a diagnostic.
+    /// Converts a diagnostic to a finding.
     pub(crate) fn finding(&mut self, diagnostic: &Diagnostic) -> Finding {
         let IndexedFile { source, codes } = self.indexed(diagnostic.place.file, diagnostic.application);
         let place = ReportRange { file: source, range: diagnostic.place.range.into() };
@@ -70,13 +70,13 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// The path of a project file; of a file without a project its own.
+    /// Path of a project file; for a file without a project, the path of the file.
     fn application(&self, manifest: File) -> String {
         let path = manifest.path(&self.db);
         self.paths.relative(self.loose.file_of(path).unwrap_or(path))
     }
 
-    /// The paths of the project files, sorted.
+    /// Paths of the project files, sorted.
     pub(crate) fn applications(&self, projects: &[Project]) -> Vec<String> {
         let mut paths: Vec<_> = projects.iter().map(|project| self.application(project.manifest(&self.db))).collect();
         paths.sort_unstable();
@@ -118,7 +118,8 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// `Disk://app/prog.pgx`. If `Disk://` is unknown, it is the folder around the application.
+    /// Path on the controller, for example `Disk://app/prog.pgx`. If the folder of `Disk://` is unknown, it is the
+    /// parent of the application's folder.
     fn on_controller(&self, path: &Utf8Path, application: File) -> Option<String> {
         let manifest = application.path(&self.db);
         let project = self.project(manifest);

@@ -1,7 +1,7 @@
-//! `val3 trust`: the folders whose settings may reach outside of their cell.
+//! `val3 trust`: manages the folders whose settings may reach outside of their cell.
 //!
-//! The list is a file of the user (`trust.toml`), outside of all cells. The environment variable VAL3_TRUST lists further
-//! folders, for CI and for single commands.
+//! The list is the user's file `trust.toml`, outside of all cells. The environment variable VAL3_TRUST adds folders,
+//! for CI and for single commands.
 
 use std::fmt::Display;
 use std::fs;
@@ -17,13 +17,13 @@ use crate::color::Color;
 use crate::output::{to_stderr, to_stdout};
 use crate::user_error::UserError;
 
-/// The environment variable with trusted folders, separated as in PATH.
+/// Environment variable with trusted folders, separated as in PATH.
 const VARIABLE: &str = "VAL3_TRUST";
 
-/// The key of the list in its file.
+/// Key of the list in its file.
 const FOLDERS: &str = "folders";
 
-/// Lets the readers of settings query the user's list, which is read only if a setting reaches outside.
+/// Registers the user's list for the readers of settings. The list is only read if a setting reaches outside.
 pub(crate) fn connect() {
     UserTrust { trusts, is_home }.connect();
 }
@@ -51,7 +51,7 @@ pub(crate) fn run(args: &TrustArgs) -> Result<ExitCode, UserError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Whether a folder, whose links are resolved, is one of the trusted folders or below one of them.
+/// Whether the folder, whose links are resolved, is a trusted folder or in a trusted folder.
 fn trusts(folder: &Utf8Path) -> bool {
     let named = std::env::var_os(VARIABLE).unwrap_or_default();
     let of_variable = std::env::split_paths(&named).filter_map(|path| Utf8PathBuf::from_path_buf(path).ok());
@@ -67,12 +67,12 @@ fn is_home(folder: &Utf8Path) -> bool {
     home().and_then(|home| canonical(&home).ok()).is_some_and(|home| home == folder)
 }
 
-/// The user's home folder.
+/// User's home folder.
 fn home() -> Option<Utf8PathBuf> {
     variable(if cfg!(windows) { "USERPROFILE" } else { "HOME" })
 }
 
-/// The file of the list: below `XDG_CONFIG_HOME`, `~/.config`, or on Windows `APPDATA`.
+/// Path of the list: in `XDG_CONFIG_HOME`, `~/.config`, or on Windows `APPDATA`.
 fn list_file() -> Result<Utf8PathBuf, UserError> {
     let system = if cfg!(windows) { variable("APPDATA") } else { home().map(|home| home.join(".config")) };
     let folder = variable("XDG_CONFIG_HOME").filter(|path| path.is_absolute()).or(system);
@@ -89,7 +89,7 @@ fn canonical(folder: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     folder.canonicalize_utf8().map_err(|error| UserError::new(format!("`{folder}`: {error}")))
 }
 
-/// The list, which is empty without a file.
+/// Reads the list, which is empty without a file.
 fn read(path: &Utf8Path) -> Result<DocumentMut, UserError> {
     let text = match val3_files::read_text(path, FileClass::Settings) {
         Ok(text) => text,
@@ -106,7 +106,7 @@ fn faulty(path: &Utf8Path, reason: &dyn Display) -> UserError {
         .with_help("it has one line: folders = [\"/path/of/a/folder\"]")
 }
 
-/// The folders of the list.
+/// Folders of the list.
 fn listed(document: &DocumentMut, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, UserError> {
     let Some(item) = document.get(FOLDERS) else { return Ok(Vec::new()) };
     let texts = item.as_array().map(|array| array.iter().map(|entry| entry.as_str().map(Utf8PathBuf::from)).collect());
@@ -116,7 +116,7 @@ fn listed(document: &DocumentMut, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, U
 /// Changes the list and replaces its file.
 fn change(path: &Utf8Path, edit: impl FnOnce(&mut Array) -> Result<(), UserError>) -> Result<(), UserError> {
     let mut document = read(path)?;
-    // Checks that each entry is a text.
+    // Checks that each entry is a string.
     listed(&document, path)?;
     let folders = document.entry(FOLDERS).or_insert_with(|| Item::Value(Value::Array(Array::new())));
     if let Some(folders) = folders.as_array_mut() {

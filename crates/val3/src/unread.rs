@@ -1,4 +1,4 @@
-//! Files and folders that could not be read, so that a report without findings would be wrong.
+//! Unreadable files and folders, because of which a report without findings would be wrong.
 
 use camino::Utf8PathBuf;
 use rustc_hash::FxHashSet;
@@ -10,27 +10,27 @@ use val3_check::diagnostic::Diagnostic;
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
-/// The rule about files that cannot be read. Its findings make a check incomplete.
+/// Rule about unreadable files. Its findings make a check incomplete.
 pub(crate) const UNREADABLE_FILE: &str = "V0502";
 
-/// The rule about archives in a checked folder. Its findings are about files that were not read.
+/// Rule about archives in a checked folder. Its findings are about files that were not read.
 pub(crate) const UNREAD_ARCHIVE: &str = "V0544";
 
-/// Whether a finding is about a file that cannot be read.
+/// Whether the finding is about an unreadable file.
 pub(crate) fn is_unreadable(finding: &Diagnostic) -> bool {
     finding.rule.code == UNREADABLE_FILE
 }
 
-/// Everything that a check could not read.
+/// Unreadable files and folders of a check.
 pub(crate) struct Unread {
     /// Whether files of the checked units are unreadable. They have findings.
     has_findings: bool,
-    /// Errors about everything else: folders, and files of libraries that are not checked.
+    /// Errors about folders, and about library files that are not checked.
     errors: Vec<UserError>,
 }
 
 impl Unread {
-    /// Collects the unreadable files of the workspace, of which `units` are checked.
+    /// Collects the unreadable files of the workspace. `units` are the checked units.
     pub(crate) fn new(workspace: &Workspace, units: &[Unit], paths: &Paths) -> Self {
         let db = &workspace.db;
         let checked: FxHashSet<File> = units.iter().map(|unit| unit.file(db)).collect();
@@ -49,12 +49,13 @@ impl Unread {
         Self { has_findings, errors: found.iter().map(error).collect() }
     }
 
-    /// Whether everything was read.
+    /// Whether all files were read.
     pub(crate) fn is_empty(&self) -> bool {
         !self.has_findings && self.errors.is_empty()
     }
 
-    /// The errors about everything without a finding, and about baselines that were not written for this reason.
+    /// Returns the errors about files and folders without a finding, and about baselines that were not written for this
+    /// reason.
     pub(crate) fn into_errors(mut self, has_unwritten_baselines: bool) -> Vec<UserError> {
         if has_unwritten_baselines {
             let message = "the baseline is not changed, because files could not be read";

@@ -7,36 +7,36 @@ use crate::printable::one_line;
 /// Exit code of wrong usage, and of a file that cannot be read or written.
 pub(crate) const EXIT_USAGE: u8 = 2;
 
-/// An error for the person at the terminal, in which control characters of names are visible; it ends the command with exit code 2.
+/// An error message for the user, with visible control characters. It ends the command with exit code 2.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct UserError {
-    /// The problem and its place, in one line.
+    /// Problem and location, in one line.
     message: String,
     /// Further lines; may be empty.
     details: String,
-    /// The remedy; may be empty.
+    /// Remedy; may be empty.
     help: String,
 }
 
 impl UserError {
-    /// An error that needs no remedy.
+    /// Creates an error without a remedy.
     pub(crate) fn new(message: impl Into<String>) -> Self {
         Self { message: one_line(&message.into()).into_owned(), details: String::new(), help: String::new() }
     }
 
-    /// Its lines, for a report in which it is one of several.
+    /// Text without the prefix `error: `, for a report with several errors.
     pub(crate) fn lines(&self) -> String {
         let text = self.to_string();
         text.strip_prefix("error: ").unwrap_or(&text).to_owned()
     }
 
-    /// Adds lines after the message.
+    /// Sets the lines after the message.
     pub(crate) fn with_details(mut self, details: impl Into<String>) -> Self {
         self.details = details.into();
         self
     }
 
-    /// Adds the remedy.
+    /// Sets the remedy.
     pub(crate) fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = one_line(&help.into()).into_owned();
         self

@@ -4,7 +4,8 @@ use crate::color::Color;
 use crate::output::to_stdout;
 use crate::user_error::UserError;
 
-/// The version with commit and date: `0.1.0 (abcdef123 2026-11-26)`; without them if it was built outside of a repository.
+/// Version with commit and date, for example `0.1.0 (abcdef123 2026-11-26)`; without them for a build outside of a
+/// repository.
 pub(crate) const VERSION: &str = env!("VAL3_VERSION");
 
 /// Runs the command.

@@ -1,32 +1,32 @@
-//! Waits on the real clock.
+//! Waits in real time.
 
 use std::time::{Duration, Instant};
 
 use val3_lang::ports::Time;
 use val3_session::Delay;
 
-/// The real clock next to that of a controller, which runs at a speed.
+/// Relation between the real clock and a controller's clock.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WallClock {
-    /// A moment on the real clock, and the time of the controller then.
+    /// Reference instant on the real clock; `time` is the controller's time at this instant.
     moment: Instant,
     time: Time,
-    /// Seconds of the controller in a real second.
+    /// Controller seconds per real second.
     speed: f64,
 }
 
 impl WallClock {
-    /// The clock of a controller whose time is `now`.
+    /// Creates the clock of a controller whose time is `now`.
     pub(crate) fn new(now: Time) -> Self {
         Self { moment: Instant::now(), time: now, speed: 1.0 }
     }
 
-    /// The clock of the controller has not run since, or runs at another speed from now on.
+    /// Restarts the clock after the controller's clock was stopped, or changes the speed.
     pub(crate) fn restart(&mut self, now: Time, speed: f64) {
         *self = Self { speed, ..Self::new(now) };
     }
 
-    /// The time to wait on the real clock.
+    /// Remaining wait in real time.
     pub(crate) fn wait_time(&self, delay: Delay) -> Duration {
         match delay {
             Delay::Until(time) => {
@@ -38,7 +38,7 @@ impl WallClock {
     }
 }
 
-/// The time to wait without a clock that follows the real one.
+/// Wait for a controller whose clock does not follow the real clock.
 pub(crate) const fn duration(delay: Delay) -> Duration {
     match delay {
         Delay::For(duration) => duration,

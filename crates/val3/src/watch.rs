@@ -10,13 +10,13 @@ use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watc
 
 use crate::user_error::UserError;
 
-/// An editor causes several events when it saves. A change is complete after this long without an event.
+/// Duration without an event after which a change is complete, because an editor causes several events when it saves.
 const QUIET: Duration = Duration::from_millis(100);
 
-/// The interval between two looks at the files where the system does not report changes.
+/// Polling interval for systems that do not report changes.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
-/// The extensions of files that a check reads.
+/// Extensions of files that a check reads.
 const EXTENSIONS: [&str; 5] = ["pjx", "dtx", "pgx", "cfx", "toml"];
 
 /// Watches folders.
@@ -24,13 +24,13 @@ pub(crate) struct Watch {
     watcher: Box<dyn Watcher>,
     sender: Sender<notify::Result<Event>>,
     events: Receiver<notify::Result<Event>>,
-    /// The watched folders; `true` means with everything below.
+    /// Watched folders; `true` includes subfolders.
     watched: BTreeSet<(Utf8PathBuf, bool)>,
     polls: bool,
 }
 
 impl Watch {
-    /// Starts to watch `paths` and everything below.
+    /// Starts to watch `paths` and their subfolders.
     pub(crate) fn start(paths: &[Utf8PathBuf]) -> Result<Self, UserError> {
         let (sender, events) = channel();
         let (watcher, polls): (Box<dyn Watcher>, _) = match RecommendedWatcher::new(sender.clone(), Config::default()) {
@@ -44,13 +44,13 @@ impl Watch {
         Ok(watch)
     }
 
-    /// Watches `folder` too: itself, or everything below. A missing folder is skipped.
+    /// Adds a folder, with or without subfolders. A missing folder is skipped.
     pub(crate) fn include(&mut self, folder: &Utf8Path, below: bool) -> Result<(), UserError> {
         if !folder.exists() {
             return Ok(());
         }
         self.watched.insert((folder.to_owned(), below));
-        // A folder that was deleted and created again has to be registered again.
+        // A folder that was deleted and created again must be registered again.
         match self.watcher.watch(folder.as_std_path(), mode(below)) {
             Err(_) if !self.polls => self.poll_instead(),
             outcome => outcome.map_err(|error| cannot_watch(&error)),
@@ -67,7 +67,7 @@ impl Watch {
         Ok(())
     }
 
-    /// Waits until files were changed and the change is complete. Returns the first of them.
+    /// Waits until a change is complete. Returns the first changed file.
     pub(crate) fn changed(&self) -> Result<PathBuf, UserError> {
         let changed = loop {
             let event = self.events.recv().map_err(|_| UserError::new("the system no longer reports file changes"))?;
@@ -90,7 +90,7 @@ fn mode(below: bool) -> RecursiveMode {
 }
 
 fn polling(sender: Sender<notify::Result<Event>>) -> Result<Box<dyn Watcher>, UserError> {
-    // Times are compared in whole seconds, so a second change within a second is seen by the contents alone.
+    // Times are compared in whole seconds, so a second change within the same second is only detected by the content.
     let config = Config::default().with_poll_interval(POLL_INTERVAL).with_compare_contents(true);
     let watcher = PollWatcher::new(sender, config).map_err(|error| cannot_watch(&error))?;
     Ok(Box::new(watcher))
@@ -100,7 +100,7 @@ fn cannot_watch(error: &notify::Error) -> UserError {
     UserError::new(format!("cannot watch for changes: {error}"))
 }
 
-/// The file that was changed, if a check reads it. Read access is no change.
+/// Changed file, if a check reads it. Read access is no change.
 fn relevant(event: Event) -> Option<PathBuf> {
     let is_source = |path: &PathBuf| {
         let extension = path.extension().and_then(|extension| extension.to_str());

@@ -1,4 +1,4 @@
-//! The paths below which a command changes files: those that its arguments name.
+//! Paths in which a command may change files: the paths in its arguments.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::system::{Disk, System as _};
@@ -6,14 +6,14 @@ use val3_analysis::system::{Disk, System as _};
 use crate::in_memory::archive_around;
 use crate::user_error::UserError;
 
-/// The folders that a command may change. Links are resolved, so that none leads out of them.
+/// Folders in which a command may change files. Links are resolved, so that no link points outside.
 #[derive(Debug)]
 pub(crate) struct WriteScope {
     folders: Vec<Utf8PathBuf>,
 }
 
 impl WriteScope {
-    /// The scope of absolute paths that the arguments name; for a file its folder.
+    /// Creates the scope for absolute paths in the arguments; for a file, its folder is used.
     pub(crate) fn new(asked: &[Utf8PathBuf]) -> Self {
         let folder = |path: &Utf8PathBuf| match path.parent() {
             Some(parent) if path.is_file() => Disk.target(parent),
@@ -25,7 +25,7 @@ impl WriteScope {
     /// Checks that a file may be changed; messages call it `shown`.
     ///
     /// # Errors
-    /// It is outside, after following links.
+    /// The file is outside of the scope after links are resolved.
     pub(crate) fn check(&self, path: &Utf8Path, shown: &str) -> Result<(), UserError> {
         if archive_around(path).is_some() {
             return Err(UserError::new(format!("`{shown}` is not changed: it is in an archive"))

@@ -1,4 +1,4 @@
-//! From fixes to new texts.
+//! Applies fixes to texts.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -16,17 +16,17 @@ use crate::diagnostic::{Edit, Fix};
 /// A file before and after fixes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FixedFile {
-    /// Its path.
+    /// Path.
     pub path: Utf8PathBuf,
-    /// The encoding of the file.
+    /// Encoding of the file.
     pub encoding: Encoding,
-    /// The original text.
+    /// Original text.
     pub before: Arc<str>,
-    /// The text with the fixes.
+    /// Text with the fixes.
     pub after: Arc<str>,
 }
 
-/// The fixes that change something and do not touch an earlier one, so that they can be applied together.
+/// Selects fixes that change something and do not touch an earlier fix, so that they can be applied together.
 pub(super) fn apart<'f>(fixes: impl IntoIterator<Item = &'f Fix>) -> Vec<&'f Fix> {
     let mut taken: FxHashMap<File, BTreeMap<u32, u32>> = FxHashMap::default();
     let mut chosen = Vec::new();
@@ -51,7 +51,7 @@ fn range(edit: &Edit) -> Range<u32> {
     edit.place.range.start().into()..edit.place.range.end().into()
 }
 
-/// The files that `fixes` edit, unchanged.
+/// Files that `fixes` edit, unchanged.
 pub(super) fn edited_files(db: &dyn Db, fixes: &[&Fix]) -> FxHashMap<File, FixedFile> {
     let files = fixes.iter().flat_map(|fix| &fix.edits).map(|edit| edit.place.file);
     files.filter_map(|file| Some((file, unchanged(db, file)?))).collect()
@@ -75,7 +75,7 @@ pub(super) fn apply(files: &mut FxHashMap<File, FixedFile>, fixes: &[&Fix]) {
     }
 }
 
-/// The texts of all files that `fixes` edit, whatever their encoding.
+/// Texts of all files that `fixes` edit, in any encoding.
 pub(super) fn new_texts(db: &dyn Db, fixes: &[&Fix]) -> Vec<NewText> {
     let new = |(file, edits): (File, Vec<&Edit>)| {
         let before = Arc::clone(file.text(db));
@@ -92,7 +92,7 @@ fn edits_by_file<'f>(fixes: &[&'f Fix]) -> FxHashMap<File, Vec<&'f Edit>> {
     edits
 }
 
-/// `text` with edits that do not overlap.
+/// Applies edits that do not overlap to `text`.
 fn edited(text: &str, mut edits: Vec<&Edit>) -> String {
     edits.sort_by_key(|edit| edit.place.range.start());
     let mut new = String::with_capacity(text.len());
@@ -139,7 +139,7 @@ mod tests {
         Fix::safe("", changes.iter().map(edit).collect())
     }
 
-    /// The statements after fixes, and the number of applied fixes.
+    /// Statements after fixes, and the number of applied fixes.
     fn applied(changes: &[&[(&str, &str)]]) -> (Vec<String>, usize) {
         let workspace = workspace();
         let fixes: Vec<_> = changes.iter().map(|changes| fix(&workspace, changes)).collect();

@@ -9,37 +9,37 @@ use val3_analysis::db::Db;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Severity;
 
-/// A workspace whose texts can be changed on trial.
+/// A workspace whose texts can be changed temporarily.
 pub trait TrialWorkspace {
-    /// The current files.
+    /// Database with the current files.
     fn db(&self) -> &dyn Db;
 
-    /// The findings of the whole workspace.
+    /// Findings in the entire workspace.
     fn all_findings(&mut self) -> Vec<Diagnostic>;
 
-    /// Replaces the texts of files. Files and projects that become part of the workspace by it are read.
+    /// Replaces the texts of files. Loads files and projects that become part of the workspace.
     fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>);
 }
 
-/// Identity of an error: its rule, file and message. Its place may move.
+/// Error identity: its rule, file and message. Its location may change.
 type ErrorKey = (&'static str, Utf8PathBuf, String);
 
 fn key(db: &dyn Db, found: &Diagnostic) -> ErrorKey {
     (found.rule.code, found.place.file.path(db).clone(), found.message.clone())
 }
 
-/// The errors of a workspace with the number of times each occurs.
+/// Errors of a workspace, with the number of occurrences.
 #[derive(Debug, Default)]
 pub(super) struct Errors(FxHashMap<ErrorKey, usize>);
 
 impl Errors {
-    /// The errors of a workspace.
+    /// Collects the errors of a workspace.
     pub(super) fn of(target: &mut impl TrialWorkspace) -> Self {
         let found = target.all_findings();
         Self::among(target.db(), &found)
     }
 
-    /// The errors among some findings.
+    /// Collects the errors in a list of findings.
     pub(super) fn among(db: &dyn Db, found: &[Diagnostic]) -> Self {
         let mut errors = Self::default();
         for error in found.iter().filter(|found| found.severity == Severity::Error) {
@@ -52,13 +52,13 @@ impl Errors {
         self.0.get(error).copied().unwrap_or(0)
     }
 
-    /// Whether a finding is an error that `before` lacks.
+    /// Whether the finding is an error that `before` does not contain.
     pub(super) fn adds(&self, db: &dyn Db, found: &Diagnostic, before: &Self) -> bool {
         let key = key(db, found);
         self.count(&key) > before.count(&key)
     }
 
-    /// The files with errors that `before` lacks.
+    /// Files with errors that `before` does not contain.
     pub(super) fn files_with_more_than(&self, before: &Self) -> FxHashSet<Utf8PathBuf> {
         let new = self.0.iter().filter(|(error, count)| **count > before.count(error));
         new.map(|((_, path, _), _)| path.clone()).collect()

@@ -1,4 +1,4 @@
-//! Fixes on trial, for editors that offer them one by one: which can be applied without adding an error?
+//! Tests fixes for editors, which offer them one by one: determines fixes that add no error.
 
 use std::sync::Arc;
 
@@ -12,13 +12,13 @@ use crate::diagnostic::Fix;
 /// An error that fixes would add.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AddedError {
-    /// The file with the error.
+    /// File with the error.
     pub path: Utf8PathBuf,
-    /// The message of the error.
+    /// Message of the error.
     pub message: String,
 }
 
-/// Tries fixes on a workspace, which is unchanged after each trial.
+/// Tests fixes on a workspace, which is unchanged after each test.
 #[derive(Debug)]
 pub struct FixGuard<T> {
     target: T,
@@ -26,13 +26,14 @@ pub struct FixGuard<T> {
 }
 
 impl<T: TrialWorkspace> FixGuard<T> {
-    /// A guard that compares with the current errors of the workspace.
+    /// Creates a guard that compares with the current errors of the workspace.
     pub fn new(mut target: T) -> Self {
         let before = Errors::of(&mut target);
         Self { target, before }
     }
 
-    /// The first error that these fixes would add if they were applied together. The files of the fixes are those of `db`.
+    /// Returns the first error that these fixes would add if they were applied together. The files of the fixes belong
+    /// to `db`.
     pub fn added_error(&mut self, db: &dyn Db, fixes: &[&Fix]) -> Option<AddedError> {
         let texts = new_texts(db, fixes);
         self.target.set_texts(texts.iter().map(|text| (text.path.as_path(), &text.after)));
@@ -46,7 +47,7 @@ impl<T: TrialWorkspace> FixGuard<T> {
         added
     }
 
-    /// The fixes that can be applied together without adding an error, of those that do not touch each other.
+    /// Selects fixes that do not touch each other and can be applied together without adding an error.
     pub fn harmless<'f>(&mut self, db: &dyn Db, fixes: impl IntoIterator<Item = &'f Fix>) -> Vec<&'f Fix> {
         let mut harmless: Vec<&Fix> = Vec::new();
         let mut open = vec![apart(fixes)];
@@ -66,7 +67,7 @@ impl<T: TrialWorkspace> FixGuard<T> {
     }
 }
 
-/// The text of a file before and after fixes.
+/// Text of a file before and after fixes.
 #[derive(Debug)]
 pub(super) struct NewText {
     pub(super) path: Utf8PathBuf,

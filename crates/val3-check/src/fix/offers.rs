@@ -1,28 +1,29 @@
-//! Which rules offer a fix, for their pages. `tests/tests/fixes.rs` compares the table with the fixes of the bad examples.
+//! Table of the rules that offer a fix, for their pages. `tests/tests/fixes.rs` compares the table with the fixes of
+//! the bad examples.
 
 use crate::rule::Rule;
 
-/// What a rule offers to correct its findings.
+/// Fixes that a rule offers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Offer {
     /// Whether every finding has a fix, not only some.
     pub every: bool,
-    /// Whether its fixes are safe.
+    /// Whether the fixes are safe.
     pub safety: FixSafety,
 }
 
 /// Whether fixes may be applied without confirmation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FixSafety {
-    /// All of them are safe.
+    /// All fixes are safe.
     Safe,
-    /// All of them are guesses.
+    /// All fixes are guesses.
     Unsafe,
     /// It depends on the finding.
     Either,
 }
 
-/// The fix that a rule offers; `None` if it has none.
+/// Returns the offer of a rule; `None` if it has no fixes.
 #[must_use]
 pub fn fix_offer(rule: &Rule) -> Option<Offer> {
     let row = OFFERS.iter().find(|(code, ..)| *code == rule.code);

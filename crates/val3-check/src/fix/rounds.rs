@@ -1,4 +1,4 @@
-//! Applies fixes in rounds until nothing changes. No fix is applied that would add an error anywhere.
+//! Applies fixes in rounds until nothing changes. Fixes that would add an error anywhere are not applied.
 
 use std::collections::BTreeMap;
 
@@ -11,47 +11,47 @@ use super::errors::{Errors, TrialWorkspace};
 use crate::diagnostic::{Diagnostic, Fix};
 use crate::suppression::silencing;
 
-/// Limit for fixes that undo each other.
+/// Maximum number of rounds, which limits fixes that undo each other.
 const ROUNDS: usize = 100;
 
-/// Maximum number of mistakes that may hide each other in one line.
+/// Maximum number of mistakes in one line that hide each other.
 const FOLLOW_UPS: usize = 10;
 
-/// A workspace that fixes are applied to.
+/// A workspace to which fixes are applied.
 pub trait FixTarget: TrialWorkspace {
-    /// Why the workspace cannot be checked.
+    /// Error of a failed check.
     type Error;
 
-    /// The findings whose fixes are wanted.
+    /// Returns the findings whose fixes are applied.
     ///
     /// # Errors
-    /// If the workspace cannot be checked.
+    /// The workspace cannot be checked.
     fn findings(&mut self) -> Result<Vec<Diagnostic>, Self::Error>;
 
-    /// As [`findings`](Self::findings), with each location of the findings that are reported once per application.
+    /// As [`findings`](Self::findings), with all occurrences of findings that are reported once per application.
     ///
     /// # Errors
-    /// If the workspace cannot be checked.
+    /// The workspace cannot be checked.
     fn occurrences(&mut self) -> Result<Vec<Diagnostic>, Self::Error>;
 }
 
 /// Result of applying fixes.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AppliedFixes {
-    /// The changed files, by path.
+    /// Changed files, by path.
     pub files: Vec<FixedFile>,
     /// Number of applied fixes.
     pub count: usize,
-    /// Number of fixes that were refused because each would add an error.
+    /// Number of fixes that were not applied, because each would add an error.
     pub refused: usize,
-    /// Another round would change nothing.
+    /// Whether another round would change nothing.
     pub settled: bool,
 }
 
-/// Applies the safe fixes of the findings, and the guesses if `guesses` is set. The target keeps the changes.
+/// Applies the safe fixes of the findings, and also the guesses if `guesses` is set. The target keeps the changes.
 ///
 /// # Errors
-/// Those of the target.
+/// The errors of the target.
 pub fn apply_fixes<T: FixTarget>(target: &mut T, guesses: bool) -> Result<AppliedFixes, T::Error> {
     let mut applied = AppliedFixes::default();
     let mut files = BTreeMap::new();
@@ -77,7 +77,7 @@ pub fn apply_fixes<T: FixTarget>(target: &mut T, guesses: bool) -> Result<Applie
 /// Writes comments into the programs that silence the findings. The target keeps the changes.
 ///
 /// # Errors
-/// Those of the target.
+/// The errors of the target.
 pub fn add_suppressions<T: FixTarget>(target: &mut T) -> Result<AppliedFixes, T::Error> {
     let mut applied = AppliedFixes::default();
     let mut files = BTreeMap::new();
@@ -108,7 +108,7 @@ fn wanted<'d>(found: impl IntoIterator<Item = &'d Diagnostic>, guesses: bool) ->
     fixes.filter(move |fix| fix.safe || guesses)
 }
 
-/// A file that was changed before keeps its original text.
+/// Adds a changed file. If the file was changed before, its original text is kept.
 fn add(files: &mut BTreeMap<Utf8PathBuf, FixedFile>, change: FixedFile) {
     match files.get_mut(&change.path) {
         Some(known) => known.after = change.after,
@@ -116,33 +116,33 @@ fn add(files: &mut BTreeMap<Utf8PathBuf, FixedFile>, change: FixedFile) {
     }
 }
 
-/// One round: fixes that can be applied at once.
+/// One round: fixes that can be applied together.
 struct Round<'t, T> {
     target: &'t mut T,
-    /// The files that the fixes edit.
+    /// Files that the fixes edit.
     files: FxHashMap<File, FixedFile>,
-    /// The errors before the round.
+    /// Errors before the round.
     errors: &'t Errors,
     guesses: bool,
 }
 
-/// Result of applying a set of fixes on trial.
+/// Result of applying a set of fixes temporarily.
 struct Attempt {
     /// Number of applied fixes.
     count: usize,
-    /// The changed files, in order.
+    /// Changed files, in order.
     changes: Vec<FixedFile>,
-    /// The errors afterwards.
+    /// Errors after the change.
     errors: Errors,
-    /// The files with new errors.
+    /// Files with new errors.
     faulty: FxHashSet<Utf8PathBuf>,
-    /// The first fixes revealed errors whose fixes were applied as well.
+    /// Whether the first fixes revealed errors whose fixes were applied as well.
     followed_up: bool,
 }
 
 impl<T: FixTarget> Round<'_, T> {
-    /// Applies as many of the fixes as possible without adding an error. Returns the last attempt and the number of refused
-    /// fixes. Where a group of fixes adds an error, its parts are tried one after the other.
+    /// Applies as many of the fixes as possible without adding an error. Returns the last attempt and the number of
+    /// omitted fixes. If a group of fixes adds an error, its parts are tried one after the other.
     fn keep_harmless(&mut self, fixes: Vec<&Fix>) -> Result<(Option<Attempt>, usize), T::Error> {
         let mut kept: Vec<&Fix> = Vec::new();
         let mut best = None;
@@ -156,7 +156,7 @@ impl<T: FixTarget> Round<'_, T> {
             let attempt = self.attempt(&trial)?;
             if attempt.faulty.is_empty() {
                 kept = trial;
-                // The remaining fixes refer to a text that has changed. The next round finds them again.
+                // The remaining fixes refer to a text that has changed. The next round finds them once more.
                 let ends_round = attempt.followed_up;
                 best = Some(attempt);
                 if ends_round {
@@ -188,7 +188,7 @@ impl<T: FixTarget> Round<'_, T> {
         Ok((best, refused))
     }
 
-    /// Applies these fixes, and then those of errors that they reveal.
+    /// Applies these fixes, and then the fixes of errors that they reveal.
     fn attempt(&mut self, fixes: &[&Fix]) -> Result<Attempt, T::Error> {
         apply(&mut self.files, fixes);
         let mut changes: Vec<FixedFile> = self.files.values().cloned().collect();
@@ -235,7 +235,8 @@ impl<T: FixTarget> Round<'_, T> {
     }
 }
 
-/// The first half of the fixes of each file, and the second half, which is empty if each file has one fix.
+/// Splits the fixes into the first half of each file's fixes and the second half, which is empty if each file has one
+/// fix.
 fn halves_of_files(fixes: Vec<&Fix>) -> (Vec<&Fix>, Vec<&Fix>) {
     let file = |fix: &Fix| fix.edits.first().map(|edit| edit.place.file);
     let mut counts: FxHashMap<Option<File>, usize> = FxHashMap::default();

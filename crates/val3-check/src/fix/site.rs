@@ -1,4 +1,4 @@
-//! The location of a fault, as the fix of its rule sees it.
+//! Fault location, as used by the rule's fix.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -17,46 +17,46 @@ use crate::diagnostic::{Edit, Fix};
 pub(crate) struct Site<'a> {
     db: &'a dyn Db,
     file: File,
-    /// The marked range.
+    /// Marked range.
     pub(crate) range: TextRange,
-    /// The other range of the fault, in the same file.
+    /// Other range of the fault, in the same file.
     pub(crate) related: Option<TextRange>,
 }
 
 impl<'a> Site<'a> {
-    /// The fault at `range` of `file`.
+    /// Creates the location of a fault at `range` of `file`.
     pub(crate) fn new(db: &'a dyn Db, file: File, range: TextRange, related: Option<TextRange>) -> Self {
         Self { db, file, range, related }
     }
 
-    /// The marked text, in the form of the file.
+    /// Marked text, encoded like the file.
     pub(crate) fn text(&self) -> &'a str {
         self.slice(self.range.start(), self.range.end())
     }
 
-    /// The text before the marked text on its line.
+    /// Text before the marked text on its line.
     pub(crate) fn before(&self) -> &'a str {
         self.slice(self.line_start(self.range.start()), self.range.start())
     }
 
-    /// The text after the marked text on its line.
+    /// Text after the marked text on its line.
     pub(crate) fn after(&self) -> &'a str {
         let rest = self.slice(self.range.end(), TextSize::of(self.whole()));
         rest.split(['\r', '\n']).next().unwrap_or(rest)
     }
 
-    /// The blanks that the line of `range` starts with.
+    /// Indentation of the line that contains `range`.
     pub(crate) fn indentation(&self, range: TextRange) -> &'a str {
         let line = self.slice(self.line_start(range.start()), range.end());
         line.part(..line.len() - line.trim_start().len())
     }
 
-    /// The same fault with its other range as the marked one.
+    /// The same fault, with its other range as the marked range.
     pub(crate) fn other_side(&self) -> Option<Self> {
         Some(Self { range: self.related?, related: Some(self.range), ..*self })
     }
 
-    /// The marked text if it is `name`, or the part of it on one side of `:` or before `[`.
+    /// Range of the marked text if it is `name`, or of the part on one side of `:` or before `[`.
     fn part(&self, name: &str) -> Option<TextRange> {
         let text = self.text();
         if decode_entities(text) == name {
@@ -75,7 +75,7 @@ impl<'a> Site<'a> {
         self.write(range, &self.escaped(range.start(), text))
     }
 
-    /// Replaces `range` with characters of the file, without escaping them.
+    /// Replaces `range` with raw text of the file, without escaping.
     pub(crate) fn write(&self, range: TextRange, text: &str) -> Edit {
         Edit { place: FileRange { file: self.file, range }, text: text.to_owned() }
     }
@@ -94,22 +94,22 @@ impl<'a> Site<'a> {
         in_code.then(|| self.write(TextRange::empty(at), &text))
     }
 
-    /// Inserts code on a line of its own before the line on which the marked text starts, with the same indentation.
+    /// Inserts a line of code before the line on which the marked text starts, with the same indentation.
     pub(crate) fn line_before(&self, code: &str) -> Edit {
         let start = self.line_start(self.range.start());
         let (code, line_end) = (self.escaped(self.range.start(), code), self.line_end_before(start));
         self.write(TextRange::empty(start), &format!("{}{code}{line_end}", self.indentation(self.range)))
     }
 
-    /// Inserts code on a line of its own after the marked statement, with the indentation of its first line.
+    /// Inserts a line of code after the marked statement, with the indentation of the statement's first line.
     pub(crate) fn line_after(&self, code: &str) -> Edit {
         let line_end = self.line_end_before(self.line_start(self.range.start()));
         let code = self.escaped(self.range.end(), code);
         self.write(TextRange::empty(self.range.end()), &format!("{line_end}{}{code}", self.indentation(self.range)))
     }
 
-    /// Inserts an element after the marked one, on a line of its own and with the same indentation if the marked one
-    /// has a line of its own.
+    /// Inserts an element after the marked element. If the marked element has its own line, the new element gets a line
+    /// with the same indentation.
     pub(crate) fn element_after(&self, element: &str) -> Edit {
         let behind = TextRange::empty(self.range.end());
         if !self.before().trim().is_empty() {
@@ -127,7 +127,7 @@ impl<'a> Site<'a> {
         self.write(TextRange::new(self.line_start(self.range.start()), end + TextSize::of(line_end)), "")
     }
 
-    /// The arguments of the marked call, in order.
+    /// Arguments of the marked call, in order.
     pub(crate) fn arguments(&self) -> Option<Vec<TextRange>> {
         let parse = parse(self.db, self.file);
         let is_call = |node: &View<'_>| node.kind() == SyntaxKind::CALL_EXPR && node.range() == self.range;
@@ -136,14 +136,14 @@ impl<'a> Site<'a> {
         Some(list.children().map(|argument| argument.range()).collect())
     }
 
-    /// The code that contains the location.
+    /// Code that contains the location.
     fn code(&self) -> Option<TextRange> {
         let parse = parse(self.db, self.file);
         let code = parse.view().path_to(self.range).find(|node| node.kind() == SyntaxKind::CODE)?;
         Some(code.range())
     }
 
-    /// Escapes text outside of a CDATA section. Inside one, no character is escaped.
+    /// Escapes text outside of a CDATA section. In a CDATA section, no character is escaped.
     fn escaped<'t>(&self, at: TextSize, text: &'t str) -> Cow<'t, str> {
         let is_plain = !text.contains(['&', '<', '>', '"']);
         let before = self.slice(TextSize::new(0), at);
@@ -160,7 +160,7 @@ impl<'a> Site<'a> {
         at - (TextSize::of(before) - TextSize::of(before.part(..start)))
     }
 
-    /// The line end at `start`; at the start of the file, the line end that the file uses.
+    /// Line end at `start`; at the start of the file, the line end that the file uses.
     fn line_end_before(&self, start: TextSize) -> &'a str {
         let before = self.slice(TextSize::new(0), start);
         let ends = ["&#13;\r\n", "&#13;\n", "\r\n", "\r", "\n"];
@@ -176,7 +176,7 @@ impl<'a> Site<'a> {
     }
 }
 
-/// Replaces `name` with `near`: a guess.
+/// Replaces `name` with `near`, as a guess.
 pub(crate) fn rename(site: &Site<'_>, name: &str, near: Option<&str>) -> Option<Fix> {
     // A name of another language is no misspelling.
     let near = near.filter(|_| remedy(name).is_none())?;

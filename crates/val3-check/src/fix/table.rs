@@ -1,4 +1,4 @@
-//! The fixes of faults, by kind. A fault without a line here has no fix.
+//! Fixes of faults, by kind. A fault without a line here has no fix.
 
 use val3_analysis::problem::ProblemKind;
 use val3_syntax::error::SyntaxErrorKind;
@@ -13,7 +13,7 @@ use crate::rules::{
     unmatched_bracket, unresolved_path, xml_text,
 };
 
-/// The fix of a fault of the text.
+/// Fix of a syntax fault.
 pub(crate) fn of_syntax(kind: &SyntaxErrorKind, site: &Site<'_>) -> Option<Fix> {
     use SyntaxErrorKind as Kind;
     match kind {
@@ -36,7 +36,7 @@ pub(crate) fn of_syntax(kind: &SyntaxErrorKind, site: &Site<'_>) -> Option<Fix> 
     }
 }
 
-/// The fix of a fault that the analysis found.
+/// Fix of a fault that the analysis found.
 pub(crate) fn of_problem(kind: &ProblemKind, site: &Site<'_>) -> Option<Fix> {
     use ProblemKind as Kind;
     match kind {

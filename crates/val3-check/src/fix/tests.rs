@@ -5,12 +5,12 @@ use val3_test::{Fixture, ROOT};
 
 use crate::testing::{fixed_files, offered_fixes};
 
-/// The fixes of a listing, and the code or the lines of each file that they change.
+/// Checks the fixes of a listing, and the code or the lines in each changed file.
 fn check(listing: &str, expect: Expect) {
     check_as(str::to_owned, listing, expect);
 }
 
-/// As [`check`], with files that `change` rewrites first.
+/// As [`check`], with files that `change` modifies first.
 fn check_as(change: fn(&str) -> String, listing: &str, expect: Expect) {
     let fixture = Fixture::parse(listing);
     let files = fixture.files.iter().map(|(path, text)| (format!("{ROOT}/{path}"), change(text).into_bytes()));
@@ -29,7 +29,7 @@ fn check_as(change: fn(&str) -> String, listing: &str, expect: Expect) {
     expect.assert_eq(&shown);
 }
 
-/// The content of `<Code>`; of other files the lines from the second on.
+/// Content of `<Code>`; for other files, the lines from the second on.
 fn code(text: &str) -> &str {
     let code = text.split_once("<Code>").or_else(|| text.split_once('\n')).unwrap_or(("", text)).1;
     code.split("</Code>").next().unwrap().trim_start_matches("<![CDATA[").trim_end_matches("]]>")

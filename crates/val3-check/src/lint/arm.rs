@@ -1,4 +1,4 @@
-//! The arm of an application, and the positions that it can reach.
+//! An application's arm, and the positions that it can reach.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -18,12 +18,12 @@ use val3_lang::types::{self, BaseType};
 
 use super::ProjectView;
 
-/// A tool with its centre point on the flange.
+/// A tool with its centre point's pose on the flange.
 #[derive(Debug, Clone)]
 pub(crate) struct Tool {
-    /// Its path in the data; `None` for the flange.
+    /// Data path; `None` for the flange.
     pub(crate) path: Option<String>,
-    /// The flange, seen from the centre point.
+    /// Pose of the flange, relative to the centre point.
     to_flange: IsometryMatrix3<f64>,
 }
 
@@ -33,28 +33,28 @@ impl Tool {
     }
 }
 
-/// The arm of a project; `None` if the one that its configuration names cannot be used.
+/// Arm of a project; `None` if the configured arm cannot be used.
 pub(crate) fn of_project(db: &dyn Db, project: Project) -> Option<&ProjectArm> {
     arm(db, project).as_ref().ok()
 }
 
-/// The range of an axis (counted from 1) in words.
+/// Describes an axis range; axes count from 1.
 pub(crate) fn range(arm: &Arm, axis: usize, [min, max]: [f64; 2]) -> String {
     let unit = if arm.is_stroke(axis.saturating_sub(1)) { "mm" } else { "degrees" };
     format!("{min} to {max} {unit}")
 }
 
-/// The positions of data files that an arm can be asked about.
+/// Reachability of positions in data files.
 pub(crate) struct Reach<'a> {
     view: &'a ProjectView<'a>,
     pub(crate) arm: &'a Arm,
-    /// The flange and every tool of the project whose data no program changes.
+    /// The flange, and every tool of the project whose data no program changes.
     tools: Rc<[Tool]>,
-    /// The uses of data by their names: those of all values of a container are equal.
+    /// Cached uses of data by name, which are equal for all elements of a container.
     uses: RefCell<FxHashMap<String, DataUse>>,
 }
 
-/// How programs use data as targets.
+/// Uses of data as move targets.
 #[derive(Debug, Clone)]
 struct DataUse {
     is_target: bool,
@@ -80,8 +80,8 @@ impl<'a> Reach<'a> {
         Some(Self { view, arm, tools: tools.into(), uses: RefCell::default() })
     }
 
-    /// Programs move to the data or pass them on, or no program mentions them. Other data only serve computations, such
-    /// as the corners of a frame and tolerances.
+    /// Whether moves may use the data as a target: a move or a call does, or no program mentions them. Other data are
+    /// only operands, for example frame corners or tolerances.
     pub(crate) fn is_target(&self, path: &str) -> bool {
         self.data_use(root(path)).is_target
     }
@@ -98,13 +98,13 @@ impl<'a> Reach<'a> {
         found
     }
 
-    /// The value is for this kind of arm, has been taught, and no program changes it.
+    /// Whether the value suits this kind of arm, has been taught, and no program changes it.
     pub(crate) fn is_known(&self, path: &str, position: &Position) -> bool {
         is_for(self.arm, position) && !position.is_zero() && !self.view.is_changed(path)
     }
 
-    /// Why the arm cannot reach a point with any of the tools that may be used there; `None` if it can, or if the place
-    /// of the point is not known.
+    /// Reason why the arm cannot reach a point with any of the tools that may be used there; `None` if it can, or if
+    /// the placement of the point is unknown.
     pub(crate) fn unreachable(&self, path: &str, position: &Position) -> Option<(Tool, Unreachable)> {
         let pose = constant_placement(self.view, path)?;
         let requested = position.configuration.requested();
@@ -118,7 +118,8 @@ impl<'a> Reach<'a> {
         first
     }
 
-    /// The tools that data may be used with: those of the moves to them if all are known, otherwise all of the project.
+    /// Tools with which data may be used: the tools of the moves to them if all are known, otherwise all tools of the
+    /// project.
     fn tools_at(&self, name: &str) -> Rc<[Tool]> {
         let uses = targets(self.view.db, self.view.project).get(name).filter(|uses| !uses.is_open);
         let mut paths: Vec<&SmolStr> = uses.into_iter().flat_map(|uses| &uses.tools).collect();
@@ -132,20 +133,20 @@ impl<'a> Reach<'a> {
         known.or_else(|| Some(Tool::new(None, constant_placement(self.view, path)?)))
     }
 
-    /// The configuration in which the arm reaches a point that it does not reach in the required one.
+    /// Another configuration with which the arm reaches a point that it does not reach in the required configuration.
     pub(crate) fn other_configuration(&self, path: &str, tool: &Tool) -> Option<Joints> {
         let pose = constant_placement(self.view, path)?;
         reach(self.arm, &(pose * tool.to_flange), RequestedConfiguration::FREE).ok()
     }
 }
 
-/// The type of a value does not say that it is for another kind of arm.
+/// Whether a value of this type suits the arm (six-axis or SCARA). Types that name no kind suit both.
 pub(super) fn is_for(arm: &Arm, position: &Position) -> bool {
     let kind = if arm.is_scara() { types::Arm::Scara } else { types::Arm::SixAxis };
     position.arm.is_none_or(|arm| arm == kind)
 }
 
-/// Where a value is, if no program changes it or its fathers.
+/// Placement of a value, if no program changes it or its fathers.
 fn constant_placement(view: &ProjectView<'_>, path: &str) -> Option<IsometryMatrix3<f64>> {
     let placement = placement(view.db, view.project, path).ok()?;
     let is_constant = placement.chain.iter().all(|path| !view.is_changed(path));

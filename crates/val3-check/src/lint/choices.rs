@@ -1,4 +1,4 @@
-//! The enumerators of fields of positions and motion descriptors: `mFast.blend`, `pPick.config.elbow`.
+//! Enumerators in fields of positions and motion descriptors: `mFast.blend`, `pPick.config.elbow`.
 
 use std::rc::Rc;
 
@@ -14,19 +14,19 @@ use val3_lang::types::{AttributeValue, BaseType, attributes};
 
 use super::Program;
 
-/// Fields whose value is certain, in the spelling of the code but without indexes: `l_mFast.blend`.
+/// Fields whose value is certain, spelled as in the code but without indexes: `l_mFast.blend`.
 pub(crate) type Choices = FxHashMap<SmolStr, Choice>;
 
-/// The certain value of an enumerated field.
+/// An enumerated field's certain value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Choice {
     pub(crate) value: &'static Enumerator,
-    /// The value is not a default.
+    /// Whether the value differs from the default of a variable.
     pub(crate) is_chosen: bool,
 }
 
 impl Program<'_> {
-    /// The certain values, before each point, of fields that the program itself sets.
+    /// Certain values, before each flow node, of fields that the program itself sets.
     pub(crate) fn choices(&self) -> Facts<Rc<Choices>> {
         let start = self.header.locals.iter().flat_map(|local| {
             let ty = BaseType::from_file_name(&local.type_name).filter(|_| local.sizes == [1]);
@@ -45,7 +45,7 @@ impl Program<'_> {
         })
     }
 
-    /// The value of `field` of the variable `id`, if it is certain: set by this program, or given in the data file of a
+    /// Value of `field` of the variable `id`, if it is certain: set by this program, or stated in the data file of a
     /// variable that no program ever changes.
     pub(crate) fn choice(&self, known: &Choices, id: ExprId, field: &str) -> Option<Choice> {
         let id = self.moved_from(id);
@@ -57,20 +57,20 @@ impl Program<'_> {
         })
     }
 
-    /// The point from which a computed point takes its configuration.
+    /// Point from which a computed point copies its configuration.
     fn moved_from(&self, id: ExprId) -> ExprId {
         let id = self.body.without_parentheses(id);
         let call = self.call_of(id).filter(|call| keeps_configuration(call.instruction));
         call.and_then(|call| call.args.first().copied()).map_or(id, |point| self.moved_from(point))
     }
 
-    /// The value that a global variable has during the whole run of the application: the one of its data file, if no
-    /// program changes it.
+    /// Value of a global variable during the entire run of the application: the value in its data file, if no program
+    /// changes it.
     pub(crate) fn initial(&self, id: ExprId) -> Option<&Initial> {
         self.written(id).filter(|(name, _)| self.is_constant(name)).map(|(_, initial)| initial)
     }
 
-    /// The name of a global variable, and the value that its data file writes.
+    /// Name of a global variable, and its value in the data file.
     pub(super) fn written(&self, id: ExprId) -> Option<(&SmolStr, &Initial)> {
         let id = self.body.without_parentheses(id);
         let (name, key) = match self.body.expr(id) {
@@ -82,13 +82,13 @@ impl Program<'_> {
         Some((name, initial(self.db, item.file).get(name)?.get(&key)?))
     }
 
-    /// No program of an application without faults changes the data, and other applications cannot access it as they
-    /// can access that of a library.
+    /// Whether no program of an application without faults changes the data. Other applications cannot access data of
+    /// an application, unlike data of a library.
     pub(crate) fn is_constant(&self, name: &str) -> bool {
         self.is_closed(name) && !self.application().uses_of(name).may_write()
     }
 
-    /// The programs that may change the data are known: those of an application without faults.
+    /// Whether the programs that may change the data are known: the programs of an application without faults.
     pub(super) fn is_closed(&self, name: &str) -> bool {
         let application = self.application();
         let is_private = self.items.data.get(name).is_some_and(|item| !item.decl.public);
@@ -128,7 +128,7 @@ impl Program<'_> {
         Rc::new(known)
     }
 
-    /// The values that are certain after `target=value`.
+    /// Certain values after `target=value`.
     fn assigned(&self, before: &Choices, target: &SmolStr, value: ExprId) -> Vec<(SmolStr, Choice)> {
         let Some(ty) = self.inference.ty(value).base.builtin() else { return Vec::new() };
         if ty.is_enumeration() {
@@ -145,13 +145,13 @@ impl Program<'_> {
         enumerated(ty).filter_map(copied).collect()
     }
 
-    /// The variable or field in the spelling of the code, if it has no index.
+    /// Variable or field as spelled in the code, if it has no index.
     fn path(&self, id: ExprId) -> Option<SmolStr> {
         let has_index = self.body.within(id).any(|part| matches!(self.body.expr(part), Expr::Index(..)));
         (!has_index && self.effects.root(id).is_some()).then(|| self.path_without_indexes(id))
     }
 
-    /// The variable or field without its indexes.
+    /// Variable or field without its indexes.
     pub(crate) fn path_without_indexes(&self, id: ExprId) -> SmolStr {
         match self.body.expr(id) {
             Expr::Name(name) => name.clone(),
@@ -162,14 +162,14 @@ impl Program<'_> {
         }
     }
 
-    /// The field belongs to a local variable, which no other program can change.
+    /// Whether the field belongs to a local variable, which no other program can change.
     fn is_own(&self, field: &str) -> bool {
         let name = field.split('.').next().unwrap_or(field);
         self.header.locals.iter().any(|local| local.name == name)
     }
 }
 
-/// The enumerated fields of a type, in the spelling of the code after the variable.
+/// Enumerated fields of a type, as spelled in the code after the variable.
 pub(super) fn enumerated(ty: BaseType) -> impl Iterator<Item = (&'static str, BaseType)> {
     attributes(ty, None).iter().filter_map(|attribute| match attribute.value {
         AttributeValue::Choice(choice) => Some((attribute.field, choice)),
@@ -181,7 +181,7 @@ fn join(base: &str, field: &str) -> SmolStr {
     format_smolstr!("{base}.{field}")
 }
 
-/// `part` is `whole` or a field of it.
+/// Whether `part` is `whole` or a field of it.
 fn is_part(part: &str, whole: &str) -> bool {
     part.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }

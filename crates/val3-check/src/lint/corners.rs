@@ -1,4 +1,4 @@
-//! The blends of moves whose descriptors are known from the data files.
+//! Blends of moves whose descriptors are known from the data files.
 
 use val3_analysis::body::ExprId;
 use val3_analysis::changes::is_changed;
@@ -10,7 +10,7 @@ use val3_motion::{Blend, Millimetres};
 use super::Program;
 
 impl Program<'_> {
-    /// The blend at the end of the move that `call` records; `None` if a program may change its descriptor.
+    /// Blend at the end of the move that `call` records; `None` if a program may change its descriptor.
     pub(super) fn blend(&self, call: ExprId) -> Option<Blend> {
         if self.call_of(call)?.role == Some(MotionRole::Move(Path::Compliant)) {
             return Some(Blend::Off);

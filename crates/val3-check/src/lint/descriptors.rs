@@ -15,7 +15,7 @@ pub(crate) struct DescriptorNumber<'a> {
     pub(crate) at: ExprId,
 }
 
-/// The constants that assignments write into motion descriptors, in the order of the code.
+/// Constants that assignments write into motion descriptors, in code order.
 pub(crate) fn descriptor_numbers<'a>(program: &'a Program<'_>) -> Vec<DescriptorNumber<'a>> {
     let mut found = Vec::new();
     let number = |field, at: ExprId| Some(DescriptorNumber { field, value: program.body.number(at)?, at });

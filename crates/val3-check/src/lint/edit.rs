@@ -1,4 +1,4 @@
-//! Edits for the fixes of lints, in addition to those of [`Site`].
+//! Edits for lint fixes, in addition to [`Site`].
 
 use val3_analysis::body::ExprId;
 use val3_syntax::{TextRange, TextSize};
@@ -8,17 +8,17 @@ use crate::diagnostic::Edit;
 use crate::fix::Site;
 
 impl<'db> Program<'db> {
-    /// A location of the program as fixes see it.
+    /// Creates a fix location of the program.
     pub(crate) fn site(&self, range: TextRange) -> Site<'db> {
         Site::new(self.db, self.file, range, None)
     }
 
-    /// Replaces `range` with characters of the file, without escaping them.
+    /// Replaces `range` with raw text of the file, without escaping.
     pub(crate) fn write(&self, range: TextRange, text: &str) -> Edit {
         self.site(range).write(range, text)
     }
 
-    /// The location of the operator `op` between two operands; `None` if it is spelt with entity references.
+    /// Location of the operator `op` between two operands; `None` if it is spelled with entity references.
     pub(crate) fn operator(&self, left: ExprId, right: ExprId, op: &str) -> Option<TextRange> {
         let (start, end) = (self.range(left).end(), self.range(right).start());
         let between = self.file.text(self.db).get(usize::from(start)..usize::from(end))?;
@@ -37,7 +37,7 @@ mod tests {
     use crate::settings::{Selection, WorkspaceSettings};
     use crate::{check_unit, units};
 
-    /// The code of `start` after the first fix of `rule`.
+    /// Code of `start` after the first fix of `rule`.
     fn fixed(rule: &str, listing: &str, change: impl Fn(String) -> String) -> String {
         let fixture = Fixture::parse(listing);
         let files = fixture.files.iter().map(|(path, text)| {

@@ -6,7 +6,7 @@ use val3_syntax::TextRange;
 use crate::diagnostic::{Diagnostic, Edit, Fix, RelatedNote, Wording};
 use crate::rule::{Rule, Severity};
 
-/// The findings in one file.
+/// Findings in one file.
 pub(crate) struct Findings {
     file: File,
     program: Option<String>,
@@ -15,13 +15,13 @@ pub(crate) struct Findings {
 }
 
 impl Findings {
-    /// Findings in `file`, which contains a program named `program` or no program, of the application with the project
-    /// file `application`.
+    /// Creates an empty list for `file`, which contains a program named `program` or no program, in the application
+    /// with the project file `application`.
     pub(crate) fn new(file: File, program: Option<String>, application: File) -> Self {
         Self { file, program, application, found: Vec::new() }
     }
 
-    /// Reports a finding. The result adds optional parts to it.
+    /// Reports a finding. The result can add optional parts to it.
     pub(crate) fn report(&mut self, rule: &'static Rule, range: TextRange, wording: Wording) -> ReportedFinding<'_> {
         let (program, application) = (self.program.clone(), Some(self.application));
         let place = FileRange { file: self.file, range };
@@ -64,7 +64,7 @@ impl ReportedFinding<'_> {
         }
     }
 
-    /// Sets another level than that of the rule.
+    /// Sets a level that differs from the rule's level.
     pub(crate) fn level(mut self, severity: Severity) -> Self {
         if let Some(diagnostic) = &mut self.diagnostic {
             diagnostic.severity = severity;

@@ -1,4 +1,4 @@
-//! For the tests of fixes: the program after its fixes.
+//! Returns programs after their fixes, for tests.
 
 use camino::Utf8PathBuf;
 use val3_analysis::load::load;
@@ -9,7 +9,7 @@ use crate::lint::testing::settings_for;
 use crate::rule::Rule;
 use crate::{check_unit, units};
 
-/// The code of the program `start` of a listing after every fix of `rule`, applied from the last to the first.
+/// Code of the program `start` of a listing after every fix of `rule`, applied from the last to the first.
 pub(crate) fn fixed(rule: &Rule, listing: &str) -> String {
     let files = Fixture::parse(listing).files.into_iter();
     let files = files.map(|(path, text)| (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.into_bytes()));

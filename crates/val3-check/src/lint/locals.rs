@@ -1,4 +1,4 @@
-//! The data flow through local variables.
+//! Data flow through local variables.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::body::ExprId;
@@ -12,7 +12,7 @@ use super::Call;
 /// A set of local variables, one bit each. Variables after the 128th are not tracked: they count as written and read.
 pub(crate) type Locals = u128;
 
-/// The accesses to local variables at each point.
+/// Accesses to local variables at each flow node.
 pub(crate) struct LocalUse<'db>(PerPoint<(Locals, &'db Access)>);
 
 impl<'db> LocalUse<'db> {
@@ -35,12 +35,12 @@ impl<'db> LocalUse<'db> {
         Self(uses)
     }
 
-    /// The accesses at a point, in the order of evaluation.
+    /// Accesses at a flow node, in evaluation order.
     pub(crate) fn at(&self, point: PointId) -> &[(Locals, &'db Access)] {
         self.0.at(point)
     }
 
-    /// The variables that may have been written before each point.
+    /// Variables that may have been written before each flow node.
     pub(crate) fn written(&self, flow: &Flow) -> Facts<Locals> {
         let step = |id: PointId, _: &Point, before: &Locals| {
             let written = self.at(id).iter().filter(|(_, access)| access.kind != AccessKind::Read);
@@ -49,7 +49,7 @@ impl<'db> LocalUse<'db> {
         forward(flow, 0, step, join)
     }
 
-    /// The variables whose value may still be used after each point.
+    /// Variables whose value may still be used after each flow node.
     pub(crate) fn needed(&self, flow: &Flow) -> Facts<Locals> {
         let step = |id: PointId, _: &Point, behind: &Locals| {
             self.at(id).iter().rev().fold(*behind, |needed, (bit, access)| match access.kind {

@@ -1,4 +1,4 @@
-//! The other locations of findings, in the same and in other programs.
+//! Other locations of findings, in the same program and in other programs.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_analysis::db::FileRange;
@@ -8,18 +8,18 @@ use val3_analysis::items::declarations;
 use super::Program;
 
 impl<'db> Program<'db> {
-    /// Another program of the project. The caller then depends on its code, so use this for findings only.
+    /// Another program of the project. The caller then depends on that program's code, so this is only for findings.
     pub(crate) fn other(&self, name: &str) -> Option<Self> {
         let file = self.items.programs.get(name)?;
         Some(Self::new(self.db, self.project, *file, self.options))
     }
 
-    /// The location of an expression, for a finding in another file.
+    /// Expression location, for a finding in another file.
     pub(crate) fn span(&self, id: ExprId) -> FileRange {
         FileRange { file: self.file, range: self.range(id) }
     }
 
-    /// The location of the program's first call of `callee`.
+    /// Location of the program's first call of `callee`.
     pub(crate) fn first_call_of(&self, callee: &str) -> Option<ExprId> {
         self.stmts().iter().find_map(|stmt| {
             let StmtKind::Call(call) = stmt.kind else { return None };
@@ -28,7 +28,7 @@ impl<'db> Program<'db> {
         })
     }
 
-    /// The location of the declaration of the variable that `id` is or belongs to; `None` for a variable of a library.
+    /// Declaration location of the variable that `id` is or belongs to; `None` for a variable of a library.
     pub(crate) fn declaration(&self, id: ExprId) -> Option<FileRange> {
         match self.effects.root(id)? {
             Root::Local(name) => declarations::local(self.db, self.file, name),

@@ -1,4 +1,4 @@
-//! The state of the arm while the program runs ahead of it.
+//! State of the arm while the program runs ahead of it.
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -12,27 +12,27 @@ use val3_lang::motion::{self, MotionRole};
 use super::choices::{Choice, enumerated};
 use super::{Call, Choices, Program};
 
-/// The certain facts about the arm and its moves before each point of a program.
+/// Certain facts about the arm and its moves before each flow node of a program.
 pub(crate) struct Motion {
     arm: Facts<ArmState>,
     /// Computed on demand.
     choices: OnceCell<Facts<Rc<Choices>>>,
-    /// The points of the calls that record moves.
+    /// Flow nodes of the calls that record moves.
     moves: FxHashMap<ExprId, PointId>,
 }
 
-/// The certain facts about the arm, on every path to a point.
+/// Certain facts about the arm, on every path to a flow node.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct ArmState {
-    /// The call that recorded the last move.
+    /// Call that recorded the last move.
     pub(crate) last: Option<ExprId>,
-    /// The corner at the end of that move.
+    /// Corner at the end of that move.
     pub(crate) corner: Corner,
-    /// The movement of the arm.
+    /// Activity of the arm.
     pub(crate) phase: Phase,
 }
 
-/// The corner at the end of the last recorded move.
+/// Corner at the end of the last recorded move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Corner {
     /// Nothing is certain.
@@ -44,7 +44,7 @@ pub(crate) enum Corner {
     Stop,
 }
 
-/// The movement of the arm.
+/// Activity of the arm.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) enum Phase {
     /// Nothing is certain.
@@ -54,15 +54,15 @@ pub(crate) enum Phase {
     Moving,
     /// The arm is stopped, and nothing has restarted it.
     Stopped {
-        /// The call that stopped it.
+        /// Call that stopped it.
         by: ExprId,
-        /// A recorded move is certainly not finished yet.
+        /// Whether a recorded move is certainly not finished.
         pending: bool,
     },
 }
 
 impl Phase {
-    /// The facts that hold on both of two joining paths.
+    /// Facts that hold on both joining paths.
     fn join(self, other: Self) -> Self {
         match (self, other) {
             (Self::Stopped { by, pending }, Self::Stopped { by: other, pending: also }) if by == other => {
@@ -73,7 +73,7 @@ impl Phase {
         }
     }
 
-    /// A recorded move is certainly not finished yet.
+    /// Whether a recorded move is certainly not finished.
     fn has_pending_move(self) -> bool {
         matches!(self, Self::Moving | Self::Stopped { pending: true, .. })
     }
@@ -98,12 +98,12 @@ impl Motion {
         Self { arm, choices: OnceCell::new(), moves }
     }
 
-    /// The point of the call that records a move.
+    /// Flow node of the call that records a move.
     pub(crate) fn point_of(&self, call: ExprId) -> Option<PointId> {
         self.moves.get(&call).copied()
     }
 
-    /// The certain facts about the arm before a point.
+    /// Certain facts about the arm before a flow node.
     pub(crate) fn arm(&self, point: PointId) -> ArmState {
         self.arm.before(point).copied().unwrap_or_default()
     }
@@ -152,12 +152,12 @@ fn is_move(call: &Call<'_>) -> bool {
 }
 
 impl<'db> Program<'db> {
-    /// The target of the move that `call` records.
+    /// Target of the move that `call` records.
     pub(crate) fn target(&self, call: ExprId) -> Option<ExprId> {
         self.move_argument(call, motion::target)
     }
 
-    /// The motion descriptor of the move that `call` records.
+    /// Motion descriptor of the move that `call` records.
     pub(crate) fn descriptor(&self, call: ExprId) -> Option<ExprId> {
         self.move_argument(call, motion::descriptor)
     }
@@ -167,14 +167,15 @@ impl<'db> Program<'db> {
         call.args.get(position(call.form?)?).copied()
     }
 
-    /// The move that `call` records has a rounded corner: its descriptor certainly sets one, and not by default.
+    /// Whether the move that `call` records has a rounded corner: its descriptor certainly sets a blend, and not by
+    /// default.
     pub(crate) fn is_blended(&self, call: ExprId) -> bool {
         let descriptor = self.descriptor(call);
         let choices = descriptor.map(|id| self.choices_of(call, id)).unwrap_or_default();
         choices.iter().any(|choice| choice.is_chosen && motion::is_blend(choice.value))
     }
 
-    /// The certain values of the enumerated fields of the variable `argument` at the move that `call` records.
+    /// Certain values of the enumerated fields of the variable `argument` at the move that `call` records.
     pub(crate) fn choices_of(&self, call: ExprId, argument: ExprId) -> Vec<Choice> {
         let known = self.motion().and_then(|motion| {
             let choices = motion.choices.get_or_init(|| self.choices());
@@ -185,13 +186,13 @@ impl<'db> Program<'db> {
         enumerated(ty).filter_map(|(field, _)| self.choice(known, argument, field)).collect()
     }
 
-    /// The certain facts about the arm; `None` for a program that does not use it.
+    /// Certain facts about the arm; `None` for a program that does not use it.
     pub(crate) fn motion(&self) -> Option<&Motion> {
         let new = || self.calls().iter().any(|call| call.role.is_some()).then(|| Motion::new(self));
         self.motion.get_or_init(new).as_ref()
     }
 
-    /// Every call that concerns the arm, with the certain facts before it. Unreachable points are omitted.
+    /// All calls that concern the arm, with the certain facts before each. Unreachable flow nodes are omitted.
     pub(crate) fn arm_calls(&self) -> &[ArmCall<'db>] {
         self.arm_calls.get_or_init(|| self.find_arm_calls())
     }
@@ -211,7 +212,7 @@ impl<'db> Program<'db> {
 
     fn arm_after(&self, id: PointId, point: &Point, before: ArmState) -> ArmState {
         let after = self.calls_at(id).iter().fold(before, |arm, call| arm.after(call));
-        // The effect of the called program on the arm is not known here.
+        // The effect of the called program on the arm is unknown here.
         if matches!(point.kind, PointKind::Call(_)) { ArmState::default() } else { after }
     }
 }

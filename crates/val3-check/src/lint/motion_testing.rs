@@ -1,6 +1,6 @@
-//! For the tests of rules about the arm: listings with a data file.
+//! Listings with a data file, for tests of rules about the arm.
 
-/// A listing with this code and the data of these `<Data>` elements, and the motion descriptor `mX`.
+/// A listing with this code, these `<Data>` elements, and the motion descriptor `mX`.
 pub(crate) fn listing(code: &str, data: &str) -> String {
     format!(
         "{code}\n\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \
@@ -11,7 +11,7 @@ pub(crate) fn listing(code: &str, data: &str) -> String {
     )
 }
 
-/// The element of an array with these values: `0 x="1" fatherId="world[0]"`.
+/// Array element with these values: `0 x="1" fatherId="world[0]"`.
 pub(crate) fn data(name: &str, ty: &str, values: &[&str]) -> String {
     let size = values.len();
     let values: String =

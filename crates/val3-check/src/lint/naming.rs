@@ -1,4 +1,4 @@
-//! Prefixes of names, for the rules about them.
+//! Name prefixes, for the rules about them.
 
 use smol_str::SmolStr;
 use val3_analysis::db::Db;
@@ -8,7 +8,7 @@ use val3_config::Options;
 use crate::diagnostic::Wording;
 use crate::english::a;
 
-/// The type in the spelling of the code, without the suffix of an arm.
+/// Type name in code, without an arm suffix.
 pub(crate) fn type_name(db: &dyn Db, base: Base) -> SmolStr {
     match base {
         Base::Builtin(base, _) => base.name().into(),
@@ -16,8 +16,8 @@ pub(crate) fn type_name(db: &dyn Db, base: Base) -> SmolStr {
     }
 }
 
-/// The wording for a `what` of this type whose name does not begin with the configured prefix: that of its `scope` and
-/// the letters of the type.
+/// Wording for a `what` of this type whose name does not begin with the configured prefix, which consists of its
+/// `scope` and the letters of the type.
 pub(crate) fn check_name(options: &Options, what: &str, ty: &str, scope: &str, name: &str) -> Option<Wording> {
     let letters = options.prefixes.get(ty)?;
     let prefix = format!("{scope}{letters}");
@@ -30,8 +30,8 @@ pub(crate) fn check_name(options: &Options, what: &str, ty: &str, scope: &str, n
     })
 }
 
-/// The name begins with the prefix, and the rest is a separate word: `nCount` and `n2` begin with `n`, `number` does
-/// not. The names `n` and `l_n` are short forms and count as well.
+/// Whether the name begins with the prefix, and the rest is a separate word: `nCount` and `n2` begin with `n`, `number`
+/// does not. The names `n` and `l_n` are short forms and also count.
 fn begins(name: &str, prefix: &str) -> bool {
     name.strip_prefix(prefix).is_some_and(|rest| !rest.starts_with(|first: char| first.is_ascii_lowercase()))
         // Inputs and outputs often have further letters: `diDoor`, `doLamp`, `aiWeight`.
@@ -41,7 +41,7 @@ fn begins(name: &str, prefix: &str) -> bool {
         })
 }
 
-/// The name without the letters of any scope and type.
+/// Name without the letters of any scope and type.
 fn bare<'n>(options: &Options, name: &'n str) -> &'n str {
     let scopes = [&options.local_prefix, &options.parameter_prefix];
     let scope = scopes.into_iter().filter(|scope| !scope.is_empty());

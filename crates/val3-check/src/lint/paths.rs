@@ -1,4 +1,4 @@
-//! Moves between positions that are known from the data files.
+//! Checks moves between positions that are known from the data files.
 
 use std::sync::Arc;
 
@@ -24,26 +24,26 @@ use super::arm::{is_for, of_project, root};
 use super::motion::{ArmCall, ArmState, Corner};
 use super::{Call, Program};
 
-/// A move that the arm cannot make, wherever it may come from.
+/// A move that the arm cannot make from any possible start.
 pub(crate) struct ImpossibleMove {
-    /// The target of the move.
+    /// Target of the move.
     pub(crate) target: ExprId,
-    /// The target of the move before; `None` if the target itself is the reason.
+    /// Target of the previous move; `None` if the target itself is the reason.
     pub(crate) from: Option<ExprId>,
     pub(crate) shape: Shape,
     pub(crate) cause: Cause,
 }
 
-/// The path that the arm cannot follow.
+/// Path that the arm cannot follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shape {
     Line,
     Circle,
-    /// The blend around the target `from`, to the move to `target`.
+    /// The blend around the target `from`, in the move to `target`.
     Blend,
 }
 
-/// A position that does not change while the application runs.
+/// A position that is constant while the application runs.
 #[derive(Clone)]
 enum Known {
     Joints(Joints),
@@ -52,14 +52,14 @@ enum Known {
 
 #[derive(Clone)]
 struct Target {
-    /// In `world`.
+    /// Pose in `world`.
     pose: IsometryMatrix3<f64>,
     configuration: RequestedConfiguration,
-    /// The program computes it from data.
+    /// Whether the program computes it from data.
     is_computed: bool,
 }
 
-/// The moves between known positions that the arm of the project cannot make.
+/// Moves between known positions that the project's arm cannot make.
 pub(crate) fn impossible_moves(program: &Program<'_>) -> Vec<ImpossibleMove> {
     let calls = program.arm_calls();
     let Some(arm) = of_project(program.db, program.project).filter(|_| !calls.is_empty()) else { return Vec::new() };
@@ -75,18 +75,18 @@ struct PathCheck<'p, 'db> {
     found: Vec<ImpossibleMove>,
 }
 
-/// A move whose target is known, and which the arm can make.
+/// A move with a known target that the arm can make.
 struct PlannedMove {
-    /// The joints in which it may end, at least one.
+    /// Possible joint positions at the end, at least one.
     ends: Vec<Joints>,
-    /// The ways to these ends; none if the start is not known.
+    /// Possible ways to these ends; empty if the start is unknown.
     ways: Vec<Way>,
     tool: IsometryMatrix3<f64>,
-    /// Reach of the blend before it in mm, 0 without one; `None` if that is not certain.
+    /// Reach distance of the preceding blend in mm, 0 without a blend; `None` if it is uncertain.
     reach: Option<f64>,
 }
 
-/// A way in which the arm may make a move.
+/// A possible way of the arm in a move.
 struct Way {
     start: Joints,
     path: MovePath,
@@ -128,7 +128,7 @@ impl PathCheck<'_, '_> {
         self.moves.insert(call.id, planned);
     }
 
-    /// Reach in mm of the blend before the next move, 0 if the arm stops there; `None` if that is not certain.
+    /// Reach distance in mm of the blend before the next move, 0 if the arm stops there; `None` if it is uncertain.
     fn reach_before(&self, arm: ArmState) -> Option<f64> {
         match arm.corner {
             Corner::Unknown => None,
@@ -164,7 +164,7 @@ impl PathCheck<'_, '_> {
         found
     }
 
-    /// The joints in which the move `last` may end; `None` where that is not known.
+    /// Possible joint positions at the end of the move `last`; `None` if unknown.
     fn start(&self, last: ExprId) -> Option<Vec<Joints>> {
         if let Some(planned) = self.moves.get(&last) {
             return Some(planned.ends.clone());
@@ -177,7 +177,7 @@ impl PathCheck<'_, '_> {
         (!starts.is_empty()).then_some(starts)
     }
 
-    /// All joints that a target admits, in all turns of the axes.
+    /// All joint positions for a target, in all turns of the axes.
     fn positions_of(&self, target: &Target, tool: &IsometryMatrix3<f64>) -> Vec<Joints> {
         let flange = target.pose * tool.inverse();
         let requested = without_same(target.configuration);
@@ -194,7 +194,7 @@ impl PathCheck<'_, '_> {
         found
     }
 
-    /// The ways along a line or circle. Reports the move if no start admits it.
+    /// Ways along a line or circle. Reports the move if no start permits it.
     fn along_path(
         &mut self,
         call: &Call<'_>,
@@ -228,7 +228,7 @@ impl PathCheck<'_, '_> {
         Some(ways)
     }
 
-    /// The joints at the end of a path, by the planner of `val3 run`.
+    /// Joint position at the end of a path, according to the planner of `val3 run`.
     fn follow(&self, start: Joints, path: &MovePath, tool: &IsometryMatrix3<f64>) -> Result<Joints, Cause> {
         let mut motion = Motion::new(Arc::clone(self.arm), start);
         motion.record(&self.request(path, tool, Blend::Off))?;
@@ -236,7 +236,7 @@ impl PathCheck<'_, '_> {
         Ok(motion.destination())
     }
 
-    /// A move at the nominal speeds of the arm.
+    /// A move with the nominal speeds of the arm.
     fn request(&self, path: &MovePath, tool: &IsometryMatrix3<f64>, blend: Blend) -> Move {
         let axes = [0, 1, 2, 3, 4, 5];
         let limits = Limits {
@@ -249,7 +249,7 @@ impl PathCheck<'_, '_> {
         Move { path: path.clone(), tool: *tool, limits, blend, id: 0.0, manner: Manner::Rigid }
     }
 
-    /// Both targets ask for different configurations outright, which needs no arm (V0405).
+    /// Whether both targets request different configurations explicitly, which is reported for every arm (V0405).
     fn is_obvious(&self, cause: &Cause, last: ExprId, target: &Target) -> bool {
         let before = self.program.call_of(last).and_then(|call| self.target(call));
         let (Cause::Configuration, Some((Known::Point(before), _))) = (cause, before) else { return false };
@@ -260,7 +260,7 @@ impl PathCheck<'_, '_> {
         differ(&from.shoulder, &to.shoulder) || differ(&from.elbow, &to.elbow) || differ(&from.wrist, &to.wrist)
     }
 
-    /// Reports a move to a computed point that the arm cannot reach. Points of the data have a rule of their own.
+    /// Reports a move to a computed point that the arm cannot reach. Another rule reports points of the data.
     fn unreachable(&mut self, call: &Call<'_>) {
         let Some((Known::Point(target), tool)) = self.target(call) else { return };
         if !target.is_computed {
@@ -282,7 +282,7 @@ impl PathCheck<'_, '_> {
         Some((known, tool))
     }
 
-    /// The intermediate point of a circle, `Some(None)` for a line, `None` where it is not known.
+    /// Intermediate point of a circle, `Some(None)` for a line, `None` if unknown.
     fn intermediate(&self, call: &Call<'_>) -> Option<Option<IsometryMatrix3<f64>>> {
         let params = call.form?.params;
         let mut points = params.iter().zip(call.args).filter(|(param, _)| param.ty == Some(BaseType::Point));
@@ -303,7 +303,7 @@ fn turned(joints: &Joints, axis: usize, turn: f64) -> Joints {
 }
 
 impl Program<'_> {
-    /// The position that an expression always has.
+    /// An expression's constant position.
     fn known(&self, id: ExprId) -> Option<Known> {
         let id = self.body.without_parentheses(id);
         if let Some(call) = self.call_of(id) {
@@ -323,7 +323,7 @@ impl Program<'_> {
         }
     }
 
-    /// The point near another one that a call yields.
+    /// Point near another point that a call returns.
     fn known_near(&self, call: &Call<'_>) -> Option<Target> {
         let (true, true, [point, by]) =
             (keeps_configuration(call.instruction), moves_along_own_axes(call.instruction), call.args)
@@ -351,7 +351,7 @@ impl Program<'_> {
         Some(trsf.scaled(length_unit(self.db, self.project.manifest(self.db)).millimetres()))
     }
 
-    /// Where a frame, tool or point of the data, or a built-in one, always is.
+    /// Constant placement of a frame, tool or point in the data, or of a built-in.
     fn known_placement(&self, id: ExprId) -> Option<IsometryMatrix3<f64>> {
         let id = self.body.without_parentheses(id);
         match self.effects.root(id) {
@@ -365,13 +365,13 @@ impl Program<'_> {
         placement.chain.iter().all(|path| self.is_constant_path(path)).then_some(placement.pose)
     }
 
-    /// The path of data that no program changes.
+    /// Data path that no program changes.
     fn constant_path(&self, id: ExprId) -> Option<SmolStr> {
         let Some(Root::Data(_)) = self.effects.root(id) else { return None };
         path(self.body, id).filter(|path| self.is_constant_path(path))
     }
 
-    /// No program of an application without faults changes the value, nor can another application.
+    /// Whether neither a program of an application without faults nor another application changes the value.
     fn is_constant_path(&self, path: &str) -> bool {
         self.is_closed(root(path)) && !is_changed(self.db, self.project, path)
     }

@@ -1,4 +1,4 @@
-//! Properties of the points of the control-flow graph, for lints.
+//! Properties of the control-flow graph's nodes, for lints.
 
 use val3_analysis::body::{Constant, ExprId, Stmt, StmtKind};
 use val3_analysis::flow::{PerPoint, Point, PointId, PointKind};
@@ -7,7 +7,7 @@ use val3_lang::instruction::Class;
 use super::{Call, Program};
 
 impl<'db> Program<'db> {
-    /// The calls of instructions at a point, in the order of evaluation.
+    /// Instruction calls at a flow node, in evaluation order.
     pub(crate) fn calls_at(&self, id: PointId) -> &[Call<'db>] {
         self.calls_by_point.get_or_init(|| self.calls_of_points()).at(id)
     }
@@ -20,7 +20,7 @@ impl<'db> Program<'db> {
         calls
     }
 
-    /// The calls of instructions in an expression, inner ones before outer ones.
+    /// Instruction calls in an expression, inner calls before outer calls.
     pub(super) fn calls_within(&self, id: ExprId) -> &[Call<'db>] {
         let calls = self.calls();
         let (calls, _) = calls.split_at(calls.partition_point(|call| call.id <= id));
@@ -29,12 +29,12 @@ impl<'db> Program<'db> {
         calls.split_at(calls.len() - inside).1
     }
 
-    /// A loop that only `return` leaves: `while true`, `until false`.
+    /// Whether only `return` ends a loop with this condition: `while true`, `until false`.
     pub(crate) fn is_endless(&self, condition: ExprId) -> bool {
         matches!(self.text(condition).trim_matches(['(', ')', ' ']), "true" | "false")
     }
 
-    /// The condition of an endless loop.
+    /// An endless loop's condition.
     pub(crate) fn endless_condition(&self, stmt: &Stmt) -> Option<ExprId> {
         let (condition, round) = match &stmt.kind {
             StmtKind::While { condition: Some(condition), .. } => (*condition, true),
@@ -44,7 +44,7 @@ impl<'db> Program<'db> {
         (self.body.constant(condition) == Some(Constant::Bool(round))).then_some(condition)
     }
 
-    /// Whether `branch` of a point can be taken, as far as constant conditions show.
+    /// Whether `branch` of a flow node can be taken, as far as constant conditions show.
     pub(crate) fn is_taken(&self, point: &Point, branch: usize) -> bool {
         let PointKind::Test { condition: Some(condition), .. } = point.kind else { return true };
         match self.body.constant(condition) {
@@ -53,7 +53,7 @@ impl<'db> Program<'db> {
         }
     }
 
-    /// An expression without side effects or waits, so that evaluating it twice equals evaluating it once.
+    /// Whether the expression can be evaluated twice without a different effect: it has no side effects or waits.
     pub(crate) fn is_pure(&self, id: ExprId) -> bool {
         self.calls_within(id)
             .iter()

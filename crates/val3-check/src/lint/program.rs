@@ -1,4 +1,4 @@
-//! A program as lints see it.
+//! View of a program for lints.
 
 use std::cell::OnceCell;
 
@@ -30,11 +30,11 @@ pub(crate) struct Program<'db> {
     pub(crate) items: &'db Items,
     pub(crate) body: &'db Body,
     pub(crate) inference: &'db Inference,
-    /// The options of rules in the configuration.
+    /// Configured options of rules.
     pub(crate) options: &'db Options,
-    /// The effects of its lines on variables.
+    /// Effects of program lines on variables.
     pub(crate) effects: Effects<'db>,
-    /// The state of the arm, computed on demand.
+    /// State of the arm, computed on demand.
     pub(super) motion: OnceCell<Option<Motion>>,
     pub(super) arm_calls: OnceCell<Vec<ArmCall<'db>>>,
     calls: OnceCell<Vec<Call<'db>>>,
@@ -66,27 +66,27 @@ impl<'db> Program<'db> {
         }
     }
 
-    /// The name of the program.
+    /// Name of the program.
     pub(crate) fn name(&self) -> &'db str {
         &self.header.name
     }
 
-    /// Its control-flow graph.
+    /// Control-flow graph.
     pub(crate) fn flow(&self) -> &'db Flow {
         flow(self.db, self.file)
     }
 
-    /// The accesses of each of its points to local variables.
+    /// Accesses to local variables at each flow node.
     pub(crate) fn local_use(&self) -> &LocalUse<'db> {
         self.local_use.get_or_init(|| LocalUse::new(self.header, self.flow(), &self.effects, self.calls()))
     }
 
-    /// A summary of its accesses to locals and parameters.
+    /// Summary of the accesses to locals and parameters.
     pub(crate) fn variable_use(&self) -> &VariableUse {
         self.variable_use.get_or_init(|| VariableUse::new(&self.effects))
     }
 
-    /// The local or parameter is an input, an output or a line, for which a write is a use.
+    /// Whether the local or parameter is an input, an output or a line, for which a write is a use.
     pub(crate) fn is_linkable(&self, name: &str) -> bool {
         let locals = self.header.locals.iter().map(|local| (&local.name, &local.type_name));
         let mut variables = locals.chain(self.header.params.iter().map(|param| (&param.name, &param.type_name)));
@@ -95,27 +95,27 @@ impl<'db> Program<'db> {
         base.and_then(Base::builtin).is_some_and(BaseType::is_linkable)
     }
 
-    /// Every statement, outer ones before inner ones.
+    /// All statements, outer statements before inner statements.
     pub(crate) fn stmts(&self) -> &[&'db Stmt] {
         self.stmts.get_or_init(|| self.body.stmts())
     }
 
-    /// The summary of its application.
+    /// Summary of the application.
     pub(crate) fn application(&self) -> &'db Application {
         application(self.db, self.project)
     }
 
-    /// Every call of an instruction, inner ones before outer ones.
+    /// All instruction calls, inner calls before outer calls.
     pub(crate) fn calls(&self) -> &[Call<'db>] {
         self.calls.get_or_init(|| self.inference.calls().iter().filter_map(|call| self.call(call)).collect())
     }
 
-    /// Every call of the instruction `name`.
+    /// All calls of the instruction `name`.
     pub(crate) fn calls_of(&self, name: &str) -> impl Iterator<Item = &Call<'db>> {
         self.calls().iter().filter(move |call| call.instruction.name == name)
     }
 
-    /// The call of an instruction that `id` is.
+    /// The instruction call at `id`; `None` if `id` is no instruction call.
     pub(crate) fn call_of(&self, id: ExprId) -> Option<&Call<'db>> {
         let at = self.calls().binary_search_by_key(&id, |call| call.id).ok()?;
         self.calls().get(at)
@@ -127,17 +127,17 @@ impl<'db> Program<'db> {
         Some(Call { id, instruction, form, callee: *callee, args, role: role(instruction) })
     }
 
-    /// The location of the program's name.
+    /// Location of the program's name.
     pub(crate) fn head(&self) -> TextRange {
         declarations::program(self.db, self.file).map_or_else(TextRange::default, |place| place.range)
     }
 
-    /// The location of an expression.
+    /// Expression location.
     pub(crate) fn range(&self, id: ExprId) -> TextRange {
         self.body.range(id)
     }
 
-    /// The text of an expression, in the form of the file.
+    /// Expression text, encoded like the file.
     pub(crate) fn text(&self, id: ExprId) -> &'db str {
         self.slice(self.range(id))
     }

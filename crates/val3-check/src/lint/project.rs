@@ -1,4 +1,4 @@
-//! A project and its data as lints see them.
+//! Views of a project and its data for lints.
 
 use val3_analysis::application::{Application, application};
 use val3_analysis::changes::is_changed;
@@ -12,7 +12,7 @@ pub(crate) struct ProjectView<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
     pub(crate) items: &'db Items,
-    /// The options of rules in the configuration.
+    /// Configured options of rules.
     pub(crate) options: &'db Options,
 }
 
@@ -21,12 +21,12 @@ impl<'db> ProjectView<'db> {
         Self { db, project, items: items(db, project), options }
     }
 
-    /// The summary of its programs. Computing it reads every program of the project.
+    /// Summary of all programs. Computing it reads every program of the project.
     pub(crate) fn application(&self) -> &'db Application {
         application(self.db, self.project)
     }
 
-    /// A program of the project may change the value at a path such as `tSlots[1,2].pPlace[0]`.
+    /// Whether a program of the project may change the value at a data path such as `tSlots[1,2].pPlace[0]`.
     pub(crate) fn is_changed(&self, path: &str) -> bool {
         is_changed(self.db, self.project, path)
     }
@@ -41,10 +41,10 @@ pub(crate) fn is_library(db: &dyn Db, project: Project) -> bool {
     Sources::get(db).projects(db).values().any(declares)
 }
 
-/// A `.dtx` without faults of its text.
+/// A `.dtx` without syntax faults.
 pub(crate) struct DataFile<'db> {
     pub(crate) file: File,
-    /// The project it belongs to.
+    /// Project of the file.
     pub(crate) view: ProjectView<'db>,
 }
 

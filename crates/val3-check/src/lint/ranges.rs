@@ -1,4 +1,4 @@
-//! Constant arguments outside the range of their parameter.
+//! Constant arguments outside the parameter's range.
 
 use std::fmt::{self, Display};
 use std::ops::Bound;
@@ -19,14 +19,14 @@ pub(crate) struct OutOfRange {
 }
 
 impl OutOfRange {
-    /// The message: one sentence.
+    /// Message: one sentence.
     pub(crate) fn message(&self) -> String {
         let Self { callee, parameter, value, range, .. } = self;
         format!("`{callee}` takes {} for `{parameter}`, not {value}", RangeInWords(range))
     }
 }
 
-/// Every constant argument out of its range.
+/// All constant arguments that are out of range.
 pub(crate) fn out_of_range(program: &Program<'_>) -> Vec<OutOfRange> {
     let mut found = Vec::new();
     for call in program.calls() {
@@ -42,7 +42,7 @@ pub(crate) fn out_of_range(program: &Program<'_>) -> Vec<OutOfRange> {
 }
 
 impl Program<'_> {
-    /// The range of a parameter. It may depend on the version and on the other arguments.
+    /// Range of a parameter. It may depend on the version and on the other arguments.
     fn range_of(&self, call: &Call<'_>, parameter: &str) -> Option<&'static Range> {
         let range = range(call.instruction.name, parameter)?;
         match (call.instruction.name, parameter, call.args) {
@@ -57,7 +57,7 @@ impl Program<'_> {
     }
 }
 
-/// A range in words: "1 to 100", "more than 0", "at least 0".
+/// Formats a range in words: "1 to 100", "more than 0", "at least 0".
 pub(crate) struct RangeInWords<'r>(pub(crate) &'r Range);
 
 impl Display for RangeInWords<'_> {

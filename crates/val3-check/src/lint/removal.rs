@@ -9,12 +9,12 @@ use val3_syntax::{Part, TextRange, TextSize};
 
 use crate::diagnostic::Edit;
 
-/// The edit that removes an element of a file, with the line end before it if it has a line of its own. If it was the
-/// last element of a list, the list becomes an empty tag, or is removed in programs, which omit empty lists.
+/// Removes an element of a file, with the preceding line end if it has its own line. If it was the last element of a
+/// list, the list becomes an empty tag; in programs, which omit empty lists, it is removed.
 pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
     let text = file.text(db);
     let parse = parse(db, file);
-    // Only the last element of a list is worth a search: a file may have thousands of unused data.
+    // Only the last element of a list requires a search: a file may have thousands of unused data.
     let root = if is_last(element, text) { xml::root(parse.view()) } else { None };
     let list = root.and_then(|root| list_of(root, element)).filter(|list| is_first(*list, element, text));
     let (range, text) = match list {
@@ -25,12 +25,12 @@ pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
     Edit { place: FileRange { file, range }, text: text.to_owned() }
 }
 
-/// The edit that removes the element around a name.
+/// Removes the element that contains a name.
 pub(crate) fn of_entry(db: &dyn Db, file: File, name: TextRange) -> Option<Edit> {
     Some(of_element(db, file, element_around(db, file, name)?))
 }
 
-/// The element that directly holds the one at `inner`.
+/// The element that directly contains the element at `inner`.
 fn list_of(root: Element<'_>, inner: TextRange) -> Option<Element<'_>> {
     let mut list = root;
     loop {
@@ -42,18 +42,18 @@ fn list_of(root: Element<'_>, inner: TextRange) -> Option<Element<'_>> {
     }
 }
 
-/// There are only blanks between an element and the end tag of its list.
+/// Whether only blanks follow before the end tag of the list.
 fn is_last(element: TextRange, text: &str) -> bool {
     text.get(element.end().into()..).is_some_and(|behind| behind.trim_start().starts_with("</"))
 }
 
-/// There are only blanks between the start tag of `list` and `element`.
+/// Whether only blanks are between the start tag of `list` and `element`.
 fn is_first(list: Element<'_>, element: TextRange, text: &str) -> bool {
     let between = text.get(list.tag_range().end().into()..element.start().into());
     between.is_some_and(|between| between.trim().is_empty())
 }
 
-/// From the last attribute in the start tag of a list to the end of the list.
+/// Range from the last attribute in the start tag of a list to the end of the list.
 fn after_attributes(list: Element<'_>, text: &str) -> TextRange {
     let tag = list.tag_range();
     let start = text.part(tag.start().into()..tag.end().into());
@@ -61,7 +61,7 @@ fn after_attributes(list: Element<'_>, text: &str) -> TextRange {
     TextRange::new(tag.start() + TextSize::of(attributes), list.view().range().end())
 }
 
-/// The range with the blanks before it, and with the line end before them if the range has lines of its own. Ranges of
+/// Extends the range by the preceding blanks, and by the preceding line end if the range has its own lines. Ranges of
 /// neighbours touch, so they are removed one after the other, and the last one removes the list.
 fn with_blanks(text: &str, range: TextRange) -> TextRange {
     let (before, behind) = (text.get(..range.start().into()), text.get(range.end().into()..));

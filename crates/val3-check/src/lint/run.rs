@@ -10,12 +10,12 @@ use crate::settings::Settings;
 
 type ProgramLint = fn(&Program<'_>, &mut Findings);
 
-/// The findings of the lints that read a single program.
+/// Findings of the lints that read a single program.
 pub(crate) fn program(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
     of_program(program, settings, |lint| if let Lint::Program(check) = lint { Some(check) } else { None })
 }
 
-/// The findings in a program of the lints that read its whole application.
+/// Findings in a program of the lints that read its whole application.
 pub(crate) fn member(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
     of_program(program, settings, |lint| if let Lint::Member(check) = lint { Some(check) } else { None })
 }
@@ -27,7 +27,8 @@ fn of_program(program: &Program<'_>, settings: &Settings, kind: fn(Lint) -> Opti
     found.into_diagnostics()
 }
 
-/// The instructions of a program that its version, or the one to which it is moved, does not have. Programs with faults have such findings too.
+/// Instructions of a program that its declared version, or the version to which it is moved, does not have. They are
+/// also reported in programs with faults.
 pub(crate) fn versions(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
     let application = program.project.manifest(program.db);
     let mut found = Findings::new(program.file, Some(program.name().to_owned()), application);
@@ -40,7 +41,7 @@ pub(crate) fn versions(program: &Program<'_>, settings: &Settings) -> Vec<Diagno
     found.into_diagnostics()
 }
 
-/// The findings in the data of `file`.
+/// Findings in the data of `file`.
 pub(crate) fn data(db: &dyn Db, project: Project, file: File, settings: &Settings) -> Vec<Diagnostic> {
     let data = DataFile::new(db, project, file, &settings.options);
     let mut found = Findings::new(file, None, project.manifest(db));
@@ -50,7 +51,7 @@ pub(crate) fn data(db: &dyn Db, project: Project, file: File, settings: &Setting
     found.into_diagnostics()
 }
 
-/// The findings in the project file of `project`.
+/// Findings in the project file of `project`.
 pub(crate) fn project(db: &dyn Db, project: Project, settings: &Settings) -> Vec<Diagnostic> {
     let view = ProjectView::new(db, project, &settings.options);
     let file = project.manifest(db);
@@ -61,7 +62,7 @@ pub(crate) fn project(db: &dyn Db, project: Project, settings: &Settings) -> Vec
     found.into_diagnostics()
 }
 
-/// The lints of a kind that are on.
+/// Lints of a kind that are on.
 fn wanted<C>(settings: &Settings, kind: fn(Lint) -> Option<C>) -> impl Iterator<Item = C> {
     rules::all().iter().filter_map(move |rule| rule.lint.and_then(kind).filter(|_| settings.wants(rule)))
 }

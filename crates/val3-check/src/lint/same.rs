@@ -5,14 +5,14 @@ use val3_analysis::body::{Expr, ExprId};
 use super::Program;
 
 impl Program<'_> {
-    /// Both expressions have the same value if they are evaluated directly after each other: their text is the same and
-    /// they call nothing.
+    /// Whether both expressions have the same value if they are evaluated one directly after the other: their text is
+    /// the same and they contain no call.
     pub(crate) fn is_same(&self, left: ExprId, right: ExprId) -> bool {
         self.may_be_same(left, right) && self.body.is_same(left, right) && !self.has_call(right)
     }
 
-    /// A quick test of the outermost parts alone, so that a long chain of operators is not compared for each of its
-    /// operands.
+    /// Whether the outermost parts are the same. This quick test avoids comparing a long chain of operators for each of
+    /// its operands.
     fn may_be_same(&self, left: ExprId, right: ExprId) -> bool {
         let (left, right) =
             (self.body.expr(self.body.without_parentheses(left)), self.body.expr(self.body.without_parentheses(right)));

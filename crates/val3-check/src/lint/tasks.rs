@@ -10,28 +10,28 @@ use super::Program;
 
 /// A `taskCreate` or `taskCreateSync`.
 pub(crate) struct TaskCreation<'db> {
-    /// The name of the task.
+    /// Name of the task.
     pub(crate) name: ExprId,
-    /// The priority, or the period of a synchronous task.
+    /// Priority, or period of a synchronous task.
     pub(crate) pace: ExprId,
-    /// The variable that receives the overrun of a synchronous task.
+    /// Variable that receives the overrun of a synchronous task.
     pub(crate) overrun: Option<ExprId>,
-    /// The program of the task and its arguments.
+    /// Program of the task, and its arguments.
     pub(crate) call: ProgramCall<'db>,
 }
 
 /// A call of a program.
 pub(crate) struct ProgramCall<'db> {
-    /// The name of the program.
+    /// Name of the program.
     callee: ExprId,
     /// The arguments.
     args: &'db [ExprId],
-    /// Its parameters, where they are known.
+    /// Parameters, if known.
     signature: Option<&'db Signature>,
 }
 
 impl<'db> ProgramCall<'db> {
-    /// The arguments with their parameters, if those are known.
+    /// Arguments with their parameters, if the parameters are known.
     pub(crate) fn arguments(&self) -> impl Iterator<Item = (&'db Param, ExprId)> {
         let params = self.signature.map_or(&[][..], |signature| &signature.params);
         params.iter().zip(self.args.iter().copied())
@@ -45,7 +45,7 @@ impl TaskCreation<'_> {
 }
 
 impl<'db> Program<'db> {
-    /// Every statement that creates a task, in the order of the text.
+    /// All statements that create a task, in text order.
     pub(crate) fn task_creations(&self) -> impl Iterator<Item = TaskCreation<'db>> {
         let statements = self.stmts().iter().copied().filter_map(|stmt| match &stmt.kind {
             StmtKind::TaskCreate { arguments, .. } => Some(arguments.as_slice()),
@@ -63,13 +63,13 @@ impl<'db> Program<'db> {
         Some(TaskCreation { name, pace, overrun, call: self.program_call(call)? })
     }
 
-    /// The call of a program in a `call` or a task statement.
+    /// Program call in a `call` or a task statement.
     pub(crate) fn program_call(&self, call: ExprId) -> Option<ProgramCall<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call) else { return None };
         Some(ProgramCall { callee: *callee, args, signature: self.effects.program(*callee) })
     }
 
-    /// The location where the called program declares its parameter `name`.
+    /// Location at which the called program declares its parameter `name`.
     pub(crate) fn parameter(&self, call: &ProgramCall<'_>, name: &SmolStr) -> Option<FileRange> {
         let (_, file) = self.effects.program_file(call.callee)?;
         declarations::param(self.db, file, name.clone())

@@ -1,4 +1,4 @@
-//! For the tests of lints: the findings of one rule in a listing.
+//! A rule's findings in a listing, for tests.
 
 use std::collections::BTreeSet;
 
@@ -13,12 +13,12 @@ use crate::rule::{Rule, Severity};
 use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
 
-/// The levels of the findings of `rule` in a listing of `val3-test`.
+/// Levels of all `rule` findings in a `val3-test` listing.
 pub(crate) fn levels(rule: &Rule, listing: &str) -> Vec<Severity> {
     findings(rule, listing).1.into_iter().map(|diagnostic| diagnostic.severity).collect()
 }
 
-/// The findings with the code `code` after a whole check of a listing: file, message, and number of related locations.
+/// Findings with the code `code` after a complete check of a listing: file, message, and number of related locations.
 pub(crate) fn finished(listing: &str, code: &str) -> Vec<String> {
     let fixture = Fixture::parse(listing);
     let files =
@@ -47,8 +47,7 @@ fn findings(rule: &Rule, listing: &str) -> (Workspace, Vec<Diagnostic>) {
     (workspace, found)
 }
 
-/// The findings of `rule` in a listing of `val3-test`: line of the file and its text, message, label, help and related
-/// locations.
+/// Findings of `rule` in a listing of `val3-test`: line number and text, message, label, help and related locations.
 pub(crate) fn check(rule: &Rule, listing: &str) -> String {
     let (workspace, found) = findings(rule, listing);
     let db = &workspace.db;

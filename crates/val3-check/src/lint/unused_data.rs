@@ -10,18 +10,18 @@ use val3_syntax::{TextRange, text_at};
 
 use super::{DataFile, ProjectView};
 
-/// The types of values that are taught.
+/// Types of taught values.
 const TAUGHT: [BaseType; 6] =
     [BaseType::Point, BaseType::Joint, BaseType::Frame, BaseType::Tool, BaseType::Trsf, BaseType::Config];
 
-/// Every use of the project's private data is known. A project without programs contains data for others: the fields of
-/// a user type, inputs and outputs.
+/// Whether all uses of the project's private data are known. A project without programs contains data for other
+/// projects: the fields of a user type, inputs and outputs.
 pub(crate) fn has_known_uses(view: &ProjectView<'_>) -> bool {
     view.application().closed && !view.items.programs.is_empty()
 }
 
-/// The uses of private data in programs; `None` if others may use it too: public data, fathers of other data, data
-/// whose name a text may contain, and data used by a program that the project does not list.
+/// Uses of private data in programs; `None` if there may be other uses: public data, fathers of other data, data whose
+/// name may be in a string, and data used by a program that the project does not list.
 pub(crate) fn uses(view: &ProjectView<'_>, name: &str) -> Option<Use> {
     let item = view.items.data.get(name).filter(|item| !item.decl.public)?;
     let is_built_in = val3_lang::builtins::find(name).is_some();
@@ -39,7 +39,7 @@ pub(crate) fn is_taught(data: &DataFile<'_>, name: &str, element: TextRange) -> 
     base.is_some_and(|(base, _)| TAUGHT.contains(&base)) && text.matches('<').nth(1).is_some()
 }
 
-/// The declarations in a file whose names fulfil `guilty`.
+/// Declarations in a file whose names fulfil `guilty`.
 pub(crate) fn declared(data: &DataFile<'_>, guilty: impl Fn(&str) -> bool) -> Vec<Declared> {
     // Items contain only names; their locations are read from the file.
     let items = data::data(data.view.db, data.file);

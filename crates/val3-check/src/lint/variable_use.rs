@@ -1,11 +1,11 @@
-//! How a program uses its own variables.
+//! Uses of a program's own variables.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::application::Use;
 use val3_analysis::effects::{Effects, Root};
 
-/// A program's accesses to its own variables, by name. Unused variables are missing.
+/// A program's accesses to its own variables, by name, without unused variables.
 #[derive(Debug, Default)]
 pub(crate) struct VariableUse {
     pub(crate) locals: FxHashMap<SmolStr, Use>,

@@ -27,20 +27,20 @@ rule! {
     V0544 "archive-not-read" Info
 }
 
-/// The reason why nothing in an archive was read.
+/// Reason why an archive was not read.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ArchiveContent {
-    /// It contains this number of project files, and was not named.
+    /// It contains this number of project files, and no argument names it.
     Projects(usize),
-    /// It contains programs or data files without a project file, and was not named.
+    /// It contains programs or data files without a project file, and no argument names it.
     Parts,
-    /// It is in another archive, which was read.
+    /// It is inside another archive that was read.
     Nested,
     /// Its contents cannot be listed, for this reason.
     Unknown(String),
 }
 
-/// Words the finding about the archive `name`, which `path` opens from the current folder.
+/// Words the finding about the archive `name`; `path` opens it from the current folder.
 pub(crate) fn word(name: &str, path: &str, content: &ArchiveContent) -> Wording {
     let (reason, help) = match content {
         ArchiveContent::Projects(1) => ("it contains a project".to_owned(), named(path)),

@@ -50,7 +50,7 @@ pub(crate) fn word(callee: &str, expected: &[usize], found: usize, forms: &[Smol
     )
 }
 
-/// The numbers that are possible: "no arguments", "2 or 3 arguments".
+/// Possible numbers of arguments: "no arguments", "2 or 3 arguments".
 fn possible(expected: &[usize]) -> String {
     match expected {
         [] | [0] => "no arguments".to_owned(),
@@ -62,7 +62,7 @@ fn possible(expected: &[usize]) -> String {
     }
 }
 
-/// How many are missing or too many; empty if `found` lies between two possible numbers.
+/// Number of missing or superfluous arguments; empty if `found` is between two possible numbers.
 fn difference(expected: &[usize], found: usize) -> String {
     let (least, most) = (expected.first().copied().unwrap_or(0), expected.last().copied().unwrap_or(0));
     if found < least {
@@ -74,7 +74,7 @@ fn difference(expected: &[usize], found: usize) -> String {
     }
 }
 
-/// The forms of the callee, one a line where there are several.
+/// Forms of the callee, one per line if there are several.
 fn syntax(forms: &[SmolStr]) -> String {
     let quoted: Vec<_> = forms.iter().map(|form| format!("`{form}`")).collect();
     match quoted.as_slice() {
@@ -84,7 +84,7 @@ fn syntax(forms: &[SmolStr]) -> String {
     }
 }
 
-/// Removes the last arguments of a call that are too many, or adds values for the last ones that are missing.
+/// Removes superfluous arguments at the end of a call, or adds values for missing arguments.
 pub(crate) fn fix(site: &Site<'_>, expected: &[usize], found: usize, forms: &[SmolStr]) -> Option<Fix> {
     let most = *expected.last()?;
     if found > most { remove(site, most) } else { add(site, found, forms) }
@@ -112,7 +112,8 @@ fn add(site: &Site<'_>, found: usize, forms: &[SmolStr]) -> Option<Fix> {
     Some(Fix::guess(format!("add `{values}`"), vec![edit]))
 }
 
-/// A value of a parameter, which the user completes. `None` if it takes a variable, or a type without short literal.
+/// Value for a parameter, which the user completes. `None` if it requires a variable, or if its type has no short
+/// literal.
 fn value(parameter: &str) -> Option<&'static str> {
     match parameter.split_once(' ')? {
         (_, name) if name.contains('[') => None,

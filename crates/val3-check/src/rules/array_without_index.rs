@@ -62,8 +62,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// A variable that was declared with several values. Parameters are not reported: many programs pass an element on as
-/// an array.
+/// Whether it is a variable that was declared with several values. Parameters are not reported, because many programs
+/// pass an element to an array parameter.
 fn is_array(program: &Program<'_>, id: ExprId) -> bool {
     let ty = program.inference.ty(id);
     let is_param = matches!(program.effects.root(id), Some(Root::Param(_)));

@@ -45,7 +45,7 @@ pub(crate) fn word() -> Wording {
     )
 }
 
-/// Compares instead. Outside a condition a second assignment may be what was meant.
+/// Replaces `=` by `==`. Outside of a condition, a second assignment may be intended.
 pub(crate) fn fix(site: &Site<'_>) -> Option<Fix> {
     let first = site.before().split(|letter: char| !letter.is_ascii_alphanumeric()).find(|word| !word.is_empty());
     let safe = first.is_some_and(|word| SyntaxKind::from_keyword(word).is_some());

@@ -46,7 +46,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The expressions that are compared with the key that was just read.
+/// Expressions that are compared with the key that was just read.
 fn compared(program: &Program<'_>) -> Vec<ExprId> {
     let sides = program.body.exprs().filter_map(|(_, expr, _)| match expr {
         Expr::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right) => Some((*left, *right)),

@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The arguments that an instruction writes to.
+/// Arguments that an instruction writes.
 fn changed(call: Call<'_>) -> impl Iterator<Item = ExprId> {
     let acts = call.form.is_some_and(|form| form.class == Class::Modifier);
     let is_linked = move |position: usize| position == 0 && call.instruction.name == LINK;
@@ -72,7 +72,7 @@ fn changed(call: Call<'_>) -> impl Iterator<Item = ExprId> {
     arguments.map(|(_, (_, argument))| argument)
 }
 
-/// The built-in variable that `id` is or belongs to. Files of s5 and s6 declare it.
+/// Built-in variable that `id` is or belongs to. Files of s5 and s6 declare it.
 fn built_in(program: &Program<'_>, id: ExprId) -> Option<&'static Builtin> {
     match program.body.expr(id) {
         Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) => built_in(program, *base),
@@ -84,7 +84,7 @@ fn built_in(program: &Program<'_>, id: ExprId) -> Option<&'static Builtin> {
     }
 }
 
-/// Coordinates that are all 0, which is the value of `world` and `flange` anyway.
+/// Whether all coordinates are 0, the correct value of `world` and `flange`.
 fn is_zero(program: &Program<'_>, value: ExprId) -> bool {
     match program.body.expr(program.body.without_parentheses(value)) {
         Expr::Struct(values) => values.iter().all(|value| value.is_some_and(|value| is_zero(program, value))),

@@ -48,7 +48,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The edits that replace the loop by a `wait`. Empty if they would remove a comment.
+/// Edits that replace the loop by a `wait`. Empty if they would remove a comment.
 fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Vec<Edit> {
     let condition = program.body.without_parentheses(condition);
     let negation = if is_while { negation(program, condition) } else { Negation::Of(condition) };
@@ -69,7 +69,7 @@ fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) 
     [Some(open), flip, Some(close)].into_iter().flatten().collect()
 }
 
-/// How to negate a condition.
+/// Negation of a condition.
 enum Negation {
     /// Use this expression, which is the opposite.
     Of(ExprId),

@@ -41,7 +41,7 @@ pub(crate) fn word() -> Wording {
     )
 }
 
-/// Moves the comment to a line of its own above the code.
+/// Moves the comment to a separate line above the code.
 pub(crate) fn fix(site: &Site<'_>) -> Option<Fix> {
     let comment = site.text();
     let comment = comment.strip_suffix("&#13;").unwrap_or(comment);

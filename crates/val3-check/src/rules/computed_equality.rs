@@ -52,7 +52,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The step of a line `x=x+0.1` for a variable, where the step is a fraction without an exact binary form.
+/// Step in a line `x=x+0.1` for a variable, if the step is a fraction without an exact binary form.
 fn counted_by(program: &Program<'_>, variable: ExprId) -> Option<ExprId> {
     program.effects.root(variable)?;
     program.stmts().iter().find_map(|stmt| {
@@ -67,7 +67,7 @@ fn counted_by(program: &Program<'_>, variable: ExprId) -> Option<ExprId> {
     })
 }
 
-/// The number is rounded. A number that is written in the code is exact.
+/// Whether the number is rounded. A number that is written in the code is exact.
 fn is_inexact(program: &Program<'_>, id: ExprId) -> bool {
     let is_inexact = |id: &ExprId| is_inexact(program, *id);
     match program.body.expr(id) {
@@ -82,12 +82,12 @@ fn is_inexact(program: &Program<'_>, id: ExprId) -> bool {
     }
 }
 
-/// A division by 2, 4, 8 … is exact.
+/// Whether the division is exact because the divisor is 2, 4, 8 …
 fn halves(program: &Program<'_>, divisor: ExprId) -> bool {
     program.body.number(divisor).is_some_and(|number| number.abs() >= 1.0 && number.abs().log2().fract() == 0.0)
 }
 
-/// A constant such as 0.1, which has no exact binary form.
+/// Whether the constant has no exact binary form, for example 0.1.
 fn is_fraction(program: &Program<'_>, id: ExprId) -> bool {
     const BINARY_PLACES: f64 = 1024.0;
     program.body.number(id).is_some_and(|number| (number * BINARY_PLACES).fract() != 0.0)

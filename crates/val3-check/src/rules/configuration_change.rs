@@ -61,7 +61,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The parts of the configuration that the target of a move certainly requires.
+/// Parts of the configuration that the target of a move certainly requires.
 fn definite(program: &Program<'_>, call: ExprId) -> Vec<&'static Enumerator> {
     let target = program.target(call);
     let choices = target.map(|target| program.choices_of(call, target)).unwrap_or_default();

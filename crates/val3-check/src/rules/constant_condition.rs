@@ -48,7 +48,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The literal conditions that are meant: a switch `true`, and `false` before comments, which disables nothing.
+/// Intended literal conditions: a switch `true`, and `false` before comments, which disables nothing.
 fn idle_conditions(program: &Program<'_>) -> FxHashSet<ExprId> {
     let is_idle = |id: &ExprId, block: &[Stmt]| match program.body.expr(program.body.without_parentheses(*id)) {
         Expr::Bool(true) => true,

@@ -37,7 +37,7 @@ rule! {
     V0317 "contradiction" Warning, Program: check
 }
 
-/// Operands after this number are not compared, so that the time stays proportional to the length of the text.
+/// Maximum number of compared operands, so that the time stays proportional to the length of the text.
 const LONGEST_CHAIN: usize = 16;
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -64,7 +64,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The operands of a chain such as `a and b and c`. The parts of the chain are added to `inner`.
+/// Operands of a chain such as `a and b and c`. The parts of the chain are added to `inner`.
 fn operands(program: &Program<'_>, chain: ExprId, op: BinaryOp, inner: &mut FxHashSet<ExprId>) -> Vec<ExprId> {
     let (mut operands, mut open) = (Vec::new(), vec![chain]);
     while let Some(id) = open.pop() {
@@ -103,7 +103,7 @@ fn comparison(program: &Program<'_>, id: ExprId) -> Option<Comparison> {
     (is_ordered || is_text).then_some(Comparison { id, subject, op, constant })
 }
 
-/// The comparison with exchanged sides; `None` for other operators.
+/// Operator of the comparison with exchanged operands; `None` for other operators.
 fn flipped(op: BinaryOp) -> Option<BinaryOp> {
     Some(match op {
         BinaryOp::Less => BinaryOp::Greater,
@@ -115,8 +115,8 @@ fn flipped(op: BinaryOp) -> Option<BinaryOp> {
     })
 }
 
-/// The first two comparisons of the same value of which the chain needs no other: no value fulfils both (`and`), or each
-/// value fulfils one of them (`or`).
+/// First two comparisons of the same value that determine the result of the chain: no value fulfils both (`and`), or
+/// each value fulfils one of them (`or`).
 fn decisive_pair<'c>(
     program: &Program<'_>,
     comparisons: &'c [Comparison],
@@ -134,7 +134,7 @@ fn decisive_pair<'c>(
 }
 
 fn is_decisive(first: &Comparison, second: &Comparison, op: BinaryOp) -> bool {
-    // The value that decides the chain: a false operand of `and`, a true one of `or`.
+    // Value that determines the result of the chain: a false operand of `and`, a true operand of `or`.
     let decides = op == BinaryOp::Or;
     match (&first.constant, &second.constant) {
         (Constant::Number(a), Constant::Number(b)) => samples(*a, *b).into_iter().all(|value| {
@@ -148,10 +148,10 @@ fn is_decisive(first: &Comparison, second: &Comparison, op: BinaryOp) -> bool {
     }
 }
 
-/// A value in each range in which both comparisons are constant.
+/// One value in each range in which both comparisons are constant.
 fn samples(a: f64, b: f64) -> [f64; 5] {
     let (low, high) = (a.min(b), a.max(b));
-    // Each step is as large as the numbers, so that it is not lost by rounding.
+    // Each step is as large as the numbers, so that it is not lost in rounding.
     let step = 1.0 + low.abs().max(high.abs());
     [low - step, low, low.midpoint(high), high, high + step]
 }

@@ -70,7 +70,7 @@ mod tests {
         assert!(word('\u{1}').message.starts_with("the character U+0001 is not allowed"));
     }
 
-    /// The findings in a cell whose program has `line` and whose data has `value`.
+    /// Findings in a cell whose program has `line` and whose data has `value`.
     fn codes(line: &str, value: &str) -> Vec<(&'static str, String, usize)> {
         let listing = format!("string sA = \"{value}\"\n{line}");
         let fixture = val3_test::Fixture::parse(&listing);

@@ -71,7 +71,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// `world` and `flange`, which files of s5 and s6 declare. They are the last fathers of all frames and tools.
+/// Whether the data is `world` or `flange`, which files of s5 and s6 declare. They are the last fathers of all frames
+/// and tools.
 fn is_built_in(data: &str, ty: BaseType) -> bool {
     builtins::find(data).is_some_and(|builtin| builtin.is_variable && builtin.ty == ty)
 }

@@ -70,7 +70,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The next line after `from` that overwrites the whole variable, on the first path that reaches one.
+/// Next line after `from` that overwrites the entire variable, on the first path that reaches one.
 fn overwritten(program: &Program<'_>, from: PointId, variable: Locals) -> Option<TextRange> {
     let flow = program.flow();
     let mut seen = vec![false; flow.len()];
@@ -88,14 +88,14 @@ fn overwritten(program: &Program<'_>, from: PointId, variable: Locals) -> Option
     None
 }
 
-/// A computed value without side effects: not an initial value made of literals, and not the result of an instruction
-/// that has other effects.
+/// Whether the value is computed without side effects. Initial values of literals and results of instructions with
+/// other effects are not reported.
 fn is_computed(program: &Program<'_>, value: ExprId) -> bool {
     let is_variable = |id| matches!(program.body.expr(id), Expr::Name(_) | Expr::Path { .. } | Expr::Call(..));
     program.body.within(value).any(is_variable) && program.is_pure(value)
 }
 
-/// Variables that are used somewhere. Others are reported as unused.
+/// Variables that are used somewhere. Other variables are reported as unused.
 fn used(program: &Program<'_>) -> Locals {
     let uses = program.flow().points().flat_map(|(id, _)| program.local_use().at(id));
     let reads = uses.filter(|(_, access)| matches!(access.kind, AccessKind::Read | AccessKind::Reference));

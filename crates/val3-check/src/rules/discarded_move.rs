@@ -57,7 +57,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The call of an instruction that is a statement, alone or as the value of an assignment.
+/// Instruction call that is a statement, or the value of an assignment.
 fn statement<'p>(program: &'p Program<'_>, stmt: &Stmt) -> Option<&'p Call<'p>> {
     let call = match stmt.kind {
         StmtKind::Expr(call) => call,

@@ -37,7 +37,7 @@ rule! {
     V0721 "duplicate-constant" Info off, Data: check
 }
 
-/// A constant: its name, its value and the place of its name.
+/// A constant: its name, its value and its name's location.
 type Constant = (SmolStr, f64, TextRange);
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {
@@ -56,7 +56,7 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     }
 }
 
-/// The letters of the type and the first word: `nState` of `nStateIdle` and of `nState_IDLE`.
+/// Letters of the type and the first word: `nState` in `nStateIdle` and `nState_IDLE`.
 fn group(name: &str) -> Option<&str> {
     let first = name.find(|c: char| c.is_ascii_uppercase())?;
     let rest = name.get(first + 1..)?;
@@ -64,7 +64,7 @@ fn group(name: &str) -> Option<&str> {
     name.get(..end).filter(|group| group.len() < name.len() && group.len() > 2)
 }
 
-/// Each repeated value, with the first constant that has it. Empty if few of the values differ.
+/// Repeated values, each with the first constant that has it. Empty if only a few of the values differ.
 fn duplicates(group: &[Constant]) -> Vec<(&Constant, &Constant)> {
     let mut pairs = Vec::new();
     for (at, second) in group.iter().enumerate() {

@@ -66,7 +66,7 @@ fn declared_twice(what: &str, name: &str) -> Wording {
     )
 }
 
-/// Removes the second entry of a file if it is the only text on its line. For libraries and types the fix is not known,
+/// Removes the second entry of a file if it is the only text on its line. There is no fix for libraries and types,
 /// because either declaration may be the right one.
 pub(crate) fn fix(site: &Site<'_>, what: FileRole) -> Option<Fix> {
     let is_list = matches!(what, FileRole::Program | FileRole::Data);

@@ -64,14 +64,14 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Two tasks with the same name. A task that a loop creates is its own second task.
+/// Two tasks with the same name. A task that a loop creates conflicts with itself.
 struct EqualNames {
     name: SmolStr,
     first: TextRange,
     second: TextRange,
 }
 
-/// Tasks that never end, which an endless loop creates in each pass.
+/// Endless tasks that an endless loop creates in each pass.
 fn in_endless_loops(program: &Program<'_>, pairs: &mut Vec<EqualNames>) {
     for stmt in program.stmts() {
         if program.endless_condition(stmt).is_none() || stmt.holds(&StmtKind::Return) {
@@ -83,7 +83,7 @@ fn in_endless_loops(program: &Program<'_>, pairs: &mut Vec<EqualNames>) {
     }
 }
 
-/// A created task whose program never ends, and that no program ends.
+/// A created task whose program never ends, and that no program kills.
 fn endless_task(program: &Program<'_>, stmt: &Stmt) -> Option<(SmolStr, TextRange)> {
     let (name, range) = created(program.body, stmt)?;
     let StmtKind::TaskCreate { arguments, .. } = &stmt.kind else { return None };
@@ -114,7 +114,7 @@ fn in_block(body: &Body, block: &[Stmt], pairs: &mut Vec<EqualNames>) {
     }
 }
 
-/// The task that the statement creates, if its name is known.
+/// Task that the statement creates, if its name is known.
 fn created(body: &Body, stmt: &Stmt) -> Option<(SmolStr, TextRange)> {
     let StmtKind::TaskCreate { arguments, .. } = &stmt.kind else { return None };
     let name = arguments.first()?;
@@ -125,7 +125,7 @@ fn creates(body: &Body, block: &[Stmt]) -> bool {
     block.iter().any(|stmt| created(body, stmt).is_some())
 }
 
-/// The statement may give other tasks their turn, may end a task, or has unknown effects.
+/// Whether the statement may give other tasks their turn, may kill a task, or has unknown effects.
 fn may_wait(body: &Body, stmt: &Stmt) -> bool {
     let inside = body.exprs().filter(|(_, _, range)| stmt.range.contains_range(*range));
     let waits = |callee: ExprId| match body.expr(callee) {
@@ -136,7 +136,7 @@ fn may_wait(body: &Body, stmt: &Stmt) -> bool {
     !is_creation_only(body, stmt) && calls.into_iter().any(waits)
 }
 
-/// A call inside a task creation does not run on this line.
+/// Whether the call is inside a task creation, so that it does not run on this line.
 fn is_creation_only(body: &Body, stmt: &Stmt) -> bool {
     match &stmt.kind {
         StmtKind::TaskCreate { .. } => true,

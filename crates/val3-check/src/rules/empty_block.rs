@@ -47,7 +47,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// There is a comment between `start` and the next part of the statement.
+/// Whether there is a comment between `start` and the next part of the statement.
 fn has_comment(program: &Program<'_>, start: TextSize, stmt: &Stmt) -> bool {
     let range = TextRange::new(start, stmt.range.end());
     let text = text_at(program.file.text(program.db), range);

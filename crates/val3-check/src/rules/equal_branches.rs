@@ -67,7 +67,7 @@ fn is_same_stmt(body: &Body, left: &Stmt, right: &Stmt) -> bool {
         && left.blocks().zip(right.blocks()).all(|(left, right)| is_same_block(body, left, right))
 }
 
-/// The parts that the lists of expressions and blocks do not show.
+/// Properties that the lists of expressions and blocks do not show.
 fn shape(kind: &StmtKind) -> (bool, Vec<usize>) {
     match kind {
         StmtKind::If { otherwise, .. } => (otherwise.is_some(), Vec::new()),

@@ -78,7 +78,7 @@ mod tests {
         assert_eq!(check(&RULE, "mdesc m\nm.vel=120\nm.accel=1000\nm={1000,100,1000,9999,9999,off,,}"), "");
     }
 
-    /// The maximum speeds of these arms are choices of the model.
+    /// The maximum speeds of these arms are assumptions of the model.
     #[test]
     fn arms_without_public_maximum_speeds_report_nothing() {
         let arm = |name: &str| {

@@ -61,7 +61,7 @@ pub(crate) fn word(father: &str, expected: &str, found: &str) -> Wording {
     )
 }
 
-/// Data with the name of `world` or `flange`.
+/// Words the finding about data with the name of `world` or `flange`.
 pub(crate) fn hidden(name: &str, expected: &str, found: &str, uses: usize) -> Wording {
     let uses = count(uses, "value");
     Wording::new(

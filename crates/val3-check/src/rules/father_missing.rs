@@ -62,7 +62,7 @@ pub(crate) fn word(father: &str, near: Option<&str>) -> Wording {
     )
 }
 
-/// Replaces the name by the similar one and keeps the index.
+/// Replaces the name by the similar name and keeps the index.
 pub(crate) fn fix(site: &Site<'_>, father: &str, near: Option<&str>) -> Option<Fix> {
     let name = father.split_once('[').map_or(father, |(name, _)| name);
     // The similar name belongs to one part of a longer reference, and the fault does not include which one.

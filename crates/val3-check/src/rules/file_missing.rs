@@ -38,7 +38,7 @@ pub(crate) fn word(what: FileRole, path: &str) -> Wording {
     Wording::new(format!("the {} `{path}` is not on the disk", file_role(what)), "no such file", help(what, path))
 }
 
-/// Where the controller looks for the file.
+/// Describes where the controller searches the file.
 fn help(what: FileRole, path: &str) -> &'static str {
     match what {
         FileRole::Program | FileRole::Data | FileRole::Project => {

@@ -31,17 +31,17 @@ rule! {
     V0030 "for-syntax" Error
 }
 
-/// The counter is not followed by `=`.
+/// Words the fault of a counter that is not followed by `=`.
 pub(crate) fn no_assignment(found: &str) -> Wording {
     part("`=`", "after the counter", found)
 }
 
-/// The first value is not followed by `to`.
+/// Words the fault of a first value that is not followed by `to`.
 pub(crate) fn no_to(found: &str) -> Wording {
     part("`to`", "after the first value", found)
 }
 
-/// `step` is not followed by a value.
+/// Words the fault of a `step` that is not followed by a value.
 pub(crate) fn no_step(found: &str) -> Wording {
     part("a value", "after `step`", found)
 }

@@ -36,7 +36,7 @@ rule! {
     V0026 "foreign-spelling" Error
 }
 
-/// Words the finding; `instead` is empty where the word is to be removed.
+/// Words the finding; `instead` is empty if the word must be removed.
 pub(crate) fn word(found: &str, instead: &str) -> Wording {
     if instead.is_empty() {
         return Wording::new(format!("VAL 3 has no `{found}`"), "remove it", "");
@@ -44,7 +44,7 @@ pub(crate) fn word(found: &str, instead: &str) -> Wording {
     Wording::new(format!("VAL 3 writes `{instead}` instead of `{found}`"), format!("write `{instead}`"), "")
 }
 
-/// Writes the VAL 3 spelling. A superfluous word is removed with the blanks before it if it ends its line.
+/// Writes the VAL 3 spelling. A superfluous word is removed, with the preceding blanks if it ends its line.
 pub(crate) fn fix(site: &Site<'_>, instead: &str) -> Option<Fix> {
     if !instead.is_empty() {
         return Some(Fix::safe(format!("write `{instead}`"), vec![site.replace(site.range, instead)]));

@@ -61,7 +61,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The frame in which the call returns its point.
+/// Frame in which the call returns its point.
 fn frame_of(call: &Call<'_>) -> Option<ExprId> {
     let mut arguments = call.arguments().filter(|_| gives_point_in_frame(call.instruction.name));
     arguments.find(|(param, _)| param.ty == Some(BaseType::Frame)).map(|(_, argument)| argument)
@@ -76,7 +76,7 @@ fn report(program: &Program<'_>, target: ExprId, reference: ExprId, found: &mut 
     }
 }
 
-/// A local variable, possibly in parentheses.
+/// Whether the expression is a local variable, possibly in parentheses.
 fn is_local(program: &Program<'_>, id: ExprId) -> bool {
     let is_variable = matches!(program.body.expr(id), Expr::Name(_) | Expr::Index(..) | Expr::Field { .. });
     is_variable && matches!(program.effects.root(id), Some(Root::Local(_)))

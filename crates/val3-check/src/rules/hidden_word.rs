@@ -51,7 +51,7 @@ fn report(found: &mut Findings, what: &str, names: Vec<Declared>) {
     }
 }
 
-/// The meaning of the word in VAL 3. Keywords are reported by another rule, as an error.
+/// Meaning of the word in VAL 3. Another rule reports keywords as errors.
 fn meaning(name: &str) -> Option<&'static str> {
     match reserved(name)? {
         Reserved::Keyword => None,

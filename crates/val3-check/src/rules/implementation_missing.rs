@@ -1,4 +1,4 @@
-//! V0605: a library that lacks an item of the interface.
+//! V0605: a library without an item of the interface.
 
 use smol_str::SmolStr;
 use val3_analysis::problem::NameKind;
@@ -53,7 +53,7 @@ rule! {
     V0605 "implementation-missing" Error
 }
 
-/// Words the finding; `items` are in the order of their names.
+/// Words the finding; `items` are sorted by name.
 pub(crate) fn word(alias: &str, library: &str, items: &[(NameKind, SmolStr)]) -> Wording {
     match items {
         [(what, item)] => one(alias, library, item, *what),

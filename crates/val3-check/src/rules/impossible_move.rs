@@ -179,7 +179,7 @@ mod tests {
         assert_eq!(found(near), "");
     }
 
-    /// Both lines pass axis 1 at a distance of 80 mm, and the blend between them leads the wrist too near to the axis.
+    /// Both lines pass axis 1 at a distance of 80 mm, and the blend between them moves the wrist too near to the axis.
     fn found_at_corner(corner: &str, descriptor: &str) -> String {
         let points = [
             "x=\"80\" y=\"300\" z=\"325\" rx=\"180\" rz=\"180\" fatherId=\"world[0]\"",

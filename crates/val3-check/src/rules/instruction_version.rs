@@ -38,7 +38,7 @@ rule! {
     V0532 "instruction-version" Info
 }
 
-/// Checks a program, whether or not it has faults: an older controller refuses it because of the instruction as well.
+/// Checks a program with or without faults, because an older controller also rejects it because of the instruction.
 pub(crate) fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
     let cell = program.project.cell(program.db).and_then(|cell| cell.config(program.db).version);
@@ -60,15 +60,15 @@ pub(crate) fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// An instruction or form that the version lacks, and the versions that have it.
+/// An instruction or form that is missing in the version, and the versions that have it.
 pub(super) struct MissingFeature {
-    /// Only the form is missing.
+    /// Whether only the form is missing.
     pub(super) is_form: bool,
     since: Option<u8>,
     until: Option<u8>,
 }
 
-/// The instruction, or the form of it, that a version lacks for a call.
+/// Instruction, or form of it, that a version does not have for a call.
 pub(super) fn lack(call: Call<'_>, version: Version) -> Option<MissingFeature> {
     match call.instruction.availability {
         Availability::Version { since, until } if !call.instruction.exists_in(version) => {
@@ -81,7 +81,7 @@ pub(super) fn lack(call: Call<'_>, version: Version) -> Option<MissingFeature> {
     }
 }
 
-/// `owner` states whose version it is.
+/// Words the finding. `owner` states whose version it is.
 fn word(instruction: &Instruction, lack: &MissingFeature, version: Version, owner: &str) -> Wording {
     let name = instruction.name;
     let what = if lack.is_form { format!("this form of `{name}`") } else { format!("`{name}`") };

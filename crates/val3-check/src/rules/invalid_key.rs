@@ -57,7 +57,7 @@ pub(crate) fn word(key: &str, dims: usize) -> Wording {
     )
 }
 
-/// A collection accepts every key except the empty one (2.3.4).
+/// Words the fault of an empty key, the only invalid collection key (2.3.4).
 fn empty_key() -> Wording {
     Wording::new("the key of a collection cannot be empty", "", "")
 }

@@ -31,7 +31,7 @@ pub(crate) fn word(name: &str) -> Wording {
     )
 }
 
-/// Why `name` is invalid: its first fault from a reader's point of view.
+/// Reason why `name` is invalid: its most obvious fault.
 fn reason(name: &str) -> String {
     let foreign = name.chars().find(|&letter| !letter.is_ascii_alphanumeric() && letter != '_');
     match (name.chars().next(), foreign) {

@@ -47,7 +47,7 @@ pub(crate) fn word(size: &str) -> Wording {
     )
 }
 
-/// The size that was probably meant.
+/// Size that was probably intended.
 fn proposal(size: &str) -> String {
     let with_blanks = size.replace([',', ';', 'x', '*'], " ");
     let dims: Vec<&str> = with_blanks.split_whitespace().collect();

@@ -51,7 +51,7 @@ pub(crate) fn word(ty: &str, attribute: &str, value: &str, expected: &str) -> Wo
     )
 }
 
-/// Proposes a decimal point for a number that is written with a comma.
+/// Suggests a decimal point for a number that is written with a comma.
 fn decimal_comma(value: &str) -> String {
     let point = value.replacen(',', ".", 1);
     match point.parse::<f64>() {

@@ -52,7 +52,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The condition of `wait(…)` or `watch(…)`.
+/// Condition of `wait(…)` or `watch(…)`.
 fn waited(program: &Program<'_>, call: ExprId) -> Option<ExprId> {
     let Expr::Call(callee, args) = program.body.expr(call) else { return None };
     let Expr::Name(name) = program.body.expr(*callee) else { return None };

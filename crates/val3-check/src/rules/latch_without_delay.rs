@@ -58,7 +58,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The instructions that a statement calls, in the order of evaluation as far as the search needs it.
+/// Instructions that a statement calls, in evaluation order as far as the search needs it.
 fn calls<'p>(program: &'p Program<'_>, stmt: &Stmt) -> Vec<(&'p str, ExprId)> {
     let parts = stmt.kind.exprs().into_iter().flat_map(|id| program.body.within(id));
     let called = |id: ExprId| match program.body.expr(id) {

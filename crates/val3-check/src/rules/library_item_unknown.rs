@@ -1,4 +1,4 @@
-//! V0601: an item that the interface of a library lacks.
+//! V0601: an item that the interface of a library does not contain.
 
 use smol_str::SmolStr;
 use val3_analysis::problem::NameKind;
@@ -57,7 +57,7 @@ pub(crate) fn word(alias: &str, item: &str, what: NameKind, near: Option<&str>) 
     )
 }
 
-/// The project of the library does not list the items that are used.
+/// Words the finding that the library's project does not list the used items.
 pub(crate) fn left_out(alias: &str, missing: &[SmolStr], unlisted: &[SmolStr], uses: usize) -> Wording {
     let (label, help) = if unlisted.is_empty() {
         ("its project is empty", format!("list the programs and data of `{alias}` in its project"))

@@ -41,7 +41,7 @@ rule! {
     V0333 "loop-beyond-array" Error, Program: check
 }
 
-/// A loop that counts up by 1, with its limit included.
+/// A loop that counts up by 1, including its limit.
 struct CountingLoop<'p> {
     counter: ExprId,
     limit: ExprId,
@@ -71,7 +71,7 @@ fn for_loop<'p>(program: &Program<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p
     let is_by_one = step.is_none_or(|step| program.body.number(step) == Some(1.0));
     let start = program.body.number(start).filter(|start| start.fract() == 0.0 && *start >= 0.0)?;
     let is_run = program.body.number(limit).is_none_or(|limit| limit >= start && limit.fract() == 0.0);
-    // An empty array is not left; a start beyond 0 may be greater than its size.
+    // The block of an empty array is not executed; a start beyond 0 may exceed the array size.
     let is_run = is_run && (start == 0.0 || program.body.number(limit).is_some());
     let writes = writes(program, stmt, counter);
     (is_by_one && is_run && writes == 0).then_some(CountingLoop { counter, limit, block })
@@ -89,7 +89,7 @@ fn while_loop<'p>(program: &Program<'_>, stmt: &'p Stmt) -> Option<CountingLoop<
     is_certain.then_some(CountingLoop { counter, limit, block })
 }
 
-/// `n=n+1`
+/// Whether the statement is `n=n+1`.
 fn is_increment(program: &Program<'_>, stmt: &Stmt, counter: ExprId) -> bool {
     let StmtKind::Assign { target, value } = stmt.kind else { return false };
     let Expr::Binary(BinaryOp::Add, left, right) = program.body.expr(program.body.without_parentheses(value)) else {
@@ -98,7 +98,7 @@ fn is_increment(program: &Program<'_>, stmt: &Stmt, counter: ExprId) -> bool {
     program.is_same(target, counter) && program.is_same(*left, counter) && program.body.number(*right) == Some(1.0)
 }
 
-/// The number of accesses within a loop that may write the counter, without that of `for` itself.
+/// Number of accesses in a loop that may write the counter, without the write of `for` itself.
 fn writes(program: &Program<'_>, stmt: &Stmt, counter: ExprId) -> usize {
     let root = program.effects.root(counter);
     let inside = program.effects.all().iter().filter(|access| {
@@ -107,7 +107,7 @@ fn writes(program: &Program<'_>, stmt: &Stmt, counter: ExprId) -> usize {
     inside.filter(|access| Some(&access.root) == root.as_ref()).count()
 }
 
-/// The first element that each pass uses with the counter as index, of an array that is not larger than the limit.
+/// First element that each pass uses with the counter as index, in an array that is not larger than the limit.
 fn element_beyond(program: &Program<'_>, counting: &CountingLoop<'_>) -> Option<(ExprId, ExprId)> {
     if !matches!(program.body.expr(counting.counter), Expr::Name(_)) {
         return None;
@@ -132,7 +132,7 @@ fn element_beyond(program: &Program<'_>, counting: &CountingLoop<'_>) -> Option<
     None
 }
 
-/// A part of the expression may not be evaluated.
+/// Whether a part of the expression may not be evaluated.
 fn branches(program: &Program<'_>, id: ExprId) -> bool {
     let is_branch = |part| matches!(program.body.expr(part), Expr::Binary(BinaryOp::And | BinaryOp::Or, ..));
     // The element may be an argument that only marks where a part of the array starts.
@@ -144,7 +144,7 @@ fn is_array(program: &Program<'_>, array: ExprId) -> bool {
         && program.inference.ty(array).container == Container::Array { dims: 1 }
 }
 
-/// The limit is the size of the array, or a constant that is not below it.
+/// Whether the limit is the size of the array, or a constant that is not below it.
 fn reaches_size(program: &Program<'_>, limit: ExprId, array: ExprId) -> bool {
     if let Some(limit) = program.body.number(limit) {
         return program.certain_size(array).is_some_and(|size| limit.round() >= f64::from(size));
@@ -152,7 +152,7 @@ fn reaches_size(program: &Program<'_>, limit: ExprId, array: ExprId) -> bool {
     size_of(program, limit).is_some_and(|measured| program.is_same(measured, array))
 }
 
-/// `size(array)`
+/// The array in `size(array)`.
 fn size_of(program: &Program<'_>, limit: ExprId) -> Option<ExprId> {
     let call = program.call_of(program.body.without_parentheses(limit)).filter(|call| call.instruction.name == SIZE)?;
     match *call.args {
@@ -161,13 +161,13 @@ fn size_of(program: &Program<'_>, limit: ExprId) -> Option<ExprId> {
     }
 }
 
-/// The loop may be left before its last pass.
+/// Whether the loop may end before its last pass.
 fn may_leave(program: &Program<'_>, stmt: &Stmt) -> bool {
     let kills = || program.calls_of(TASK_KILL).any(|call| stmt.range.contains_range(program.range(call.id)));
     stmt.holds(&StmtKind::Return) || kills()
 }
 
-/// A line of the loop may change the size of the array.
+/// Whether a line of the loop may change the size of the array.
 fn changes(program: &Program<'_>, stmt: &Stmt, array: ExprId) -> bool {
     let root: Option<Root> = program.effects.root(array);
     program.effects.all().iter().any(|access| {

@@ -62,7 +62,7 @@ fn check_for(program: &Program<'_>, [first, last]: [ExprId; 2], step: Option<Exp
     }
 }
 
-/// Other conditions that are always false are reported as constant conditions.
+/// Whether the condition is a literal. Other conditions that are always false are reported as constant conditions.
 fn is_literally_false(program: &Program<'_>, condition: ExprId) -> bool {
     program.is_endless(condition) && program.body.constant(condition) == Some(Constant::Bool(false))
 }

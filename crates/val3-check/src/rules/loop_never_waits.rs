@@ -53,7 +53,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Other tasks may run at this point, or the loop is paced by the clock.
+/// Whether other tasks may run at this flow node, or the clock limits the loop's speed.
 fn waits(program: &Program<'_>, id: PointId, point: &Point) -> bool {
     program.effects.may_wait_at(point)
         || program.calls_at(id).iter().any(|call| call.instruction.name == CLOCK)

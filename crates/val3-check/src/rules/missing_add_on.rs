@@ -85,7 +85,7 @@ mod tests {
         .assert_eq(&word("$myWeld", None, false).to_string());
     }
 
-    /// The level where the cell holds `table`, if any.
+    /// Level of the finding in a cell with `table`, if any.
     fn level(table: &str) -> Option<Severity> {
         let fixture = Fixture::parse(&format!("$recClean(\"c\")\n{table}"));
         let files: Vec<_> = fixture.files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();

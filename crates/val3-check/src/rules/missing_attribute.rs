@@ -45,7 +45,7 @@ rule! {
     V0505 "missing-attribute" Error
 }
 
-/// Words the finding. `written` is the unknown attribute that was probably meant as this one.
+/// Words the finding. `written` is the unknown attribute that is probably a misspelling.
 pub(crate) fn word(element: &str, attribute: &str, default: Option<&str>, written: Option<&str>) -> Wording {
     let label = match default {
         Some(default) => format!("`{attribute}` is missing: `{default}` is assumed"),
@@ -55,7 +55,7 @@ pub(crate) fn word(element: &str, attribute: &str, default: Option<&str>, writte
     Wording::new(format!("the element `{element}` needs the attribute `{attribute}`"), label, help.unwrap_or_default())
 }
 
-/// Renames the unknown attribute that was probably meant as this one.
+/// Renames the unknown attribute that is probably a misspelling.
 pub(crate) fn fix(site: &Site<'_>, attribute: &str, written: Option<&str>) -> Option<Fix> {
     rename(site, written?, Some(attribute))
 }

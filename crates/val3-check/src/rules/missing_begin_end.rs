@@ -35,12 +35,12 @@ rule! {
     V0028 "missing-begin-end" Error
 }
 
-/// The code has no `begin`.
+/// Words the fault of code without `begin`.
 pub(crate) fn no_begin() -> Wording {
     Wording::new("the code of the program does not start with `begin`", "`begin` belongs here", "")
 }
 
-/// The code has no `end`.
+/// Words the fault of code without `end`.
 pub(crate) fn no_end() -> Wording {
     Wording::new(
         "the code of the program does not finish with `end`",
@@ -49,7 +49,7 @@ pub(crate) fn no_end() -> Wording {
     )
 }
 
-/// The code has neither.
+/// Words the fault of code without `begin` and `end`.
 pub(crate) fn neither() -> Wording {
     Wording::new(
         "the code of the program has neither `begin` nor `end`",
@@ -58,7 +58,7 @@ pub(crate) fn neither() -> Wording {
     )
 }
 
-/// There is no code at all.
+/// Words the fault of a program without code.
 pub(crate) fn no_code() -> Wording {
     Wording::new(
         "the program has no code",
@@ -67,7 +67,7 @@ pub(crate) fn no_code() -> Wording {
     )
 }
 
-/// Writes the missing keyword on a line of its own. Missing lines of code cannot be restored, so the fix is a guess.
+/// Writes the missing keyword on a separate line. Missing lines of code cannot be restored, so the fix is a guess.
 pub(crate) fn fix(site: &Site<'_>, keyword: &str) -> Option<Fix> {
     let edit = site.insert_line(keyword)?;
     Some(Fix::guess(format!("write `{keyword}`"), vec![edit]))

@@ -1,4 +1,4 @@
-//! V0534: an application that cannot be started because it lacks `stop`.
+//! V0534: an application that cannot be started because it has no `stop`.
 
 use val3_analysis::application::{START, STOP};
 use val3_analysis::items::declarations::program_file;
@@ -75,7 +75,7 @@ mod tests {
     use crate::lint::testing;
     use crate::rule::Rule;
 
-    /// The findings in a whole cell.
+    /// Findings in a complete cell.
     fn check(rule: &Rule, listing: &str) -> String {
         let arm = "<arm><String name=\"arm\" value=\"tx90-S1\" /></arm>";
         testing::check(rule, &format!("{listing}\n=== /configs/arm.cfx\n{arm}"))

@@ -54,7 +54,7 @@ fn is_move_id(program: &Program<'_>, id: ExprId) -> bool {
     }
 }
 
-/// The comparison with `>=`, or `<=` if the move id is on the right side.
+/// Operator `>=`, or `<=` if the move id is the right operand.
 fn instead(op: BinaryOp, left: bool) -> &'static str {
     match (op, left) {
         (BinaryOp::Equal, true) => ">=",

@@ -1,4 +1,4 @@
-//! V0414: the application ends with a move that nothing waits for.
+//! V0414: the application ends with a move for which nothing waits.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::application::{START, STOP};
@@ -67,7 +67,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Whether the application ends when `start` does, and the arm gets no time after that.
+/// Whether the application ends when `start` ends, without time for the arm after that.
 fn ends_application(program: &Program<'_>) -> bool {
     let application = program.application();
     let has_stop = program.items.programs.contains_key(STOP);
@@ -79,7 +79,7 @@ fn ends_application(program: &Program<'_>) -> bool {
         && !is_library(program.db, program.project)
 }
 
-/// Whether a loop with a condition, which may run until the arm has arrived, can follow a point.
+/// Whether a loop with a condition, which may run until the arm has arrived, can follow a flow node.
 fn leads_to_loop(program: &Program<'_>, from: PointId) -> bool {
     let mut seen = FxHashSet::default();
     let mut open = vec![from];

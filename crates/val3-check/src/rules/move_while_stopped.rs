@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Before each point: the program may still restart the arm later, or call a program that may.
+/// Whether, before each flow node, the program may still restart the arm later, or call a program that may.
 fn freed_later(program: &Program<'_>) -> Facts<bool> {
     let frees = |id: PointId, point: &Point| {
         let mut roles = program.calls_at(id).iter().filter_map(|call| call.role);
@@ -86,7 +86,7 @@ fn is_freed(program: &Program<'_>, freed: &Facts<bool>, call: ExprId) -> bool {
     point.and_then(|point| freed.before(point)).copied().unwrap_or(true)
 }
 
-/// Another program, which a task may run meanwhile, calls `restartMove`.
+/// Whether another program, which a task may run meanwhile, calls `restartMove`.
 fn others_restart(program: &Program<'_>) -> bool {
     let application = program.application();
     application.restarting.iter().any(|name| name != program.name() && application.run_by.contains_key(name))
@@ -153,7 +153,7 @@ mod tests {
         for line in lines {
             assert_eq!(check(&RULE, &program(&format!("stopMove()\nmovej(jA,tA,mA)\n{line}"))), "", "{line}");
         }
-        // The wait comes first, so that the line after it is never reached.
+        // The wait comes first, so that the next line is never reached.
         expect![[r#"
             start.pgx:8 `waitEndMove()` the arm is stopped: `waitEndMove` never returns
               | nothing has restarted the arm

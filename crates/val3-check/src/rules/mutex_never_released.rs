@@ -55,7 +55,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Another program writes the variable, or passes it to something that may write it.
+/// Whether another program writes the variable, or passes it to a program or instruction that may write it.
 fn is_released_elsewhere(program: &Program<'_>, name: &str) -> bool {
     let users = program.application().users.get(name).into_iter().flatten();
     users.filter(|(user, _)| user != program.name()).any(|(_, uses)| uses.may_write())

@@ -51,8 +51,8 @@ rule! {
     V0401 "no-reference" Error, Program: check
 }
 
-/// Variables that may have a reference, with the spelling of the code: `l_pPick`, `l_tSlot.pPick`. An entry for a
-/// structure also holds for each of its fields.
+/// Variables that may have a father, as spelled in the code: `l_pPick`, `l_tSlot.pPick`. An entry for a structure also
+/// covers its fields.
 type ReferencedVariables = FxHashSet<SmolStr>;
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -83,7 +83,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The arguments that need a reference.
+/// Arguments that need a father.
 pub(super) fn needed<'a>(call: &Call<'a>) -> impl Iterator<Item = (ExprId, BaseType)> {
     let (instruction, args) = (call.instruction, call.args);
     let params = call.form.into_iter().flat_map(|form| form.params);
@@ -113,7 +113,7 @@ fn after(
     Rc::new(after)
 }
 
-/// An assignment `l_pA=l_pB` where `l_pB` has no reference either.
+/// Whether it is an assignment `l_pA=l_pB` in which `l_pB` has no father either.
 fn copies_nothing(program: &Program<'_>, point: &Point, linked: &ReferencedVariables) -> bool {
     let PointKind::Assign { value, .. } = point.kind else { return false };
     let has_father = program.inference.ty(value).base.builtin().is_some_and(BaseType::has_father);
@@ -125,7 +125,7 @@ fn is_linked(linked: &ReferencedVariables, name: &str) -> bool {
     ends.into_iter().any(|end| name.get(..end).is_some_and(|whole| linked.contains(whole)))
 }
 
-/// A local variable or a field of one, without its indexes: the elements of an array are not distinguished.
+/// Local variable or a field of it, without indexes: the elements of an array are not distinguished.
 fn local(program: &Program<'_>, id: ExprId) -> Option<SmolStr> {
     matches!(program.effects.root(id)?, Root::Local(_)).then(|| program.path_without_indexes(id))
 }

@@ -42,7 +42,7 @@ pub(crate) fn word(name: &str, is: NameKind) -> Wording {
     Wording::new(format!("`{name}` is {}, not a value", a_name_kind(is)), "not a value", instead(name, is))
 }
 
-/// Advice for something that is not a value.
+/// Advice for a name that is no value.
 fn instead(name: &str, is: NameKind) -> String {
     match is {
         NameKind::Program => "a program gives results back through parameters passed by reference".into(),

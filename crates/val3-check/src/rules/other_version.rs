@@ -1,4 +1,4 @@
-//! V0540: code that an application needs to change for another version.
+//! V0540: code that must be changed for another version.
 
 use rustc_hash::FxHashSet;
 use val3_lang::replacements::{is_text_page, replacement};
@@ -40,7 +40,7 @@ rule! {
     V0540 "other-version" Warning
 }
 
-/// Checks a program, whether or not it has faults.
+/// Checks a program with or without faults.
 pub(crate) fn check(program: &Program<'_>, found: &mut Findings) {
     let Some(target) = program.options.target_version else { return };
     let mut told = FxHashSet::default();
@@ -65,7 +65,7 @@ fn fault(call: &Call<'_>, declared: Version, target: Version) -> Option<(Wording
     is_lost.then(|| (word_page(name, target), Severity::Warning))
 }
 
-/// First number of the versions of a CS9.
+/// First number of CS9 versions.
 const CS9: u8 = 8;
 
 fn word_lack(name: &str, lack: &MissingFeature, target: Version) -> Wording {

@@ -59,7 +59,7 @@ rule! {
     V0541 "other-version-data" Warning, Data: check
 }
 
-/// First number of the versions of a CS9.
+/// First number of CS9 versions.
 const CS9: u8 = 8;
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {

@@ -1,4 +1,4 @@
-//! V0542: the form of files that another version reads.
+//! V0542: file formats that another version requires.
 
 use std::collections::BTreeSet;
 
@@ -63,7 +63,7 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
     }
 }
 
-/// Reports the entry of each user type.
+/// Reports the entries of all user types.
 fn user_types(view: &ProjectView<'_>, target: Version, found: &mut Findings) {
     for entry in &manifest(view.db, view.project.manifest(view.db)).types {
         if let Some(place) = user_type(view.db, view.project, entry.name.clone()) {
@@ -81,7 +81,7 @@ fn long_names(view: &ProjectView<'_>, target: Version, limit: usize, declared: T
     }
 }
 
-/// Number of names that a finding lists.
+/// Maximum number of names in a finding.
 const LISTED: usize = 3;
 
 fn word_long_names(names: &BTreeSet<&str>, limit: usize, target: Version) -> Wording {

@@ -61,7 +61,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The output that is set at a point.
+/// Output that is set at a flow node.
 fn output(program: &Program<'_>, id: PointId, point: &Point) -> Option<ExprId> {
     let is_output = |id: ExprId| {
         let ty = program.inference.ty(id).base.builtin();

@@ -1,4 +1,4 @@
-//! V0560: a user page that names what the application does not have.
+//! V0560: a user page that names an unknown item of the application.
 
 use val3_analysis::problem::PageFault;
 

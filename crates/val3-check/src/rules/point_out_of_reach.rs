@@ -195,7 +195,7 @@ mod tests {
         assert_eq!(check(&RULE, &listing("movej(pY,flange,mX)", &two_arms)), "");
     }
 
-    /// A program may change a parameter by reference, or only read it.
+    /// A called program may change a parameter by reference, or only read it.
     #[test]
     fn a_point_by_reference_is_not_reported_if_a_program_changes_it() {
         let called = |code: &str| {

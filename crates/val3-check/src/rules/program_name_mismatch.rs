@@ -55,7 +55,7 @@ pub(crate) fn word(program: &str, file: &str) -> Wording {
     )
 }
 
-/// Renames the program to the name of its file.
+/// Renames the program to its file's name.
 pub(crate) fn fix(site: &Site<'_>, program: &str, file: &str) -> Option<Fix> {
     rename(site, program, Some(file))
 }

@@ -51,7 +51,7 @@ rule! {
     V0310 "recursion" Info, Member: check
 }
 
-/// Reports a circle once, at the first of its programs by name.
+/// Reports a circle once, at its alphabetically first program.
 fn check(program: &Program<'_>, found: &mut Findings) {
     let circles = &program.application().circles;
     if !circles.contains(program.name()) {
@@ -74,7 +74,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The programs from `first` to the one before this program, on the shortest way back.
+/// Programs from `first` to the caller of this program, on the shortest way back.
 fn circle(program: &Program<'_>, first: &SmolStr) -> Option<Vec<SmolStr>> {
     let start = program.name();
     let mut came_from: FxHashMap<SmolStr, Option<SmolStr>> = FxHashMap::default();

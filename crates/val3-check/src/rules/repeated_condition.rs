@@ -46,7 +46,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             continue;
         }
         let mut asked = EarlierConditions::default();
-        // Constants are reported as such. A condition with side effects may have another value the next time.
+        // Another rule reports constants. A condition with side effects may have another value the next time.
         let is_followed = |id: &ExprId| program.body.constant(*id).is_none() && program.is_pure(*id);
         for condition in arms.iter().filter_map(|(condition, _)| *condition).filter(is_followed) {
             if let Some(earlier) = asked.covering(program.body, condition) {
@@ -58,17 +58,17 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The conditions of an `if` so far.
+/// Previous conditions in an `if`.
 #[derive(Default)]
 struct EarlierConditions {
-    /// Each condition with its text as the key.
+    /// Conditions by normal form.
     conditions: FxHashMap<String, ExprId>,
-    /// The widest ranges tested so far, by the value compared: above a bound, below one.
+    /// Widest ranges tested so far, by the compared value: above a bound, and below a bound.
     ranges: FxHashMap<String, [Option<(Range, ExprId)>; 2]>,
 }
 
 impl EarlierConditions {
-    /// An earlier condition that holds wherever `condition` does.
+    /// Earlier condition that is true whenever `condition` is.
     fn covering(&self, body: &Body, condition: ExprId) -> Option<ExprId> {
         let same = self.conditions.get(&body.normal_form(condition)).copied();
         same.or_else(|| {
@@ -93,13 +93,13 @@ impl EarlierConditions {
     }
 }
 
-/// The numbers between two bounds.
+/// Numbers between two bounds.
 struct Range {
     low: Bound,
     high: Bound,
 }
 
-/// A bound. An open one excludes the number itself.
+/// A bound. An open bound excludes the number itself.
 #[derive(Clone, Copy)]
 struct Bound {
     at: f64,
@@ -115,8 +115,7 @@ impl Range {
     }
 }
 
-/// The text of the value and its range, for `value > constant` and similar comparisons with the constant on either
-/// side.
+/// Text of the value and its range, for `value > constant` and similar comparisons, with the constant on either side.
 fn range(body: &Body, id: ExprId) -> Option<(String, Range)> {
     let Expr::Binary(op, left, right) = body.expr(body.without_parentheses(id)) else { return None };
     if let Some(at) = body.number(*right) {

@@ -49,7 +49,7 @@ rule! {
     V0332 "return-with-mutex" Warning, Member: check
 }
 
-/// The taken mutexes, and the call that has taken each.
+/// Taken mutexes, each with the call that has taken it.
 type Taken = BTreeMap<SmolStr, ExprId>;
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -90,14 +90,14 @@ fn after(program: &Program<'_>, id: PointId, point: &Point, before: &Taken) -> T
     taken
 }
 
-/// Another program may write the variable.
+/// Whether another program may write the variable.
 fn may_change_elsewhere(program: &Program<'_>, name: &str) -> bool {
     let users = program.application().users.get(name).into_iter().flatten();
     let is_private = program.items.data.get(name).is_some_and(|item| !item.decl.public);
     !is_private || users.filter(|(user, _)| user != program.name()).any(|(_, uses)| uses.may_write())
 }
 
-/// The program itself releases the mutex somewhere.
+/// Whether the program itself releases the mutex somewhere.
 fn is_released(program: &Program<'_>, name: &str) -> bool {
     let is_it = |root: &Root| matches!(root, Root::Data(data) if data == name);
     program.effects.all().iter().any(|access| access.kind == AccessKind::Write && is_it(&access.root))

@@ -41,7 +41,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for (_, expr, _) in program.body.exprs() {
         let Expr::Binary(op, left, right) = expr else { continue };
         let Some(outcome) = outcome(*op) else { continue };
-        // Constants are reported by the rule on constant conditions.
+        // The rule about constant conditions reports constants.
         let repeated = repeated(program, *op, *left, *right).filter(|first| program.body.constant(*first).is_none());
         if let Some(first) = repeated {
             let wording = word(op.symbol(), outcome, program.text(*right));
@@ -50,7 +50,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The equal operand before `right`. In `a and b and a` it may be any of the earlier ones.
+/// Equal operand before `right`. In `a and b and a`, it may be any earlier operand.
 fn repeated(program: &Program<'_>, op: BinaryOp, left: ExprId, right: ExprId) -> Option<ExprId> {
     if program.is_same(left, right) {
         return Some(left);
@@ -69,10 +69,10 @@ fn repeated(program: &Program<'_>, op: BinaryOp, left: ExprId, right: ExprId) ->
     })
 }
 
-/// Operands further apart are not compared, so that the time stays proportional to the length of the text.
+/// Maximum distance of compared operands, so that the time stays proportional to the length of the text.
 const LONGEST_CHAIN: usize = 16;
 
-/// The result of the operator for two equal operands. `None` where that may be intended.
+/// Result of the operator for two equal operands. `None` if the comparison may be intended.
 fn outcome(op: BinaryOp) -> Option<&'static str> {
     Some(match op {
         BinaryOp::Equal | BinaryOp::GreaterOrEqual | BinaryOp::LessOrEqual => "is always true",

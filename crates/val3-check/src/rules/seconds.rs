@@ -1,4 +1,4 @@
-//! V0240: a time that was probably meant in milliseconds.
+//! V0240: a time that was probably intended in milliseconds.
 
 use val3_lang::arguments::counts_seconds;
 
@@ -24,7 +24,7 @@ rule! {
     V0240 "seconds" Info, Program: check
 }
 
-/// Whole numbers of seconds from this one on are reported, unless they are whole minutes.
+/// Minimum number of seconds that is reported, unless it is a whole number of minutes.
 const LONG: f64 = 200.0;
 const MINUTE: f64 = 60.0;
 

@@ -64,7 +64,7 @@ fn check_value(program: &Program<'_>, parameter: &SerialParameter, value: ExprId
     found.report(&RULE, program.range(value), wording);
 }
 
-/// The parameter accepts the value, or the value is not known.
+/// Whether the parameter accepts the value, or the value is unknown.
 fn takes(value: SerialValue, constant: Option<Constant>) -> bool {
     match constant {
         Some(Constant::Number(number)) => value.takes_number(number),

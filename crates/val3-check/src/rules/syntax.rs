@@ -32,7 +32,7 @@ rule! {
     V0010 "syntax" Error
 }
 
-/// Words the fault if something else is expected. `found` is empty at the end of a line.
+/// Words the fault of an unexpected text. `found` is empty at the end of a line.
 pub(crate) fn expected(expected: Expected, found: &str) -> Wording {
     let what = part(expected);
     Wording::new(
@@ -42,7 +42,7 @@ pub(crate) fn expected(expected: Expected, found: &str) -> Wording {
     )
 }
 
-/// The part of a line that is missing.
+/// Missing part of a line.
 fn part(expected: Expected) -> &'static str {
     match expected {
         Expected::Expression => "a value",
@@ -60,7 +60,7 @@ fn part(expected: Expected) -> &'static str {
     }
 }
 
-/// The form of the line, where the missing part alone does not explain it.
+/// Form of the line, if the missing part does not explain it.
 fn form(expected: Expected) -> &'static str {
     match expected {
         Expected::Program => "write `call name(…)`, and `call library:name(…)` for a program of a library",
@@ -96,7 +96,7 @@ pub(crate) fn invalid_character(character: char) -> Wording {
     )
 }
 
-/// The character in backticks, or its number if it is invisible.
+/// Formats the character in backticks, or its number if it is invisible.
 fn shown(character: char) -> String {
     if is_invisible(character) {
         return format!("U+{:04X}, which is invisible", u32::from(character));
@@ -104,13 +104,14 @@ fn shown(character: char) -> String {
     format!("`{character}`")
 }
 
-/// Blanks and control characters, and marks that have no width (joiners, direction marks, byte order mark).
+/// Whether the character is invisible: blanks, control characters, and marks without width (joiners, direction marks,
+/// byte order mark).
 fn is_invisible(character: char) -> bool {
     let no_width = matches!(character, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}' | '\u{feff}');
     no_width || character.is_control() || character.is_whitespace()
 }
 
-/// Advice with the text that was probably meant.
+/// Advice with the text that was probably intended.
 fn substitute(character: char) -> &'static str {
     match character {
         ';' => "remove it: in VAL 3 the end of the line ends the instruction",

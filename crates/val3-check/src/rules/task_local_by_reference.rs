@@ -61,7 +61,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Describes a variable that ceases to exist when its program ends; `None` for any other.
+/// Describes a variable that ceases to exist when its program ends; `None` for other variables.
 pub(crate) fn ends_with_program(program: &Program<'_>, root: Option<Root>) -> Option<&'static str> {
     match root? {
         Root::Local(_) => Some("the local variable"),

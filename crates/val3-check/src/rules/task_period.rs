@@ -43,7 +43,7 @@ rule! {
     V0323 "task-period" Warning, Program: check
 }
 
-/// Periods of whole seconds from this one on are reported as probably meant in milliseconds.
+/// Minimum whole number of seconds that is reported as probably intended in milliseconds.
 const SLOWEST: f64 = 2.0;
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -92,7 +92,7 @@ fn rounded(period: f64) -> Wording {
     )
 }
 
-/// Seconds in milliseconds, without the last digits of a binary fraction.
+/// Converts seconds to milliseconds, without the last digits of a binary fraction.
 fn milliseconds(seconds: f64) -> f64 {
     (seconds * 1e6).round() / 1e3
 }

@@ -1,4 +1,4 @@
-//! V0345: a second task with the name of one that never ends.
+//! V0345: a second task with an endless task's name.
 
 use smol_str::SmolStr;
 use val3_analysis::application::summary;
@@ -79,7 +79,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    // Most programs create no task, so the summary of the application is not needed for them.
+    // Most programs create no task, so they do not need the summary of the application.
     let starts = &summary(program.db, program.project, program.file).tasks;
     for start in starts {
         let Some(name) = &start.name else { continue };
@@ -114,7 +114,7 @@ mod tests {
     use super::*;
     use crate::lint::testing::check;
 
-    /// `start` creates "io" and calls `two`, which has `code`; `loop` and `other` run for good, `once` does not.
+    /// Program `start` creates "io" and calls `two`, which has `code`; `loop` and `other` are endless, `once` is not.
     fn two(start: &str, code: &str) -> String {
         let endless = "begin\n  while true\n    delay(1)\n  endWhile\nend";
         check(

@@ -47,7 +47,7 @@ rule! {
     V0419 "tiny-blend" Info, Data: check
 }
 
-/// Distances below this one, in mm, are not visible.
+/// Minimum visible distance, in mm.
 const SMALLEST: f64 = 0.1;
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {

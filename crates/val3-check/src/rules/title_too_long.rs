@@ -25,7 +25,7 @@ rule! {
     V0248 "title-too-long" Info, Program: check
 }
 
-/// Columns of the user page.
+/// Number of columns on the user page.
 const COLUMNS: usize = 40;
 
 fn check(program: &Program<'_>, found: &mut Findings) {

@@ -66,7 +66,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The different periods of the tasks that the application may create, in multiples of 4 ms.
+/// Different periods of the tasks that the application may create, in multiples of 4 ms.
 fn periods(program: &Program<'_>) -> Vec<u32> {
     let application = program.application();
     let is_run = |name: &smol_str::SmolStr| application.run_by.contains_key(name);
@@ -80,7 +80,7 @@ fn periods(program: &Program<'_>) -> Vec<u32> {
     periods
 }
 
-/// The first place of the application that uses a period.
+/// First location in the application that uses a period.
 fn asked_for(program: &Program<'_>, period: u32) -> Option<FileRange> {
     let tasks = &program.application().tasks;
     let creator = tasks.iter().find(|task| task.start.period == Some(period))?.created_by.as_deref()?;

@@ -91,7 +91,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Data of which the program writes several fields, with the first two lines that do.
+/// Data of which the program writes several fields, with the first two such lines.
 struct FieldWrites {
     data: SmolStr,
     first: ExprId,
@@ -113,7 +113,7 @@ fn parts(program: &Program<'_>) -> Vec<FieldWrites> {
     found
 }
 
-/// The place where the program `reader` reads all of `data`.
+/// Location at which the program `reader` reads all of `data`.
 fn read_by(program: &Program<'_>, reader: &str, data: &SmolStr) -> Option<FileRange> {
     let reader = program.other(reader)?;
     let is_whole = |access: &&Access| {

@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The variables of a condition; `None` if it depends on something else than local variables and constants.
+/// Variables of a condition; `None` if it depends on something other than local variables and constants.
 fn locals(program: &Program<'_>, condition: ExprId) -> Option<FxHashSet<SmolStr>> {
     let body = program.body;
     // A constant has no variables, and a single flag may be meant to never change.
@@ -87,7 +87,7 @@ fn locals(program: &Program<'_>, condition: ExprId) -> Option<FxHashSet<SmolStr>
 fn may_end(program: &Program<'_>, stmt: &Stmt, locals: &FxHashSet<SmolStr>) -> bool {
     let changes = program.effects.all().iter().any(|access| {
         let is_local = matches!(&access.root, Root::Local(name) if locals.contains(name));
-        // What has the variable by reference may change it at any time.
+        // A program that has received the variable by reference may change it at any time.
         let is_inside = access.kind == AccessKind::Reference || stmt.range.contains_range(program.range(access.id));
         is_local && is_inside && access.kind != AccessKind::Read
     });

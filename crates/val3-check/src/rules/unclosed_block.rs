@@ -45,7 +45,7 @@ pub(crate) fn word(block: &str, missing: &str) -> Wording {
     Wording::new(format!("`{block}` has no `{missing}`"), label, "")
 }
 
-/// A `do` block ends with `while`, as in other languages.
+/// Words the fault of a `do` block that ends with `while`, as in other languages.
 pub(crate) fn do_while() -> Wording {
     Wording::new(
         "a `do` block ends with `until`, not with `while`",
@@ -66,7 +66,7 @@ pub(crate) fn end_with_until(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::guess("write `until !(…)`", vec![site.replace(keyword, "until !("), site.replace(end, ")")]))
 }
 
-/// A block ends before the `inner` one does.
+/// Words the fault of a block that ends before its `inner` block.
 pub(crate) fn crossed(inner: &str, early: &str, late: &str) -> Wording {
     Wording::new(
         format!("`{early}` comes before the `{late}` of the `{inner}` inside its block"),
@@ -83,7 +83,7 @@ pub(crate) fn swap(site: &Site<'_>, early: &str, late: &str) -> Option<Fix> {
 }
 
 /// Closes the block where its indentation ends, or corrects a mistaken end. There is no fix for `until`, because its
-/// condition is not known.
+/// condition is unknown.
 pub(crate) fn fix(site: &Site<'_>, missing: &str) -> Option<Fix> {
     let opener = site.related.filter(|_| missing != "until")?;
     let indentation = site.indentation(opener);
@@ -95,7 +95,7 @@ pub(crate) fn fix(site: &Site<'_>, missing: &str) -> Option<Fix> {
     Some(Fix::guess(title, vec![edit]))
 }
 
-/// The keyword ends a block.
+/// Whether the keyword ends a block.
 fn is_end(word: &str) -> bool {
     use SyntaxKind::{END_FOR_KW, END_IF_KW, END_SWITCH_KW, END_WHILE_KW};
     matches!(SyntaxKind::from_keyword(word), Some(END_FOR_KW | END_IF_KW | END_SWITCH_KW | END_WHILE_KW))

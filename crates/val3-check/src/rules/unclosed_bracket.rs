@@ -43,7 +43,7 @@ pub(crate) fn word(missing: char) -> Wording {
     )
 }
 
-/// Closes the bracket where it is missed.
+/// Inserts the bracket at the position of the fault.
 pub(crate) fn fix(site: &Site<'_>, missing: char) -> Option<Fix> {
     let edit = site.replace(TextRange::empty(site.range.start()), &missing.to_string());
     Some(Fix::guess(format!("write `{missing}`"), vec![edit]))

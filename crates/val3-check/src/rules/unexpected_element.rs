@@ -45,7 +45,7 @@ rule! {
     V0507 "unexpected-element" Warning
 }
 
-/// The elements of s7 and s8.
+/// Elements of s7 and s8.
 const ELEMENTS: &[&str] = &[
     "Project",
     "Parameters",
@@ -67,7 +67,7 @@ const ELEMENTS: &[&str] = &[
     "Code",
 ];
 
-/// The program element and its parent in both forms of program files.
+/// Program element and its parent, in both dialects.
 const PROGRAMS: &[(&str, &str)] = &[("Program", "Programs"), ("program", "programList")];
 
 /// Words the finding.

@@ -41,7 +41,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The position of `wanted` as a separate word in any letter case.
+/// Position of `wanted` as a separate word, in upper or lower case.
 fn find_word(text: &str, wanted: &str) -> Option<usize> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let mut from = 0;

@@ -1,4 +1,4 @@
-//! V0228: a key that `getDate` does not know.
+//! V0228: a key that `getDate` does not support.
 
 use val3_lang::arguments::{DATE_KEYS, TextForm, text_form};
 

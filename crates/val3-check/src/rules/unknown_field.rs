@@ -43,7 +43,7 @@ pub(crate) fn word(ty: &str, field: &str, near: Option<&str>) -> Wording {
     )
 }
 
-/// Advice for a field that other languages have, or that belongs to a field.
+/// Advice for a field of other languages, or for a field of a field.
 fn habit(ty: &str, field: &str) -> Option<String> {
     if foreign_names::is_length(field) {
         let of = if ty == "string" {
@@ -58,10 +58,10 @@ fn habit(ty: &str, field: &str) -> Option<String> {
     has_field.then(|| format!("`{field}` is a field of its `{inner}`: write `….{inner}.{field}`"))
 }
 
-/// The type of a position without a reference, and the name of such fields.
+/// Type of a position without a father, and the name of such fields.
 const TRSF: &str = "trsf";
 
-/// The fields that the type has; empty for a user type.
+/// Existing fields of the type; empty for a user type.
 fn existing(ty: &str) -> String {
     match built_in::field_names(ty).as_deref() {
         None => String::new(),

@@ -54,7 +54,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The end of the text, which the instruction ignores.
+/// End of the text, which the instruction ignores.
 fn rest(form: TextForm, text: &str) -> Option<&str> {
     let is_number = form == TextForm::Number;
     ignored(text).filter(|rest| is_number && !rest.is_empty())

@@ -1,4 +1,4 @@
-//! V0103: a call of an instruction that VAL 3 does not have.
+//! V0103: a call to an instruction that VAL 3 does not have.
 
 use val3_analysis::problem::NameKind;
 
@@ -51,7 +51,7 @@ pub(crate) fn word(name: &str, near: Option<&str>, is: Option<NameKind>) -> Word
     }
 }
 
-/// Advice for something that is not an instruction.
+/// Advice for a name that is no instruction.
 fn instead(name: &str, is: NameKind) -> String {
     match is {
         NameKind::Program => format!("a program is called with `call`: `call {name}(…)`"),

@@ -1,4 +1,4 @@
-//! V0102: a call of something that is not a program.
+//! V0102: a call to a name that is no program.
 
 use val3_analysis::problem::NameKind;
 
@@ -54,7 +54,7 @@ pub(crate) fn word(name: &str, near: Option<&str>, is: Option<NameKind>) -> Word
     }
 }
 
-/// Advice for something that is not a program.
+/// Advice for a name that is no program.
 fn instead(name: &str, is: NameKind) -> String {
     match is {
         NameKind::Instruction => format!("an instruction is written without `call`: `{name}(…)`"),

@@ -32,7 +32,7 @@ rule! {
     V0703 "unknown-suppression" Warning
 }
 
-/// Words the fault of a comment with neither form.
+/// Words the fault of a comment without a known form.
 pub(crate) fn form() -> Wording {
     Wording::new(
         "a comment with `val3:` needs `allow(…)`, `allow-program(…)` or `no-coverage`",
@@ -51,7 +51,7 @@ pub(crate) fn misplaced() -> Wording {
     )
 }
 
-/// Words the fault of an unknown rule. `near` is the one that was probably meant.
+/// Words the fault of an unknown rule. `near` is the rule that was probably intended.
 pub(crate) fn rule(word: &str, near: Option<&str>) -> Wording {
     let help = did_you_mean_or(near, "`val3 explain` lists all codes and names");
     Wording::new(format!("no rule has the code or name `{word}`"), "this silences nothing", help)

@@ -52,10 +52,10 @@ rule! {
     V0341 "unknown-task" Warning, Member: check
 }
 
-/// The status of a task that does not exist (5.10).
+/// Status of a task that does not exist (5.10).
 const NO_TASK: f64 = -1.0;
 
-/// Part of the names of the tasks that the controller creates (5.2).
+/// Character in the names of controller tasks (5.2).
 const OF_CONTROLLER: char = '~';
 
 fn check(program: &Program<'_>, found: &mut Findings) {

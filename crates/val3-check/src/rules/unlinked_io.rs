@@ -74,7 +74,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The arguments of calls: those that must be linked, and all others.
+/// Arguments of calls: arguments that must be linked, and all others.
 struct Arguments {
     needed: FxHashSet<ExprId>,
     others: FxHashSet<ExprId>,
@@ -92,12 +92,12 @@ impl Arguments {
         arguments
     }
 
-    /// The variable is passed to something that may link it.
+    /// Whether the variable is passed to a program or instruction that may link it.
     fn may_link(&self, access: &Access) -> bool {
         access.kind == AccessKind::Reference && !self.needed.contains(&access.id)
     }
 
-    /// The input or output itself is read or written.
+    /// Whether the input or output itself is read or written.
     fn uses(&self, access: &Access) -> bool {
         self.needed.contains(&access.id) || access.kind != AccessKind::Reference && !self.others.contains(&access.id)
     }

@@ -81,7 +81,7 @@ fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, unlis
     }
 }
 
-/// An entry after the last one, in the same form and on a line of its own.
+/// Inserts an entry after the last entry, in the same form and on a separate line.
 fn entry(view: &ProjectView<'_>, list: FileList, name: &str) -> Option<Edit> {
     let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-'));
     let last = Site::new(view.db, view.project.manifest(view.db), list.last.filter(|_| is_plain)?, None);

@@ -35,7 +35,7 @@ rule! {
     V0015 "unmatched-block-end" Error
 }
 
-/// The keyword `found` needs an open `opener`.
+/// Words the fault of the keyword `found` without an open `opener`.
 pub(crate) fn word(found: &str, opener: &str) -> Wording {
     Wording::new(
         format!("`{found}` belongs to no `{opener}`"),

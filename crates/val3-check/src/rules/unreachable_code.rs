@@ -61,7 +61,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The last `return` or endless loop before a place that is never reached.
+/// Last `return` or endless loop before a position that is never reached.
 fn barrier(program: &Program<'_>, dead: TextSize) -> Option<(TextRange, &'static str)> {
     let before = program.stmts().iter().filter(|stmt| stmt.range.end() <= dead);
     let barriers = before.filter_map(|stmt| match (program.endless_condition(stmt), &stmt.kind) {

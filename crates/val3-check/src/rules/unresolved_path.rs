@@ -66,7 +66,7 @@ pub(crate) fn word(what: FileRole, path: &str, root: &str, near: Option<&str>) -
     Wording::new(why, "uses of it are not checked", did_you_mean_or(near, &advice))
 }
 
-/// Writes the root that was probably meant.
+/// Writes the root that was probably intended.
 pub(crate) fn fix(site: &Site<'_>, root: &str, near: Option<&str>) -> Option<Fix> {
     let near = near?;
     let at = site.text().find(root)?;

@@ -75,13 +75,13 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// A type whose initial value is hardly ever meant.
+/// The type, if its initial value is almost never intended.
 fn followed(type_name: &str) -> Option<BaseType> {
     let (ty, _) = BaseType::from_file_name(type_name)?;
     matches!(ty, BaseType::Joint | BaseType::Trsf | BaseType::Config | BaseType::Mdesc).then_some(ty)
 }
 
-/// The name indicates that the variable keeps its initial value on purpose.
+/// Whether the name indicates that the variable keeps its initial value on purpose.
 fn is_meant_to_be_empty(name: &str) -> bool {
     const WORDS: [&str; 7] = ["empty", "zero", "null", "none", "neutral", "identity", "default"];
     let name = name.to_ascii_lowercase();
@@ -166,7 +166,7 @@ mod tests {
             )
         };
         assert_eq!(check(&RULE, &program("trA=trA*l_trEmpty\nif jA==l_jZERO\ncls()\nendIf")), "");
-        // An unset variable without such a name, and one that is set after its use, are reported.
+        // An unset variable without such a name is reported, and so is a variable that is set after its use.
         assert_ne!(check(&RULE, &program("trA=trA*l_trShift")), "");
         assert_ne!(check(&RULE, &program("trA=trA*l_trEmpty\nl_trEmpty.x=1")), "");
     }

@@ -60,7 +60,7 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     }
 }
 
-/// The motion descriptor that the vendor's template for projects contains.
+/// Motion descriptor in the vendor's project template.
 const OF_TEMPLATE: &str = "mNomSpeed";
 
 fn word(name: &str, is_taught: bool) -> Wording {

@@ -43,7 +43,7 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
         return;
     }
     let named = named_types(view);
-    // An unknown type may be one of these, misspelt.
+    // An unknown type may be a misspelling of these types.
     if named.iter().any(|name| resolve_type(&view.items.types, name).is_none()) {
         return;
     }
@@ -62,7 +62,7 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
     }
 }
 
-/// The types that declarations of the project name.
+/// Types in the declarations of the project.
 fn named_types(view: &ProjectView<'_>) -> FxHashSet<SmolStr> {
     let db = view.db;
     let of_data = data_files(db, view.project).iter().flat_map(|file| data(db, *file)).map(|decl| &decl.type_name);
@@ -72,7 +72,7 @@ fn named_types(view: &ProjectView<'_>) -> FxHashSet<SmolStr> {
     of_data.chain(of_params).chain(of_locals).cloned().collect()
 }
 
-/// A library or another type of the project has the type as well.
+/// Whether a library or another type of the project also has the type.
 fn is_used_by_library(view: &ProjectView<'_>, name: &str) -> bool {
     let Some(Some(ty)) = view.items.types.get(name) else { return true };
     let libraries = view.items.libraries.values().filter_map(|library| library.interface);

@@ -1,4 +1,4 @@
-//! V0516: a value whose type is not that of the field.
+//! V0516: a value whose type differs from its field.
 
 use crate::{diagnostic::Wording, rule::rule};
 

@@ -45,7 +45,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     report(program, "parameter", &options.parameter_prefix, params, found);
 }
 
-/// Reports the names that lack the prefix of their type after that of their `scope`.
+/// Reports the names without the prefix of their type after the prefix of their `scope`.
 fn report<'p>(
     program: &Program<'_>,
     what: &str,
@@ -63,7 +63,7 @@ fn report<'p>(
     }
 }
 
-/// `i`, `k2`: one or two characters without a capital.
+/// Whether the name is short, for example `i` or `k2`: one or two characters without a capital.
 fn is_short(name: &str) -> bool {
     name.len() <= 2 && !name.bytes().any(|byte| byte.is_ascii_uppercase())
 }

@@ -1,4 +1,4 @@
-//! V0533: a feature of the files that the declared version does not have.
+//! V0533: a file feature that the declared version does not have.
 
 use smol_str::SmolStr;
 use val3_analysis::items::declarations::{is_old, program_file, version};
@@ -42,7 +42,7 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
     }
 }
 
-/// The entry of the first program file in a sub-folder.
+/// Entry of the first program file in a sub-folder.
 pub(super) fn file_in_sub_folder(view: &ProjectView<'_>) -> Option<TextRange> {
     let manifest = manifest(view.db, view.project.manifest(view.db));
     let nested = |path: &&SmolStr| path.trim().trim_start_matches("./").contains(['/', '\\']);

@@ -76,7 +76,7 @@ fn report(program: &Program<'_>, data: ExprId, is_tool: bool, found: &mut Findin
     let Some(item) = program.items.data.get(&name) else { return };
     let Some(link) = input_links(program.db, item.file).get(&name) else { return };
     let application = program.application();
-    // What has the data by reference, or a public item, may have another link.
+    // Data passed by reference, and public items, may have another link.
     let uses = application.uses_of(&name);
     let is_relinked = item.decl.public || !application.sound || uses.referenced || is_tool && uses.written;
     if !is_relinked {

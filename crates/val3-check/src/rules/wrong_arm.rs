@@ -38,7 +38,7 @@ pub(crate) fn word(found: &str, expected: &str) -> Wording {
     )
 }
 
-/// The kind of arm that a type belongs to.
+/// Kind of arm to which a type belongs.
 fn arm(ty: &str) -> Option<&'static str> {
     match ty {
         _ if ty.ends_with("Rx") => Some("an arm with six axes"),

@@ -47,7 +47,7 @@ pub(crate) fn word(expected: FileRole, found: &str) -> Wording {
     )
 }
 
-/// The root elements of s7 and s5.
+/// Root elements of s7 and s5.
 fn roots(role: FileRole) -> [&'static str; 2] {
     match role {
         FileRole::Project | FileRole::Library | FileRole::Type => ["Project", "project"],
@@ -56,7 +56,7 @@ fn roots(role: FileRole) -> [&'static str; 2] {
     }
 }
 
-/// Libraries and types are projects too.
+/// Kind of file; libraries and types are projects.
 fn kind(role: FileRole) -> &'static str {
     match role {
         FileRole::Library | FileRole::Type => file_role(FileRole::Project),
@@ -64,7 +64,7 @@ fn kind(role: FileRole) -> &'static str {
     }
 }
 
-/// Names the kind of file that the root belongs to.
+/// Names the kind of file with this root element.
 fn label(found: &str) -> String {
     [FileRole::Project, FileRole::Program, FileRole::Data]
         .into_iter()

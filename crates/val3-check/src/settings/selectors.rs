@@ -1,4 +1,4 @@
-//! The words that name rules: `all`, beginnings of codes, codes and names.
+//! Selectors of rules: `all`, code prefixes, codes and names.
 
 use val3_config::{ConfigError, ConfigFile};
 use val3_lang::suggest::{nearest, question};
@@ -6,18 +6,18 @@ use val3_lang::suggest::{nearest, question};
 use crate::rule::Rule;
 use crate::rules;
 
-/// How exactly a word names a rule; the more exact word takes precedence.
+/// Exactness of a selector; a more exact selector has precedence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exactness {
-    /// `all`
+    /// The selector `all`.
     All,
-    /// The beginning of a code, of this many characters: `V03`.
+    /// A code prefix with this number of characters: `V03`.
     Family(usize),
     /// A code or a name.
     Exact,
 }
 
-/// The rules that a word names, in any letter case.
+/// Rules that a selector names, in upper or lower case.
 pub fn meant_by(word: &str) -> Vec<(&'static Rule, Exactness)> {
     let word = word.trim();
     rules::all().iter().filter_map(|rule| Some((*rule, exactness(word, rule)?))).collect()
@@ -34,7 +34,7 @@ fn exactness(word: &str, rule: &Rule) -> Option<Exactness> {
     beginning.eq_ignore_ascii_case(word).then_some(Exactness::Family(word.len()))
 }
 
-/// The error for a key of `[rules]` that names no rule.
+/// Error for a key of `[rules]` that names no rule.
 pub(super) fn unknown(file: &ConfigFile, key: &str) -> ConfigError {
     let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
     let help = question(nearest(key, words)).unwrap_or_else(|| {
@@ -43,7 +43,7 @@ pub(super) fn unknown(file: &ConfigFile, key: &str) -> ConfigError {
     file.fault(&format!("rules.{key}"), format!("no rule has the code or name `{key}`"), help)
 }
 
-/// The error for two keys of `[rules]` that name the same rule.
+/// Error for two keys of `[rules]` that name the same rule.
 pub(super) fn twice(file: &ConfigFile, key: &str, other: &str) -> ConfigError {
     file.fault(
         &format!("rules.{key}"),

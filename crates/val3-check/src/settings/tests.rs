@@ -9,7 +9,7 @@ fn settings(text: &str, selection: &Selection) -> Result<Settings, ConfigError> 
     Settings::new(Some(&file), selection)
 }
 
-/// The level of V0701, which is `info` unless configured.
+/// Level of V0701, whose default is `info`.
 fn level(text: &str) -> Option<Severity> {
     let rule = rules::find("V0701").unwrap();
     settings(text, &Selection::default()).unwrap().severity(rule, rule.severity)

@@ -33,15 +33,15 @@ pub(crate) fn silencing(db: &dyn Db, found: &[Diagnostic]) -> Vec<Fix> {
     fixes.collect()
 }
 
-/// The part of a program that a comment silences.
+/// Part of a program that a comment silences.
 struct SilencedCode {
     file: File,
-    /// The line of code; for a whole program, the start of the line below `begin`.
+    /// Line of code; for a whole program, the start of the line below `begin`.
     range: TextRange,
     is_line: bool,
 }
 
-/// The part that silences a finding at `at`. A comment for one line is written above a line of code.
+/// Part that silences a finding at `at`. A comment for one line is written above a line of code.
 fn place(db: &dyn Db, file: File, at: TextSize) -> Option<SilencedCode> {
     if !is_program(file.path(db).as_str()) {
         return None;
@@ -62,7 +62,7 @@ fn place(db: &dyn Db, file: File, at: TextSize) -> Option<SilencedCode> {
     Some(SilencedCode { file, range: if is_line { line } else { below()? }, is_line })
 }
 
-/// The line around `at` without the blanks at its ends; empty where it is blank.
+/// Range of the line that contains `at`, without blanks at its ends; `None` for a blank line.
 fn content(text: &str, at: TextSize) -> Option<TextRange> {
     let start = text.get(..at.into())?.rfind(['\n', '\r']).map_or(0, |end| end + 1);
     let line = text.get(start..)?.split(['\n', '\r']).next()?;
@@ -70,7 +70,7 @@ fn content(text: &str, at: TextSize) -> Option<TextRange> {
     Some(TextRange::at(TextSize::try_from(start + blanks).ok()?, TextSize::of(line.trim())))
 }
 
-/// The word that opens the code.
+/// Word that opens the code.
 fn begin(code: View<'_>) -> Option<TextRange> {
     code.children_with_tokens().find_map(|child| match child {
         NodeOrToken::Node(node) => begin(node),
@@ -79,7 +79,7 @@ fn begin(code: View<'_>) -> Option<TextRange> {
 }
 
 impl SilencedCode {
-    /// The edit that silences these rules: they are added to a comment that applies here, or get a new one.
+    /// Edit that silences these rules: they are added to a comment that applies here, or to a new comment.
     fn comment(&self, db: &dyn Db, codes: &str) -> Option<Edit> {
         let site = Site::new(db, self.file, self.range, None);
         if let Some(last) =
@@ -109,7 +109,7 @@ mod tests {
 
     use crate::testing::{check_files, silenced_files};
 
-    /// The code of `start` with comments for all findings, after which programs have no findings left.
+    /// Checks the code of `start` with comments for all findings, after which programs have no findings left.
     #[track_caller]
     fn check(change: fn(&str) -> String, listing: &str, expected: Expect) {
         let files = Fixture::parse(listing).files.into_iter();

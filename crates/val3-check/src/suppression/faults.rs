@@ -83,7 +83,7 @@ fn comment_line(text: &str, comment: TextRange) -> TextRange {
     }
 }
 
-/// One of several words with the comma before or after it.
+/// Range of a word in a list, with the comma before or after it.
 fn entry(suppression: &Suppression, place: usize) -> TextRange {
     let word = |place: usize| suppression.rules.get(place).map(|word| word.range);
     let own = word(place).unwrap_or(suppression.comment);

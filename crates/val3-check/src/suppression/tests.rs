@@ -8,7 +8,7 @@ use crate::settings::{Selection, WorkspaceSettings};
 use crate::testing::{check_files, check_selected};
 use crate::{check_unit, finish, units};
 
-/// The findings in a listing: code, file, line of the file's text, message.
+/// Checks the findings in a listing: code and message.
 #[track_caller]
 fn check(listing: &str, expected: Expect) {
     let files = Fixture::parse(listing).files.into_iter().map(|(path, text)| (path, text.into_bytes()));
@@ -111,7 +111,7 @@ fn findings_in_other_files_are_not_silenced() {
     );
 }
 
-/// The code of the program `start` with each fix alone, comment lines only.
+/// Checks the code of the program `start` with each single fix, comment lines only.
 #[track_caller]
 fn fixed(listing: &str, expected: Expect) {
     let files = Fixture::parse(listing).files.into_iter();

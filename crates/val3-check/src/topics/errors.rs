@@ -1,4 +1,4 @@
-//! Pages of run-time errors and of the results of library instructions.
+//! Pages about run-time errors and library instruction results.
 
 use val3_lang::instructions;
 use val3_lang::library_errors::{LIBRARY_ERRORS, LibraryError};
@@ -6,7 +6,7 @@ use val3_lang::runtime_errors::{RUNTIME_ERRORS, RuntimeError};
 
 use super::topic::{Kind, Topic};
 
-/// A page for each number.
+/// Pages of all numbers.
 pub(super) fn topics() -> Vec<Topic> {
     RUNTIME_ERRORS.iter().map(runtime_error).chain(LIBRARY_ERRORS.iter().map(library_error)).collect()
 }
@@ -16,7 +16,7 @@ fn runtime_error(row: &RuntimeError) -> Topic {
     topic(Kind::RuntimeError, row.number, row.short, page)
 }
 
-/// The instructions that can raise a run-time error, as a paragraph.
+/// Paragraph with the instructions that can raise a run-time error.
 fn raised_by(number: u16) -> String {
     let raising = instructions::all().iter().filter(|row| row.errors.contains(&number));
     let names: Vec<_> = raising.map(|row| format!("`{}`", row.name)).collect();

@@ -1,4 +1,4 @@
-//! Pages of types, fields, operators and words.
+//! Pages of types, fields, operators and terms.
 
 use val3_lang::glossary::{ENTRIES, Entry, EntryKind};
 use val3_lang::page;
@@ -7,7 +7,7 @@ use val3_lang::types::{Arm, BaseType, fields};
 use super::tables;
 use super::topic::{Kind, Topic, sourced};
 
-/// A page for each entry of the glossary.
+/// Pages of all glossary entries.
 pub(super) fn topics() -> Vec<Topic> {
     ENTRIES.iter().map(topic).collect()
 }
@@ -31,7 +31,7 @@ fn topic(entry: &Entry) -> Topic {
     }
 }
 
-/// The names of fields in code, or the first name if the page is about an attribute of files.
+/// Names of fields in code, or the first name if the page is about a file attribute.
 fn field_title(names: &[String]) -> String {
     let all = || BaseType::DECLARABLE.into_iter().flat_map(|ty| [None, Some(Arm::Scara)].map(|arm| fields(ty, arm)));
     let is_field = |name: &&String| all().flatten().any(|field| field.name == **name);

@@ -5,7 +5,7 @@ use val3_lang::{instructions, page};
 
 use super::topic::{Kind, Topic, sourced, stem};
 
-/// A page for each instruction, those of a family together.
+/// Pages of all instructions, grouped by family.
 pub(super) fn topics() -> Vec<Topic> {
     let mut rows: Vec<&Instruction> = instructions::all().to_vec();
     rows.sort_by_key(|row| row.family);
@@ -26,7 +26,7 @@ fn topic(row: &Instruction) -> Topic {
     }
 }
 
-/// The origin of an instruction: the section of the manual, the version or the add-on.
+/// Instruction origin: the section of the manual, the version or the add-on.
 fn origin(row: &Instruction) -> String {
     match row.availability {
         Availability::Manual => sourced("instruction", row.section),
@@ -36,7 +36,7 @@ fn origin(row: &Instruction) -> String {
     }
 }
 
-/// The heading of a family, named as the manual's chapters.
+/// Heading of a family, named as in the manual.
 fn heading(family: Family) -> &'static str {
     match family {
         Family::Variables => "Variables, arrays, collections",

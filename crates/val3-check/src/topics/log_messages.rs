@@ -1,10 +1,10 @@
-//! Pages of the messages in the controller's event log.
+//! Pages of messages in the controller's event log.
 
 use val3_lang::log_messages::{LOG_MESSAGES, LogMessage};
 
 use super::topic::{Kind, Topic};
 
-/// A page for each kind of message.
+/// Pages of all kinds of messages.
 pub(super) fn topics() -> Vec<Topic> {
     LOG_MESSAGES.iter().map(topic).collect()
 }

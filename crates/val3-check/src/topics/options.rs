@@ -1,13 +1,13 @@
-//! The options below `[lint]` by the rules that they change.
+//! Options in `[lint]`, by the rules that they change.
 
 use crate::rule::Rule;
 
-/// The options of a rule, as `val3.toml` spells them.
+/// Options of a rule, as spelled in `val3.toml`.
 pub(super) fn of_rule(rule: &Rule) -> impl Iterator<Item = &'static str> {
     OPTIONS.iter().filter(|(_, codes)| codes.contains(&rule.code)).map(|(option, _)| *option)
 }
 
-/// Each option with the codes of its rules.
+/// Options with their rules' codes.
 static OPTIONS: [(&str, &[&str]); 10] = [
     ("line-length", &["V0716"]),
     ("parameters", &["V0717"]),

@@ -11,7 +11,7 @@ use crate::rule::Rule;
 use crate::rules;
 use crate::suppression::can_be_silenced;
 
-/// A page for each rule.
+/// Pages of all rules.
 pub(super) fn topics() -> Vec<Topic> {
     rules::all().iter().map(|rule| topic(rule)).collect()
 }
@@ -30,7 +30,7 @@ fn topic(rule: &Rule) -> Topic {
     }
 }
 
-/// The heading of the family that the first digit of the code names.
+/// Heading of the family that the first digit of the code names.
 fn family(rule: &Rule) -> &'static str {
     match rule.code.as_bytes().get(1..3) {
         Some(b"00") => "Syntax",
@@ -44,7 +44,7 @@ fn family(rule: &Rule) -> &'static str {
     }
 }
 
-/// Whether `--fix` corrects the finding.
+/// States whether `--fix` corrects the finding.
 fn fix(rule: &Rule) -> String {
     let Some(Offer { every, safety }) = fix_offer(rule) else {
         return "There is no automatic fix.".to_owned();
@@ -60,7 +60,7 @@ fn fix(rule: &Rule) -> String {
     }
 }
 
-/// The level and how it is changed, the options, and the comment that silences a finding.
+/// Describes the level and how to change it, the options, and the comment that silences a finding.
 fn settings(rule: &Rule) -> String {
     let level = rule.severity.word();
     let (default, change) = match rule.on {

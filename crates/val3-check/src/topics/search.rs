@@ -1,4 +1,4 @@
-//! Search of all pages for words.
+//! Full-text search of all pages.
 
 use super::topic::Topic;
 use val3_lang::page;
@@ -7,27 +7,27 @@ use val3_syntax::Part;
 /// A page that a search has found.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Hit<'a> {
-    /// The page.
+    /// Page.
     pub topic: &'a Topic,
-    /// The sentence with the most words that were searched for.
+    /// Sentence with the most searched words.
     pub excerpt: String,
-    /// The rank of the page; the best page has the highest one.
+    /// Rank of the page; the best page has the highest rank.
     rank: Rank,
 }
 
-/// How well a page suits: the number of its words, then their weight.
+/// Rank of a page: the number of found words, then their weight.
 type Rank = (usize, usize);
 
-/// The weight of a word that is a name of the page, is in its summary, or in its text.
+/// Weights of a word in a name of the page, in its summary, and in its text.
 const NAME: usize = 12;
 const SUMMARY: usize = 5;
 const TEXT: usize = 1;
 
-/// The most sentences of a page that count, so that a long page is not always the best one.
+/// Maximum number of sentences that count for a page, so that a long page is not always the best.
 const MOST: usize = 3;
 
-/// The pages with the words, best first. A word matches words that begin with it, in any letter case. If no page has all
-/// words, the pages with the most of them are returned.
+/// Returns the pages with the words, best first. A word matches words that begin with it, in upper or lower case. If no
+/// page has all words, the pages with most words are returned.
 #[must_use]
 pub fn search<'a>(topics: &'a [Topic], words: &[&str]) -> Vec<Hit<'a>> {
     let words: Vec<String> = words.iter().map(|word| stem(&word.to_lowercase()).to_owned()).collect();
@@ -38,13 +38,13 @@ pub fn search<'a>(topics: &'a [Topic], words: &[&str]) -> Vec<Hit<'a>> {
     hits
 }
 
-/// Endings that a word may have or not. `ss` is none of them.
+/// Optional endings of a word. `ss` is no ending.
 const ENDINGS: [&str; 5] = ["ing", "ies", "ss", "s", "y"];
 
-/// The fewest letters before an ending.
+/// Minimum number of letters before an ending.
 const SHORTEST: usize = 4;
 
-/// A word without its ending: `singularit` for `singularity` and `singularities`.
+/// Removes the ending of a word: `singularit` for `singularity` and `singularities`.
 fn stem(word: &str) -> &str {
     let ending = ENDINGS.into_iter().find(|ending| word.ends_with(ending)).filter(|ending| *ending != "ss");
     let stem = ending.and_then(|ending| word.strip_suffix(ending));
@@ -76,7 +76,7 @@ fn contains(text: &str, word: &str) -> bool {
     !word.is_empty() && text.match_indices(word).any(starts)
 }
 
-/// The sentences of a page, without headings and blocks of code.
+/// Sentences of a page, without headings and code blocks.
 fn sentences(page: &str) -> Vec<String> {
     let mut sentences = Vec::new();
     let mut paragraph = String::new();

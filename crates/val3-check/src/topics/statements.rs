@@ -1,4 +1,4 @@
-//! Pages of statements and of operators that are words.
+//! Pages of statements and word operators.
 
 use val3_lang::operators::BinaryOp;
 use val3_lang::page;

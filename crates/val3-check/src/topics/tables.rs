@@ -1,4 +1,4 @@
-//! Parts of pages that come from the tables of the language: fields, attributes, operators, values, instructions.
+//! Page sections from the language's tables: fields, attributes, operators, values, instructions.
 
 use std::fmt::Write as _;
 
@@ -9,7 +9,7 @@ use val3_lang::instructions;
 use val3_lang::operators::{BinaryOp, UnaryOp, assignment, binary, unary};
 use val3_lang::types::{Arm, Attribute, BaseType, DefaultValue, Field, Unit, attributes, fields};
 
-/// Fields, attributes in files, operators and instructions of a type.
+/// Fields, file attributes, operators and instructions of a type.
 pub(super) fn of_type(entry: &Entry) -> String {
     let Some(ty) = entry.names.first().and_then(|name| BaseType::from_name(name)) else { return String::new() };
     let fields = section("Fields", &of_arms(|arm| fields(ty, arm).iter().map(field_line).collect()));
@@ -17,7 +17,7 @@ pub(super) fn of_type(entry: &Entry) -> String {
     fields + &attributes + &section("Operators", &operators_of(ty)) + &section("Instructions", &instructions_of(ty))
 }
 
-/// The types that have these fields, and the values of a field that is a choice.
+/// Types with these fields, and the enumerated field's values.
 pub(super) fn of_field(names: &[String]) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut values: Vec<String> = Vec::new();
@@ -32,7 +32,7 @@ pub(super) fn of_field(names: &[String]) -> String {
     section("Fields", &lines) + &section("Values", &values)
 }
 
-/// The types on which operators are defined.
+/// Types for which operators are defined.
 pub(super) fn of_operators(names: &[String]) -> String {
     let mut lines: Vec<String> = Vec::new();
     for op in names.iter().filter_map(|name| BinaryOp::from_symbol(name)) {
@@ -55,7 +55,7 @@ fn unary_line(op: UnaryOp, ty: BaseType) -> Option<String> {
     unary(op, ty).map(|result| format!("- `{} {}` of type `{}`", op.symbol(), ty.name(), result.name()))
 }
 
-/// The lines for six axes. For a SCARA arm, its own lines follow if they differ.
+/// Lines for six axes. Lines for a SCARA arm follow if they differ.
 fn of_arms(lines: impl Fn(Option<Arm>) -> Vec<String>) -> Vec<String> {
     let (usual, scara) = (lines(None), lines(Some(Arm::Scara)));
     if usual == scara {
@@ -69,7 +69,7 @@ fn field_line(field: &Field) -> String {
     format!("- `{}`: {}", field.name, about(field))
 }
 
-/// Type, unit, default and meaning of a field.
+/// Describes type, unit, default and meaning of a field.
 fn about(field: &Field) -> String {
     let unit = unit(field.unit);
     let comma = if unit.is_empty() { "" } else { ", " };
@@ -88,7 +88,7 @@ fn unit(unit: Unit) -> &'static str {
     }
 }
 
-/// The default after a few words, or nothing if the fields of the value have their own.
+/// Formats the default after `words`; empty if the fields of the value have defaults.
 fn default(value: DefaultValue, words: &str) -> String {
     match value {
         DefaultValue::False => format!("{words}`false`"),
@@ -112,7 +112,7 @@ fn attribute_line(attribute: &Attribute) -> String {
     format!("- `{name}`{old}{field}{absent}")
 }
 
-/// The operators that accept the type, and the assignments to it.
+/// Operators that accept the type, and assignments to it.
 fn operators_of(ty: BaseType) -> Vec<String> {
     let assigned = BaseType::DECLARABLE.into_iter().filter(|value| assignment(ty, *value));
     let mut lines: Vec<String> = assigned.map(|value| format!("- `{} = {}`", ty.name(), value.name())).collect();
@@ -123,8 +123,8 @@ fn operators_of(ty: BaseType) -> Vec<String> {
     lines
 }
 
-/// The instructions that take or return a value of the type, as one line. Values of the plain types are in most
-/// instructions and not listed.
+/// Line with the instructions that accept or return a value of the type. The basic types are not listed, because most
+/// instructions use them.
 fn instructions_of(ty: BaseType) -> Vec<String> {
     if matches!(ty, BaseType::Bool | BaseType::Num | BaseType::String) {
         return Vec::new();
@@ -136,7 +136,7 @@ fn instructions_of(ty: BaseType) -> Vec<String> {
     if names.is_empty() { Vec::new() } else { vec![format!("{}.", names.join(", "))] }
 }
 
-/// A section of a page; nothing without lines.
+/// Formats a section of a page; empty without lines.
 fn section(heading: &str, lines: &[String]) -> String {
     let mut text = String::new();
     if !lines.is_empty() {

@@ -1,25 +1,25 @@
 //! A page, and the kind of its subject.
 
-/// One page.
+/// A page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Topic {
-    /// The kind of its subject.
+    /// Kind of the subject.
     pub kind: Kind,
-    /// The heading of the pages that are listed together within the kind; empty if the kind has no groups.
+    /// Heading of the group within the kind; empty if the kind has no groups.
     pub group: &'static str,
-    /// The words that find it. The first one is listed.
+    /// Words that find the page. The first word is listed.
     pub names: Vec<String>,
-    /// The name of its page in the book, without an extension.
+    /// File name of the page in the book, without extension.
     pub stem: String,
-    /// The title in a table of contents.
+    /// Title in a table of contents.
     pub title: String,
-    /// A description of one line.
+    /// One-line description.
     pub summary: String,
-    /// The page in Markdown.
+    /// Page in Markdown.
     pub page: String,
 }
 
-/// The kind of a page's subject, in the order of the list.
+/// Kind of a page's subject, in the order of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// A rule of `val3 check`.
@@ -32,9 +32,9 @@ pub enum Kind {
     Type,
     /// A field of a type, or an attribute of values in data files.
     Field,
-    /// An operator, or several of one kind.
+    /// An operator, or several similar operators.
     Operator,
-    /// A word of robots and controllers.
+    /// A term of robots and controllers.
     Word,
     /// A run-time error.
     RuntimeError,
@@ -45,7 +45,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Every kind, in the order of the list.
+    /// All kinds, in the order of the list.
     pub const ALL: [Self; 10] = [
         Self::Finding,
         Self::Statement,
@@ -59,7 +59,7 @@ impl Kind {
         Self::LogMessage,
     ];
 
-    /// The heading of a list of such pages.
+    /// Heading for a list of such pages.
     pub fn heading(self) -> &'static str {
         match self {
             Self::Finding => "Findings of val3 check",
@@ -75,7 +75,7 @@ impl Kind {
         }
     }
 
-    /// The folder of the book that holds such pages.
+    /// Folder of such pages in the book.
     pub fn folder(self) -> &'static str {
         match self {
             Self::Finding => "rules",
@@ -93,18 +93,18 @@ impl Kind {
 }
 
 impl Topic {
-    /// The first name.
+    /// First name.
     pub fn name(&self) -> &str {
         self.names.first().map_or("", String::as_str)
     }
 }
 
-/// A description with its section of the manual, if there is one.
+/// Appends the section of the manual to a description, if there is one.
 pub(super) fn sourced(what: &str, section: &str) -> String {
     if section.is_empty() { what.to_owned() } else { format!("{what}, manual {section}") }
 }
 
-/// A page file for a name. Special characters are written as words.
+/// File name of a page, in which special characters are replaced by words.
 pub(super) fn stem(name: &str) -> String {
     let signs = [("$", "addon-"), ("?", "print"), ("//", "comment"), ("=", "assignment")];
     signs.iter().fold(name.to_owned(), |name, (sign, word)| name.replace(sign, word))

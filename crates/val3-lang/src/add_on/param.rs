@@ -1,11 +1,11 @@
-//! Reading the `Param` elements of a table.
+//! Parses the `Param` elements of a table.
 
 use quick_xml::events::BytesStart;
 
 use super::{AddOnParam, TableErrorKind};
 use crate::{instruction::Shape, types::BaseType};
 
-/// The parameter that a `Param` element describes; `position` counts from 1.
+/// Parses a `Param` element; `position` counts from 1.
 pub(super) fn param(element: &BytesStart<'_>, position: usize) -> Result<AddOnParam, TableErrorKind> {
     let ty = BaseType::from_file_name(&attribute(element, "type")?).map(|(ty, _)| ty);
     let name = format!("{}{position}", ty.map_or("x", prefix));
@@ -35,13 +35,13 @@ fn dimensions(text: String) -> Result<u8, TableErrorKind> {
     }
 }
 
-/// The value of an attribute; empty if there is none.
+/// Attribute value; empty if it is missing.
 fn attribute(element: &BytesStart<'_>, name: &str) -> Result<String, TableErrorKind> {
     let found = element.try_get_attribute(name).map_err(|error| TableErrorKind::Xml(error.to_string()))?;
     Ok(found.map(|attribute| attribute.value.into_owned()).unwrap_or_default())
 }
 
-/// The letters with which names of this type customarily start.
+/// Usual name prefix for variables of this type.
 fn prefix(ty: BaseType) -> &'static str {
     match ty {
         BaseType::Bool => "b",

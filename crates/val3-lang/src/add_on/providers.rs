@@ -1,6 +1,6 @@
-//! Which add-ons are known to have which instructions, so that a finding can name what a cell lacks.
+//! Known instructions of add-ons, so that a finding can name the add-on that a cell does not have.
 
-/// Add-ons, the best known first, with the names of their instructions without the `$`.
+/// Add-ons, best known first, with the names of their instructions without `$`.
 #[rustfmt::skip]
 static PROVIDERS: [(&str, &str); 6] = [
     ("Expansion", "\
@@ -33,10 +33,9 @@ static PROVIDERS: [(&str, &str); 6] = [
         Xjogl"),
 ];
 
-/// The add-ons that are known to have the instruction, the best known first; `name` has its `$`.
+/// Add-ons that are known to contain the instruction, best known first; `name` includes `$`.
 ///
-/// Empty for an instruction of an add-on that is not known. The table of an installed add-on lists its actual
-/// instructions.
+/// Empty for an instruction of an unknown add-on. The table of an installed add-on lists its actual instructions.
 pub fn providers(name: &str) -> impl Iterator<Item = &'static str> {
     let name = name.strip_prefix('$').unwrap_or_default();
     PROVIDERS.iter().filter(move |(_, names)| names.split(' ').any(|known| known == name)).map(|(add_on, _)| *add_on)

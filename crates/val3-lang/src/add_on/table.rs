@@ -1,4 +1,4 @@
-//! Reading a table: `Language / Functions / Func { Name, Return, Param*, Lib, Class }`.
+//! Parses a table: `Language / Functions / Func { Name, Return, Param*, Lib, Class }`.
 
 use quick_xml::{
     Reader,
@@ -8,12 +8,12 @@ use quick_xml::{
 use super::{AddOnOverload, AddOnParam, AddOnTable, TableError, TableErrorKind, param::param};
 use crate::{instruction::Class, types::BaseType};
 
-/// Reads the table of an add-on.
+/// Parses an add-on's table.
 ///
-/// Elements that it does not know are passed over.
+/// Unknown elements are ignored.
 ///
 /// # Errors
-/// The first place at which the text is no XML, or says something that no table can say.
+/// The first error in the XML or in the content.
 pub fn parse_table(xml: &str) -> Result<AddOnTable, TableError> {
     let mark = xml.len() - xml.trim_start_matches('\u{feff}').len();
     let body = xml.get(mark..).unwrap_or(xml);
@@ -41,14 +41,14 @@ fn position(offset: u64) -> usize {
 struct Parser {
     table: AddOnTable,
     is_table: bool,
-    /// Open elements.
+    /// Number of open elements.
     depth: usize,
-    /// The text of the innermost element so far.
+    /// Text of the innermost element so far.
     text: String,
     function: Option<FunctionDraft>,
 }
 
-/// A function whose end has not been read.
+/// A function whose end tag has not been read.
 #[derive(Default)]
 struct FunctionDraft {
     name: String,

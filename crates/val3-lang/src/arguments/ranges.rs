@@ -8,30 +8,30 @@ use crate::versions::Version;
 
 use Bound::{Excluded, Included, Unbounded};
 
-/// The numbers that an argument takes.
+/// Valid numbers for an argument.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
-    /// The least number.
+    /// Minimum.
     pub low: Bound<f64>,
-    /// The greatest number.
+    /// Maximum.
     pub high: Bound<f64>,
-    /// The effect of a number beyond them.
+    /// Effect of a number outside of the range.
     pub beyond: OutOfRange,
-    /// The instruction rounds the number before it compares it with the bounds.
+    /// Whether the instruction rounds the number before it compares it with the bounds.
     pub is_rounded: bool,
 }
 
-/// The effect of a number beyond the range.
+/// Effect of a number outside of the range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OutOfRange {
-    /// It stops the task with this run-time error.
+    /// The task stops with this run-time error.
     Fails(u16),
-    /// The instruction does something else, in a few words: "the column is taken modulo 40".
+    /// The instruction has another effect, described in a few words: "the column is taken modulo 40".
     Instead(&'static str),
 }
 
 impl Range {
-    /// The argument takes the number.
+    /// Whether the number is valid.
     #[must_use]
     pub fn takes(&self, number: f64) -> bool {
         let number = if self.is_rounded { round(number) } else { number };
@@ -44,17 +44,17 @@ impl Range {
     }
 }
 
-/// The range of the parameter `parameter` of `instruction`; `None` where every number is fine.
+/// Range of the parameter `parameter` of `instruction`; `None` if all numbers are valid.
 #[must_use]
 pub fn range(instruction: &str, parameter: &str) -> Option<&'static Range> {
     let is_meant = |row: &&(&str, &str, Range)| row.0 == instruction && row.1 == parameter;
     RANGES.iter().find(is_meant).map(|(_, _, range)| range)
 }
 
-/// The parameter that names a dimension of an array.
+/// Parameter that names an array dimension.
 pub const DIMENSION: &str = "nDimension";
 
-/// The dimensions that a container has; `None` for one without.
+/// Dimensions of a container; `None` for a container without dimensions.
 #[must_use]
 pub fn dimensions(container: Container) -> Option<&'static Range> {
     match container {
@@ -63,10 +63,10 @@ pub fn dimensions(container: Container) -> Option<&'static Range> {
     }
 }
 
-/// The numbers that can be raised to a power like `base` to `exponent`, which is `None` where it is not known.
+/// Numbers that can be raised to a power like `base` to `exponent`, which is `None` if unknown.
 ///
-/// Up to s7 only those above 0. From s8 on a negative one has the powers with a whole exponent, and 0 those with a
-/// positive one.
+/// Up to s7, the base must be positive. From s8 on, a negative base is valid with a whole exponent, and 0 with a
+/// positive exponent.
 #[must_use]
 pub fn power_base(version: Version, base: f64, exponent: Option<f64>) -> Option<&'static Range> {
     if !version.raises_negative_numbers() {
@@ -81,13 +81,13 @@ pub fn power_base(version: Version, base: f64, exponent: Option<f64>) -> Option<
     }
 }
 
-/// Numbers that as many outputs as `count` can show in binary (3.5.3): those below the result.
+/// Exclusive upper bound of the numbers that `count` outputs can represent in binary (3.5.3).
 #[must_use]
 pub fn bits(count: u32) -> f64 {
     f64::from(count).exp2()
 }
 
-/// The parameter counts seconds (5.10).
+/// Whether the parameter is a time in seconds (5.10).
 #[must_use]
 pub fn counts_seconds(parameter: &str) -> bool {
     parameter == "nSeconds"
@@ -95,7 +95,7 @@ pub fn counts_seconds(parameter: &str) -> bool {
 
 const INVALID_NUMBER: OutOfRange = OutOfRange::Fails(11);
 const INVALID_PARAMETER: OutOfRange = OutOfRange::Fails(70);
-/// Bit fields are whole numbers of 32 bits (3.3.1).
+/// Range of bit fields: whole numbers of 32 bits (3.3.1).
 const BIT_FIELD: Range =
     between(Included(0.0), Included(4_294_967_295.0), OutOfRange::Instead(BIT_FIELD_ROUNDING)).rounded();
 const BIT_FIELD_ROUNDING: &str = "the number is forced into a bit field of 32 bits";
@@ -111,7 +111,7 @@ const POSITIVE: Range = between(Excluded(0.0), Unbounded, INVALID_NUMBER);
 const PART_OF_PATH: Range = between(Excluded(-1.0), Excluded(2.0), INVALID_PARAMETER);
 const FORCE: Range = between(Included(-1000.0), Included(1000.0), INVALID_PARAMETER);
 
-/// By the number of dimensions.
+/// Valid dimensions, by the number of dimensions.
 static DIMENSIONS: [Range; 3] = [
     between(Included(1.0), Included(1.0), INVALID_PARAMETER).rounded(),
     between(Included(1.0), Included(2.0), INVALID_PARAMETER).rounded(),
@@ -122,7 +122,7 @@ const fn between(low: Bound<f64>, high: Bound<f64>, beyond: OutOfRange) -> Range
     Range { low, high, beyond, is_rounded: false }
 }
 
-/// Instruction, parameter and range, by section of the manual.
+/// Instruction, parameter and range, in the order of the manual's sections.
 #[rustfmt::skip]
 static RANGES: [(&str, &str, Range); 43] = [
     ("size", DIMENSION, between(Included(1.0), Included(3.0), OutOfRange::Instead("the result is 0")).rounded()),

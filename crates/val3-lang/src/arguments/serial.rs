@@ -5,39 +5,39 @@ use crate::types::BaseType;
 /// A parameter of a serial line or socket that a program can change.
 #[derive(Debug, PartialEq)]
 pub struct SerialParameter {
-    /// Its name.
+    /// Name.
     pub name: &'static str,
-    /// The values it takes.
+    /// Valid values.
     pub value: SerialValue,
 }
 
-/// The values of a parameter.
+/// Valid values of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SerialValue {
     /// Any truth value.
     Truth,
-    /// Any text.
+    /// Any string.
     Text,
-    /// One of these texts.
+    /// One of these strings.
     OneOf(&'static [&'static str]),
     /// Any number.
     Number,
-    /// A whole number of this range.
+    /// A whole number in this range.
     Between(u16, u16),
 }
 
-/// The fault of a value, and the return code of the instruction in place of 0.
+/// Error in a value, which determines the instruction's return code in place of 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SerialFault {
-    /// -1: there is no such parameter.
+    /// -1: the parameter does not exist.
     Unknown,
-    /// -2: the value is of another type.
+    /// -2: the value has the wrong type.
     Type,
-    /// -3: the parameter does not take the value.
+    /// -3: the value is invalid for the parameter.
     Value,
 }
 
-/// Every parameter of lines and sockets.
+/// All parameters of lines and sockets.
 pub static SERIAL_PARAMETERS: [SerialParameter; 12] = [
     row("port", SerialValue::Number),
     row("target", SerialValue::Text),
@@ -58,7 +58,7 @@ const fn row(name: &'static str, value: SerialValue) -> SerialParameter {
 }
 
 impl SerialParameter {
-    /// The parameter with this name, in any letter case.
+    /// Finds a parameter by name, in upper or lower case.
     #[must_use]
     pub fn find(name: &str) -> Option<&'static Self> {
         SERIAL_PARAMETERS.iter().find(|row| row.name.eq_ignore_ascii_case(name))
@@ -66,7 +66,7 @@ impl SerialParameter {
 }
 
 impl SerialValue {
-    /// The type of the values.
+    /// Type of the values.
     #[must_use]
     pub fn ty(self) -> BaseType {
         match self {
@@ -76,7 +76,7 @@ impl SerialValue {
         }
     }
 
-    /// The parameter takes this number.
+    /// Whether the number is valid for the parameter.
     #[must_use]
     pub fn takes_number(self, number: f64) -> bool {
         match self {
@@ -85,7 +85,7 @@ impl SerialValue {
         }
     }
 
-    /// The parameter takes this text; its letter case does not matter.
+    /// Whether the string is valid for the parameter, in upper or lower case.
     #[must_use]
     pub fn takes_text(self, text: &str) -> bool {
         match self {
@@ -96,7 +96,7 @@ impl SerialValue {
 }
 
 impl SerialFault {
-    /// The return code of the instruction.
+    /// Return code of the instruction.
     #[must_use]
     pub fn result(self) -> i8 {
         match self {

@@ -1,34 +1,34 @@
-//! Forms of texts that an instruction reads as a format.
+//! Format strings in arguments of instructions.
 
 use crate::values::number_text;
 
-/// The form of a text argument.
+/// Format of a string argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TextForm {
-    /// A binary encoding, one of [`BINARY_FORMATS`]; any other is run-time error 70 (3.3.3).
+    /// A binary encoding, one of [`BINARY_FORMATS`]. Other strings cause run-time error 70 (3.3.3).
     Binary,
-    /// `size.precision` of a number as text, each a whole number or left out (3.4.3). Any further text is ignored.
-    /// Another beginning is run-time error 70.
+    /// `size.precision` of a number as string; each is a whole number and optional (3.4.3). Text after it is ignored.
+    /// Another prefix causes run-time error 70.
     Number,
-    /// A text in which each of [`DATE_KEYS`] is replaced by a part of the date; what is no key stays (4.3).
+    /// A string in which each of [`DATE_KEYS`] is replaced by a part of the date; other text is copied (4.3).
     Date,
 }
 
-/// The binary encodings of numbers: sign, bytes, floating point, order of the bytes (3.3.3).
+/// Binary encodings of numbers: sign, bytes, floating point, byte order (3.3.3).
 pub const BINARY_FORMATS: [&str; 14] =
     ["-1", "1", "-2l", "-2b", "2l", "2b", "-4l", "-4b", "4l", "4b", "4.0l", "4.0b", "8.0l", "8.0b"];
 
-/// The keys of a date: year, month, day, hours, half of the day, minutes, seconds (4.3).
+/// Keys in a date format: year, month, day, hours, half of the day, minutes, seconds (4.3).
 pub const DATE_KEYS: [&str; 9] = ["%y", "%Y", "%m", "%d", "%H", "%I", "%p", "%M", "%S"];
 
-/// The bytes that a number takes in a binary encoding.
+/// Size of a number in a binary encoding, in bytes.
 #[must_use]
 pub fn bytes(format: &str) -> Option<u32> {
     let known = BINARY_FORMATS.contains(&format);
     format.trim_start_matches('-').chars().next().filter(|_| known)?.to_digit(10)
 }
 
-/// The form in which `instruction` reads the parameter `parameter`.
+/// Format in which `instruction` reads the parameter `parameter`.
 #[must_use]
 pub fn text_form(instruction: &str, parameter: &str) -> Option<TextForm> {
     match (instruction, parameter) {
@@ -40,7 +40,7 @@ pub fn text_form(instruction: &str, parameter: &str) -> Option<TextForm> {
 }
 
 impl TextForm {
-    /// The first part of `text` that the instruction cannot read; of a date without any key the whole text.
+    /// First part of `text` that the instruction cannot read; for a date format without keys, the entire text.
     #[must_use]
     pub fn fault(self, text: &str) -> Option<&str> {
         match self {
@@ -51,7 +51,7 @@ impl TextForm {
     }
 }
 
-/// The first `%` that begins no key.
+/// Text from the first `%` that begins no key.
 fn date_fault(text: &str) -> Option<&str> {
     let mut keys = text.char_indices().filter(|(_, character)| *character == '%').peekable();
     if keys.peek().is_none() {

@@ -1,4 +1,4 @@
-//! Arguments as the parameters of handlers.
+//! Conversion of arguments to the parameters of handlers.
 
 use std::marker::PhantomData;
 
@@ -15,14 +15,14 @@ pub trait FromArgument: Sized {
     /// Reads the next argument.
     ///
     /// # Errors
-    /// 20 if what it refers to is gone.
+    /// 20 if the referenced data do not exist.
     fn take(call: &mut Call<'_>) -> Result<Self>;
 }
 
-/// A variable by reference, whose values are read and written as `T`.
+/// A variable by reference, with values of type `T`.
 #[derive(Debug)]
 pub struct Var<T> {
-    /// Where it is.
+    /// Address.
     pub place: Place,
     value: PhantomData<T>,
 }
@@ -30,7 +30,7 @@ pub struct Var<T> {
 /// An array by reference.
 #[derive(Debug)]
 pub struct Arr<T> {
-    /// Which values it has.
+    /// Elements of the array.
     pub view: View,
     value: PhantomData<T>,
 }
@@ -38,49 +38,49 @@ pub struct Arr<T> {
 /// A value of any type.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Any {
-    /// Where it is.
+    /// Address.
     pub place: Place,
-    /// Its type; `None` for a user type.
+    /// Type; `None` for a user type.
     pub base: Option<BaseType>,
 }
 
-/// The number of an input, output or line of the controller; `None` where the variable has no link (error 123).
+/// An input, output or line of the controller, by number; the number is `None` if the variable has no link (error 123).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct IoRef {
-    /// The variable.
+    /// Variable.
     pub place: Place,
-    /// The target of its link.
+    /// Target of the link.
     pub port: Option<u32>,
 }
 
-/// The variable that is a screen (4.2).
+/// A `screen` variable (4.2).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ScreenRef(pub Place);
 
-/// A frame; the variable where the argument is one, so that it can be linked.
+/// A frame. If the argument is a variable, it is passed by reference, so that it can be linked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FrameRef(pub Place);
 
-/// A tool; the variable where the argument is one, so that it can be linked.
+/// A tool. If the argument is a variable, it is passed by reference, so that it can be linked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ToolRef(pub Place);
 
-/// A point; the variable where the argument is one, so that it can be linked.
+/// A point. If the argument is a variable, it is passed by reference, so that it can be linked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PointRef(pub Place);
 
-/// A value that a variable holds.
+/// A value in a variable.
 pub trait StoredValue: Sized {
-    /// Reads it.
+    /// Reads the value.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if it does not exist.
     fn read(memory: &Memory, at: Place) -> Result<Self>;
 
-    /// Writes it.
+    /// Writes the value.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if it does not exist.
     fn write(self, memory: &mut Memory, at: Place) -> Result<()>;
 }
 
@@ -133,7 +133,7 @@ impl StoredValue for Trsf {
     }
 }
 
-/// A joint position: six numbers, those that the arm lacks are 0.
+/// A joint position: six numbers; the numbers of missing axes are 0.
 impl StoredValue for [f64; 6] {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
@@ -173,41 +173,41 @@ impl StoredValue for MdescValue {
 }
 
 impl<T: StoredValue> Var<T> {
-    /// Its value.
+    /// Returns the value.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if it does not exist.
     pub fn get(&self, call: &Call<'_>) -> Result<T> {
         T::read(call.memory, self.place)
     }
 
-    /// Gives it a value.
+    /// Sets the value.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if it does not exist.
     pub fn set(&self, call: &mut Call<'_>, value: T) -> Result<()> {
         value.write(call.memory, self.place)
     }
 }
 
 impl<T: StoredValue> Arr<T> {
-    /// The number of its values.
+    /// Number of elements.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if the array does not exist.
     pub fn len(&self, call: &Call<'_>) -> Result<usize> {
         Ok(call.memory.len(self.view)? as usize)
     }
 
-    /// There is no value in it.
+    /// Whether the array has no elements.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if the array does not exist.
     pub fn is_empty(&self, call: &Call<'_>) -> Result<bool> {
         Ok(self.len(call)? == 0)
     }
 
-    /// One of its values.
+    /// Returns an element.
     ///
     /// # Errors
     /// 20 beyond the size.
@@ -215,7 +215,7 @@ impl<T: StoredValue> Arr<T> {
         T::read(call.memory, self.place(call, index)?)
     }
 
-    /// Changes one of its values.
+    /// Sets an element.
     ///
     /// # Errors
     /// 20 beyond the size.
@@ -224,15 +224,15 @@ impl<T: StoredValue> Arr<T> {
         value.write(call.memory, place)
     }
 
-    /// All its values.
+    /// Returns all elements.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if the array does not exist.
     pub fn all(&self, call: &Call<'_>) -> Result<Vec<T>> {
         (0..self.len(call)?).map(|index| self.get(call, index)).collect()
     }
 
-    /// Changes its values, from the first one on.
+    /// Sets elements, from the first one on.
     ///
     /// # Errors
     /// 20 beyond the size.
@@ -240,7 +240,7 @@ impl<T: StoredValue> Arr<T> {
         values.into_iter().enumerate().try_for_each(|(index, value)| self.set(call, index, value))
     }
 
-    /// Where one of its values is.
+    /// Element address.
     ///
     /// # Errors
     /// 20 beyond the size.
@@ -352,7 +352,7 @@ impl FromArgument for Any {
     }
 }
 
-/// The library identifier that a form `on library` is called on.
+/// Library identifier on which a form `on library` is called.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LibraryRef(pub u16);
 

@@ -7,12 +7,12 @@ use crate::fault::Result;
 use crate::memory::{Link, Place};
 use crate::values::{ConfigValue, Text};
 
-/// The value of an instruction.
+/// Instruction value.
 pub trait InstructionValue {
-    /// Writes it to where the program wants it.
+    /// Writes the value to the destination in the program.
     ///
     /// # Errors
-    /// 20 if that is gone.
+    /// 20 if the destination does not exist.
     fn give(self, call: &mut Call<'_>) -> Result<()>;
 }
 
@@ -22,14 +22,14 @@ impl InstructionValue for () {
     }
 }
 
-/// A point: its position in a frame, how the arm reaches it, and the frame.
+/// A point: its position in a frame, the arm configuration, and the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointValue {
-    /// Position in the reference frame.
+    /// Position in the frame.
     pub trsf: Trsf,
     /// Arm configuration.
     pub config: ConfigValue,
-    /// The reference frame.
+    /// Father of the point.
     pub frame: Link,
 }
 
@@ -61,7 +61,7 @@ macro_rules! stored {
 }
 stored!(f64, bool, Text, Trsf, [f64; 6], ConfigValue, PointValue);
 
-/// The result of a handler: a value, or a wait of the task.
+/// Result of a handler: a value, or a wait of the task.
 pub trait HandlerResult {
     /// Writes the value, if there is one.
     ///

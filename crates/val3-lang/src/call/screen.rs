@@ -1,19 +1,19 @@
-//! The page of a `screen` variable (4.2).
+//! User page of a `screen` variable (4.2).
 
 use super::{Call, ScreenRef};
 use crate::fault::Result;
 use crate::memory::Link;
 
-/// Bytes that a page takes.
+/// Memory of a page, in bytes.
 const PAGE_BYTES: u64 = 16 << 10;
 
 impl ScreenRef {
-    /// The number of its page. The page comes into being when the variable is first used.
+    /// Number of the page, which is created when the variable is first used.
     ///
-    /// A copy of a structure with a screen shares the page from then on, as it shares links to inputs and outputs.
+    /// A later copy of a structure with a screen shares the page, as it shares links to inputs and outputs.
     ///
     /// # Errors
-    /// 20 if the variable is gone, 40 without memory for a new page.
+    /// 20 if the variable does not exist, 40 without memory for a new page.
     pub fn page(self, call: &mut Call<'_>) -> Result<u32> {
         if let Link::Port(page) = call.memory.link(self.0, 0)? {
             return Ok(page);

@@ -1,10 +1,10 @@
-//! The pages: the file below the folder of the kind, the words that find it, the section of the manual.
+//! List of pages: file name in the folder of the kind, words that find the page, and manual section.
 
 use super::{Entry, EntryKind};
 
 macro_rules! entries {
     ($($kind:ident $folder:literal { $($stem:literal [$($name:literal),+] $section:literal;)+ })+) => {
-        /// Every page, by kind.
+        /// All pages, by kind.
         pub static ENTRIES: &[Entry] = &[$($(
             Entry {
                 kind: EntryKind::$kind,

@@ -1,13 +1,13 @@
-//! Which instructions have no effect but their value: those that a debugger may call to show an expression.
+//! Instructions without side effects, which a debugger may call to show an expression.
 
 use super::{Class, Instruction, Overload, Param, Shape};
 use crate::types::BaseType;
 
-/// Functions that act although their value is used: each call of `$fileOpen` opens a file.
+/// Functions with side effects: each call of `$fileOpen` opens a file.
 const ACTING: [&str; 1] = ["$fileOpen"];
 
 impl Instruction {
-    /// Whether a call of this form does more than yield a value: it acts, waits, or writes to a variable.
+    /// Whether a call of this form has side effects: it acts, waits, or writes to a variable.
     #[must_use]
     pub fn has_effects(&self, form: &Overload) -> bool {
         let writes = || form.params.iter().any(Param::is_written);
@@ -16,7 +16,8 @@ impl Instruction {
 }
 
 impl Param {
-    /// A function takes frames and tools by reference because of their fathers, and containers as a whole.
+    /// Whether the instruction writes the parameter. Functions receive frames and tools by reference because of their
+    /// fathers, and containers because they are passed completely.
     fn is_written(&self) -> bool {
         let is_scalar = matches!(self.ty, Some(BaseType::Num | BaseType::Bool | BaseType::String));
         self.shape == Shape::Reference && is_scalar

@@ -1,4 +1,4 @@
-//! Syntax lines, written as the manual writes them.
+//! Syntax lines in the manual's notation.
 
 use std::fmt::{self, Display, Write};
 
@@ -6,10 +6,10 @@ use super::{Overload, Param, Shape};
 use crate::{keywords, types::BaseType};
 
 impl Overload {
-    /// The syntax line of this form: `num movej(joint jPosition, tool tTool, mdesc mDesc)`.
+    /// Syntax line of this form: `num movej(joint jPosition, tool tTool, mdesc mDesc)`.
     ///
-    /// `name` is the instruction's name. A form of a library identifier reads `num library:libLoad(…)`, and
-    /// `taskCreate`, which takes no parentheses, reads like its line in a program.
+    /// `name` is the instruction's name. A form of a library identifier is written `num library:libLoad(…)`, and
+    /// `taskCreate`, which has no parentheses, as in a program.
     #[must_use]
     pub fn signature(&self, name: &str) -> String {
         let special = keywords::is_task_creation(name);
@@ -41,7 +41,7 @@ impl Overload {
     }
 }
 
-/// A parameter as in a syntax line: `num& nData[]`, `T variable`, `program(...)`.
+/// Formats a parameter as in a syntax line: `num& nData[]`, `T variable`, `program(...)`.
 impl Display for Param {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.shape.write_param(f, self.ty, self.name)
@@ -49,13 +49,13 @@ impl Display for Param {
 }
 
 impl Shape {
-    /// Whether the instruction gets the variable itself and not a copy of its value (2.6).
+    /// Whether the argument is passed by reference (2.6).
     #[must_use]
     pub fn is_by_reference(self) -> bool {
         matches!(self, Self::Reference | Self::Array { .. } | Self::Collection)
     }
 
-    /// Writes a parameter of this shape as in a syntax line; no type is any type.
+    /// Writes a parameter of this form as in a syntax line; `None` means any type.
     pub(crate) fn write_param(self, f: &mut fmt::Formatter<'_>, ty: Option<BaseType>, name: &str) -> fmt::Result {
         if self == Self::ProgramCall {
             return write!(f, "{name}(...)");
@@ -65,7 +65,7 @@ impl Shape {
         write!(f, "{ty}{reference} {name}{}", self.brackets())
     }
 
-    /// The text after the name in a syntax line.
+    /// Brackets after the name in a syntax line.
     fn brackets(self) -> &'static str {
         match self {
             Self::Array { dims: 1 } => "[]",

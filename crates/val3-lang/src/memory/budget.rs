@@ -1,15 +1,15 @@
-//! How much memory programs may take.
+//! Memory limit of programs.
 
 use crate::fault::{Fault, Result};
 
-/// Bytes for all data, code, stacks and tasks of a controller together.
+/// Memory for all data, code, stacks and tasks of a controller, in bytes.
 ///
-/// Controllers have some hundred megabytes. Exceeding them is run-time error 40.
+/// Controllers have some hundred megabytes. Exceeding the limit is run-time error 40.
 pub const MEMORY: u64 = 512 << 20;
 
-/// The memory of a controller: how much of it is taken.
+/// Used memory of a controller.
 ///
-/// Sizes are those of the values. The room that vectors hold in reserve is not counted.
+/// Only values are counted, without the reserved capacity of vectors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MemoryBudget {
     taken: u64,
@@ -23,30 +23,30 @@ impl Default for MemoryBudget {
 }
 
 impl MemoryBudget {
-    /// Lets the controller have another amount of memory than [`MEMORY`].
+    /// Sets a limit that differs from [`MEMORY`].
     pub fn limit_to(&mut self, bytes: u64) {
         self.limit = bytes;
     }
 
-    /// The bytes that are taken.
+    /// Used memory, in bytes.
     #[must_use]
     pub fn taken(&self) -> u64 {
         self.taken
     }
 
-    /// So many bytes are free.
+    /// Checks that enough memory is free.
     ///
     /// # Errors
-    /// 40 if they are not.
+    /// 40 if fewer bytes are free.
     #[inline]
     pub fn check(&self, bytes: u64) -> Result<()> {
         if self.taken.saturating_add(bytes) > self.limit { Err(Fault::NO_MEMORY) } else { Ok(()) }
     }
 
-    /// Takes bytes.
+    /// Allocates memory.
     ///
     /// # Errors
-    /// 40 if fewer are free.
+    /// 40 if fewer bytes are free.
     #[inline]
     pub fn take(&mut self, bytes: u64) -> Result<()> {
         self.check(bytes)?;
@@ -54,19 +54,19 @@ impl MemoryBudget {
         Ok(())
     }
 
-    /// Counts bytes that are in use already, however many are free.
+    /// Counts memory that is already in use, even beyond the limit.
     pub fn count(&mut self, bytes: u64) {
         self.taken = self.taken.saturating_add(bytes);
     }
 
-    /// Gives bytes back that were taken.
+    /// Releases allocated memory.
     #[inline]
     pub fn give_back(&mut self, bytes: u64) {
         self.taken = self.taken.saturating_sub(bytes);
     }
 }
 
-/// The bytes of `count` values of type `T`.
+/// Size of `count` values of type `T`, in bytes.
 #[inline]
 #[must_use]
 pub const fn bytes_of<T>(count: usize) -> u64 {

@@ -1,4 +1,4 @@
-//! Containers that grow and shrink, and the keys of collections (2.5.4 to 2.5.6).
+//! Growing and shrinking containers, and keys of collections (2.5.4 to 2.5.6).
 
 use std::ops::Bound;
 
@@ -9,22 +9,22 @@ use crate::fault::{Fault, Result};
 use crate::values::Text;
 use crate::values::numbers::round;
 
-/// Bytes that the values of a variable may take, whatever their number: a grid of 4000 by 4000 numbers is half of it.
+/// Maximum size of a variable's values in bytes. An array of 4000 by 4000 numbers is half of it.
 const MOST_BYTES: u32 = 1 << 28;
 
 impl Memory {
-    /// The number of values that can be reached through a view (2.5.4).
+    /// Number of elements in a view (2.5.4).
     ///
     /// # Errors
-    /// 20 if the container is gone.
+    /// 20 if the container does not exist.
     pub fn len(&self, view: View) -> Result<u32> {
         Ok(self.store(view.store)?.shape.len().saturating_sub(view.start))
     }
 
-    /// The size of a dimension, counted from 1; 0 where there is none of that number.
+    /// Size of a dimension, counted from 1; 0 if there is no such dimension.
     ///
     /// # Errors
-    /// 20 if the container is gone.
+    /// 20 if the container does not exist.
     pub fn dimension(&self, view: View, dimension: f64) -> Result<u32> {
         let dimension = round(dimension);
         let Shape::Array { dims, sizes } = self.store(view.store)?.shape else {
@@ -34,10 +34,10 @@ impl Memory {
         Ok(found.map_or(0, |(size, number)| if number == 1 { size - view.start.min(*size) } else { *size }))
     }
 
-    /// The value that a slot names.
+    /// Finds the element of a slot.
     ///
     /// # Errors
-    /// 20 and 21 if there is none, 80 if the library lacks the container.
+    /// 20 and 21 if it does not exist, 80 if the library has no such container.
     pub fn locate(&self, slot: &Slot) -> Result<Place> {
         let view = slot.container()?;
         let store = self.store(view.store)?;
@@ -51,10 +51,10 @@ impl Memory {
         Ok(store.place(view.store, number?))
     }
 
-    /// A value of a view by its number from the start of the view.
+    /// Element address, by number from the start of the view.
     ///
     /// # Errors
-    /// 20 beyond the size, or if the container is gone.
+    /// 20 beyond the size, or if the container does not exist.
     #[inline]
     pub fn element(&self, view: View, number: u32) -> Result<Place> {
         let store = self.store(view.store)?;
@@ -62,11 +62,11 @@ impl Memory {
         if number < store.shape.len() { Ok(store.place(view.store, number)) } else { Err(Fault::INDEX_TOO_LARGE) }
     }
 
-    /// Inserts a default value before the one with this index, or after the last (2.5.4).
+    /// Inserts a default value before an index, or at the end (2.5.4).
     ///
     /// # Errors
-    /// 20 and 21 for a bad index, 40 beyond `limit` values, or without memory, 70 for a local array or one of more
-    /// dimensions.
+    /// 20 and 21 for an invalid index, 40 beyond `limit` elements or without memory, 70 for a local or multidimensional
+    /// array.
     pub fn insert_at(&mut self, view: View, index: f64, limit: Option<u32>) -> Result<()> {
         let store = self.growing(view.store, limit)?;
         let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
@@ -82,10 +82,10 @@ impl Memory {
         Ok(())
     }
 
-    /// Inserts a default value under a key; `false` where there is such a key (2.5.4).
+    /// Inserts a default value under a key; returns `false` if the key exists (2.5.4).
     ///
     /// # Errors
-    /// 40 beyond `limit` values, or without memory, 70 for an array or an empty key.
+    /// 40 beyond `limit` elements or without memory, 70 for an array or an empty key.
     pub fn insert_key(&mut self, id: StoreId, key: Text, limit: Option<u32>) -> Result<bool> {
         let store = self.store(id)?;
         let Shape::Collection(keys) = &store.shape else { return Err(Fault::INVALID_PARAMETER) };
@@ -118,7 +118,7 @@ impl Memory {
     /// Appends a default value (2.5.5).
     ///
     /// # Errors
-    /// 40 beyond `limit` values, or without memory, 70 for a local array or one of more dimensions.
+    /// 40 beyond `limit` elements or without memory, 70 for a local or multidimensional array.
     pub fn append(&mut self, id: StoreId, limit: Option<u32>) -> Result<()> {
         let store = self.growing(id, limit)?;
         let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
@@ -127,10 +127,10 @@ impl Memory {
         Ok(())
     }
 
-    /// Takes out the value with this index (2.5.4). An array keeps at least one value.
+    /// Removes the element at an index (2.5.4). An array keeps at least one element.
     ///
     /// # Errors
-    /// 20 and 21 for a bad index, 70 for the last value, a local array or one of more dimensions.
+    /// 20 and 21 for an invalid index, 70 for the last element, and for a local or multidimensional array.
     pub fn delete_at(&mut self, view: View, index: f64) -> Result<()> {
         let store = self.changing(view.store)?;
         let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
@@ -149,10 +149,10 @@ impl Memory {
         Ok(())
     }
 
-    /// Takes out the value under a key (2.5.4).
+    /// Removes the element under a key (2.5.4).
     ///
     /// # Errors
-    /// 20 if there is no such key, 70 for an array.
+    /// 20 if the key does not exist, 70 for an array.
     pub fn delete_key(&mut self, id: StoreId, key: &Text) -> Result<()> {
         let store = self.changing(id)?;
         let Shape::Collection(keys) = &mut store.shape else { return Err(Fault::INVALID_PARAMETER) };
@@ -162,12 +162,12 @@ impl Memory {
         Ok(())
     }
 
-    /// Gives a dimension, counted from 1, another size; values keep their indexes (2.5.5). The size is that of the part
-    /// which can be reached through the view.
+    /// Changes the size of a dimension, counted from 1; elements keep their indexes (2.5.5). The size is that of the
+    /// part in the view.
     ///
     /// # Errors
-    /// 40 beyond `limit` values, or without memory, 70 for a local array, a collection, a dimension that the array lacks or
-    /// a size below 1.
+    /// 40 beyond `limit` elements or without memory, 70 for a local array, a collection, a missing dimension or a size
+    /// below 1.
     pub fn resize(&mut self, view: View, dimension: f64, size: f64, limit: Option<u32>) -> Result<()> {
         let store = self.changing(view.store)?;
         let Shape::Array { dims, sizes: old } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
@@ -187,7 +187,7 @@ impl Memory {
         self.rearrange(view.store, old, new, dims)
     }
 
-    /// Moves the values of an array to their places in one of other sizes.
+    /// Moves the elements of an array to their positions in an array with other sizes.
     fn rearrange(&mut self, id: StoreId, old: [u32; 3], new: [u32; 3], dims: u8) -> Result<()> {
         let store = self.store(id)?;
         let (kind, owner, before) = (store.kind.clone(), store.owner, store.bytes());
@@ -208,7 +208,7 @@ impl Memory {
         Ok(())
     }
 
-    /// The first key of a collection that lies within these bounds.
+    /// First key of a collection within these bounds.
     ///
     /// # Errors
     /// 70 for an array.
@@ -219,7 +219,7 @@ impl Memory {
         }
     }
 
-    /// The last key of a collection that lies within these bounds.
+    /// Last key of a collection within these bounds.
     ///
     /// # Errors
     /// 70 for an array.
@@ -230,13 +230,13 @@ impl Memory {
         }
     }
 
-    /// A container whose size may change.
+    /// Returns a container whose size may change.
     fn changing(&mut self, id: StoreId) -> Result<&mut Store> {
         let store = self.store_mut(id)?;
         if store.owner == Owner::Program && !store.field { Err(Fault::INVALID_PARAMETER) } else { Ok(store) }
     }
 
-    /// A container that takes one more value.
+    /// Returns a container to which an element can be added.
     fn growing(&mut self, id: StoreId, limit: Option<u32>) -> Result<&mut Store> {
         let store = self.changing(id)?;
         let most = most_values(store.kind.size, limit);
@@ -252,7 +252,7 @@ impl Memory {
         Ok(())
     }
 
-    /// Takes the memory for one more value of a container, and makes the containers within the value.
+    /// Allocates the memory for one more element, and creates its inner containers.
     fn parts_of_new_value(&mut self, id: StoreId) -> Result<Vec<StoreId>> {
         let store = self.store(id)?;
         let bytes = store.kind.size.bytes();
@@ -271,7 +271,7 @@ impl Memory {
     }
 }
 
-/// How many values of this size a variable may have.
+/// Maximum number of elements in a variable, for this element size.
 fn most_values(size: Lanes, limit: Option<u32>) -> u32 {
     let bytes = 8 * size.num + 132 * size.text + 32 * size.link + 256 * size.part;
     limit.unwrap_or(u32::MAX).min(MOST_BYTES / bytes.max(1))

@@ -1,10 +1,10 @@
-//! New containers, and copies of values.
+//! Creates containers, and copies values.
 
 use super::{Element, Kind, Lanes, Memory, Owner, PartInit, Place, Shape, Store, StoreId};
 use crate::fault::{Fault, Result};
 
 impl Memory {
-    /// A new container with these values: global data of the application.
+    /// Creates a container with these values, as global data of the application.
     ///
     /// # Errors
     /// 40 without memory.
@@ -12,7 +12,7 @@ impl Memory {
         self.create_for(Owner::APPLICATION, init)
     }
 
-    /// A new container with these values, which ends with a program.
+    /// Creates a container with these values, which is removed at the end of a program.
     ///
     /// # Errors
     /// 40 without memory.
@@ -20,7 +20,7 @@ impl Memory {
         self.create_for(Owner::Program, init)
     }
 
-    /// A new container with these values.
+    /// Creates a container with these values.
     ///
     /// # Errors
     /// 40 without memory.
@@ -28,10 +28,10 @@ impl Memory {
         self.create_as(init, owner, false)
     }
 
-    /// Makes one container of each of `sources`; none if one of them cannot be made.
+    /// Creates one container for each of `sources`; none if one of them cannot be created.
     ///
     /// # Errors
-    /// That of the first that cannot be made.
+    /// The error of the first container that cannot be created.
     pub fn create_all<T>(
         &mut self,
         sources: impl IntoIterator<Item = T>,
@@ -66,7 +66,7 @@ impl Memory {
         self.add(store)
     }
 
-    /// The containers of values of a user type; those of a value that is `None` are as the type has them.
+    /// Creates the inner containers of user type values. `None` means the type's default value.
     pub(super) fn create_parts<'v>(
         &mut self,
         kind: &Kind,
@@ -78,14 +78,14 @@ impl Memory {
         self.create_all(parts, |memory, part| memory.create_as(part, owner, true))
     }
 
-    /// Copies a value of the type `kind`: `to = from` (2.3, 7.3). The fields of a user type get as many values as
-    /// those that are copied.
+    /// Copies a value of the type `kind`: `to = from` (2.3, 7.3). The fields of a user type get the size of the
+    /// source's fields.
     ///
     /// # Errors
-    /// 20 if one of the values is gone, 82 and 165 if a link is none that `to` may have, 40 without memory.
+    /// 20 if one of the values does not exist, 82 and 165 if `to` may not have a link, 40 without memory.
     pub fn copy(&mut self, kind: &Kind, from: Place, to: Place) -> Result<()> {
         let Lanes { num, text, link, part } = kind.size;
-        // First, because it can be refused.
+        // Links first, because they can be rejected.
         (0..link).try_for_each(|lane| self.link(from, lane).and_then(|value| self.set_link(to, lane, value)))?;
         self.copy_nums(from, to, num)?;
         for lane in 0..text {
@@ -99,25 +99,25 @@ impl Memory {
         })
     }
 
-    /// Copies numbers. A single one and those of a structure are looked up once.
+    /// Copies numbers. Single numbers and structures require only one lookup.
     #[inline]
     fn copy_nums(&mut self, from: Place, to: Place, count: u32) -> Result<()> {
         match count {
             0 => Ok(()),
             1 => self.set_num(to, 0, self.num(from, 0)?),
-            // Transformations and joints; points.
+            // 6: transformations and joints; 9: points.
             6 => self.set_nums(to, 0, self.nums::<6>(from, 0)?),
             9 => self.set_nums(to, 0, self.nums::<9>(from, 0)?),
             _ => (0..count).try_for_each(|lane| self.set_num(to, lane, self.num(from, lane)?)),
         }
     }
 
-    /// Makes the container `to` hold what `from` holds.
+    /// Copies the content of container `from` to container `to`.
     fn copy_store(&mut self, from: StoreId, to: StoreId) -> Result<()> {
         if from == to {
             return Ok(());
         }
-        // Without new containers, a copy of a user type takes a tenth of the time.
+        // Overwriting existing containers is ten times as fast as creating new containers.
         let (source, owner) = (self.store(from)?, self.owner(to));
         source.links.iter().try_for_each(|link| self.check_link(owner, *link))?;
         if self.stores.overwrite(to, from)? {
@@ -129,7 +129,7 @@ impl Memory {
         Ok(())
     }
 
-    /// A copy of a container for an owner.
+    /// Copies a container for an owner.
     fn duplicate(&mut self, id: StoreId, owner: Owner) -> Result<StoreId> {
         let source = self.store(id)?;
         self.stores.room.check(source.bytes())?;
@@ -139,11 +139,11 @@ impl Memory {
         self.add(copy)
     }
 
-    /// Whether two values of one type are equal, field by field, containers of a user type with their indexes and
-    /// keys; links do not count.
+    /// Whether two values of one type are equal in all fields. Containers of a user type are compared with their
+    /// indexes and keys. Links are ignored.
     ///
     /// # Errors
-    /// 20 if one of the values is gone.
+    /// 20 if one of the values does not exist.
     pub fn equal(&self, kind: &Kind, a: Place, b: Place) -> Result<bool> {
         let Lanes { num, text, part, .. } = kind.size;
         for lane in 0..num {
@@ -184,10 +184,10 @@ impl Memory {
         Ok(true)
     }
 
-    /// Gives a value of a container its default again.
+    /// Resets an element to its default value.
     ///
     /// # Errors
-    /// 20 if the container is gone, 40 without memory.
+    /// 20 if the container does not exist, 40 without memory.
     pub(super) fn reset(&mut self, id: StoreId, number: u32) -> Result<()> {
         let (kind, owner) = (self.store(id)?.kind.clone(), self.owner(id));
         write_lanes(self.store_mut(id)?, number, &kind.default);
@@ -205,7 +205,7 @@ impl Memory {
     }
 }
 
-/// Writes numbers, texts and links of one value.
+/// Writes a value's numbers, strings and links.
 fn write_lanes(store: &mut Store, number: u32, value: &Element) {
     let at = store.kind.size * number;
     write(&mut store.nums, at.num, &value.nums);

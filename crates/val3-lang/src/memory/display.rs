@@ -1,4 +1,4 @@
-//! Values as text, for `?`, `val3 eval` and debuggers.
+//! Values as text for `?`, `val3 eval` and debuggers.
 
 use super::{Kind, KindBase, Memory, Place, View, field_offset};
 use crate::enumerations;
@@ -7,10 +7,11 @@ use crate::types::{Arm, BaseType, fields};
 use crate::values::printed;
 
 impl Memory {
-    /// A value as VAL 3 writes it: texts in quotes, `{…}` for structures. Inputs, outputs and screens have no value.
+    /// Formats a value in VAL 3 notation: strings in quotes, `{…}` for structures. Inputs, outputs and screens have no
+    /// value.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if it does not exist.
     pub fn shown(&self, kind: &Kind, at: Place) -> Result<String> {
         match &kind.base {
             KindBase::Builtin(base, arm) => self.shown_builtin((*base, *arm), at),
@@ -21,7 +22,7 @@ impl Memory {
         }
     }
 
-    /// A field of a user type: its value, or those of an array.
+    /// Formats a field of a user type: one value, or the elements of an array.
     fn shown_field(&self, at: Place, lane: u32) -> Result<String> {
         let id = self.part(at, lane)?;
         let kind = self.store(id)?.kind.clone();

@@ -1,4 +1,4 @@
-//! The content of a container: the type of its values and their defaults.
+//! Run-time types: the type of a container's values, and their defaults.
 
 use std::sync::Arc;
 
@@ -7,34 +7,34 @@ use crate::types::{Arm, BaseType, DefaultValue, Field, fields};
 use crate::values::Text;
 use crate::{enumerations, types};
 
-/// A type at run time.
+/// A run-time type.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kind {
-    /// Which type it is.
+    /// Built-in or user type.
     pub base: KindBase,
-    /// The lanes of one value.
+    /// Lanes per value.
     pub size: Lanes,
-    /// The fields of a user type, in the order of its parts.
+    /// Fields of a user type, ordered like the parts.
     pub fields: Vec<FieldKind>,
-    /// The value that `insert`, `append`, `resize` and a new local give.
+    /// Default value for `insert`, `append`, `resize` and new locals.
     pub default: Element,
 }
 
-/// Which type it is.
+/// Built-in or user type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum KindBase {
-    /// A built-in type; positions are of an arm.
+    /// A built-in type; positions belong to an arm.
     Builtin(BaseType, Option<Arm>),
-    /// A user type, by its name where it was compiled.
+    /// A user type, by its name in the compiled project.
     User(String),
 }
 
-/// A field of a user type: a container of its own (7.1).
+/// A field of a user type, which is a container (7.1).
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldKind {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its values at the start.
+    /// Initial values.
     pub init: PartInit,
 }
 
@@ -50,39 +50,39 @@ impl FieldKind {
     }
 }
 
-/// The values of a container at the start.
+/// Initial values of a container.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PartInit {
-    /// The type of its values.
+    /// Type of the values.
     pub kind: Arc<Kind>,
     /// Sizes, or keys in the order of the values.
     pub shape: Shape,
-    /// Its values; those that are missing have the default of the type.
+    /// Values; missing values have the default of the type.
     pub values: Vec<Option<Element>>,
 }
 
-/// One value, apart from any container.
+/// A value outside of a container.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Element {
-    /// Its numbers.
+    /// Numbers.
     pub nums: Vec<f64>,
-    /// Its texts.
+    /// Strings.
     pub texts: Vec<Text>,
-    /// Its links.
+    /// Links.
     pub links: Vec<Link>,
-    /// Its containers, if it is of a user type and differs from the default.
+    /// Inner containers, if the value has a user type and differs from the default.
     pub parts: Vec<PartInit>,
 }
 
 impl Kind {
-    /// A built-in type.
+    /// Creates a built-in type.
     #[must_use]
     pub fn builtin(base: BaseType, arm: Option<Arm>) -> Self {
         let default = default_of(base, arm);
         Self { base: KindBase::Builtin(base, arm), size: lanes(base), fields: Vec::new(), default }
     }
 
-    /// A user type with these fields.
+    /// Creates a user type with these fields.
     #[must_use]
     pub fn user(name: String, fields: Vec<FieldKind>) -> Self {
         let parts: Vec<PartInit> = fields.iter().map(|field| field.init.clone()).collect();
@@ -90,10 +90,10 @@ impl Kind {
         Self { base: KindBase::User(name), size, fields, default: Element { parts, ..Element::default() } }
     }
 
-    /// A value of one type can be copied into one of the other: they are the same built-in type, or user types with the
-    /// same fields.
+    /// Whether a value of one type can be copied to a value of the other: both are the same built-in type, or user
+    /// types with the same fields.
     ///
-    /// An application and its library may call a user type by two names: what counts is what it is made of.
+    /// An application and its library may use different names for a user type, so only the fields are compared.
     #[must_use]
     pub fn suits(&self, other: &Self) -> bool {
         match (&self.base, &other.base) {
@@ -108,7 +108,7 @@ impl Kind {
         }
     }
 
-    /// The built-in type, if it is one.
+    /// Built-in type; `None` for a user type.
     #[must_use]
     pub fn base_type(&self) -> Option<BaseType> {
         match self.base {
@@ -118,8 +118,8 @@ impl Kind {
     }
 }
 
-/// The lanes of a value of a built-in type. A joint always has six numbers, a configuration three: those that the arm
-/// lacks stay 0.
+/// Lanes of a built-in type's value. A joint always has six numbers and a configuration three; the numbers of missing
+/// axes stay 0.
 const fn lanes(base: BaseType) -> Lanes {
     let (num, text, link) = match base {
         BaseType::Bool | BaseType::Num => (1, 0, 0),
@@ -128,7 +128,7 @@ const fn lanes(base: BaseType) -> Lanes {
         BaseType::Dio | BaseType::Aio | BaseType::Sio | BaseType::Screen => (0, 0, 1),
         BaseType::Trsf | BaseType::Joint => (6, 0, 0),
         BaseType::Frame => (6, 0, 1),
-        // Opening and closing times; the reference tool, then the gripper.
+        // Opening and closing times; links to the father tool and the gripper output.
         BaseType::Tool => (8, 0, 2),
         BaseType::Point => (9, 0, 1),
         BaseType::Config => (3, 0, 0),
@@ -137,9 +137,9 @@ const fn lanes(base: BaseType) -> Lanes {
     Lanes { num, text, link, part: 0 }
 }
 
-/// The lanes of a built-in type before a field of it.
+/// Lanes before a field in a value of a built-in type.
 ///
-/// The reference of a frame, tool or point is its first link, so the gripper of a tool is the second.
+/// The father of a frame, tool or point is its first link, so a tool's gripper is the second link.
 #[must_use]
 pub fn field_offset(base: BaseType, arm: Option<Arm>, name: &str) -> Option<Lanes> {
     let field = types::field(base, arm, name)?;
@@ -151,7 +151,7 @@ pub fn field_offset(base: BaseType, arm: Option<Arm>, name: &str) -> Option<Lane
     Some(offset)
 }
 
-/// The lanes of a built-in type before the field at the end of a path: `trsf.x`; none for the empty path.
+/// Lanes before the field at the end of a path such as `trsf.x`; zero for the empty path.
 #[must_use]
 pub fn path_offset(base: BaseType, arm: Option<Arm>, path: &str) -> Option<Lanes> {
     let mut names = path.split('.').filter(|name| !name.is_empty());
@@ -187,7 +187,7 @@ fn numbers(base: BaseType, arm: Option<Arm>, nums: &mut Vec<f64>) {
     }
 }
 
-/// The number of an enumerator: its position in its type.
+/// Enumerator number: its index in its type.
 #[must_use]
 pub fn enumerator(name: &str) -> f64 {
     let Some(found) = enumerations::find(name) else { return 0.0 };

@@ -1,25 +1,25 @@
-//! How many lanes a value takes, or where its lanes begin.
+//! Numbers of lanes, and lane offsets.
 
 use std::ops::{Add, Mul};
 
 use super::{Link, StoreId, bytes_of};
 use crate::values::Text;
 
-/// A number of lanes of each sort, or an offset in each.
+/// Lane counts by sort, or lane offsets by sort.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 pub struct Lanes {
     /// Numbers, truth values, enumerators.
     pub num: u32,
-    /// Texts.
+    /// Strings.
     pub text: u32,
     /// Links.
     pub link: u32,
-    /// Containers within a value.
+    /// Inner containers.
     pub part: u32,
 }
 
 impl Lanes {
-    /// The bytes of these lanes.
+    /// Size of these lanes in bytes.
     #[must_use]
     pub fn bytes(self) -> u64 {
         bytes_of::<f64>(self.num as usize)
@@ -28,7 +28,7 @@ impl Lanes {
             + bytes_of::<StoreId>(self.part as usize)
     }
 
-    /// So many numbers and nothing else.
+    /// Creates lanes with only numbers.
     #[must_use]
     pub const fn nums(num: u32) -> Self {
         Self { num, text: 0, link: 0, part: 0 }
@@ -48,7 +48,7 @@ impl Add for Lanes {
     }
 }
 
-/// The lanes of several consecutive values.
+/// Lanes of consecutive values.
 impl Mul<u32> for Lanes {
     type Output = Self;
 

@@ -1,18 +1,18 @@
 //! The owner of a container.
 
-/// Whose a container is.
+/// Owner of a container.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Owner {
-    /// The controller's: `world` and `flange`, which everything may refer to.
+    /// The controller, for `world` and `flange`. All data may refer to them.
     Controller,
-    /// Global data of the application or library that is in memory under this number.
+    /// An application or library, for its global data.
     Project {
-        /// The number; 0 is the application.
+        /// Number of the project in memory; 0 is the application.
         number: u16,
-        /// Others may use it.
+        /// Whether other projects may refer to the data.
         public: bool,
     },
-    /// A program's: it ends with it.
+    /// A program, for its local data. The container is removed at the end of the program.
     Program,
 }
 

@@ -1,9 +1,9 @@
-//! Where a value is.
+//! Addresses of values.
 
 use super::Lanes;
 use crate::fault::{Fault, Result};
 
-/// A container of the memory. One that was removed has no successor under the same name.
+/// Identity of a container in memory. It is not reused after the container was removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct StoreId {
     pub(super) index: u32,
@@ -11,91 +11,91 @@ pub struct StoreId {
 }
 
 impl StoreId {
-    /// The stack of the task that runs.
+    /// The stack of the running task.
     pub const STACK: Self = Self { index: u32::MAX, generation: 0 };
 }
 
-/// Where the lanes of a value begin: an element by reference (2.6.2).
+/// Address of a value's lanes: an element by reference (2.6.2).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Place {
-    /// The container, or the stack.
+    /// Container, or the stack.
     pub store: StoreId,
-    /// The first of its numbers.
+    /// Index of the first number.
     pub num: u32,
-    /// The first of its texts.
+    /// Index of the first string.
     pub text: u32,
-    /// The first of its links.
+    /// Index of the first link.
     pub link: u32,
-    /// The first of its containers.
+    /// Index of the first inner container.
     pub part: u32,
 }
 
 impl Place {
-    /// The place in a container whose lanes begin at `lanes`.
+    /// Address of the value whose lanes begin at `lanes` in a container.
     #[must_use]
     pub const fn new(store: StoreId, lanes: Lanes) -> Self {
         Self { store, num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part }
     }
 
-    /// A place on the stack of the task that runs.
+    /// Address on the stack of the running task.
     #[must_use]
     pub const fn on_stack(lanes: Lanes) -> Self {
         Self::new(StoreId::STACK, lanes)
     }
 
-    /// The first value of a container.
+    /// Address of a container's first value.
     #[must_use]
     pub const fn first(store: StoreId) -> Self {
         Self::new(store, Lanes::nums(0))
     }
 
-    /// The place `lanes` after this one: a field.
+    /// Address `lanes` after this one: a field.
     #[must_use]
     pub fn after(self, lanes: Lanes) -> Self {
         Self::new(self.store, Lanes { num: self.num, text: self.text, link: self.link, part: self.part } + lanes)
     }
 }
 
-/// A container by reference, a one-dimensional array from an index on (2.6.3).
+/// A container by reference, or a one-dimensional array from an index (2.6.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct View {
-    /// The container.
+    /// Container.
     pub store: StoreId,
-    /// The first value that can be reached.
+    /// Index of the first accessible element.
     pub start: u32,
 }
 
 impl View {
-    /// The whole of a container.
+    /// Creates a view of an entire container.
     #[must_use]
     pub const fn whole(store: StoreId) -> Self {
         Self { store, start: 0 }
     }
 }
 
-/// A value of a container that need not exist: `insert(x[3])`, `isDefined(x["k"])`.
+/// An element that need not exist: `insert(x[3])`, `isDefined(x["k"])`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slot {
-    /// The container; `None` where a library lacks it.
+    /// Container; `None` if it does not exist in its library.
     pub view: Option<View>,
-    /// Which of its values.
+    /// Index or key of the element.
     pub at: Subscript<f64, Place>,
 }
 
 impl Slot {
-    /// The container.
+    /// Returns the container.
     ///
     /// # Errors
-    /// 80 where a library lacks it.
+    /// 80 if it does not exist in its library.
     pub fn container(&self) -> Result<View> {
         self.view.ok_or(Fault::LIBRARY_ITEM_MISSING)
     }
 }
 
-/// Which value of a container is meant. Indexes and keys are values at run time and registers in the code.
+/// Element index or key. At run time it contains values, in the code it contains registers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Subscript<I, K> {
-    /// The variable has no subscript: its first value, or all of them.
+    /// The variable has no subscript, which means its first element or all elements.
     Whole,
     /// One index.
     One(I),
@@ -107,14 +107,14 @@ pub enum Subscript<I, K> {
     Key(K),
 }
 
-/// The target of a value's link.
+/// Link target of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Link {
-    /// Nothing.
+    /// No target.
     #[default]
     None,
-    /// Its reference frame or tool (9.4 to 9.6).
+    /// The father of a frame, tool or point (9.4 to 9.6).
     Data(Place),
-    /// An input, output or serial line of the controller (3.5 to 3.7), or a screen (4.2), by its number there.
+    /// An input, output or serial line of the controller (3.5 to 3.7), or a screen (4.2), by its number.
     Port(u32),
 }

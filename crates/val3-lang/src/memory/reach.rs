@@ -1,11 +1,11 @@
-//! What may refer to what (errors 82 and 165).
+//! Checks whether data may refer to other data (errors 82 and 165).
 
 use super::{Link, Memory, Owner, Place, StoreId};
 use crate::fault::{Fault, Result};
 use crate::runtime_errors::{GLOBAL_REFERS_TO_LOCAL, REFERENCE_OUT_OF_REACH};
 
 impl Memory {
-    /// Whose a container is.
+    /// Owner of a container.
     #[inline]
     pub(super) fn owner(&self, id: StoreId) -> Owner {
         match id {
@@ -14,13 +14,13 @@ impl Memory {
         }
     }
 
-    /// The values of a container end with a program.
+    /// Whether the container is removed at the end of a program.
     #[must_use]
     pub fn is_local(&self, id: StoreId) -> bool {
         self.owner(id) == Owner::Program
     }
 
-    /// The application or library whose global data a container is, or a field of them.
+    /// Application or library to which global data belong, including their fields.
     #[must_use]
     pub fn project(&self, id: StoreId) -> Option<u16> {
         match self.owner(id) {
@@ -29,7 +29,7 @@ impl Memory {
         }
     }
 
-    /// Sets the current libraries of the identifiers of an application or library, by their numbers.
+    /// Sets the current library of each identifier that an application or library declares, by number.
     pub fn declare_libraries(&mut self, project: u16, libraries: Vec<u16>) {
         let at = usize::from(project);
         if self.libraries.len() <= at {
@@ -40,20 +40,20 @@ impl Memory {
         }
     }
 
-    /// Whether a value may be relative to the frame or tool that it is linked to.
+    /// Checks that a value may have a linked frame or tool as its father.
     ///
     /// # Errors
-    /// 82 if that is out of its reach.
+    /// 82 if it must not refer to it.
     #[inline]
     pub fn check_reference(&self, at: Place, reference: Place) -> Result<()> {
         self.check_link(self.owner(at.store), Link::Data(reference))
     }
 
-    /// Checks that a value of an owner may be linked to a target.
+    /// Checks that an owner's value may have this link.
     ///
     /// # Errors
-    /// 165 if it would outlive what it refers to. 82 if that belongs to a library which the owner does not declare, or
-    /// in which it is private.
+    /// 165 if the value would outlive the target. 82 if the target belongs to a library that the owner does not
+    /// declare, or is private in that library.
     #[inline]
     pub(super) fn check_link(&self, owner: Owner, link: Link) -> Result<()> {
         let Link::Data(reference) = link else { return Ok(()) };
@@ -69,8 +69,9 @@ impl Memory {
         }
     }
 
-    /// Takes from the links below `end` on the stack those that lead to what ends there with a program: it was called
-    /// with a variable by reference and has hung it on a local one.
+    /// Removes the links below `end` on the stack that refer to data above `end`, which are removed at the end of a
+    /// program. Such links exist if the program was called with a variable by reference and has linked it to a local
+    /// variable.
     #[inline]
     pub fn cut_links(&mut self, end: u32) {
         if self.stack.links.len() > end as usize {
@@ -81,7 +82,7 @@ impl Memory {
         }
     }
 
-    /// The application is no library: its data never leave memory, and all may refer to them.
+    /// Whether data may refer to a library. All data may refer to the application, because it is never unloaded.
     fn reaches(&self, user: u16, library: u16, public: bool) -> bool {
         let declared = || self.libraries.get(usize::from(user)).is_some_and(|libraries| libraries.contains(&library));
         library == 0 || library == user || public && declared()
@@ -100,7 +101,7 @@ mod tests {
         PartInit { kind: Arc::new(kind), shape, values: Vec::new() }
     }
 
-    /// A user type with one field: a row of two frames.
+    /// A user type with one field, an array of two frames.
     fn station() -> PartInit {
         let row = init(Kind::builtin(BaseType::Frame, None), Shape::array(2));
         init(Kind::user("Station".to_owned(), vec![FieldKind { name: "row".to_owned(), init: row }]), Shape::ELEMENT)

@@ -1,10 +1,10 @@
-//! Arrays whose dimensions change (2.5.5).
+//! Array elements after a change of the dimensions (2.5.5).
 
 use super::{Lanes, Shape, Store, StoreId};
 
 impl Store {
-    /// Moves the values to their places in an array of other sizes, from `old` to `new`. The values that are added take
-    /// their containers from `fresh`. Gives the containers of the values that are lost.
+    /// Moves the elements from an array of size `old` to an array of size `new`. New elements get their inner
+    /// containers from `fresh`. Returns the inner containers of removed elements.
     pub(super) fn rearrange(
         &mut self,
         (old, new): ([u32; 3], [u32; 3]),

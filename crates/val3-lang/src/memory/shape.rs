@@ -1,35 +1,35 @@
-//! The shape of a container: one value, an array or a collection.
+//! Layout of a container: one value, an array or a collection.
 
 use std::collections::BTreeMap;
 
 use super::bytes_of;
 use crate::values::Text;
 
-/// How the values of a container are reached.
+/// Access to the elements of a container.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// Under 1 to 3 indexes; the dimensions that are missing have size 1.
+    /// By 1 to 3 indexes; missing dimensions have size 1.
     Array {
         /// Number of dimensions.
         dims: u8,
-        /// Their sizes.
+        /// Sizes.
         sizes: [u32; 3],
     },
-    /// Under keys, in alphabetical order; each has the place of its value among all values.
+    /// By keys, in alphabetical order. Each key has its element's number in the container.
     Collection(BTreeMap<Text, u32>),
 }
 
 impl Shape {
-    /// One value.
+    /// A single value.
     pub const ELEMENT: Self = Self::Array { dims: 1, sizes: [1, 1, 1] };
 
-    /// An array of this size.
+    /// Creates a one-dimensional array of this size.
     #[must_use]
     pub const fn array(size: u32) -> Self {
         Self::Array { dims: 1, sizes: [size, 1, 1] }
     }
 
-    /// The number of values. One that a file declares may be beyond all memory.
+    /// Number of elements. A declared size may exceed the memory.
     #[must_use]
     #[inline]
     pub fn len(&self) -> u32 {
@@ -39,13 +39,13 @@ impl Shape {
         }
     }
 
-    /// There is no value.
+    /// Whether there are no elements.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Bytes of the keys.
+    /// Size of the keys in bytes.
     pub(super) fn key_bytes(&self) -> u64 {
         match self {
             Self::Array { .. } => 0,
@@ -53,7 +53,7 @@ impl Shape {
         }
     }
 
-    /// The number of the value that a file names: `3`, `1,2`, `home`.
+    /// Number of the element with this subscript in a data file: `3`, `1,2`, `home`.
     #[must_use]
     pub fn number_of_text(&self, at: &str) -> Option<u32> {
         let sizes = match self {
@@ -70,5 +70,5 @@ impl Shape {
     }
 }
 
-/// Bytes of a key of a collection with the place of its value.
+/// Size of a key with its element number, in bytes.
 pub(super) const KEY_BYTES: u64 = bytes_of::<(Text, u32)>(1);

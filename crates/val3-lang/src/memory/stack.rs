@@ -1,27 +1,27 @@
-//! The stack of a task: the consecutive frames of the programs that it executes.
+//! Stack of a task: the consecutive frames of the programs in execution.
 
 use super::{Lanes, Link, Place, StoreId, View, bytes_of};
 use crate::values::Text;
 
-/// The lanes of all frames.
+/// Lanes of all frames.
 #[derive(Debug, Clone, Default)]
 pub struct Stack {
     /// Numbers, truth values and enumerators.
     pub nums: Vec<f64>,
-    /// Texts.
+    /// Strings.
     pub texts: Vec<Text>,
     /// Links.
     pub links: Vec<Link>,
-    /// Local arrays, and the fields of local values of user types.
+    /// Local arrays, and fields of local values of user types.
     pub parts: Vec<StoreId>,
-    /// Parameters by reference, and elements that the code looks up.
+    /// Parameters by reference, and addresses computed by the code.
     pub places: Vec<Place>,
-    /// Containers by reference, and those that the code looks up.
+    /// Containers by reference, and views computed by the code.
     pub views: Vec<View>,
 }
 
 impl Stack {
-    /// The lanes that are in use or were.
+    /// Allocated lanes.
     #[must_use]
     pub fn ends(&self) -> Lanes {
         Lanes {
@@ -32,13 +32,13 @@ impl Stack {
         }
     }
 
-    /// The bytes of its lanes.
+    /// Size in bytes.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.ends().bytes() + bytes_of::<Place>(self.places.len()) + bytes_of::<View>(self.views.len())
     }
 
-    /// Removes what begins at these lanes, places and views. Returns the bytes that it took.
+    /// Removes everything from these lanes, places and views on. Returns the released size in bytes.
     pub fn truncate(&mut self, lanes: Lanes, places: u32, views: u32) -> u64 {
         let before = self.bytes();
         self.nums.truncate(lanes.num as usize);
@@ -50,7 +50,7 @@ impl Stack {
         before - self.bytes()
     }
 
-    /// Cuts off what begins at these lanes, places and views, as a stack of its own.
+    /// Moves everything from these lanes, places and views on to a new stack.
     #[must_use]
     pub fn split_off(&mut self, lanes: Lanes, places: u32, views: u32) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! One container with its values.
+//! A container with its values.
 
 use std::sync::Arc;
 
@@ -7,37 +7,37 @@ use crate::fault::{Fault, Result};
 use crate::values::Text;
 use crate::values::numbers::BELOW_HALF;
 
-/// Bytes of a container without its values and keys.
+/// Size of a container without its values and keys, in bytes.
 const STORE_BYTES: u64 = bytes_of::<Store>(1);
 
-/// A container: its shape and its values in lanes.
+/// A container: its layout, and its values as lanes.
 ///
-/// The value of number `n` has its lanes at `n * kind.size`. A value that leaves a collection leaves a gap, which the
-/// next one fills: the others keep their places, and with them what refers to them.
+/// Value `n` starts at lane `n * kind.size`. Removing a value from a collection leaves a gap, which the next insertion
+/// fills. All other values keep their lanes, so references to them stay valid.
 #[derive(Debug, Clone)]
 pub struct Store {
     pub(super) generation: u32,
-    /// The type of its values.
+    /// Type of the values.
     pub kind: Arc<Kind>,
-    /// How they are reached.
+    /// Layout.
     pub shape: Shape,
-    /// Whose it is: what may refer to it. A local one cannot grow or shrink (2.5.4).
+    /// Owner, which determines what may refer to the container. A local container cannot grow or shrink (2.5.4).
     pub owner: Owner,
-    /// It is a field of a value of a user type: it can grow and shrink even if it is local (7.3).
+    /// Whether it is a field of a user type's value. Such a container can grow and shrink even if it is local (7.3).
     pub(super) field: bool,
     pub(super) gaps: Vec<u32>,
     /// Numbers.
     pub nums: Vec<f64>,
-    /// Texts.
+    /// Strings.
     pub texts: Vec<Text>,
     /// Links.
     pub links: Vec<Link>,
-    /// Containers within the values.
+    /// Inner containers.
     pub parts: Vec<StoreId>,
 }
 
 impl Store {
-    /// A container of values of a built-in type, each with the default. For user types:
+    /// Creates a container with default values of a built-in type. For user types, use
     /// [`Memory::create`](super::Memory::create).
     pub(super) fn filled(kind: Arc<Kind>, shape: Shape) -> Self {
         let count = shape.len() as usize;
@@ -55,7 +55,7 @@ impl Store {
         }
     }
 
-    /// The bytes it takes, without those of the containers in its values. A gap counts as a value.
+    /// Size in bytes, without inner containers. A gap counts as a value.
     pub(super) fn bytes(&self) -> u64 {
         let Self { nums, texts, links, parts, .. } = self;
         let lanes = bytes_of::<f64>(nums.len())
@@ -65,7 +65,7 @@ impl Store {
         STORE_BYTES + self.shape.key_bytes() + lanes
     }
 
-    /// Exchanges the values; type and owner stay.
+    /// Exchanges the values, but not type and owner.
     pub(super) fn exchange(&mut self, other: &mut Self) {
         std::mem::swap(&mut self.shape, &mut other.shape);
         std::mem::swap(&mut self.gaps, &mut other.gaps);
@@ -75,7 +75,7 @@ impl Store {
         std::mem::swap(&mut self.parts, &mut other.parts);
     }
 
-    /// Takes the values of another array of the same type and sizes, in place. `false` for any other container.
+    /// Copies the values of another array with the same type and sizes in place. Returns `false` for other containers.
     pub(super) fn overwrite(&mut self, from: &Self) -> bool {
         let alike = match (&self.shape, &from.shape) {
             (Shape::Array { sizes, .. }, Shape::Array { sizes: others, .. }) => sizes == others,
@@ -90,7 +90,7 @@ impl Store {
         alike
     }
 
-    /// Removes the container: no reference has its new generation. Returns the containers in its values.
+    /// Removes the container. Its new generation invalidates all references. Returns the inner containers.
     pub(super) fn empty(&mut self) -> Vec<StoreId> {
         self.generation += 1;
         self.shape = Shape::array(0);
@@ -100,14 +100,14 @@ impl Store {
         std::mem::take(&mut self.parts)
     }
 
-    /// The place of a value by its number among all values.
+    /// Address of a value by its number in the container.
     #[must_use]
     #[inline]
     pub fn place(&self, id: StoreId, number: u32) -> Place {
         Place::new(id, self.kind.size * number)
     }
 
-    /// The number of a value of a one-dimensional array from an index, which is rounded (2.5.3).
+    /// Number of a one-dimensional array's element at an index, which is rounded (2.5.3).
     ///
     /// # Errors
     /// 21 below zero, 20 beyond the size.
@@ -121,7 +121,7 @@ impl Store {
         }
     }
 
-    /// The number of a value of an array of two dimensions.
+    /// Number of a two-dimensional array's element.
     ///
     /// # Errors
     /// 21 below zero, 20 beyond the size.
@@ -133,8 +133,8 @@ impl Store {
         }
     }
 
-    /// Where a number of a one-dimensional array of numbers is: the lane is one of `nums` only if the index is one of
-    /// the array, for each value has one lane.
+    /// Lane of an element in a one-dimensional array of numbers. Each element has one lane, so an index beyond the size
+    /// is a lane beyond `nums`.
     #[inline(always)]
     pub(super) fn lane1(&self, view: View, index: f64) -> Option<usize> {
         match self.shape {
@@ -143,7 +143,7 @@ impl Store {
         }
     }
 
-    /// As [`lane1`](Self::lane1), of an array of two dimensions.
+    /// As [`lane1`](Self::lane1), in a two-dimensional array.
     #[inline(always)]
     pub(super) fn lane2(&self, [i, j]: [f64; 2]) -> Option<usize> {
         match self.shape {
@@ -155,7 +155,7 @@ impl Store {
         }
     }
 
-    /// The number of a value of an array of three dimensions.
+    /// Number of a three-dimensional array's element.
     ///
     /// # Errors
     /// 21 below zero, 20 beyond the size.
@@ -166,10 +166,10 @@ impl Store {
         }
     }
 
-    /// The number of the value under a key.
+    /// Number of the element under a key.
     ///
     /// # Errors
-    /// 20 if there is no such key.
+    /// 20 if the key does not exist.
     pub fn number_of(&self, key: &Text) -> Result<u32> {
         match &self.shape {
             Shape::Collection(keys) => keys.get(key).copied().ok_or(Fault::INDEX_TOO_LARGE),
@@ -177,13 +177,13 @@ impl Store {
         }
     }
 
-    /// The number of the value that a file names: `3`, `1,2`, `home`.
+    /// Number of the element with this subscript in a data file: `3`, `1,2`, `home`.
     #[must_use]
     pub fn number_of_text(&self, at: &str) -> Option<u32> {
         self.shape.number_of_text(at)
     }
 
-    /// Appends the default lanes of one value of a built-in type; of a user type all but its parts.
+    /// Appends the lanes of a default value. For a user type, the inner containers are not appended.
     pub(super) fn push_default(&mut self) {
         let Element { nums, texts, links, .. } = &self.kind.default;
         self.nums.extend_from_slice(nums);
@@ -193,7 +193,7 @@ impl Store {
 }
 
 impl Shape {
-    /// Bytes that a container of this shape takes with values of this size, without those that the values hold.
+    /// Size of a container with this layout and values of this size, in bytes, without inner containers.
     #[must_use]
     pub fn bytes(&self, size: Lanes) -> u64 {
         STORE_BYTES.saturating_add(self.key_bytes()).saturating_add(size.bytes().saturating_mul(self.len().into()))
@@ -201,7 +201,7 @@ impl Shape {
 }
 
 impl PartInit {
-    /// Bytes of the container and those within its values, with what is kept of its values at the start.
+    /// Size of the container and its inner containers in bytes, including the stored initial values.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let sum = |parts: &[Self]| parts.iter().map(Self::bytes).fold(0, u64::saturating_add);
@@ -214,13 +214,13 @@ impl PartInit {
     }
 }
 
-/// The number of a value by its index in a view of an array with `size` values.
+/// Element number, by index in a view of an array with `size` elements.
 #[inline]
 pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
     within(index, size.saturating_sub(view.start)).map(|at| at + view.start)
 }
 
-/// Copies of some numbers, one after the other. For a single number that is 0, `vec!` takes memory that is zero already.
+/// Repeats the numbers. For a single 0, `vec!` allocates memory that is already zero.
 fn repeated(numbers: &[f64], count: usize) -> Vec<f64> {
     match numbers {
         [one] => vec![*one; count],
@@ -228,7 +228,7 @@ fn repeated(numbers: &[f64], count: usize) -> Vec<f64> {
     }
 }
 
-/// The whole number nearest to `index` if it is one of `size` indexes. A number that is none is no index either.
+/// Nearest whole number to `index`, if it is below `size`. NaN is no valid index.
 #[inline]
 fn within(index: f64, size: u32) -> Result<u32> {
     match rounded(index) {
@@ -238,7 +238,7 @@ fn within(index: f64, size: u32) -> Result<u32> {
     }
 }
 
-/// The whole number nearest to `index`, or the greatest there is; `None` below zero. It is rounded as by `round`.
+/// Nearest whole number to `index`, rounded as by `round` and limited to the largest `u32`; `None` below zero.
 #[inline(always)]
 fn rounded(index: f64) -> Option<u32> {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and it saturates")]

@@ -1,23 +1,23 @@
-//! The containers, each under an identity that no later one has.
+//! All containers, by unique identity.
 
 use super::{MemoryBudget, Place, Store, StoreId, View};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
 
-/// All containers of a controller.
+/// Containers of a controller.
 #[derive(Debug, Clone, Default)]
 pub struct Stores {
     items: Vec<Store>,
     free: Vec<u32>,
-    /// The memory that containers share with stacks, tasks and code.
+    /// Memory that containers share with stacks, tasks and code.
     pub room: MemoryBudget,
 }
 
 impl Stores {
-    /// Takes a container in; it lives until [`remove`](Self::remove).
+    /// Adds a container, which exists until [`remove`](Self::remove).
     ///
     /// # Errors
-    /// 40 without memory. The containers in its values are dropped then.
+    /// 40 without memory. Its inner containers are then removed.
     pub fn add(&mut self, mut store: Store) -> Result<StoreId> {
         if let Err(fault) = self.room.take(store.bytes()) {
             store.parts.into_iter().for_each(|part| self.remove(part));
@@ -31,14 +31,14 @@ impl Stores {
             *slot = store;
             return Ok(StoreId { index, generation });
         }
-        // A copy of a container comes with the number of the place that the container has.
+        // A copied container has the generation of the original.
         store.generation = 0;
         let index = u32::try_from(self.items.len()).unwrap_or(u32::MAX);
         self.items.push(store);
         Ok(StoreId { index, generation: 0 })
     }
 
-    /// Drops a container and those in it. References to it end in run-time error 20.
+    /// Removes a container and its inner containers. References to them cause run-time error 20.
     pub fn remove(&mut self, id: StoreId) {
         let Ok(store) = self.get_mut(id) else { return };
         let bytes = store.bytes();
@@ -48,10 +48,10 @@ impl Stores {
         parts.into_iter().for_each(|part| self.remove(part));
     }
 
-    /// Exchanges the values of two containers of one type.
+    /// Exchanges the values of two containers with the same type.
     ///
     /// # Errors
-    /// 20 if one of them is gone.
+    /// 20 if one of them does not exist.
     pub fn exchange(&mut self, one: StoreId, other: StoreId) -> Result<()> {
         self.get(one).and(self.get(other))?;
         let places = [one.index as usize, other.index as usize];
@@ -60,11 +60,11 @@ impl Stores {
         Ok(())
     }
 
-    /// Makes a container hold the values of another one of the same type and sizes. `false`, and nothing is changed,
-    /// where sizes differ, or where the values hold containers.
+    /// Copies the values of a container to another container with the same type and sizes. If sizes differ or there are
+    /// inner containers, returns `false` without a change.
     ///
     /// # Errors
-    /// 20 if one of them is gone.
+    /// 20 if one of them does not exist.
     pub(super) fn overwrite(&mut self, to: StoreId, from: StoreId) -> Result<bool> {
         self.get(to).and(self.get(from))?;
         let indexes = [to.index as usize, from.index as usize];
@@ -72,19 +72,19 @@ impl Stores {
         Ok(to.overwrite(from))
     }
 
-    /// A container.
+    /// Returns a container.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if it does not exist.
     #[inline]
     pub fn get(&self, id: StoreId) -> Result<&Store> {
         self.living(id).ok_or(Fault::INDEX_TOO_LARGE)
     }
 
-    /// As [`get`](Self::get), to be changed.
+    /// As [`get`](Self::get), mutable.
     ///
     /// # Errors
-    /// 20 if it is gone.
+    /// 20 if it does not exist.
     #[inline]
     pub fn get_mut(&mut self, id: StoreId) -> Result<&mut Store> {
         self.living_mut(id).ok_or(Fault::INDEX_TOO_LARGE)
@@ -101,10 +101,10 @@ impl Stores {
     }
 }
 
-/// Numbers of containers, without a place in between: what loops over numbers do most. `None` stands for all that goes
-/// wrong; [`Memory::element`](super::Memory::element) and [`Store::number1`] tell what.
+/// Direct access to numbers in containers, the most frequent operation of loops. `None` means any error;
+/// [`Memory::element`](super::Memory::element) and [`Store::number1`] return its number.
 impl Stores {
-    /// A number of the first value of a view.
+    /// Number in lane `lane` of a view's first element.
     #[inline(always)]
     #[must_use]
     pub fn first(&self, view: View, lane: u16) -> Option<&f64> {
@@ -112,14 +112,14 @@ impl Stores {
         store.nums.get((view.start * store.kind.size.num) as usize + usize::from(lane))
     }
 
-    /// As [`first`](Self::first), to be written.
+    /// As [`first`](Self::first), mutable.
     #[inline(always)]
     pub fn first_mut(&mut self, view: View, lane: u16) -> Option<&mut f64> {
         let store = self.living_mut(view.store)?;
         store.nums.get_mut((view.start * store.kind.size.num) as usize + usize::from(lane))
     }
 
-    /// The container of a field of the first value of a view.
+    /// Container of a field in a view's first element.
     #[inline(always)]
     #[must_use]
     pub fn field(&self, view: View, field: u16) -> Option<StoreId> {
@@ -127,7 +127,7 @@ impl Stores {
         store.parts.get((view.start * store.kind.size.part) as usize + usize::from(field)).copied()
     }
 
-    /// The container of a field of a value of an array.
+    /// Container of a field in an array element.
     #[inline(always)]
     #[must_use]
     pub fn element_field(&self, view: View, index: f64, field: u16) -> Option<StoreId> {
@@ -136,7 +136,7 @@ impl Stores {
         store.parts.get(value * store.kind.size.part as usize + usize::from(field)).copied()
     }
 
-    /// The place of the first value of a view.
+    /// Address of a view's first element.
     #[inline(always)]
     #[must_use]
     pub fn first_place(&self, view: View) -> Option<Place> {
@@ -144,7 +144,7 @@ impl Stores {
         (view.start < store.shape.len()).then(|| store.place(view.store, view.start))
     }
 
-    /// The place of a value of an array.
+    /// Array element's address.
     #[inline(always)]
     #[must_use]
     pub fn element_place(&self, view: View, index: f64) -> Option<Place> {
@@ -153,20 +153,20 @@ impl Stores {
         (number < store.shape.len()).then(|| store.place(view.store, number))
     }
 
-    /// The text of the first value of a view.
+    /// String in a view's first element.
     #[inline(always)]
     #[must_use]
     pub fn first_text(&self, view: View) -> Option<&Text> {
         self.living(view.store)?.texts.get(view.start as usize)
     }
 
-    /// As [`first_text`](Self::first_text), to be written.
+    /// As [`first_text`](Self::first_text), mutable.
     #[inline(always)]
     pub fn first_text_mut(&mut self, view: View) -> Option<&mut Text> {
         self.living_mut(view.store)?.texts.get_mut(view.start as usize)
     }
 
-    /// A value of an array of numbers or truth values.
+    /// Element of an array of numbers or truth values.
     #[inline(always)]
     #[must_use]
     pub fn element(&self, view: View, index: f64) -> Option<&f64> {
@@ -174,7 +174,7 @@ impl Stores {
         store.nums.get(store.lane1(view, index)?)
     }
 
-    /// As [`element`](Self::element), to be written.
+    /// As [`element`](Self::element), mutable.
     #[inline(always)]
     pub fn element_mut(&mut self, view: View, index: f64) -> Option<&mut f64> {
         let store = self.living_mut(view.store)?;
@@ -182,7 +182,7 @@ impl Stores {
         store.nums.get_mut(lane)
     }
 
-    /// A value of an array of numbers or truth values of two dimensions.
+    /// Element of a two-dimensional array of numbers or truth values.
     #[inline(always)]
     #[must_use]
     pub fn element2(&self, view: View, at: [f64; 2]) -> Option<&f64> {
@@ -190,7 +190,7 @@ impl Stores {
         store.nums.get(store.lane2(at)?)
     }
 
-    /// As [`element2`](Self::element2), to be written.
+    /// As [`element2`](Self::element2), mutable.
     #[inline(always)]
     pub fn element2_mut(&mut self, view: View, at: [f64; 2]) -> Option<&mut f64> {
         let store = self.living_mut(view.store)?;

@@ -1,6 +1,6 @@
-//! Operators at run time that are no operations of the virtual machine.
+//! Run-time handlers of operators that are no operations of the virtual machine.
 //!
-//! Their arguments are the operands, from left to right; an assignment that only reads has the value alone.
+//! Their arguments are the operands, from left to right; an assignment that only reads has only the value.
 
 use val3_geometry::Trsf;
 
@@ -13,11 +13,11 @@ use crate::memory::{Kind, Lanes, Memory, Place};
 use crate::types::{Arm, BaseType};
 use crate::values::printed;
 
-/// How far apart axes may be that count as equal, in degrees or mm: what an arm resolves. The manual names no number
+/// Difference up to which axes count as equal, in degrees or mm: the resolution of an arm. The manual states no number
 /// (9.2.2).
 pub const ARM_PRECISION: f64 = 1e-4;
 
-/// The handler of `left op right` for positions of this arm; `None` if values are compared field by field or by an
+/// Handler of `left op right` for positions of this arm; `None` if values are compared field by field or by an
 /// operation.
 #[must_use]
 pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<InstructionFn> {
@@ -43,7 +43,7 @@ pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<Instruct
     })
 }
 
-/// The handler of `op operand`.
+/// Handler of `op operand`.
 #[must_use]
 pub fn unary(op: UnaryOp, base: BaseType) -> Option<InstructionFn> {
     match (op, base) {
@@ -52,7 +52,7 @@ pub fn unary(op: UnaryOp, base: BaseType) -> Option<InstructionFn> {
     }
 }
 
-/// The handler of `target = value` if it reads or writes an input or output.
+/// Handler of `target = value`, if it reads or writes an input or output.
 #[must_use]
 pub fn assignment(target: BaseType, value: BaseType) -> Option<InstructionFn> {
     match (target, value) {
@@ -68,7 +68,7 @@ pub fn assignment(target: BaseType, value: BaseType) -> Option<InstructionFn> {
     }
 }
 
-/// The handler of a line that uses an item of a library that no file declares (6.4).
+/// Handler of a line that uses a library item which no file declares (6.4).
 ///
 /// # Errors
 /// 80, always.
@@ -76,7 +76,7 @@ pub fn missing_item(_: &mut Call<'_>) -> Result<Flow> {
     Err(Fault::LIBRARY_ITEM_MISSING)
 }
 
-/// The handler of a line that is accepted but has no meaning.
+/// Handler of a line that is accepted but has no meaning.
 ///
 /// # Errors
 /// 61, always.
@@ -84,7 +84,7 @@ pub fn not_executable(_: &mut Call<'_>) -> Result<Flow> {
     Err(Fault::INTERPRETER)
 }
 
-/// The handler of `?` for positions of this arm.
+/// Handler of `?` for positions of this arm.
 #[must_use]
 pub fn print(arm: Option<Arm>) -> InstructionFn {
     match arm {
@@ -93,7 +93,7 @@ pub fn print(arm: Option<Arm>) -> InstructionFn {
     }
 }
 
-/// Strings are printed plainly, all else as VAL 3 writes it; of an input its state.
+/// Prints a line: strings without quotes, an input's state, and other values in VAL 3 notation.
 fn printed_line(call: &mut Call<'_>, arm: Option<Arm>) -> Result<Flow> {
     let line = match call.argument()? {
         Argument::Value(place, BaseType::String) => call.memory.text(place)?.to_string(),
@@ -112,7 +112,7 @@ fn printed_line(call: &mut Call<'_>, arm: Option<Arm>) -> Result<Flow> {
     Ok(Flow::Done(()))
 }
 
-/// Takes both operands.
+/// Reads both operands and computes the result.
 fn two<T: FromArgument, O: HandlerResult>(call: &mut Call<'_>, compute: impl FnOnce(T, T) -> O) -> Result<Flow> {
     let (a, b) = (T::take(call)?, T::take(call)?);
     compute(a, b).settle(call)
@@ -124,7 +124,7 @@ fn each(a: [f64; 6], b: [f64; 6], compute: impl Fn(f64, f64) -> f64) -> [f64; 6]
     result
 }
 
-/// Whether all axes of an arm suit; those that it lacks do not count.
+/// Whether the condition holds for all axes of an arm; missing axes are ignored.
 fn all<const AXES: usize>(a: [f64; 6], b: [f64; 6], suits: impl Fn(f64, f64) -> bool) -> bool {
     a.into_iter().zip(b).take(AXES).all(|(a, b)| suits(a, b))
 }
@@ -133,9 +133,9 @@ fn is_same_position(a: [f64; 6], b: [f64; 6]) -> bool {
     all::<6>(a, b, |a, b| (a - b).abs() <= ARM_PRECISION)
 }
 
-/// Frames and points are equal in one place of one frame, tools in one place of one tool with one gripper and its
-/// times (9.4.3, 9.5.3, 9.6.2): `nums` and `links` are the lanes to compare. The configuration of a point is not
-/// compared.
+/// Compares frames, points or tools: frames and points are equal if they have the same position in the same frame;
+/// tools if they have the same position on the same tool, and the same gripper and times (9.4.3, 9.5.3, 9.6.2). `nums`
+/// and `links` are the compared lanes. The configuration of a point is not compared.
 fn related<T: FromArgument>(
     call: &mut Call<'_>,
     places: impl FnOnce(T, T) -> (Place, Place),

@@ -7,10 +7,10 @@ use crate::runtime_errors::NO_ANSWER;
 use crate::types::BaseType;
 use crate::values::Text;
 
-/// The handler of `to = from` if one side is a `sio`; `None` for other types.
+/// Handler of `to = from` if one side is a `sio`; `None` for other types.
 ///
-/// To a line the arguments are the line and the value, and the result is what was sent; from a line the argument is the
-/// line and the result what was received. The task waits within.
+/// For a line as target, the arguments are the line and the value, and the result is the sent value. For a line as
+/// source, the argument is the line, and the result is the received value. The task waits inside of the handler.
 pub(super) fn assignment(to: BaseType, from: BaseType) -> Option<InstructionFn> {
     match (to, from) {
         (BaseType::Sio, BaseType::String) => Some(send_text),
@@ -29,7 +29,7 @@ fn send_text(call: &mut Call<'_>) -> Result<Flow> {
     }
 }
 
-/// The value is the byte that was sent.
+/// Sends a number as one byte. The result is this byte.
 fn send_number(call: &mut Call<'_>) -> Result<Flow> {
     let (line, number) = (IoRef::take(call)?, f64::take(call)?);
     match send(call, line, Outgoing::Numbers(&[number]))? {
@@ -38,7 +38,7 @@ fn send_number(call: &mut Call<'_>) -> Result<Flow> {
     }
 }
 
-/// A connection that fails half way has sent what it could; only the timeout is an error (3.7.2).
+/// Sends data. A connection that is closed during the transfer is no error; only the timeout is (3.7.2).
 fn send(call: &mut Call<'_>, line: IoRef, what: Outgoing<'_>) -> Result<Flow> {
     let (first, waited) = (call.is_first(), call.waited());
     match call.ports.send(line.port, what, first, waited)?.flow(call) {

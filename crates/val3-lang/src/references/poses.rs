@@ -1,4 +1,4 @@
-//! Poses of many values at one time, such as all of a scene.
+//! Poses of many values, for example of all values in a scene.
 
 use rustc_hash::FxHashMap;
 use val3_geometry::{IsometryMatrix3, Trsf};
@@ -8,8 +8,8 @@ use crate::call::{FrameRef, PointRef, StoredValue, ToolRef};
 use crate::fault::Result;
 use crate::memory::{Memory, Place};
 
-/// Poses of frames in `world` and of tools on `flange`, each computed from that of its reference. So the time is
-/// proportional to the number of values, however long their chains are.
+/// Poses of frames in `world` and of tools on `flange`. Each pose is computed from its father's cached pose, so the
+/// time is proportional to the number of values, regardless of the chain lengths.
 #[derive(Debug)]
 pub struct Poses<'m> {
     memory: &'m Memory,
@@ -17,39 +17,39 @@ pub struct Poses<'m> {
 }
 
 impl<'m> Poses<'m> {
-    /// No poses yet; `memory` holds the values.
+    /// Creates an empty cache; `memory` contains the values.
     #[must_use]
     pub fn new(memory: &'m Memory) -> Self {
         Self { memory, known: FxHashMap::default() }
     }
 
-    /// The pose of a frame in `world`.
+    /// Pose of a frame in `world`.
     ///
     /// # Errors
-    /// Those of [`of_frame`](super::of_frame).
+    /// The errors of [`of_frame`](super::of_frame).
     pub fn of_frame(&mut self, FrameRef(frame): FrameRef) -> Result<Trsf> {
         self.pose(frame, &WORLD).map(Trsf::from)
     }
 
-    /// The pose of a tool on `flange`.
+    /// Pose of a tool on `flange`.
     ///
     /// # Errors
-    /// Those of [`of_tool`](super::of_tool).
+    /// The errors of [`of_tool`](super::of_tool).
     pub fn of_tool(&mut self, ToolRef(tool): ToolRef) -> Result<Trsf> {
         self.pose(tool, &FLANGE).map(Trsf::from)
     }
 
-    /// The pose of a point in `world`.
+    /// Pose of a point in `world`.
     ///
     /// # Errors
-    /// Those of [`of_point`](super::of_point).
+    /// The errors of [`of_point`](super::of_point).
     pub fn of_point(&mut self, point: PointRef) -> Result<Trsf> {
         let inner = Trsf::read(self.memory, point.0)?;
         let FrameRef(frame) = frame_of(self.memory, point)?;
         Ok(Trsf::from(self.pose(frame, &WORLD)? * inner.isometry()))
     }
 
-    /// The pose of a frame or tool, whose chain ends at `root`.
+    /// Pose of a frame or tool whose chain ends at `root`.
     fn pose(&mut self, start: Place, root: &Root) -> Result<IsometryMatrix3<f64>> {
         let mut open = Vec::new();
         let mut at = start;
@@ -60,7 +60,7 @@ impl<'m> Poses<'m> {
             if let Some(known) = self.known.get(&at) {
                 break *known;
             }
-            // In a loop of references this is the pose that is found.
+            // In a circular chain, this entry is found again.
             self.known.insert(at, Err(root.lacking));
             open.push(at);
             match reference(self.memory, at) {
@@ -133,7 +133,7 @@ mod tests {
         }
     }
 
-    /// Without the known poses this takes hours, and with recursion it overflows the stack.
+    /// Without cached poses this would take hours, and recursion would overflow the stack.
     #[test]
     fn a_long_chain_is_followed_once() {
         const COUNT: u32 = 100_000;
@@ -152,7 +152,7 @@ mod tests {
         for place in places.iter().rev() {
             assert_eq!(poses.of_frame(FrameRef(*place)).map(|pose| pose.x), Ok(1.0));
         }
-        // A loop of all of them.
+        // Makes the chain circular.
         bench.memory.set_link(places[0], 0, Link::Data(places[99_999])).unwrap();
         let mut poses = Poses::new(&bench.memory);
         for place in places {

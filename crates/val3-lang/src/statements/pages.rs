@@ -1,10 +1,10 @@
-//! The pages, in the manual's order.
+//! Pages of the statements, in the manual's order.
 
 use super::Statement;
 
 macro_rules! statements {
     ($($(#[doc = $line:literal])* $name:literal [$($keyword:literal),*] $section:literal;)+) => {
-        /// Every statement, in the manual's order.
+        /// All statements, in the manual's order.
         pub static STATEMENTS: &[Statement] = &[$(
             Statement {
                 name: $name,

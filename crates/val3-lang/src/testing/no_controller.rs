@@ -1,4 +1,4 @@
-//! The ports of no controller.
+//! Ports for tests without a controller.
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Dh};
@@ -250,7 +250,7 @@ impl Motion for NoController {
         unreachable!()
     }
 
-    /// An inch a second, and the faster the longer the tool is.
+    /// Returns an inch per second, and more for a longer tool.
     fn speed(&mut self, tool: &IsometryMatrix3<f64>) -> f64 {
         tool.translation.x + 25.4
     }

@@ -1,4 +1,4 @@
-//! Declarations and calls as text.
+//! Parser for declarations and calls in tests.
 
 use std::collections::BTreeMap;
 
@@ -13,14 +13,14 @@ pub(super) struct Variable<'t> {
     pub(super) shape: Shape,
 }
 
-/// A call, or an assignment of one: `pNear=appro(pPick,{0,0,-100,0,0,0})`.
+/// A call, or the assignment of a call: `pNear=appro(pPick,{0,0,-100,0,0,0})`.
 pub(super) struct WrittenCall<'t> {
     pub(super) target: Option<WrittenArgument<'t>>,
     pub(super) name: &'t str,
     pub(super) arguments: Vec<WrittenArgument<'t>>,
 }
 
-/// An argument as in code.
+/// An argument as written in code.
 pub(super) enum WrittenArgument<'t> {
     Num(f64),
     Text(&'t str),
@@ -83,7 +83,7 @@ impl<'t> WrittenArgument<'t> {
     }
 }
 
-/// An index or key as a line writes it.
+/// An index or key as written in a line.
 pub(super) type WrittenSubscript = Subscript<f64, Text>;
 
 fn indexed(text: &str) -> (&str, WrittenSubscript) {
@@ -103,7 +103,7 @@ fn indexed(text: &str) -> (&str, WrittenSubscript) {
     (name, at)
 }
 
-/// The parts between commas outside of quotes, braces and brackets.
+/// Splits a text at commas outside of quotes, braces and brackets.
 fn parts(text: &str) -> Vec<&str> {
     let (mut depth, mut quoted) = (0, false);
     let split = text.split(|character| {

@@ -1,4 +1,4 @@
-//! The outside of the program in tests: a list of tasks.
+//! External state in tests: a list of tasks.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +10,10 @@ use crate::ports::{CodePlace, MoveRequest, Origin, Ports, Request, TaskChange, T
 use crate::runtime_errors::{NO_TASK, TaskState};
 use crate::types::BaseType;
 
-/// No controller but an arm: no handler that is tested here asks for more.
+/// Ports with only an arm; the tested handlers require nothing else.
 pub(crate) struct NoController {
     pub(crate) arm: Arm,
-    /// The moves that were recorded.
+    /// Recorded moves.
     pub(crate) moves: Vec<MoveRequest>,
 }
 
@@ -33,12 +33,12 @@ impl Ports for NoController {
     }
 }
 
-/// Tasks by their names, and data that `getData` finds.
+/// Tasks by name, and data for `getData`.
 #[derive(Debug, Default)]
 pub(crate) struct TaskList {
     pub(crate) states: BTreeMap<String, TaskState>,
     pub(crate) data: BTreeMap<String, View>,
-    /// The library identifiers.
+    /// Library identifiers.
     pub(crate) libraries: Vec<&'static str>,
 }
 

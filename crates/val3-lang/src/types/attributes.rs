@@ -1,25 +1,25 @@
-//! How files spell the value of a type: the attributes of a `Value` element (s7, s8).
+//! Spelling of values in files: the attributes of a `Value` element (s7, s8).
 //!
-//! The attributes of a structured type are the leaves of its fields: a point has `x` for `trsf.x` and `shoulder`
-//! for `config.shoulder`. A file omits an attribute that has its default.
+//! The attributes of a structured type are its innermost fields: a point has `x` for `trsf.x` and `shoulder` for
+//! `config.shoulder`. A file omits an attribute with its default value.
 
 use super::{Arm, BaseType, DefaultValue};
 
-/// One attribute of a `Value` element.
+/// An attribute of a `Value` element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attribute {
-    /// The name in the file: `tmax`, `ioLink`.
+    /// Name in the file: `tmax`, `ioLink`.
     pub name: &'static str,
-    /// The field that it sets, in the spelling of code after the variable: `tvel`, `trsf.x`; empty if the attribute
+    /// Field that the attribute sets, as written in code after the variable: `tvel`, `trsf.x`. Empty if the attribute
     /// sets the value itself or its father.
     pub field: &'static str,
-    /// Its content.
+    /// Content.
     pub value: AttributeValue,
-    /// The meaning of its absence.
+    /// Meaning if the attribute is missing.
     pub default: DefaultValue,
 }
 
-/// The content of an attribute.
+/// Attribute content.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AttributeValue {
     /// `true` or `false`.
@@ -30,14 +30,14 @@ pub enum AttributeValue {
     Text,
     /// The path of a physical input, output or line: `BasicIO-1\%I0`.
     Link,
-    /// An enumerator of the type, as files spell it: `cartesian`.
+    /// An enumerator of the type in file spelling: `cartesian`.
     Choice(BaseType),
-    /// The variable that the value is relative to, of the given type, with an index or key: `fTray[0]`.
+    /// The father of the value: a variable of this type, with an index or key: `fTray[0]`.
     Father(BaseType),
 }
 
 impl Attribute {
-    /// How files of s5 and s6 call it.
+    /// Name in files of s5 and s6.
     #[must_use]
     pub fn old_name(&self) -> &'static str {
         match self.name {
@@ -68,7 +68,7 @@ impl Attribute {
     }
 }
 
-/// The six numbers of a transformation, and what follows them.
+/// The six numbers of a transformation, followed by other attributes.
 macro_rules! place {
     ($prefix:literal $(, $rest:expr)*) => {
         [
@@ -139,10 +139,10 @@ static MDESC: [Attribute; 8] = [
     Attribute::number("reach", "reach", 50.0),
 ];
 
-/// The attributes of a value of this type, in the order in which files write them.
+/// Attributes of a value of this type, in the order in which files write them.
 ///
-/// Empty for `screen`, which has no value in files, and for the field types. An unknown arm and one of another
-/// kind count as six-axis.
+/// Empty for `screen`, which has no value in files, and for the field types. An unknown arm or an arm of another kind
+/// counts as six-axis.
 #[must_use]
 pub fn attributes(ty: BaseType, arm: Option<Arm>) -> &'static [Attribute] {
     let scara = arm == Some(Arm::Scara);
@@ -165,7 +165,7 @@ pub fn attributes(ty: BaseType, arm: Option<Arm>) -> &'static [Attribute] {
     }
 }
 
-/// The attribute of a value of this type that has this name.
+/// Finds an attribute of a value of this type by name.
 #[must_use]
 pub fn attribute(ty: BaseType, arm: Option<Arm>, name: &str) -> Option<&'static Attribute> {
     attributes(ty, arm).iter().find(|attribute| attribute.name == name)

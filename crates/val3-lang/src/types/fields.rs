@@ -1,29 +1,29 @@
-//! Fields of the structured types, in the order in which `{…}` gives their values.
+//! Fields of the structured types, in the order of the values in `{…}`.
 
 use super::{Arm, BaseType};
 
-/// One field of a structured type.
+/// A field of a structured type.
 #[derive(Debug, PartialEq)]
 pub struct Field {
-    /// The name in code: `pA.trsf` has the field `trsf`.
+    /// Name in code: `pA.trsf` has the field `trsf`.
     pub name: &'static str,
-    /// Its type.
+    /// Type.
     pub ty: BaseType,
-    /// The unit of its numbers.
+    /// Unit of the numbers.
     pub unit: Unit,
-    /// The value in a variable that the program creates. Files may omit other values:
+    /// Value in a variable that the program creates. The default in files may differ:
     /// [`Attribute::default`](super::Attribute::default).
     pub default: DefaultValue,
-    /// Its meaning, in one line.
+    /// Meaning, in one line.
     pub doc: &'static str,
 }
 
 /// The unit of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Unit {
-    /// No number, or one without a unit.
+    /// No number, or a number without a unit.
     None,
-    /// Millimetres or inches, by the length unit of the application (2.1.4.1).
+    /// Millimetres or inches, depending on the application's length unit (2.1.4.1).
     Length,
     /// Degrees.
     Degrees,
@@ -46,9 +46,9 @@ pub enum DefaultValue {
     Number(f64),
     /// The empty string.
     EmptyText,
-    /// An enumerator, as code spells it.
+    /// An enumerator, as spelled in code.
     Enumerator(&'static str),
-    /// No link, or no reference frame or tool.
+    /// No link, or no father.
     Unlinked,
     /// Each field has its own default.
     OfFields,
@@ -134,9 +134,9 @@ static MDESC: [Field; 8] = [
     number("reach", Unit::Length, 50.0, "Distance behind the target at which blending ends."),
 ];
 
-/// The fields of a type, in the order of a `{…}` value; empty for a type without fields.
+/// Fields of a type, in the order of a `{…}` value; empty for a type without fields.
 ///
-/// `joint` and `config` depend on the arm; an unknown arm and one of another kind count as six-axis.
+/// `joint` and `config` depend on the arm; an unknown arm or an arm of another kind counts as six-axis.
 #[must_use]
 pub fn fields(ty: BaseType, arm: Option<Arm>) -> &'static [Field] {
     match (ty, arm) {
@@ -153,7 +153,7 @@ pub fn fields(ty: BaseType, arm: Option<Arm>) -> &'static [Field] {
     }
 }
 
-/// The field of a type that has this name.
+/// Finds a field of a type by name.
 #[must_use]
 pub fn field(ty: BaseType, arm: Option<Arm>, name: &str) -> Option<&'static Field> {
     fields(ty, arm).iter().find(|field| field.name == name)

@@ -1,7 +1,7 @@
-//! The length unit of an application (2.1.4.1).
+//! An application's length unit (2.1.4.1).
 
-/// The unit of the lengths of an application: frames, points, tools, transformations, linear axes, blending distances.
-/// Its numbers are never converted; only the arm has to know.
+/// Unit of an application's lengths: frames, points, tools, transformations, linear axes, blending distances. The
+/// numbers are never converted; only the arm needs the unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LengthUnit {
     /// Millimetres.
@@ -12,7 +12,7 @@ pub enum LengthUnit {
 }
 
 impl LengthUnit {
-    /// Millimetres of one unit.
+    /// Number of millimetres in one unit.
     #[must_use]
     pub fn millimetres(self) -> f64 {
         match self {

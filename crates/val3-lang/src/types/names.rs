@@ -2,7 +2,7 @@
 
 use super::{Arm, BaseType};
 
-/// Every base type with its name in code. Field types have the name of their field.
+/// All base types with their names in code. Field types are named like their field.
 const NAMES: [(&str, BaseType); 18] = [
     ("bool", BaseType::Bool),
     ("num", BaseType::Num),
@@ -25,26 +25,26 @@ const NAMES: [(&str, BaseType); 18] = [
 ];
 
 impl BaseType {
-    /// The name in code: `num`, `joint`.
+    /// Name in code: `num`, `joint`.
     #[must_use]
     pub fn name(self) -> &'static str {
         NAMES.iter().find(|(_, ty)| *ty == self).map_or("", |(name, _)| name)
     }
 
-    /// The type that code calls `name`, among those a variable can have.
+    /// Finds a type by its name in code, among types that a variable can have.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::named(name).filter(|ty| !ty.is_enumeration())
     }
 
-    /// The type with this [`name`](Self::name), among all types.
+    /// Finds a type by its [`name`](Self::name), among all types.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         NAMES.iter().find(|(known, _)| *known == name).map(|(_, ty)| *ty)
     }
 
-    /// The type that a file calls `name`, with the arm that the name asks for: `jointRx` is
-    /// `(Joint, Some(SixAxis))`; the generic `joint` of parameters and locals is `(Joint, None)`.
+    /// Finds a type by its name in files, with the arm in the name: `jointRx` is `(Joint, Some(SixAxis))`; the generic
+    /// `joint` of parameters and locals is `(Joint, None)`.
     #[must_use]
     pub fn from_file_name(name: &str) -> Option<(Self, Option<Arm>)> {
         if let Some(ty) = Self::from_name(name) {
@@ -56,7 +56,7 @@ impl BaseType {
         })
     }
 
-    /// The name in a data file of s7 and s8, where `joint`, `point` and `config` carry the arm's suffix.
+    /// Name in a data file of s7 and s8, where `joint`, `point` and `config` have the arm's suffix.
     #[must_use]
     pub fn file_name(self, arm: Arm) -> String {
         let suffix = if self.depends_on_arm() { arm.suffix() } else { "" };
@@ -68,7 +68,7 @@ impl Arm {
     /// All kinds of arms.
     pub const ALL: [Self; 3] = [Self::SixAxis, Self::Scara, Self::Vrb];
 
-    /// The suffix of type names in files: `Rx`, `Rs`, `Vrb`.
+    /// Suffix of type names in files: `Rx`, `Rs`, `Vrb`.
     #[must_use]
     pub fn suffix(self) -> &'static str {
         match self {
@@ -78,7 +78,7 @@ impl Arm {
         }
     }
 
-    /// The word in the file names of add-on tables: `val3.Velocity.anthro.cfx`.
+    /// Word in the file names of add-on tables: `val3.Velocity.anthro.cfx`.
     #[must_use]
     pub fn table_word(self) -> &'static str {
         match self {
@@ -88,14 +88,14 @@ impl Arm {
         }
     }
 
-    /// The arm that add-on tables call `word`, in any letter case.
+    /// Finds an arm by its word in the names of add-on tables, in upper or lower case.
     #[must_use]
     pub fn from_table_word(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|arm| arm.table_word().eq_ignore_ascii_case(word))
     }
 
-    /// The kind of an arm by the name of its model, as in `arm.cfx` and `getVersion("ArmType")`: `tx90-S1`,
-    /// `rs60-S1-D20-L200`. A model of another series is an arm of another kind.
+    /// Arm kind by model name, as in `arm.cfx` and `getVersion("ArmType")`: `tx90-S1`, `rs60-S1-D20-L200`. A
+    /// model of an unknown series belongs to [`Arm::Vrb`].
     #[must_use]
     pub fn from_model(model: &str) -> Self {
         match model.trim().get(..2).map(str::to_ascii_lowercase).as_deref() {
@@ -105,7 +105,7 @@ impl Arm {
         }
     }
 
-    /// The usual name of such an arm.
+    /// Usual name of this arm kind.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -1,12 +1,12 @@
 //! Numbers as bytes for other devices: `toBinary` and `fromBinary` (3.3.3).
 //!
-//! A number outside the range of its format becomes the nearest one that the format holds, rounded as by `round`
-//! where it holds whole numbers only, so what was encoded can always be decoded.
+//! A number that is out of its format's range is replaced by the nearest number in the range, rounded as by `round` if
+//! the format contains only whole numbers. Encoded numbers can therefore always be decoded.
 
 use super::numbers::{count, round};
 use crate::fault::{Fault, Result};
 
-/// How a number becomes bytes.
+/// Binary format of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Format {
     encoding: Encoding,
@@ -15,9 +15,9 @@ pub struct Format {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Encoding {
-    /// A whole number of this many bytes, from 0 on.
+    /// Unsigned integer with this number of bytes.
     Unsigned(u8),
-    /// A whole number of this many bytes, two's complement.
+    /// Signed integer with this number of bytes, two's complement.
     Signed(u8),
     /// IEEE 754, 4 bytes.
     Single,
@@ -31,11 +31,10 @@ enum Order {
     HighFirst,
 }
 
-/// `toBinary`: encodes the first `size` numbers and gives how many bytes that made; `size` is rounded as an index is.
+/// `toBinary`: encodes the first `size` numbers and returns the number of bytes; `size` is rounded like an index.
 ///
 /// # Errors
-/// 70, and nothing is written: `size` is negative or beyond the numbers, the format is unknown, or the bytes do not
-/// suffice.
+/// 70, without writing: `size` is negative or exceeds the numbers, the format is unknown, or `bytes` is too small.
 pub fn to_binary(values: &[f64], size: f64, format: &str, bytes: &mut [f64]) -> Result<f64> {
     let format = Format::parse(format)?;
     let values = values.get(..count(size)?).ok_or(Fault::INVALID_PARAMETER)?;
@@ -48,15 +47,14 @@ pub fn to_binary(values: &[f64], size: f64, format: &str, bytes: &mut [f64]) -> 
     Ok(encoded.len() as f64)
 }
 
-/// `fromBinary`: decodes the first `size` bytes and gives how many numbers they made.
+/// `fromBinary`: decodes the first `size` bytes and returns the number of decoded numbers.
 ///
-/// Corrupt are bytes that are, rounded, not 0 to 255, and floating-point encodings of what is no finite number. The
-/// first corrupt number ends the decoding: the result is how many were decoded before, with a minus sign, and the
-/// other `values` stay. Bytes at the end that make no whole number are not looked at. `size` is rounded as an index is.
+/// Bytes whose rounded value is not 0 to 255, and encodings of infinity and NaN, are corrupt. The first corrupt number
+/// ends the decoding: the result is the negative number of decoded numbers, and the other `values` are unchanged. An
+/// incomplete number at the end is ignored. `size` is rounded like an index.
 ///
 /// # Errors
-/// 70, and nothing is written: `size` is negative or beyond the bytes, the format is unknown, or `values` do not
-/// suffice.
+/// 70, without writing: `size` is negative or exceeds the bytes, the format is unknown, or `values` is too small.
 pub fn from_binary(bytes: &[f64], size: f64, format: &str, values: &mut [f64]) -> Result<f64> {
     let format = Format::parse(format)?;
     let bytes = bytes.get(..count(size)?).ok_or(Fault::INVALID_PARAMETER)?.chunks_exact(format.width());
@@ -71,7 +69,7 @@ pub fn from_binary(bytes: &[f64], size: f64, format: &str, values: &mut [f64]) -
 }
 
 impl Format {
-    /// The format of this name.
+    /// Parses the name of a format.
     ///
     /// # Errors
     /// 70: none of the 14 formats has the name.
@@ -98,7 +96,7 @@ impl Format {
         Ok(Self { encoding, order })
     }
 
-    /// How many bytes a number takes.
+    /// Size of an encoded number, in bytes.
     #[must_use]
     pub fn width(self) -> usize {
         match self.encoding {
@@ -108,7 +106,7 @@ impl Format {
         }
     }
 
-    /// Whether a number is encoded as itself, up to the rounding of floating-point formats.
+    /// Whether the format can represent the number, up to the rounding of floating-point formats.
     #[must_use]
     pub fn holds(self, value: f64) -> bool {
         match self.encoding {
@@ -118,14 +116,14 @@ impl Format {
         }
     }
 
-    /// The bytes of a number, as many as the format is wide.
+    /// Encodes a number.
     pub fn encode(self, value: f64) -> impl Iterator<Item = u8> {
         let width = self.width();
         let low_first = self.bits(value).to_le_bytes();
         (0..width).filter_map(move |at| low_first.get(self.place(at, width)).copied())
     }
 
-    /// The number that bytes encode, as many as the format is wide, each rounded; `None` if they are corrupt.
+    /// Decodes a number from bytes, each of which is rounded; `None` if they are corrupt.
     #[must_use]
     pub fn decode(self, bytes: &[f64]) -> Option<f64> {
         let mut low_first = [0; 8];
@@ -135,7 +133,7 @@ impl Format {
         Some(self.number(u64::from_le_bytes(low_first))).filter(|number| number.is_finite())
     }
 
-    /// The position of the byte `at` of `width` bytes when the low byte comes first.
+    /// Index of byte `at` in little-endian order.
     fn place(self, at: usize, width: usize) -> usize {
         match self.order {
             Order::LowFirst => at,
@@ -143,7 +141,7 @@ impl Format {
         }
     }
 
-    /// The encoding of a number in the low bits.
+    /// Encoding of a number in the low bits.
     fn bits(self, value: f64) -> u64 {
         match self.encoding {
             Encoding::Unsigned(width) => (round(value) as u64).min(u64::MAX >> unused_bits(width)),
@@ -156,7 +154,7 @@ impl Format {
         }
     }
 
-    /// The number encoded in the low bits; the others are 0.
+    /// Number that is encoded in the low bits; the other bits are 0.
     fn number(self, bits: u64) -> f64 {
         match self.encoding {
             Encoding::Unsigned(_) => bits as f64,
@@ -167,7 +165,7 @@ impl Format {
     }
 }
 
-/// How many of 64 bits `width` bytes do not use.
+/// Number of bits in a `u64` that `width` bytes do not use.
 fn unused_bits(width: u8) -> u32 {
     64 - 8 * u32::from(width)
 }

@@ -1,36 +1,36 @@
-//! Numbers as fields of 32 bits (3.3).
+//! Numbers as 32-bit fields (3.3).
 //!
-//! A number is first rounded as by `round` into the range of a field: what is negative counts as 0, what is too large
-//! as the field with every bit set.
+//! A number is rounded as by `round` and limited to the range of a field: negative numbers become 0, too large numbers
+//! have all bits set.
 
 use super::numbers::round;
 
-/// The 32 bits of a number.
+/// Converts a number to 32 bits.
 #[must_use]
 pub fn field(value: f64) -> u32 {
-    // The cast ends at both bounds of the range.
+    // The cast saturates.
     round(value) as u32
 }
 
-/// `bNot`: every bit inverted.
+/// `bNot`: inverts every bit.
 #[must_use]
 pub fn not(value: f64) -> f64 {
     f64::from(!field(value))
 }
 
-/// `bAnd`: the bits set in both.
+/// `bAnd`: bits that are set in both numbers.
 #[must_use]
 pub fn and(left: f64, right: f64) -> f64 {
     f64::from(field(left) & field(right))
 }
 
-/// `bOr`: the bits set in one of them or both.
+/// `bOr`: bits that are set in at least one number.
 #[must_use]
 pub fn or(left: f64, right: f64) -> f64 {
     f64::from(field(left) | field(right))
 }
 
-/// `bXor`: the bits set in one of them alone.
+/// `bXor`: bits that are set in exactly one number.
 #[must_use]
 pub fn xor(left: f64, right: f64) -> f64 {
     f64::from(field(left) ^ field(right))
@@ -49,7 +49,7 @@ mod tests {
         power(2.0, f64::from(number)).unwrap()
     }
 
-    /// Bits `i` to `j`, as the page of `bOr` computes them.
+    /// Mask of bits `i` to `j`, computed as on the page of `bOr`.
     fn mask(i: u32, j: u32) -> f64 {
         (bit(j - i + 1) - 1.0) * bit(i)
     }

@@ -1,18 +1,18 @@
-//! Configurations (9.7) as programs hold them.
+//! Arm configurations (9.7) as program values.
 
 use val3_kinematics::{Arm, Configuration, Elbow, Request, RequestedConfiguration, Shoulder, Wrist};
 
-/// A configuration: shoulder, elbow, wrist, each by its place among the values of its type.
+/// A configuration: shoulder, elbow, wrist, each as an enumerator index.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConfigValue(pub [f64; 3]);
 
-/// The places of the values of a field: those of the enumerations of the shoulder, and alike of elbow and wrist.
+/// Indexes of the enumerators, which are the same for shoulder, elbow and wrist.
 const SAME: f64 = 0.0;
 const FIRST: f64 = 2.0;
 const SECOND: f64 = 3.0;
 
 impl ConfigValue {
-    /// The configuration in which `arm` is at a joint position. A SCARA arm has a shoulder only.
+    /// Configuration of `arm` at a joint position. A SCARA arm has only a shoulder.
     #[must_use]
     pub fn at(arm: &Arm, joint: &[f64; 6]) -> Self {
         let Configuration { shoulder, elbow, wrist } = arm.configuration(joint);
@@ -24,7 +24,7 @@ impl ConfigValue {
         Self([shoulder, place(elbow == Elbow::Positive), place(wrist == Wrist::Positive)])
     }
 
-    /// The configurations that it admits.
+    /// Configurations that the value permits.
     #[must_use]
     pub fn requested(&self) -> RequestedConfiguration {
         let Self([shoulder, elbow, wrist]) = *self;

@@ -1,38 +1,37 @@
-//! Date and time as text: `getDate` (4.3).
+//! Date and time as a string: `getDate` (4.3).
 
 use std::fmt::{self, Write};
 
 use super::Text;
 
-/// A day and a time of day of the Gregorian calendar, as a clock shows them.
+/// A date and a time of the Gregorian calendar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DateTime {
-    /// The year, such as 2007.
+    /// Year, for example 2007.
     pub year: u16,
-    /// 1 to 12.
+    /// Month, 1 to 12.
     pub month: u8,
-    /// 1 to 31.
+    /// Day, 1 to 31.
     pub day: u8,
-    /// 0 to 23.
+    /// Hour, 0 to 23.
     pub hour: u8,
-    /// 0 to 59.
+    /// Minute, 0 to 59.
     pub minute: u8,
-    /// 0 to 59.
+    /// Second, 0 to 59.
     pub second: u8,
 }
 
 impl DateTime {
-    /// `getDate`: the format with its marks replaced, cut at 128 bytes.
+    /// `getDate`: replaces the keys in a format; the result is cut at 128 bytes.
     ///
-    /// `%y` and `%Y` year, `%m` month, `%d` day, `%H` hour of 24, `%I` hour of 12 from 01 to 12, `%p` AM or PM, `%M`
-    /// minute, `%S` second; all but `%Y` and `%p` of two digits. Everything else is copied, including other letters
-    /// after `%`.
+    /// `%y` and `%Y` year, `%m` month, `%d` day, `%H` hour 00 to 23, `%I` hour 01 to 12, `%p` AM or PM, `%M` minute,
+    /// `%S` second; all except `%Y` and `%p` have two digits. Other text is copied, including `%` with other letters.
     #[must_use]
     pub fn format(&self, format: &str) -> Text {
         Text::from(format_args!("{}", FormattedDate { date: self, format }))
     }
 
-    /// Writes what takes the place of `%` and this key; `None` for a key that has no meaning.
+    /// Writes the replacement of `%` and this key; `None` for an unknown key.
     fn write(&self, key: char, f: &mut fmt::Formatter<'_>) -> Option<fmt::Result> {
         Some(match key {
             'y' => write!(f, "{:02}", self.year % 100),
@@ -49,7 +48,7 @@ impl DateTime {
     }
 }
 
-/// A format whose marks a date fills.
+/// A format with the date that replaces its keys.
 struct FormattedDate<'a> {
     date: &'a DateTime,
     format: &'a str,

@@ -1,27 +1,27 @@
-//! Motion descriptors (10.5) as moves use them.
+//! Motion descriptors (10.5) as used by moves.
 
 use crate::fault::{Fault, Result};
 use crate::runtime_errors::{BAD_ACCEL, BAD_DECEL, BAD_LEAVE, BAD_REACH, BAD_RVEL, BAD_TVEL, BAD_VEL};
 
-/// The highest acceleration in per cent, and the highest speed in mm/s and degrees/s (model choice: real programs write
-/// 99999 for "no limit").
+/// Maximum acceleration in per cent, and maximum speed in mm/s and degrees/s (model choice: real programs write 99999
+/// for "no limit").
 const HIGHEST: f64 = 1e6;
 
-/// The highest joint speed in per cent (model choice: real programs use 500). A higher one is run-time error 100.
+/// Maximum joint speed in per cent (model choice: real programs use 500). A higher speed is run-time error 100.
 pub const HIGHEST_AXIS_SPEED: f64 = 1000.0;
 
 /// A motion descriptor (10.5).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MdescValue {
-    /// Highest joint acceleration in per cent.
+    /// Maximum joint acceleration in per cent.
     pub accel: f64,
-    /// Highest joint speed in per cent.
+    /// Maximum joint speed in per cent.
     pub vel: f64,
-    /// Highest joint deceleration in per cent.
+    /// Maximum joint deceleration in per cent.
     pub decel: f64,
-    /// Highest speed of the tool in mm/s.
+    /// Maximum translation speed of the tool in mm/s.
     pub tvel: f64,
-    /// Highest turning speed of the tool in degrees/s.
+    /// Maximum rotation speed of the tool in degrees/s.
     pub rvel: f64,
     /// `joint` 0, `off` 1, `Cartesian` 2.
     pub blend: f64,
@@ -32,10 +32,10 @@ pub struct MdescValue {
 }
 
 impl MdescValue {
-    /// The descriptor with its lengths in millimetres, where they count in a `unit` of so many millimetres.
+    /// Returns the descriptor with its lengths in millimetres. `unit` is the number of millimetres in its length unit.
     ///
     /// # Errors
-    /// 100 to 106: a field is negative, too large, or 0 where the arm would not move.
+    /// 100 to 106: a field is negative, too large, or 0 so that the arm would not move.
     pub fn checked(mut self, unit: f64) -> Result<Self> {
         (self.tvel, self.leave, self.reach) = (self.tvel * unit, self.leave * unit, self.reach * unit);
         for (value, highest, error) in [

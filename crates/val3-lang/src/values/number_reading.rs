@@ -1,19 +1,19 @@
-//! Text as numbers: number literals (3.2.1) and `toNum` (3.4.3).
+//! Parses numbers: number literals (3.2.1) and `toNum` (3.4.3).
 
 use super::Text;
 
-/// The result of `toNum`.
+/// Result of `toNum`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
-    /// The number at the start of the text, if there is one: `bReport`, and the new value of `nValue`.
+    /// Number at the start of the string, if there is one: `bReport`, and the new value of `nValue`.
     pub value: Option<f64>,
-    /// The text from the next number on; the whole text where it starts with no number.
+    /// Remaining string from the next number on; the entire string if it does not start with a number.
     pub rest: Text,
 }
 
-/// The value of a number literal as code writes it, without a sign: `12`, `0.2`, `.5`, `6.02e23`, `1e-34`.
+/// Value of a number literal in code, without a sign: `12`, `0.2`, `.5`, `6.02e23`, `1e-34`.
 ///
-/// `None` for other text and for a literal beyond the range of a number.
+/// `None` for other text and for a literal that is out of range.
 #[must_use]
 pub fn literal(text: &str) -> Option<f64> {
     if text.starts_with(['+', '-']) || length(text)? < text.len() {
@@ -24,8 +24,8 @@ pub fn literal(text: &str) -> Option<f64> {
 
 /// `toNum`.
 ///
-/// Blanks before the first number do not count, so that what `toString` writes can be read. Numbers look as in code,
-/// with `+` or `-` before them or not. One beyond the range of a number is none.
+/// Blanks before the first number are skipped, so that strings from `toString` can be read. Numbers are written as in
+/// code, with an optional `+` or `-`. A number that is out of range does not count as a number.
 #[must_use]
 pub fn to_num(text: &Text) -> Reading {
     let start = text.trim_start_matches([' ', '\t']);
@@ -44,7 +44,7 @@ fn value(number: &str) -> Option<f64> {
     number.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// How many bytes the number takes with which the text starts; `None` where it starts with none.
+/// Length in bytes of the number at the start of the string; `None` if the string starts with no number.
 fn length(text: &str) -> Option<usize> {
     let behind_sign = text.strip_prefix(['+', '-']).unwrap_or(text);
     let behind_whole = without_digits(behind_sign);
@@ -56,13 +56,13 @@ fn length(text: &str) -> Option<usize> {
     Some(text.len() - rest.len())
 }
 
-/// The text after a leading exponent; `None` if there is none.
+/// Text after an exponent at the start; `None` without an exponent.
 fn exponent(text: &str) -> Option<&str> {
     let behind_mark = text.strip_prefix(['e', 'E'])?;
     some_digits(behind_mark.strip_prefix(['+', '-']).unwrap_or(behind_mark))
 }
 
-/// The text after the leading digits; `None` if there are none.
+/// Text after digits at the start; `None` if there are none.
 fn some_digits(text: &str) -> Option<&str> {
     Some(without_digits(text)).filter(|rest| rest.len() < text.len())
 }

@@ -1,25 +1,25 @@
-//! Numbers as text (3.4.3 `toString`, 4.3 `put`, `val3 eval`).
+//! Formats numbers (3.4.3 `toString`, 4.3 `put`, `val3 eval`).
 //!
-//! Every text is rounded to the nearest number of its digits; where the binary value lies exactly between two, to the
-//! even digit. A zero has no sign. The other values of IEEE 754 are written `inf`, `-inf` and `nan`.
+//! Numbers are rounded to the nearest decimal number, and halfway values to the even digit. Zero has no sign. Special
+//! values of IEEE 754 are written `inf`, `-inf` and `nan`.
 
 use super::Text;
 use crate::fault::{Fault, Result};
 
-/// How many significant digits a number has (3.2.1).
+/// Number of significant digits (3.2.1).
 const SIGNIFICANT: usize = 14;
 
-/// From here on the part before the point has more than [`Text::CAPACITY`] characters with its sign.
+/// Absolute value from which the integer part with its sign exceeds [`Text::CAPACITY`] characters.
 const TOO_LONG: f64 = 1e127;
 
-/// Up to here every whole number is exact: 2^53.
+/// Absolute value up to which every whole number is exact: 2^53.
 const EXACT: f64 = 9_007_199_254_740_992.0;
 
-/// `toString`: `format` is `"size.precision"`, and both count as 0 where they are missing.
+/// `toString`: `format` is `"size.precision"`; missing parts are 0.
 ///
-/// Zeros that end the decimals become blanks, and so does a point that then has no decimal; blanks before the number
-/// fill it up to `size` characters. The part before the point is never shortened, and a number too long for a string
-/// is written with an exponent. Text after the precision is ignored, because existing programs contain such formats
+/// Trailing zeros of the decimals are replaced by blanks, and so is a point without decimals. Blanks before the number
+/// fill it up to `size` characters. The integer part is never shortened; a number that is too long for a string is
+/// written with an exponent. Text after the precision is ignored, because existing programs contain such formats
 /// (`".2,"`).
 ///
 /// # Errors
@@ -37,7 +37,7 @@ pub fn to_string(format: &str, value: f64) -> Result<Text> {
     Ok(Text::from(format_args!("{kept:>front$}{:dropped$}", "")))
 }
 
-/// The end of a format of `toString` that the instruction ignores: `,` in `".2,"`. `None` for a format that it refuses.
+/// End of a `toString` format that the instruction ignores: `,` in `".2,"`. `None` for an invalid format.
 #[must_use]
 pub fn ignored(format: &str) -> Option<&str> {
     Format::parse(format).map(|format| format.ignored)
@@ -60,22 +60,22 @@ impl<'t> Format<'t> {
     }
 }
 
-/// The count with which the text starts, 0 where there is none, and what follows.
+/// Number at the start of the text, or 0 without digits, and the remaining text.
 fn leading_count(text: &str) -> Option<(usize, &str)> {
     let (digits, rest) = text.split_at(text.bytes().take_while(u8::is_ascii_digit).count());
     let count = if digits.is_empty() { 0 } else { digits.parse().ok()? };
     (count <= Text::CAPACITY).then_some((count, rest))
 }
 
-/// A number as `put` and `putln` show it: at most 3 decimals, without zeros at the end.
+/// Formats a number as `put` and `putln` display it: at most 3 decimals, without trailing zeros.
 #[must_use]
 pub fn shown(value: f64) -> Text {
     Text::from(without_final_zeros(&fixed(value, 3)))
 }
 
-/// A number as `?` and `val3 eval` print it: at most 14 significant digits.
+/// Formats a number as `?` and `val3 eval` print it: at most 14 significant digits.
 ///
-/// Numbers below 0.0001 and numbers of more than 14 digits have an exponent, written as VAL 3 writes it: `1e-5`.
+/// Numbers below 0.0001 and numbers with more than 14 digits have an exponent in VAL 3 notation: `1e-5`.
 #[must_use]
 pub fn significant(value: f64) -> Text {
     let scientific = scientific(value);
@@ -87,14 +87,14 @@ pub fn significant(value: f64) -> Text {
     }
 }
 
-/// The exponent of a number written with one, and the number of digits before it.
+/// Exponent of a number in scientific notation, and number of digits before the exponent.
 fn exponent_and_digits(scientific: &str) -> Option<(i32, i32)> {
     let (mantissa, exponent) = scientific.split_once('e')?;
     let digits = mantissa.bytes().filter(u8::is_ascii_digit).count();
     Some((exponent.parse().ok()?, digits as i32))
 }
 
-/// With all of `precision` decimals, cut where the string ends.
+/// Formats all `precision` decimals; cut at the capacity of a string.
 fn fixed(value: f64, precision: usize) -> Text {
     if precision == 0 && value.abs() < EXACT && value.fract() == 0.0 {
         #[allow(clippy::cast_possible_truncation, reason = "a whole number, and exact")]
@@ -110,7 +110,7 @@ fn fixed(value: f64, precision: usize) -> Text {
     }
 }
 
-/// With an exponent and as many significant digits as there are.
+/// Formats in scientific notation with all significant digits.
 fn scientific(value: f64) -> Text {
     if value.is_nan() {
         return Text::from("nan");
@@ -122,7 +122,7 @@ fn scientific(value: f64) -> Text {
     }
 }
 
-/// Without the zeros that end its decimals, and without a point that has none.
+/// Removes trailing zeros of the decimals, and a point without decimals.
 fn without_final_zeros(number: &str) -> &str {
     if number.contains('.') && !number.contains('e') {
         number.trim_end_matches('0').trim_end_matches('.')

@@ -1,16 +1,16 @@
-//! Values as `val3 eval` and a debugger print them: each on one line, as VAL 3 writes it.
+//! Values as printed by `val3 eval` and a debugger: each on one line, in VAL 3 notation.
 
 pub use super::number_text::significant as num;
 
-/// A truth value.
+/// Formats a truth value.
 #[must_use]
 pub fn bool(value: bool) -> &'static str {
     if value { "true" } else { "false" }
 }
 
-/// A string in quotes.
+/// Formats a string in quotes.
 ///
-/// A control character, which a literal cannot hold, is outside of the quotes: `"a"+chr(10)+"b"`.
+/// A control character, which a literal cannot contain, is outside of the quotes: `"a"+chr(10)+"b"`.
 #[must_use]
 pub fn string(text: &str) -> String {
     let mut printed = String::from('"');
@@ -24,7 +24,7 @@ pub fn string(text: &str) -> String {
     printed + "\""
 }
 
-/// The fields of a structure, each already printed: `{1,2,3}`.
+/// Formats a structure from its formatted fields: `{1,2,3}`.
 #[must_use]
 pub fn structure<T: AsRef<str>>(fields: &[T]) -> String {
     let fields: Vec<&str> = fields.iter().map(AsRef::as_ref).collect();

@@ -1,14 +1,15 @@
-//! Functions of the instructions of strings (3.4.3, `getDisplayLen` of 4.3).
+//! Functions of string instructions (3.4.3, `getDisplayLen` of 4.3).
 //!
-//! Positions and sizes count characters (code points) from 0 on and are rounded as an index is. A result beyond 128
-//! bytes is cut at a character.
+//! Positions and sizes count characters (code points) from 0 and are rounded like an index. A result above 128 bytes is
+//! cut between characters.
 
 use unicode_width::UnicodeWidthChar;
 
 use super::{Text, numbers};
 use crate::fault::Result;
 
-/// `chr`: the character with this code point, rounded; empty where there is none, as for one half of a surrogate pair.
+/// `chr`: character with this rounded code point; empty for an invalid code point, for example one half of a surrogate
+/// pair.
 #[must_use]
 pub fn chr(code_point: f64) -> Text {
     let code_point = numbers::count_from_zero(code_point).and_then(|code| u32::try_from(code).ok());
@@ -18,14 +19,14 @@ pub fn chr(code_point: f64) -> Text {
     }
 }
 
-/// `asc`: the code point of the character at `position`, -1 where there is none.
+/// `asc`: code point of the character at `position`, or -1 beyond the end.
 #[must_use]
 pub fn asc(text: &str, position: f64) -> f64 {
     let character = numbers::count_from_zero(position).and_then(|position| text.chars().nth(position));
     character.map_or(-1.0, |character| f64::from(u32::from(character)))
 }
 
-/// `left`: the first `size` characters, all where there are fewer.
+/// `left`: the first `size` characters, or all if there are fewer.
 ///
 /// # Errors
 /// 70: `size` is negative.
@@ -34,7 +35,7 @@ pub fn left(text: &str, size: f64) -> Result<Text> {
     Ok(Text::from(left))
 }
 
-/// `right`: the last `size` characters, all where there are fewer.
+/// `right`: the last `size` characters, or all if there are fewer.
 ///
 /// # Errors
 /// 70: `size` is negative.
@@ -44,7 +45,7 @@ pub fn right(text: &str, size: f64) -> Result<Text> {
     Ok(Text::from(right))
 }
 
-/// `mid`: `size` characters from `position` on, fewer where the text ends before.
+/// `mid`: `size` characters from `position` on, fewer at the end of the string.
 ///
 /// # Errors
 /// 70: `size` or `position` is negative.
@@ -53,7 +54,7 @@ pub fn mid(text: &str, size: f64, position: f64) -> Result<Text> {
     Ok(Text::from(middle))
 }
 
-/// `insert`: with `insertion` before the character at `position`, or at the end if there is none.
+/// `insert`: inserts `insertion` before the character at `position`, or at the end.
 ///
 /// # Errors
 /// 70: `position` is negative.
@@ -62,7 +63,7 @@ pub fn insert(text: &str, insertion: &str, position: f64) -> Result<Text> {
     Ok(Text::from_iter([before, insertion, behind]))
 }
 
-/// `delete`: without `size` characters from `position` on.
+/// `delete`: removes `size` characters from `position` on.
 ///
 /// # Errors
 /// 70: `size` or `position` is negative.
@@ -71,9 +72,9 @@ pub fn delete(text: &str, size: f64, position: f64) -> Result<Text> {
     Ok(Text::from_iter([before, behind]))
 }
 
-/// `replace`: with `replacement` instead of `size` characters from `position` on.
+/// `replace`: replaces `size` characters from `position` on by `replacement`.
 ///
-/// Beyond the end nothing changes; directly at the end, which is not beyond it, the replacement is appended.
+/// Beyond the end, the string is unchanged. Directly at the end, the replacement is appended.
 ///
 /// # Errors
 /// 70: `size` or `position` is negative.
@@ -83,15 +84,15 @@ pub fn replace(text: &str, replacement: &str, size: f64, position: f64) -> Resul
     Ok(Text::from_iter([before, if beyond { "" } else { replacement }, behind]))
 }
 
-/// `find`: the first position of `wanted` in `text`, -1 if there is none. The empty string is at 0.
+/// `find`: first position of `wanted` in `text`, or -1 if `text` does not contain it. The empty string is at 0.
 #[must_use]
 pub fn find(text: &str, wanted: &str) -> f64 {
     let before = first_occurrence(text, wanted).and_then(|at| text.get(..at));
     before.map_or(-1.0, |before| len(before) as f64)
 }
 
-/// The byte at which `wanted` begins first. Texts are so short that a plain search is faster than [`str::find`], which
-/// prepares tables.
+/// Byte offset of the first occurrence of `wanted`. Strings are so short that a simple search is faster than
+/// [`str::find`], which prepares tables.
 fn first_occurrence(text: &str, wanted: &str) -> Option<usize> {
     let (text, wanted) = (text.as_bytes(), wanted.as_bytes());
     let Some((first, rest)) = wanted.split_first() else { return Some(0) };
@@ -100,26 +101,26 @@ fn first_occurrence(text: &str, wanted: &str) -> Option<usize> {
     starts.map(|(at, _)| at).find(is_here)
 }
 
-/// `len`: how many characters a text has.
+/// `len`: number of characters in a string.
 #[must_use]
 pub fn len(text: &str) -> usize {
     text.chars().count()
 }
 
-/// `getDisplayLen`: how many columns a text takes on the pendant.
+/// `getDisplayLen`: number of columns that a string occupies on the pendant.
 #[must_use]
 pub fn display_len(text: &str) -> usize {
     text.chars().map(columns).sum()
 }
 
-/// How many columns a character takes: 2 for a wide one, such as Chinese, 0 for one that joins the character before it,
-/// else 1. A control character takes one, for the pendant shows a mark in its place.
+/// Character width in columns: 2 for a wide character, such as Chinese, 0 for a combining character, otherwise 1.
+/// A control character occupies one column, because the pendant shows a symbol for it.
 #[must_use]
 pub fn columns(character: char) -> usize {
     character.width().unwrap_or(1)
 }
 
-/// The text before the character at `position`, and the text from it on.
+/// Splits the text before the character at `position`.
 fn split(text: &str, position: usize) -> (&str, &str) {
     let at = if text.is_ascii() {
         position.min(text.len())
@@ -129,7 +130,7 @@ fn split(text: &str, position: usize) -> (&str, &str) {
     text.split_at_checked(at).unwrap_or((text, ""))
 }
 
-/// The text before, in and after the `size` characters from `position` on.
+/// Splits the text into the parts before, in and after the `size` characters from `position` on.
 fn cut_out(text: &str, size: f64, position: f64) -> Result<[&str; 3]> {
     let (before, rest) = split(text, numbers::count(position)?);
     let (middle, behind) = split(rest, numbers::count(size)?);

@@ -1,40 +1,41 @@
-//! The value of a `string`: at most 128 bytes of UTF-8, stored inline (3.4.1).
+//! Value of a `string`: at most 128 bytes of UTF-8, stored inline (3.4.1).
 
 use std::fmt::{self, Write};
 use std::ops::{Add, AddAssign, Deref};
 
 use arrayvec::ArrayString;
 
-/// The value of a `string`.
+/// Value of a `string`.
 ///
-/// A longer text is cut at a character, and nothing can be appended after the cut. The order is that of the code points
-/// and thus of the bytes: `"Z"` comes before `"a"`. The keys of a collection have this order (2.5.6).
+/// A longer text is cut between characters, and nothing can be appended after the cut. Strings are ordered by code
+/// points, which is also the order of their bytes: `"Z"` comes before `"a"`. The keys of a collection have this order
+/// (2.5.6).
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Text(ArrayString<{ Text::CAPACITY }>);
 
 impl Text {
-    /// How many bytes a string holds.
+    /// Capacity of a string in bytes.
     pub const CAPACITY: usize = 128;
 
-    /// The empty string, which a `string` is at first.
+    /// Creates an empty string, the initial value of a `string`.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The characters.
+    /// Characters.
     #[must_use]
     pub fn as_str(&self) -> &str {
         &self.0
     }
 
-    /// Empties it.
+    /// Removes all characters.
     #[inline]
     pub fn clear(&mut self) {
         self.0.clear();
     }
 
-    /// Appends what fits; whether that was all of `part`.
+    /// Appends as many characters as fit. Returns whether all of `part` was appended.
     #[inline]
     fn push(&mut self, part: &str) -> bool {
         let fits = part.get(..part.floor_char_boundary(self.0.remaining_capacity())).unwrap_or(part);
@@ -48,7 +49,7 @@ impl From<&str> for Text {
     }
 }
 
-/// The parts one after the other.
+/// Concatenates the parts.
 impl<'a> FromIterator<&'a str> for Text {
     fn from_iter<I: IntoIterator<Item = &'a str>>(parts: I) -> Self {
         let mut text = Self::new();
@@ -61,7 +62,7 @@ impl<'a> FromIterator<&'a str> for Text {
     }
 }
 
-/// The text that the arguments format to, as far as it fits.
+/// Formats the arguments; the result is cut at the capacity.
 impl From<fmt::Arguments<'_>> for Text {
     fn from(arguments: fmt::Arguments<'_>) -> Self {
         let mut text = Self::new();
@@ -71,7 +72,7 @@ impl From<fmt::Arguments<'_>> for Text {
     }
 }
 
-/// `+` of strings (3.4.2): at most the first 128 bytes of both.
+/// `+` of strings (3.4.2): the first 128 bytes of both.
 impl Add<&str> for Text {
     type Output = Self;
 
@@ -102,7 +103,7 @@ impl AsRef<str> for Text {
     }
 }
 
-/// An error once something was cut.
+/// Returns an error if text was cut.
 impl Write for Text {
     fn write_str(&mut self, part: &str) -> fmt::Result {
         if self.push(part) { Ok(()) } else { Err(fmt::Error) }

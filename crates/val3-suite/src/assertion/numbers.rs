@@ -1,29 +1,29 @@
-//! Two numbers that differ, with as many digits as tell them apart.
+//! Formats two different numbers with as many digits as necessary to show the difference.
 
 use val3_lang::values::printed;
 
-/// The unit of angles.
+/// Unit of angles.
 pub(super) const DEGREE: &str = "degree";
 
-/// Significant digits of a value, unless it needs more.
+/// Minimum number of significant digits of a value.
 const DIGITS: usize = 9;
 
-/// Significant digits of a difference, unless it needs more.
+/// Minimum number of significant digits of a difference.
 const DIFFERENCE_DIGITS: usize = 6;
 
-/// Significant digits that tell any two numbers apart.
+/// Number of significant digits with which different numbers always have different texts.
 const ALL_DIGITS: usize = 17;
 
-/// Decimals of the fields of a position, from few to those that tell any two numbers apart.
+/// Numbers of decimals for position fields, in the order in which they are tried.
 const DECIMALS: [usize; 4] = [3, 6, 9, ALL_DIGITS];
 
-/// The message for a number that is not within the tolerance of another one.
+/// Message for a number that is not within the tolerance of another number.
 pub(super) fn difference(actual: f64, expected: f64, tolerance: f64) -> String {
     let (left, right) = apart(actual, expected, DIGITS);
     format!("{left} instead of {right}{}", excess(actual, expected, tolerance, ""))
 }
 
-/// The difference of two numbers and its tolerance, in parentheses; `unit` is `degree`, `mm`, or empty.
+/// Difference between two numbers, and its tolerance, in parentheses; `unit` is `degree`, `mm`, or empty.
 pub(super) fn excess(actual: f64, expected: f64, tolerance: f64, unit: &str) -> String {
     let distance = (actual - expected).abs();
     if !distance.is_finite() {
@@ -34,19 +34,19 @@ pub(super) fn excess(actual: f64, expected: f64, tolerance: f64, unit: &str) -> 
     format!(" ({distance} away, tolerance {tolerance})")
 }
 
-/// A number with its unit, of which `degree` has a plural.
+/// Formats a number with its unit; `degree` has a plural.
 pub(super) fn measured(number: &str, unit: &str) -> String {
     let ending = if unit == DEGREE && number != "1" { "s" } else { "" };
     format!("{number} {unit}{ending}")
 }
 
-/// Both numbers with at least so many significant digits, and more if they would look alike.
+/// Formats both numbers with at least `digits` significant digits, and with more if the texts would be equal.
 pub(super) fn apart(one: f64, other: f64, digits: usize) -> (String, String) {
     let texts = |digits| (significant(one, digits), significant(other, digits));
     (digits..ALL_DIGITS).map(texts).find(|(one, other)| one != other).unwrap_or_else(|| texts(ALL_DIGITS))
 }
 
-/// Both positions as VAL 3 writes them, with as many decimals as tell them apart.
+/// Formats both positions in VAL 3 notation, with enough decimals to show the difference.
 pub(super) fn structures_apart(one: &[f64], other: &[f64]) -> (String, String) {
     let text = |numbers: &[f64], decimals| {
         printed::structure(&numbers.iter().map(|number| fixed(*number, decimals)).collect::<Vec<_>>())

@@ -1,4 +1,4 @@
-//! Two positions that differ: the axes, or the distance and the rotation, and both positions.
+//! Describes two different positions: the axes, or distance and rotation, and both positions.
 
 use val3_geometry::Trsf;
 use val3_geometry::rotation::angle_between;
@@ -6,24 +6,25 @@ use val3_lang::types::{Arm, BaseType, fields};
 
 use super::numbers::{DEGREE, apart, excess, measured, structures_apart};
 
-/// The axis of a SCARA arm that is measured in mm.
+/// Index of the SCARA axis that is measured in mm.
 const SLIDE: usize = 3;
 
-/// Distances and angles within their tolerance that are the noise of computing, in mm and degrees.
+/// Distances and angles up to this value are computation errors, in mm and degrees.
 const NOISE: f64 = 1e-9;
 
-/// Significant digits of an axis.
+/// Number of significant digits for an axis.
 const DIGITS: usize = 9;
 
-/// Significant digits of a distance and an angle, unless they need more.
+/// Minimum number of significant digits of a distance or angle.
 const DISTANCE_DIGITS: usize = 6;
 
-/// The message for joint positions: the axes that are not within the tolerance, and both positions. `None` if all axes are.
+/// Message for joint positions: the axes that are not within the tolerance, and both positions. `None` if all axes are
+/// within the tolerance.
 pub(super) fn joints(arm: Option<Arm>, actual: &[f64], expected: &[f64], tolerance: f64) -> Option<String> {
     let axes = fields(BaseType::Joint, arm).len();
     let (actual, expected) = (actual.get(..axes)?, expected.get(..axes)?);
     let axis = |((actual, expected), number): ((&f64, &f64), usize)| {
-        // False for a value that is no number.
+        // False for NaN.
         let is_near = (actual - expected).abs() <= tolerance;
         let unit = if arm == Some(Arm::Scara) && number == SLIDE { "mm" } else { DEGREE };
         let (left, right) = apart(*actual, *expected, DIGITS);
@@ -34,7 +35,7 @@ pub(super) fn joints(arm: Option<Arm>, actual: &[f64], expected: &[f64], toleran
     (!axes.is_empty()).then(|| axes.join("\n") + &both(actual, expected))
 }
 
-/// The message for transformations: distance, rotation, and both of them. `None` if these are no transformations.
+/// Message for transformations: distance, rotation, and both values. `None` if the values are no transformations.
 pub(super) fn poses(actual: &[f64], expected: &[f64], millimetres: f64, degrees: f64) -> Option<String> {
     let (one, other) = (trsf(actual)?, trsf(expected)?);
     let distance = one.distance(&other);
@@ -57,7 +58,7 @@ fn both(actual: &[f64], expected: &[f64]) -> String {
     sides(&actual, &expected)
 }
 
-/// Two lines with both sides of an assertion.
+/// Formats two lines with both sides of an assertion.
 pub(super) fn sides(actual: &str, expected: &str) -> String {
     format!("\n  actual    {actual}\n  expected  {expected}")
 }

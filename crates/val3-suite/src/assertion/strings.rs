@@ -1,17 +1,17 @@
-//! Two strings that differ, with a mark under the first difference.
+//! Describes two different strings, with a mark under the first difference.
 
 use unicode_width::UnicodeWidthStr as _;
 use val3_lang::values::printed;
 
 use super::positions::sides;
 
-/// Columns of a line before the text of a side and its quotation mark.
+/// Number of columns before the text of a side and its quotation mark.
 const INDENT: usize = "  expected  \"".len();
 
-/// Columns of both strings that one line shows together.
+/// Maximum number of columns for both strings in one line.
 const LINE: usize = 100;
 
-/// The message for a string that is not another one. A mark is added if both begin with the same characters.
+/// Message for different strings. A mark is added if both begin with the same characters.
 pub(super) fn difference(actual: &str, expected: &str) -> String {
     let (left, right) = (printed::string(actual), printed::string(expected));
     let headline = format!("{left} instead of {right}");
@@ -20,7 +20,7 @@ pub(super) fn difference(actual: &str, expected: &str) -> String {
         return headline;
     }
     let same: String = actual.chars().take(common).collect();
-    // Without both quotation marks.
+    // Without the quotation marks.
     let columns = INDENT + printed::string(&same).width().saturating_sub(2);
     let is_long = left.width() + right.width() > LINE;
     let headline = if is_long { format!("the strings differ at position {common}, from 0") } else { headline };

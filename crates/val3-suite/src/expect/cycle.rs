@@ -1,16 +1,16 @@
-//! A cycle of the controller, which expectations look at.
+//! A cycle of the controller, as input for expectations.
 
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::Event;
 
-/// The end of a cycle, as expectations see it.
+/// State at the end of a cycle.
 #[derive(Clone, Copy)]
 pub(crate) struct Cycle<'c> {
-    /// When the cycle began, on the controller's clock in nanoseconds.
+    /// Start of the cycle, on the controller's clock in nanoseconds.
     pub(crate) start: Time,
-    /// The events of the cycle.
+    /// Events of the cycle.
     pub(crate) events: &'c [Event],
-    /// The controller at its end.
+    /// Controller at the end of the cycle.
     pub(crate) controller: &'c Controller,
 }

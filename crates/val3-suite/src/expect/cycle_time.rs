@@ -1,4 +1,4 @@
-//! `[[expect.time]]`: the longest time from one occurrence to another, or of the whole test.
+//! `[[expect.time]]`: maximum time from one occurrence to another, or of the entire test.
 
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ use super::occurrence::Occurrence;
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// The longest time of a cycle:
+/// Maximum time of a cycle:
 ///
 /// ```toml
 /// [[expect.time]]
@@ -32,7 +32,7 @@ pub(super) struct CycleTime {
 }
 
 impl CycleTime {
-    /// Names that the application does not have.
+    /// Unknown names.
     pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
         self.occurrences().flat_map(|event| event.faults(fit, span)).collect()
     }
@@ -42,21 +42,21 @@ impl CycleTime {
     }
 }
 
-/// Measures from each time that something happens to the next time that something else does.
+/// Measures the time from each start of an occurrence to the next start of the end occurrence.
 pub(super) struct Stopwatch {
     expected: Spanned<CycleTime>,
     from: Edge,
     to: Edge,
-    /// The begin of the cycle that has not ended, in seconds.
+    /// Start of the current measurement, in seconds.
     begun: Option<f64>,
-    /// Begin and end of the longest cycle.
+    /// Start and end of the longest measurement.
     longest: Option<[f64; 2]>,
 }
 
-/// The moments at which something begins to happen.
+/// Detects when an occurrence starts.
 struct Edge {
     occurrence: Option<Occurrence>,
-    /// It has happened in the cycle before.
+    /// Whether the occurrence held in the previous cycle.
     held: bool,
 }
 
@@ -65,7 +65,7 @@ impl Edge {
         Self { occurrence, held: false }
     }
 
-    /// The time at which it begins to happen in a cycle, in seconds.
+    /// Time at which the occurrence starts in a cycle, in seconds.
     fn rises(&mut self, cycle: Cycle<'_>) -> Option<f64> {
         let moment = self.occurrence.as_ref().and_then(|occurrence| occurrence.find(cycle, 0));
         let held = std::mem::replace(&mut self.held, moment.is_some());
@@ -89,7 +89,7 @@ impl Stopwatch {
         }
     }
 
-    /// Ends the present cycle.
+    /// Ends the current measurement.
     fn end(&mut self, end: f64) {
         let Some(begun) = self.begun.take() else { return };
         let longest = self.longest.filter(|[from, to]| to - from >= end - begun);
@@ -116,7 +116,7 @@ impl Stopwatch {
     }
 }
 
-/// The failure of a cycle that has never begun or ended.
+/// Message for a measurement that has never started or ended.
 fn never(occurrence: &Occurrence, controller: &Controller) -> String {
     let instead = occurrence.instead(controller).map(|state| format!("\n{state}")).unwrap_or_default();
     format!("it did not happen that {occurrence}{instead}")

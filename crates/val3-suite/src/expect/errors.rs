@@ -1,4 +1,4 @@
-//! Run-time errors: those that are expected, and no other.
+//! Run-time errors: expected errors must occur, and no others.
 
 use std::ops::Range;
 
@@ -20,7 +20,7 @@ pub(super) struct ExpectedError {
     program: Option<String>,
 }
 
-/// The run-time errors of a run.
+/// Run-time errors of a run.
 pub(super) struct Errors {
     expected: Vec<Spanned<ExpectedError>>,
     missing: Vec<Spanned<ExpectedError>>,
@@ -34,7 +34,7 @@ impl ExpectedError {
         self.code == *code && is_task && self.program.as_ref().is_none_or(|expected| expected == program)
     }
 
-    /// A number that no run-time error has.
+    /// Fault for an unknown error number.
     pub(super) fn fault(&self, fit: &Fit<'_>, span: &Range<usize>) -> Option<Fault> {
         fit.error(self.code, span)
     }
@@ -51,14 +51,14 @@ impl Errors {
         Self { expected: expected.to_vec(), missing: expected.to_vec(), unexpected: Vec::new() }
     }
 
-    /// Whether the event is expected. Error 150 explains a path that the arm cannot follow.
+    /// Whether the event is expected. Error 150 also covers a path that the arm cannot follow.
     pub(super) fn expects(&self, event: &Event) -> bool {
         let is_path = matches!(event.kind, EventKind::Fault { .. });
         let mut expected = self.expected.iter().map(Spanned::get_ref);
         expected.any(|expected| expected.is(event) || is_path && expected.code == MOTION_FAULT)
     }
 
-    /// Receives the events of a cycle. `programs` returns the programs that a task is in.
+    /// Processes the events of a cycle. `programs` returns the call stack of a task.
     pub(super) fn see(&mut self, events: &[Event], programs: &dyn Fn(&str) -> Vec<Place>) {
         for event in events {
             self.missing.retain(|expected| !expected.get_ref().is(event));
@@ -66,16 +66,16 @@ impl Errors {
                 self.unexpected.extend(failure(event, programs));
             }
         }
-        // A task that is started again and again may raise the same error each time.
+        // A restarted task may raise the same error several times.
         self.unexpected.dedup();
     }
 
-    /// The failures of errors that were not expected.
+    /// Failures of unexpected errors.
     pub(super) fn unexpected(&self) -> &[Failure] {
         &self.unexpected
     }
 
-    /// The failures of expected errors that nothing has raised.
+    /// Failures of expected errors that did not occur.
     pub(super) fn missing(&self, source: &Source) -> impl Iterator<Item = Failure> {
         self.missing.iter().map(|expected| Failure {
             message: format!("{} was expected, and nothing has raised it", expected.get_ref().described()),
@@ -84,8 +84,8 @@ impl Errors {
     }
 }
 
-/// The failure of a run-time error, of a path that the arm cannot follow, or of an instruction that the controller lacks.
-/// Its places are the programs that the task of the event is in, as `programs` returns them for the task's name.
+/// Failure for a run-time error, a path that the arm cannot follow, or an instruction that the controller does not
+/// support. Its places are the call stack of the event's task, which `programs` returns.
 pub(crate) fn failure(event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> Option<Failure> {
     let (message, place) = match &event.kind {
         EventKind::Error { code, message, program, line, file, .. } => {
@@ -104,7 +104,7 @@ pub(crate) fn failure(event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> O
     Some(Failure { message, places: stack(place, event, programs) })
 }
 
-/// The programs that the task of an event is in, the innermost one at `place`; only `place` if the event happened elsewhere.
+/// Call stack of the event's task, with `place` as innermost program; only `place` if the event happened elsewhere.
 fn stack(place: Place, event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> Vec<Place> {
     let mut places = event.task.as_deref().map(programs).unwrap_or_default();
     match places.first_mut() {

@@ -1,4 +1,4 @@
-//! Whether expectations fit the application, before it runs.
+//! Validation of expectations against the application, before it runs.
 
 use std::ops::Range;
 
@@ -7,15 +7,15 @@ use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 use val3_machine::script::{Condition, Seconds};
 
-/// An expectation that can never be met because of its names or times: its place and the problem.
+/// An expectation that can never be met because of names or times: its source range and the problem.
 pub(crate) type Fault = (Range<usize>, String);
 
-/// The run that expectations have to fit.
+/// Run against which expectations are validated.
 pub(crate) struct Fit<'c> {
     pub(crate) controller: &'c Controller,
     /// Whether a data item changes its size.
     pub(crate) is_resized: &'c dyn Fn(&str) -> bool,
-    /// The time at which the run ends.
+    /// End time of the run.
     pub(crate) until: Option<Time>,
 }
 

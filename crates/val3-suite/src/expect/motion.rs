@@ -1,4 +1,4 @@
-//! Expectations about motion, those of the tool centre point alone:
+//! Expectations about motion; only the tool centre point is compared:
 //!
 //! ```toml
 //! [expect]
@@ -27,12 +27,12 @@ use crate::failure::{Failure, Place};
 use crate::recorded::{AT_REST, RecordedMotion, place_of};
 use crate::source::Source;
 
-/// The motion of a test while it is executed.
+/// Motion of a test during its execution.
 #[derive(Default)]
 pub(super) struct Motion {
-    /// From the first cycle on, if there are expectations.
+    /// Records from the first cycle on, if there are expectations.
     recorder: Option<Recorder>,
-    /// From the first cycle on, if a picture may be drawn.
+    /// Records from the first cycle on, if a picture may be drawn.
     picture: Option<PictureObserver>,
 }
 
@@ -48,7 +48,7 @@ impl Motion {
         self.recorder.get_or_insert_with(|| Recorder::new(controller)).see(start, controller);
     }
 
-    /// The limits that are exceeded.
+    /// Exceeded limits.
     pub(super) fn failures(
         &self,
         expectations: &Expectations,
@@ -56,7 +56,7 @@ impl Motion {
         source: &Source,
     ) -> Vec<Failure> {
         let Some(recording) = self.recorder.as_ref().map(Recorder::recording) else { return Vec::new() };
-        // The place of an arm at rest is judged too. Its speed proves nothing.
+        // The position is also checked if the arm has not moved. Its speed would prove nothing.
         let at_rest = recording.is_empty().then(|| Recording::at_rest(controller));
         let found = limits(expectations, controller, source).into_iter().filter_map(|(limit, place)| match limit {
             Ok(Limit::Speed { .. }) if at_rest.is_some() => {
@@ -68,7 +68,7 @@ impl Motion {
         found.collect()
     }
 
-    /// The motion, if it is to be compared with a recorded one.
+    /// Motion to compare with a recorded motion, if expected.
     pub(super) fn recorded(self, expectations: &Expectations, source: &Source) -> Option<Box<RecordedMotion>> {
         let trace = expectations.trace.as_ref()?;
         let (recorder, picture) = self.recorder.zip(self.picture)?;
@@ -77,7 +77,7 @@ impl Motion {
     }
 }
 
-/// The limits with their places in the file, or what is wrong with their boxes.
+/// Limits with their places in the file, or errors in their boxes.
 fn limits(
     expectations: &Expectations,
     controller: &Controller,
@@ -108,7 +108,7 @@ fn failure(limit: &Limit, recording: &Recording, place: Place) -> Option<Failure
     Some(Failure { message: finding.message, places: of_move.into_iter().chain([place]).collect() })
 }
 
-/// A box, with its frame where it is at the end of the test.
+/// Converts a box. Its frame has the pose at the end of the test.
 fn zone(ZoneSetting { min, max, frame }: &ZoneSetting, controller: &Controller) -> Result<Zone, String> {
     let frame = match frame {
         None => IsometryMatrix3::identity(),

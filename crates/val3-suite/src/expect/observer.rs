@@ -1,4 +1,4 @@
-//! The expectations of a test while it is executed.
+//! Observes the expectations of a test during its execution.
 
 use toml::Spanned;
 use val3_lang::ports::Time;
@@ -22,7 +22,7 @@ use crate::recorded::RecordedMotion;
 use crate::source::Source;
 use crate::unfinished::places_of;
 
-/// The expectations of a test while it is executed.
+/// Expectations of a test during its execution.
 pub(crate) struct Observer {
     expectations: Expectations,
     source: Source,
@@ -35,7 +35,7 @@ pub(crate) struct Observer {
     stopwatches: Vec<Stopwatch>,
     motion: Motion,
     has_moved: bool,
-    /// The printed lines, if they are compared with recorded ones.
+    /// Printed lines, if they are compared with recorded lines.
     prints: Vec<String>,
 }
 
@@ -59,7 +59,7 @@ impl Observer {
         }
     }
 
-    /// Looks at a cycle that is over.
+    /// Processes a finished cycle.
     pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
         self.errors.see(cycle.events, &|task| places_of(cycle.controller, task));
         self.outputs.iter_mut().for_each(|output| output.see(cycle.events));
@@ -76,22 +76,22 @@ impl Observer {
         self.has_moved |= !cycle.controller.devices.state.arm.is_at_rest();
     }
 
-    /// The time of the next cycle that has to be seen even if nothing happens.
+    /// Time of the next cycle that must not be skipped even if nothing happens.
     pub(crate) fn next_due(&self) -> Option<Time> {
         self.states.next_due()
     }
 
-    /// Whether the run-time error of an event is one of those that are expected.
+    /// Whether the event's run-time error is expected.
     pub(crate) fn expects(&self, event: &Event) -> bool {
         self.errors.expects(event)
     }
 
-    /// The failures of run-time errors that were not expected.
+    /// Failures of unexpected run-time errors.
     pub(crate) fn unexpected_errors(&self) -> &[Failure] {
         self.errors.unexpected()
     }
 
-    /// The expectations that are not met, at the end of the test.
+    /// Failures of unmet expectations at the end of the test.
     pub(crate) fn failures(&self, controller: &Controller) -> Vec<Failure> {
         let source = &self.source;
         let script = |message: String| Failure { message, places: Vec::new() };
@@ -108,7 +108,7 @@ impl Observer {
         failures
     }
 
-    /// The texts that are to be compared with recorded ones, at the end of the test.
+    /// Texts to compare with recorded texts, at the end of the test.
     pub(crate) fn golden_texts(&self, controller: &Controller) -> Vec<GoldenText> {
         let Expectations { screen_file, print_file, .. } = &self.expectations;
         let golden = |kind: GoldenKind, file: &Spanned<String>, lines: Vec<String>| GoldenText {
@@ -122,13 +122,13 @@ impl Observer {
         screen.chain(prints).collect()
     }
 
-    /// The note for readers of cycle times, if one was compared with a limit and the arm has moved.
+    /// Note on cycle times, if one was compared with a limit and the arm has moved.
     pub(crate) fn times_note(&self, controller: &Controller) -> Option<String> {
         let is_limited = self.has_moved && !self.stopwatches.is_empty();
         is_limited.then(|| controller.devices.state.arm.model().times_note()).flatten()
     }
 
-    /// The motion, if it is to be compared with a recorded one.
+    /// Motion to compare with a recorded motion, if expected.
     pub(crate) fn into_motion(self) -> Option<Box<RecordedMotion>> {
         self.motion.recorded(&self.expectations, &self.source)
     }

@@ -1,4 +1,4 @@
-//! Something that happens in a run, for expectations about times and orders.
+//! Occurrences in a run, for expectations about times and orders.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -15,29 +15,29 @@ use super::fit::{Fault, Fit};
 use super::output::OutputKind;
 use super::screen;
 
-/// Something that happens, as a table with one key.
+/// An occurrence in a run, as a table with one key.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Occurrence {
-    /// Signals have values.
+    /// Values of signals.
     #[serde(deserialize_with = "signals")]
     Io(Condition),
-    /// Global variables have values.
+    /// Values of global variables.
     #[serde(deserialize_with = "variables")]
     Data(Condition),
-    /// The page that is shown contains a text.
+    /// A text on the displayed page.
     Screen(String),
-    /// A printed line contains a text.
+    /// A text in a printed line.
     Print(String),
-    /// A line of the event log contains a text.
+    /// A text in a line of the event log.
     Log(String),
-    /// A message contains a text.
+    /// A text in a message.
     Popup(String),
-    /// A text goes out over a line.
+    /// A text sent over a line.
     Sent(SentText),
-    /// The arm begins a move of a program.
+    /// Start of a move that the program has recorded.
     Move(String),
-    /// A run-time error stops a task.
+    /// A run-time error that stops a task.
     Error(u16),
 }
 
@@ -49,17 +49,17 @@ fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Condition, D:
     Condition::new(BTreeMap::new(), Deserialize::deserialize(deserializer)?).map_err(D::Error::custom)
 }
 
-/// Where and when something has happened.
+/// Occurrence time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Moment {
     /// Seconds since the start.
     pub(super) time: f64,
-    /// The events of the cycle that were before it or are it.
+    /// Number of events in the cycle up to and including the occurrence.
     pub(super) events: usize,
 }
 
 impl Occurrence {
-    /// When it first happens in a cycle after the first `seen` events. States are those at the end of the cycle.
+    /// First occurrence in a cycle after the first `seen` events. States are checked at the end of the cycle.
     pub(super) fn find(&self, cycle: Cycle<'_>, seen: usize) -> Option<Moment> {
         let state = |holds: bool| holds.then(|| Moment { time: seconds(cycle.controller.now()), events: seen });
         match self {
@@ -73,7 +73,7 @@ impl Occurrence {
         }
     }
 
-    /// Whether an event is it.
+    /// Whether the event matches.
     fn is(&self, event: &Event) -> bool {
         let contains = |kind: OutputKind, part: &str| kind.text(event).is_some_and(|text| text.contains(part));
         match (self, &event.kind) {
@@ -89,7 +89,7 @@ impl Occurrence {
         }
     }
 
-    /// The names in it that the application does not have.
+    /// Unknown names in the occurrence.
     pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
         match self {
             Self::Io(condition) | Self::Data(condition) => fit.condition(condition, span),
@@ -100,7 +100,7 @@ impl Occurrence {
         }
     }
 
-    /// The line that sends something.
+    /// Link of the line over which a text is sent.
     pub(super) fn line(&self) -> Option<&str> {
         match self {
             Self::Sent(text) => Some(text.link()),
@@ -108,7 +108,7 @@ impl Occurrence {
         }
     }
 
-    /// The state that there is instead, where that can be said.
+    /// Actual state instead of the expected state, if known.
     pub(super) fn instead(&self, controller: &Controller) -> Option<String> {
         match self {
             Self::Io(condition) | Self::Data(condition) => {
@@ -122,7 +122,7 @@ impl Occurrence {
     }
 }
 
-/// A clause that says what happens.
+/// Formats the occurrence as a clause.
 impl fmt::Display for Occurrence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,4 +1,4 @@
-//! Things that happen in an order.
+//! Occurrences in an order.
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -11,7 +11,7 @@ use super::occurrence::Occurrence;
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// An `[[expect.order]]`: each event happens after the one before it.
+/// An `[[expect.order]]`: each event happens after the preceding event.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Order {
@@ -19,7 +19,7 @@ pub(super) struct Order {
 }
 
 impl Order {
-    /// Names that the application does not have.
+    /// Unknown names.
     pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
         self.events.iter().flat_map(|event| event.get_ref().faults(fit, &event.span())).collect()
     }
@@ -29,12 +29,12 @@ impl Order {
     }
 }
 
-/// An order as far as it was seen.
+/// Progress in an order.
 pub(super) struct Progress {
     events: Vec<Spanned<Occurrence>>,
-    /// The times of the events that have happened in their order.
+    /// Times of the events that have happened in order.
     times: Vec<f64>,
-    /// For each event, when it last happened before its turn.
+    /// For each event, the time at which it last happened before its turn.
     early: Vec<Option<f64>>,
 }
 

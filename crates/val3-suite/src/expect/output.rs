@@ -1,4 +1,4 @@
-//! Texts that a program writes: printed lines, lines of the event log, messages.
+//! Texts that a program outputs: printed lines, event log lines, messages.
 
 use std::collections::VecDeque;
 
@@ -8,13 +8,13 @@ use val3_machine::event::{Event, EventKind};
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// The last lines that a failure shows.
+/// Maximum number of last lines in a failure.
 const SHOWN: usize = 5;
 
 /// An output of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum OutputKind {
-    /// Lines that `?` prints.
+    /// Lines printed by `?`.
     Print,
     /// Lines of the event log.
     Log,
@@ -22,7 +22,7 @@ pub(super) enum OutputKind {
     Popup,
 }
 
-/// The texts that an output should contain.
+/// Expected output texts.
 pub(super) struct Output {
     kind: OutputKind,
     missing: Vec<Spanned<String>>,
@@ -30,7 +30,7 @@ pub(super) struct Output {
 }
 
 impl OutputKind {
-    /// The text that an event writes to the output.
+    /// Text that an event writes to the output.
     pub(super) fn text(self, event: &Event) -> Option<&str> {
         match (self, &event.kind) {
             (Self::Print, EventKind::Print { text })

@@ -8,18 +8,19 @@ use val3_machine::screen::Page;
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// The page that the pendant shows.
+/// Page that the pendant shows.
 pub(crate) fn shown(controller: &Controller) -> Option<&Page> {
     let pendant = &controller.devices.state.pendant;
     pendant.page(pendant.shown())
 }
 
-/// Whether the title of a page or one of its lines contains a text.
+/// Whether the title or a line of the page contains the text.
 pub(super) fn shows(page: &Page, text: &str) -> bool {
     page.title().contains(text) || page.lines().any(|line| line.contains(text))
 }
 
-/// The title and the lines of a page, without the empty ones at the end. Line ends in a text do not begin a line.
+/// Formats the title and the lines of a page, without trailing empty lines. Line ends in a text do not start a new
+/// line.
 pub(super) fn picture(page: &Page) -> String {
     let one_line = |text: &str| text.replace(['\n', '\r'], "␊");
     let mut lines: Vec<String> = page.lines().map(|line| one_line(&line)).collect();
@@ -29,7 +30,7 @@ pub(super) fn picture(page: &Page) -> String {
     format!("{}{}", format!("+ {}", one_line(page.title())).trim_end(), shown.collect::<String>())
 }
 
-/// The title and the lines of the page that the pendant shows, without blanks at their ends and empty lines at the end.
+/// Title and lines of the displayed page, without trailing blanks and empty lines.
 pub(super) fn lines(controller: &Controller) -> Vec<String> {
     let Some(page) = shown(controller) else { return Vec::new() };
     let texts = [page.title().to_owned()].into_iter().chain(page.lines());
@@ -39,7 +40,7 @@ pub(super) fn lines(controller: &Controller) -> Vec<String> {
     lines
 }
 
-/// The page that the pendant shows, unless nothing was written on it, a failure shows it already, or there is no failure.
+/// Displayed page, unless it is empty, a failure already shows it, or there is no failure.
 pub(crate) fn written_page(controller: &Controller, failures: &[Failure]) -> Option<String> {
     let page = shown(controller).filter(|page| page.lines().any(|line| !line.trim().is_empty()))?;
     let picture = picture(page);
@@ -47,7 +48,7 @@ pub(crate) fn written_page(controller: &Controller, failures: &[Failure]) -> Opt
     is_new.then_some(picture)
 }
 
-/// The failures of texts that the page that is shown should contain.
+/// Failures of texts that the displayed page should contain.
 pub(super) fn failures(texts: &[Spanned<String>], key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
     let Some(page) = shown(controller) else { return Vec::new() };
     let now = shown_seconds(controller.now());

@@ -1,4 +1,4 @@
-//! Texts that go out over serial lines and sockets.
+//! Texts sent over serial lines and sockets.
 
 use std::collections::BTreeMap;
 
@@ -12,10 +12,10 @@ use super::fit::{Fault, Fit};
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// The bytes at the end of a line's output that a failure shows.
+/// Number of last bytes of a line's output in a failure.
 const SHOWN: usize = 200;
 
-/// Reads lines with the text that each should send.
+/// Deserialises lines with their expected texts.
 pub(super) fn texts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Spanned<SentText>>, D::Error> {
     let texts: BTreeMap<Spanned<String>, LineBytes> = Deserialize::deserialize(deserializer)?;
     let text = |(link, text): (Spanned<String>, LineBytes)| {
@@ -25,12 +25,12 @@ pub(super) fn texts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Sp
     texts.into_iter().map(text).collect()
 }
 
-/// Links that the application does not have.
+/// Unknown links.
 pub(super) fn faults(texts: &[Spanned<SentText>], fit: &Fit<'_>) -> Vec<Fault> {
     texts.iter().filter_map(|text| fit.line(text.get_ref().link(), &text.span())).collect()
 }
 
-/// A line that should send a text, and its output.
+/// A line with an expected text, and its output.
 pub(super) struct Sent {
     expected: Spanned<SentText>,
     output: Vec<u8>,

@@ -1,4 +1,4 @@
-//! The state of the controller at the end of a test, or at a time before.
+//! Expected state of the controller at the end of a test, or at an earlier time.
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -12,10 +12,10 @@ use super::{screen, values};
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// The keys that `[expect]` and `[[expect.at]]` share.
+/// Common keys of `[expect]` and `[[expect.at]]`.
 #[derive(Clone, Copy)]
 pub(super) struct State<'s> {
-    /// The table with the keys.
+    /// Table that contains the keys.
     pub(super) table: &'static str,
     pub(super) screen: &'s [Spanned<String>],
     pub(super) io: &'s Values,
@@ -23,12 +23,12 @@ pub(super) struct State<'s> {
 }
 
 impl State<'_> {
-    /// Names that the application does not have.
+    /// Unknown names.
     pub(super) fn faults(self, fit: &Fit<'_>) -> Vec<Fault> {
         [self.io, self.data].into_iter().flat_map(|values| values.faults(fit)).collect()
     }
 
-    /// The differences between this state and the present one.
+    /// Differences from the current state.
     pub(super) fn failures(self, controller: &Controller, source: &Source) -> Vec<Failure> {
         let key = |key: &str| format!("{}.{key}", self.table);
         let screen = screen::failures(self.screen, &key("screen"), controller, source);
@@ -60,16 +60,16 @@ impl TimedState {
         State { table: "expect.at", screen: &self.screen, io: &self.io, data: &self.data }
     }
 
-    /// Names that the application does not have, and a time after the end of the run.
+    /// Unknown names, and a time after the end of the run.
     pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
         let late = fit.time(*self.t.get_ref(), &self.t.span());
         late.into_iter().chain(self.state().faults(fit)).collect()
     }
 }
 
-/// The states that are expected at times, as far as they were judged.
+/// Expected states with their times, and the failures so far.
 pub(super) struct TimedStates {
-    /// Those that were not judged, in the order of their times.
+    /// States that were not checked, sorted by time.
     open: Vec<TimedState>,
     failures: Vec<Failure>,
 }
@@ -81,12 +81,12 @@ impl TimedStates {
         Self { open, failures: Vec::new() }
     }
 
-    /// The time of the next state. The run may not skip it.
+    /// Time of the next state, which the run must not skip.
     pub(super) fn next_due(&self) -> Option<Time> {
         self.open.first().map(TimedState::time)
     }
 
-    /// Judges the states whose times have come at the end of a cycle.
+    /// Checks the states that are due at the end of a cycle.
     pub(super) fn see(&mut self, controller: &Controller, source: &Source) {
         let due = self.open.partition_point(|state| state.time() <= controller.now());
         for state in self.open.drain(..due) {
@@ -94,7 +94,7 @@ impl TimedStates {
         }
     }
 
-    /// All failures. After the end of the run, its last state does not change any more.
+    /// All failures. States after the end of the run are compared with its last state.
     pub(super) fn failures(&self, controller: &Controller, source: &Source) -> Vec<Failure> {
         let open = self.open.iter().flat_map(|state| state.state().failures(controller, source));
         self.failures.iter().cloned().chain(open).collect()

@@ -1,4 +1,4 @@
-//! Values of signals and of global data: the keys `io` and `data`.
+//! Values of signals and global data: the keys `io` and `data`.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -14,17 +14,17 @@ use super::fit::{Fault, Fit};
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// The values that signals or variables should have. Each is a condition with the place of its name.
+/// Expected values of signals or variables. Each is a condition with the name's source range.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Values(Vec<(Condition, Range<usize>)>);
 
-/// Reads signals by their paths.
+/// Deserialises signals by path.
 pub(super) fn signals<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Values, D::Error> {
     let levels: BTreeMap<Spanned<String>, LevelComparison> = Deserialize::deserialize(deserializer)?;
     Values::new(levels, |path, level| Condition::new([(path, level)].into(), BTreeMap::new()))
 }
 
-/// Reads global variables by their names.
+/// Deserialises global variables by name.
 pub(super) fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Values, D::Error> {
     let comparisons: BTreeMap<Spanned<String>, Comparison> = Deserialize::deserialize(deserializer)?;
     Values::new(comparisons, |name, comparison| Condition::new(BTreeMap::new(), [(name, comparison)].into()))
@@ -42,17 +42,17 @@ impl Values {
         values.into_iter().map(part).collect::<Result<_, E>>().map(Self)
     }
 
-    /// Whether there are none.
+    /// Whether there are no values.
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// Names that the application does not have, and values of another type.
+    /// Unknown names, and values of the wrong type.
     pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
         self.0.iter().flat_map(|(condition, span)| fit.condition(condition, span)).collect()
     }
 
-    /// The values that differ from the present ones.
+    /// Values that differ from the current values.
     pub(super) fn failures(&self, key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
         let now = shown_seconds(controller.now());
         let failure = |(condition, span): &(Condition, Range<usize>)| {

@@ -1,4 +1,4 @@
-//! Something that happens within a time.
+//! Occurrences within a time limit.
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ use super::occurrence::{Moment, Occurrence};
 use crate::failure::Failure;
 use crate::source::Source;
 
-/// A `[[expect.within]]`: `event` happens at most `seconds` after `after`, or after the start.
+/// An `[[expect.within]]`: `event` happens at most `seconds` after `after`, or after the start.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Within {
@@ -24,7 +24,7 @@ pub(super) struct Within {
 }
 
 impl Within {
-    /// Names that the application does not have.
+    /// Unknown names.
     pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
         self.occurrences().flat_map(|event| event.faults(fit, span)).collect()
     }
@@ -33,17 +33,17 @@ impl Within {
         std::iter::once(&self.event).chain(&self.after)
     }
 
-    /// The time that is allowed, for messages.
+    /// Describes the time limit for messages.
     fn allowed(&self) -> String {
         let after = self.after.as_ref().map_or_else(|| "the start".to_owned(), |after| format!("\"{after}\""));
         format!("within {} s of {after}", self.seconds.seconds())
     }
 }
 
-/// An expectation while the test is executed.
+/// The expectation during the execution.
 pub(super) struct Deadline {
     within: Spanned<Within>,
-    /// The begin of its time, in seconds.
+    /// Start of the time limit, in seconds.
     begun: Option<f64>,
     happened: Option<f64>,
 }

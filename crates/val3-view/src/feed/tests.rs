@@ -38,7 +38,7 @@ begin
 end
 "#;
 
-/// All messages of a run of a second.
+/// All messages of a run for 1 s.
 fn run(listing: &str) -> Vec<Message> {
     let mut controller = Running::start(listing).controller;
     let mut feed = Feed::new(&controller, "operator");

@@ -81,10 +81,10 @@ pub(crate) struct ArmFitArgs {
     pub(crate) force: bool,
 }
 
-/// Positions between which an axis may move, in degrees; a stroke in mm.
+/// Range within which an axis may move, in degrees, or in mm for a stroke.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AxisRange {
-    /// The axis, counted from 1.
+    /// Axis number, from 1.
     pub(crate) axis: usize,
     /// Lowest position.
     pub(crate) from: f64,

@@ -95,7 +95,7 @@ pub(crate) struct CheckArgs {
 }
 
 impl CheckArgs {
-    /// The treatment of the baselines.
+    /// How the check uses baselines.
     pub(crate) fn baseline_mode(&self) -> Mode {
         match (self.write_baseline, self.prune_baseline) {
             (true, _) => Mode::Write,
@@ -105,7 +105,7 @@ impl CheckArgs {
     }
 }
 
-/// A version from s5 to s8.
+/// Parses a version from s5 to s8.
 fn target_version(text: &str) -> Result<Version, String> {
     let version = Version::parse(text).filter(|version| (5..=8).contains(&version.major));
     version.ok_or_else(|| "write a version from s5 to s8, such as s8.10".to_owned())

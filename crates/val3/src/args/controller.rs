@@ -1,5 +1,4 @@
-//! Arguments with the properties of the controller, for the commands that execute code. They take precedence over
-//! `val3.toml`.
+//! Properties of the controller, as arguments of the commands that execute code. They take precedence over `val3.toml`.
 
 use std::rc::Rc;
 
@@ -54,7 +53,7 @@ pub(crate) struct ControllerArgs {
 }
 
 impl ControllerArgs {
-    /// These arguments with what the file of a test asks for, unless they say something else.
+    /// Returns these arguments, completed by the keys of a test file. An argument has precedence over its key.
     #[must_use]
     pub(crate) fn with(&self, keys: &ControllerKeys) -> Self {
         Self {
@@ -66,7 +65,7 @@ impl ControllerArgs {
         }
     }
 
-    /// The arguments as settings of a session. `guard` decides about sockets whose ports only the cell names.
+    /// Converts the arguments to session settings. `guard` decides about sockets whose ports only the cell names.
     pub(crate) fn settings(&self, guard: Rc<dyn SocketGuard>) -> ControllerSettings {
         ControllerSettings {
             arm: self.arm.clone(),

@@ -1,4 +1,4 @@
-//! Arguments of `val3 test` about coverage.
+//! Coverage arguments of `val3 test`.
 
 use clap::ValueEnum;
 

@@ -8,10 +8,10 @@ use crate::output::file_kind::FileKind;
 use crate::user_error::UserError;
 
 impl Command {
-    /// The file that replaces the standard output, and its kind.
+    /// Returns the file that replaces the standard output, and its file kind.
     ///
     /// # Errors
-    /// `check` would write its text in several forms.
+    /// The arguments of `check` request another format or several files for a text that is only human-readable.
     pub(crate) fn destination(&self) -> Result<Option<(&Utf8Path, FileKind)>, UserError> {
         let (args, kind) = match self {
             Self::Check(args) => return text_of_check(args),
@@ -54,7 +54,8 @@ const fn kind_of_diff(format: DiffFormat) -> FileKind {
     }
 }
 
-/// The patch and the list of settings have only the form for people, and `--output human=FILE` writes it to a file.
+/// Returns the human-readable output file of `--diff` or `--explain-config`, whose text has no other format:
+/// `--output human=FILE`.
 fn text_of_check(args: &CheckArgs) -> Result<Option<(&Utf8Path, FileKind)>, UserError> {
     let option = match (args.diff, args.explain_config) {
         (true, _) => "--diff",

@@ -84,13 +84,13 @@ pub(crate) enum Ignorable {
 }
 
 impl DiffArgs {
-    /// The differences to leave out.
+    /// Differences that the report omits.
     pub(crate) fn exclusions(&self) -> Exclusions {
         let layout = if self.ignore.contains(&Ignorable::Layout) { Layout::Ignored } else { Layout::Compared };
         Exclusions { tolerance: self.tolerance, names: self.ignore_data.clone(), layout }
     }
 
-    /// The extent of the report.
+    /// Detail level of the report.
     pub(crate) fn detail(&self) -> Detail {
         if self.stat { Detail::Statistics } else { Detail::Full }
     }

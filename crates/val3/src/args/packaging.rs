@@ -1,4 +1,4 @@
-//! Arguments of commands for shells and packages.
+//! Arguments of the commands for shells and packages.
 
 use camino::Utf8PathBuf;
 use clap_complete::Shell;

@@ -1,7 +1,7 @@
-//! The pages of the book about the command line, one a command, from the declarations of arguments.
+//! Pages of the book about the command line, one for each command, generated from the declared arguments.
 //!
-//! They are files of `docs/src/commands`, which a test compares: `UPDATE_EXPECT=1 cargo test -p val3 the_pages_of_commands` updates
-//! them after a change of arguments.
+//! The pages are the files in `docs/src/commands`. A test compares them; after a change of arguments,
+//! `UPDATE_EXPECT=1 cargo test -p val3 the_pages_of_commands` updates them.
 
 mod markdown;
 
@@ -10,10 +10,10 @@ use clap::{Arg, ArgAction, Command};
 
 use markdown::{bullet, notes, prose};
 
-/// The heading of options that every command has.
+/// Heading of the global options.
 const GLOBAL: &str = "Options of every command";
 
-/// The page of each command below `command`, by the name of its file, and the page with the list.
+/// Returns each page with its file name: one page for each command below `command`, and the index.
 fn pages(mut command: Command) -> Vec<(String, String)> {
     command.build();
     let mut pages = vec![("index.md".to_owned(), index(&command))];
@@ -28,17 +28,17 @@ fn collect(command: &Command, pages: &mut Vec<(String, String)>) {
     }
 }
 
-/// The commands below one, without `help` and hidden ones.
+/// Subcommands of `command`, without `help` and hidden ones.
 fn shown(command: &Command) -> impl Iterator<Item = &Command> {
     command.get_subcommands().filter(|child| !child.is_hide_set() && child.get_name() != "help")
 }
 
-/// The full name: `val3 arm list`.
+/// Full command name, for example `val3 arm list`.
 fn name(command: &Command) -> String {
     command.get_bin_name().unwrap_or_else(|| command.get_name()).to_owned()
 }
 
-/// `arm-list.md`.
+/// File name of the command's page, for example `arm-list.md`.
 fn file(command: &Command) -> String {
     format!("{}.md", name(command).split_whitespace().skip(1).collect::<Vec<_>>().join("-"))
 }
@@ -72,7 +72,7 @@ const ENVIRONMENT: &str = "
 | `VAL3_DEBUG_SECRET` | the secret of `val3 dap --port` and `val3 run --debug-port`; a random one otherwise |
 ";
 
-/// The description of a command.
+/// Description of the command.
 fn about(command: &Command) -> String {
     command.get_long_about().or_else(|| command.get_about()).map(ToString::to_string).unwrap_or_default()
 }
@@ -100,7 +100,7 @@ fn page(command: &Command) -> String {
     text
 }
 
-/// The arguments by headings, those of every command last.
+/// Arguments grouped by heading; the global options are last.
 fn sections(command: &Command) -> Vec<(String, Vec<&Arg>)> {
     let mut sections: Vec<(String, Vec<&Arg>)> = Vec::new();
     let is_shown =
@@ -119,7 +119,7 @@ fn sections(command: &Command) -> Vec<(String, Vec<&Arg>)> {
     sections
 }
 
-/// `-q, --quiet`, `--format <FORMAT>`, `[PATH]...`.
+/// Syntax of the argument, for example `-q, --quiet`, `--format <FORMAT>` or `[PATH]...`.
 fn form(argument: &Arg) -> String {
     let form = argument.to_string();
     match argument.get_short() {
@@ -128,7 +128,7 @@ fn form(argument: &Arg) -> String {
     }
 }
 
-/// Help, values and default of an argument.
+/// Argument's help text, possible values and default.
 fn meaning(argument: &Arg) -> String {
     let help = argument.get_long_help().or_else(|| argument.get_help()).map(ToString::to_string).unwrap_or_default();
     let mut text = format!("{}.", prose(help.trim_end_matches('.')));
@@ -149,7 +149,7 @@ fn meaning(argument: &Arg) -> String {
     text
 }
 
-/// The possible values of an argument, as code, with their help.
+/// Argument's possible values, formatted as code, each with its help text.
 fn values(argument: &Arg) -> Vec<(String, String)> {
     let values = argument.get_possible_values().into_iter().filter(|value| !value.is_hide_set());
     let help = |value: &PossibleValue| value.get_help().map(|help| prose(&help.to_string())).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The value of `--output FORMAT=FILE`.
+//! Value of `--output FORMAT=FILE`.
 
 use std::str::FromStr;
 
@@ -7,12 +7,12 @@ use clap::ValueEnum;
 
 use crate::format::Format;
 
-/// A file and the format it gets.
+/// An output file and its format.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Output<F = Format> {
-    /// The format.
+    /// Format.
     pub(crate) format: F,
-    /// The file; replaced if it exists.
+    /// Path; an existing file is replaced.
     pub(crate) path: Utf8PathBuf,
 }
 

@@ -7,7 +7,7 @@ use val3_machine::script::{key_codes, typed_keys};
 use super::{ControllerArgs, OutputArgs};
 use crate::serve::ServeAddress;
 
-/// The program that an application starts with (2.2.3).
+/// Program with which an application starts (2.2.3).
 pub(crate) const START: &str = "start";
 
 /// Arguments of `val3 run`.
@@ -93,7 +93,7 @@ pub(crate) struct RunArgs {
 }
 
 impl RunArgs {
-    /// Time passes as on the wall.
+    /// Whether virtual time follows real time.
     pub(crate) fn follows_wall(&self) -> bool {
         let is_operated = self.interactive || self.serve.is_some() && self.time.is_none();
         self.time == Some(RunTime::Real) || is_operated
@@ -114,11 +114,11 @@ fn seconds(text: &str) -> Result<f64, String> {
     seconds.ok_or_else(|| "write a number of seconds from 0 to 1e9".to_owned())
 }
 
-/// The codes of keys that are typed.
+/// Codes of the keys to press.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Keys(pub(crate) Vec<u16>);
 
-/// Reads a list of codes and names, or a text as the `keys` of a script.
+/// Parses a list of key codes and names, or a text as in the `keys` of a script.
 fn keys(text: &str) -> Result<Keys, String> {
     let is_key = |part: &str| key_codes(part).is_ok_and(|codes| !codes.is_empty());
     let is_list = text.contains(',') && text.split(',').any(is_key);

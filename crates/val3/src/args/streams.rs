@@ -1,5 +1,5 @@
-//! Files in place of the standard input and the standard output, because shells may change the encoding of `>` and have
-//! no `<`.
+//! Files that replace the standard input and the standard output, because shells may change the encoding with `>` and
+//! may not support `<`.
 
 use camino::Utf8PathBuf;
 

@@ -1,4 +1,4 @@
-//! Arguments of `val3 test` that choose tests by more than their names.
+//! Arguments of `val3 test` that select tests by properties other than the name.
 
 use camino::Utf8PathBuf;
 

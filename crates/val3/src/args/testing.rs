@@ -33,7 +33,7 @@ pub(crate) enum TestFormat {
 }
 
 impl TestFormat {
-    /// The kind of its output.
+    /// Content kind of the output.
     pub(crate) fn content(self) -> Content {
         match self {
             Self::Json | Self::JsonLines => Content::Json,
@@ -42,7 +42,7 @@ impl TestFormat {
         }
     }
 
-    /// The kind of content that the format has in a file.
+    /// File kind of a report in this format.
     pub(crate) fn file_kind(self) -> FileKind {
         match self {
             Self::Json | Self::JsonLines => FileKind::Json,
@@ -149,10 +149,10 @@ pub(crate) struct TestArgs {
     pub(crate) controller: ControllerArgs,
 }
 
-/// The last events that a failure shows unless the arguments set another number.
+/// Default number of events that a failure shows.
 pub(crate) const EVENTS: u32 = 10;
 
-/// The seconds that can be the limit of a test.
+/// Allowed timeouts of a test, in seconds.
 pub(crate) const LIMITS: RangeInclusive<f64> = 0.004..=1e6;
 
 fn limit(text: &str) -> Result<f64, String> {

@@ -1,4 +1,4 @@
-//! Written files, which replace others only on request.
+//! Writes files of `val3 arm`; existing files are replaced only with `--force`.
 
 use std::fs;
 
@@ -15,9 +15,9 @@ pub(super) fn write_file(path: &Utf8Path, text: &str) -> Result<(), UserError> {
     })
 }
 
-/// Checks that no file would be replaced.
+/// Checks that no file exists at `path`.
 pub(super) fn check_absent(path: &Utf8Path) -> Result<(), UserError> {
-    // A dangling link is present, too.
+    // Not `exists`, which returns false for a dangling link.
     if fs::symlink_metadata(path).is_err() {
         return Ok(());
     }

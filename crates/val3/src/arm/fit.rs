@@ -1,4 +1,4 @@
-//! `val3 arm fit`: an arm file with the times that an application of `val3 arm measure` has measured.
+//! `val3 arm fit`: creates an arm file from the times that the application of `val3 arm measure` has logged.
 
 mod estimate;
 mod file;
@@ -22,13 +22,13 @@ use self::log::Log;
 use self::words::described;
 use super::files::{check_absent, write_file};
 
-/// Greatest relative uncertainty of a value that needs no wider range.
+/// Relative uncertainty up to which a value needs no wider range of measurement.
 const GOOD: f64 = 0.01;
 
-/// Root mean square of residuals, in seconds, above which times do not follow the model.
+/// Root mean square of the residuals, in seconds, above which the times do not follow the model.
 const GREAT_RESIDUAL: f64 = 0.01;
 
-/// Runs the command. The exit code is 0 if all axes are measured and the whole log was used.
+/// Runs the command. The exit code is 0 if all axes were measured and the entire log was used.
 pub(super) fn run(args: &ArmFitArgs, color: Color) -> Result<ExitCode, UserError> {
     if let Some(path) = args.output.as_ref().filter(|_| !args.force) {
         check_absent(path)?;
@@ -66,7 +66,7 @@ fn read(args: &ArmFitArgs, arm: &Arm) -> Result<Log, UserError> {
     }
 }
 
-/// Writes the results of each axis, and everything that could not be used.
+/// Writes each axis' results and all unused parts of the log.
 fn report(arm: &Arm, log: &Log, axes: &[Result<AxisTimes, Undetermined>], out: &mut dyn Write) -> io::Result<()> {
     for fault in &log.faults {
         writeln!(out, "warning: {fault}")?;

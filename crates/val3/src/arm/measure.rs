@@ -15,10 +15,10 @@ use crate::user_error::UserError;
 
 use super::files::{check_absent, write_file};
 
-/// Least length of a range, in degrees or mm. Shorter moves take too few cycles.
+/// Minimum length of a range, in degrees or mm. Shorter moves take too few cycles.
 const SHORTEST_RANGE: f64 = 5.0;
 
-/// Most characters of the name of an application on CS8 controllers.
+/// Maximum number of characters in an application name on CS8 controllers.
 const LONGEST_NAME: usize = 15;
 
 /// Runs the command.
@@ -44,7 +44,7 @@ pub(super) fn run(args: &ArmMeasureArgs) -> Result<(), UserError> {
     Ok(())
 }
 
-/// Checks that an application may have this name.
+/// Checks that `name` is a valid application name.
 fn check_name(name: &str) -> Result<(), UserError> {
     let is_word = name.chars().all(|char| char.is_ascii_alphanumeric() || char == '_')
         && name.starts_with(|first: char| first.is_ascii_alphabetic());
@@ -55,7 +55,7 @@ fn check_name(name: &str) -> Result<(), UserError> {
         .with_help(format!("name a folder with at most {LONGEST_NAME} letters, digits and `_`, such as `armTimes`")))
 }
 
-/// Checks that each axis has at most one range, within the limits of the arm.
+/// Checks that each axis has at most one range, and that the ranges are within the limits of the arm.
 fn check_ranges(arm: &Arm, ranges: &[AxisRange]) -> Result<(), UserError> {
     for (place, range) in ranges.iter().enumerate() {
         let AxisRange { axis, from, to } = *range;

@@ -1,4 +1,4 @@
-//! `val3 arm show`: the file of an arm.
+//! `val3 arm show`: prints an arm file.
 
 use val3_session::ArmFile;
 

@@ -1,19 +1,19 @@
-//! From a launch configuration to the arguments of `val3 run`.
+//! Conversion of a launch configuration to arguments of `val3 run`.
 
 use clap::{Args as _, Command, FromArgMatches as _};
 use serde_json::{Map, Value};
 
 use crate::args::RunArgs;
 
-/// The application of a configuration.
+/// Configuration key of the application.
 pub(super) const APPLICATION: &str = "program";
-/// `--program` in a configuration, where `program` is the application.
+/// Configuration key of the option `--program`, because `program` is the application.
 const START_PROGRAM: &str = "startProgram";
-/// The test of a configuration.
+/// Configuration key of the test.
 pub(super) const TEST: &str = "test";
-/// Keys that a configuration with a test cannot have.
+/// Configuration keys that exclude a test.
 const UNFIT_FOR_TESTS: [&str; 3] = [START_PROGRAM, "script", "keys"];
-/// Options of `val3 run` that a debugged run cannot have, with the reason.
+/// Options of `val3 run` that a debugged run does not support, with the reason.
 const UNFIT: [(&str, &str); 8] = [
     ("interactive", "needs a terminal, which a debugged run does not have"),
     ("screen", "needs a terminal, which a debugged run does not have"),
@@ -25,8 +25,8 @@ const UNFIT: [(&str, &str); 8] = [
     ("open", "is for runs that begin without a debugger"),
 ];
 
-/// The arguments of `val3 run` for a configuration. Its keys are the options in camel case; others are those of the
-/// client and of the adapter.
+/// Converts a configuration to arguments of `val3 run`. Option names are keys in camel case; other keys belong to the
+/// client and the adapter.
 ///
 /// # Errors
 /// The reason why an option cannot be used.
@@ -68,10 +68,10 @@ pub(super) fn arguments(configuration: &Map<String, Value>) -> Result<RunArgs, S
     }
 }
 
-/// The name of the test that a configuration debugs, if it debugs one.
+/// Returns the name of the test that the configuration debugs.
 ///
 /// # Errors
-/// It is no name, or another key belongs to runs alone.
+/// The value is no name, or a key excludes a test.
 pub(super) fn test(configuration: &Map<String, Value>) -> Result<Option<String>, String> {
     let name = match configuration.get(TEST) {
         None | Some(Value::Null) => return Ok(None),
@@ -84,17 +84,17 @@ pub(super) fn test(configuration: &Map<String, Value>) -> Result<Option<String>,
     }
 }
 
-/// The options of `val3 run`.
+/// Command with the options of `val3 run`.
 pub(super) fn command() -> Command {
     RunArgs::augment_args(Command::new("launch").no_binary_name(true).color(clap::ColorChoice::Never))
 }
 
-/// Whether a debugged run cannot have an option.
+/// Whether a debugged run does not support the option.
 pub(super) fn is_unfit(long: &str) -> bool {
     UNFIT.iter().any(|(unfit, _)| *unfit == long)
 }
 
-/// The key of an option.
+/// An option's configuration key.
 pub(super) fn key(long: &str) -> String {
     if long == "program" { START_PROGRAM.to_owned() } else { camel_case(long) }
 }
@@ -112,7 +112,7 @@ fn camel_case(option: &str) -> String {
     })
 }
 
-/// The first line of an error of the command line: the others are about the usage.
+/// First line of a command-line error; the following lines describe the usage.
 fn worded(error: &str) -> String {
     error.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
 }

@@ -1,4 +1,4 @@
-//! Connections of debuggers through a TCP port of this machine.
+//! Debugger connections through a TCP port of this machine.
 
 use std::io::{self, BufReader, Cursor, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, SocketAddr, TcpListener, TcpStream};
@@ -10,10 +10,10 @@ use val3_dap::{Client, read_messages};
 
 use crate::user_error::UserError;
 
-/// The longest wait for a client that does not read.
+/// Write timeout for a client that does not read.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// The beginning of the first header of every client.
+/// First bytes of every client's first header, in lower case.
 const GREETING: &[u8; 8] = b"content-";
 
 /// Listens on a port that only this machine can reach.
@@ -27,7 +27,7 @@ pub(super) fn listen(port: u16) -> Result<TcpListener, UserError> {
     })
 }
 
-/// Passes clients that connect to a port on to a run. Returns the address.
+/// Listens on a port and sends each connecting client to `entrance`. Returns the address.
 ///
 /// # Errors
 /// The port is not free.
@@ -45,7 +45,7 @@ pub(crate) fn receive(port: u16, entrance: Sender<Client>) -> Result<SocketAddr,
     Ok(address)
 }
 
-/// A client with a thread that reads its messages.
+/// Creates a client with a thread that reads its messages.
 pub(super) fn client(stream: TcpStream) -> io::Result<Client> {
     let (sender, inbox) = channel();
     let (input, output) = streams(stream)?;
@@ -57,18 +57,18 @@ pub(super) fn client(stream: TcpStream) -> io::Result<Client> {
     Ok(Client::new(inbox, Box::new(output)))
 }
 
-/// The two directions of a connection. It ends with the second one.
+/// Both directions of a connection. Dropping the output closes the connection.
 pub(super) fn streams(stream: TcpStream) -> io::Result<(TcpStream, Connection)> {
     stream.set_nodelay(true)?;
     stream.set_write_timeout(Some(PATIENCE))?;
     Ok((stream.try_clone()?, Connection(stream)))
 }
 
-/// The input of a connection after a look at its first bytes: pages in browsers can send requests to ports of this machine,
-/// and a debugger can do whatever a program can.
+/// Returns the input of a connection after a check of its first bytes. Pages in browsers can send requests to ports of
+/// this machine, and a debugger can do whatever a program can.
 ///
 /// # Errors
-/// It does not begin as a client does.
+/// The input does not begin like a debugger client's.
 fn checked(mut input: TcpStream) -> io::Result<impl Read> {
     let mut start = [0; GREETING.len()];
     input.read_exact(&mut start)?;
@@ -78,7 +78,7 @@ fn checked(mut input: TcpStream) -> io::Result<impl Read> {
     }
 }
 
-/// The output of a connection, which ends with it.
+/// Output of a connection; dropping it closes the connection.
 pub(super) struct Connection(TcpStream);
 
 impl Write for Connection {
@@ -93,7 +93,7 @@ impl Write for Connection {
 
 impl Drop for Connection {
     fn drop(&mut self) {
-        // A connection that the other side has ended cannot be ended again.
+        // Fails if the client has already closed the connection.
         _ = self.0.shutdown(Shutdown::Both);
     }
 }

@@ -1,4 +1,5 @@
-//! Sessions that another process serves: a run with `--debug-port`, or an adapter of its own for each client of a port.
+//! Relay for sessions that another process serves: a run with `--debug-port`, or the adapter process of a client on a
+//! port.
 
 use std::io::{self, BufReader, Read, Write};
 use std::net::{Ipv4Addr, TcpStream};
@@ -9,10 +10,10 @@ use val3_dap::{Content, Greeting, Incoming, MessageReader, MessageWriter, Protoc
 
 use crate::output::to_stderr;
 
-/// The key of the port in a configuration.
+/// Configuration key of the port.
 const PORT: &str = "port";
 
-/// Connects to the run whose port a configuration names.
+/// Connects to the run at the configuration's port.
 ///
 /// # Errors
 /// The reason why there is no such run.
@@ -23,11 +24,11 @@ pub(super) fn connect(configuration: &Map<String, Value>) -> Result<TcpStream, S
         .map_err(|error| format!("no run listens on port {port} ({error}); `val3 run --debug-port {port}` begins one"))
 }
 
-/// Passes the messages of a session on in both directions, until one side ends it. `input` has the messages of the other
+/// Relays the messages of a session in both directions until one side ends it. `input` has the messages of the other
 /// process, which reads `output`.
 ///
 /// # Errors
-/// The other process does not read the beginning of the session.
+/// The other process does not read the first messages of the session.
 pub(super) fn relay(
     greeting: Greeting,
     start: &SessionStart,
@@ -50,9 +51,9 @@ pub(super) fn relay(
         }
     });
     while let Ok(Some(message)) = from_server.read() {
-        // The client has the response to its first request.
+        // The greeting has already responded to the client's first request.
         let is_known = matches!(message.content, Content::Response { request_seq: 0, .. });
-        // A client that has left is no error.
+        // A disconnected client is no error.
         if !is_known && to_client.write(message.content).is_err() {
             break;
         }

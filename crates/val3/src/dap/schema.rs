@@ -1,4 +1,4 @@
-//! The JSON schemas of `launch` and `attach`, for editors. They derive from the arguments of `val3 run`.
+//! JSON schemas of `launch` and `attach` for editors, derived from the arguments of `val3 run`.
 
 use std::any::TypeId;
 
@@ -10,8 +10,7 @@ use val3_lang::ports::Time;
 
 use super::launch::{APPLICATION, TEST, command, is_unfit, key};
 
-/// The schemas by the name of the request, as text with a final newline. Editors read it from
-/// `editors/schema/debugger.schema.json`.
+/// Schemas by request name, as text with a final newline. Editors read `editors/schema/debugger.schema.json`.
 pub(crate) fn json_schemas() -> String {
     let mut attach = common();
     let port = json!({
@@ -40,7 +39,7 @@ fn launch() -> Map<String, Value> {
     properties
 }
 
-/// The keys that both requests have.
+/// Keys of both requests.
 fn common() -> Map<String, Value> {
     let stop = json!({ "type": "boolean", "default": false, "description": "Stop at once, before the first line of a launched run" });
     let mode = json!({
@@ -90,7 +89,7 @@ fn common() -> Map<String, Value> {
     keys.into_iter().map(|(key, schema)| (key.to_owned(), schema)).collect()
 }
 
-/// The schema of an option.
+/// Option schema.
 fn property(option: &Arg) -> Value {
     let mut schema = Map::new();
     let choices = option.get_possible_values();
@@ -131,7 +130,7 @@ fn type_name(option: &Arg) -> &'static str {
     }
 }
 
-/// The text with the keys of a configuration for the options that it mentions.
+/// Replaces options in a help text by their configuration keys.
 fn with_keys(help: &str) -> String {
     let word = |word: &str| match word.strip_prefix("--") {
         None => word.to_owned(),

@@ -1,4 +1,4 @@
-//! `val3 dap --port`: each connection has an adapter process of its own, which begins when the client has sent the secret.
+//! `val3 dap --port`: each client that has sent the secret gets its own adapter process.
 
 use std::io;
 use std::net::TcpStream;
@@ -14,10 +14,10 @@ use crate::output::to_stderr;
 use crate::secret::DebugSecret;
 use crate::user_error::UserError;
 
-/// Serves clients until the process is ended.
+/// Serves clients until the process ends.
 ///
 /// # Errors
-/// The port is not free, or there is no secret.
+/// The port is not free, or the secret cannot be chosen.
 pub(super) fn serve(port: u16) -> Result<ExitCode, UserError> {
     let secret = DebugSecret::choose()?;
     let listener = listen(port)?;
@@ -34,7 +34,7 @@ pub(super) fn serve(port: u16) -> Result<ExitCode, UserError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Connects a client with an adapter, until one of them has ended.
+/// Connects a client with an adapter process until one of them ends the session.
 fn attend(stream: TcpStream, secret: Secret) -> io::Result<()> {
     let mut greeting = Greeting::through_port(client(stream)?, secret);
     match start(&mut greeting) {
@@ -43,7 +43,7 @@ fn attend(stream: TcpStream, secret: Secret) -> io::Result<()> {
     }
 }
 
-/// The request that begins the session. `None` if the client has left before.
+/// Waits for the request that begins the session. `None` if the client disconnects before.
 fn start(greeting: &mut Greeting) -> Option<SessionStart> {
     loop {
         match greeting.attend() {
@@ -54,12 +54,12 @@ fn start(greeting: &mut Greeting) -> Option<SessionStart> {
     }
 }
 
-/// Passes a session on to a new adapter, which ends with it.
+/// Relays a session to a new adapter process, which ends with the session.
 fn serve_in_a_process(greeting: Greeting, start: &SessionStart) -> io::Result<()> {
     let mut adapter =
         Command::new(std::env::current_exe()?).arg("dap").stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
     if let (Some(to_adapter), Some(from_adapter)) = (adapter.stdin.take(), adapter.stdout.take()) {
-        // The adapter ends with its input, and closes its output then.
+        // When its input ends, the adapter exits and closes its output.
         relay(greeting, start, from_adapter, to_adapter)?;
     }
     adapter.wait()?;

@@ -1,4 +1,4 @@
-//! Two versions, each compared with their common ancestor, and the conflicts of a merge.
+//! Comparison of two versions with their common ancestor, and the conflicts of a merge.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
@@ -12,13 +12,13 @@ use crate::output::{Content, to_stdout_as};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
-/// Files by their paths from the compared folder.
+/// File contents by the path relative to the compared folder.
 type Files = FxHashMap<Utf8PathBuf, Vec<u8>>;
 
-/// The two versions to compare with the base.
+/// Returns the two versions to compare with the base.
 ///
 /// # Errors
-/// Another number of versions is given, or the format has room for one comparison only.
+/// The number of versions is not 2, or the format supports only one comparison.
 pub(super) fn sides(args: &DiffArgs) -> Result<[&Utf8PathBuf; 2], UserError> {
     let [ours, theirs] = args.paths.as_slice() else {
         return Err(UserError::new(format!("--base compares two versions, and {} are given", args.paths.len()))
@@ -31,7 +31,7 @@ pub(super) fn sides(args: &DiffArgs) -> Result<[&Utf8PathBuf; 2], UserError> {
     Ok([ours, theirs])
 }
 
-/// Writes the conflicts of a merge of base, ours and theirs.
+/// Writes the conflicts of merging base, ours and theirs.
 pub(super) fn write_conflicts(
     current: &Utf8Path,
     [base, ours, theirs]: [&Utf8Path; 3],
@@ -44,13 +44,13 @@ pub(super) fn write_conflicts(
     to_stdout_as(Content::Words, Color::Never, |out| left.iter().try_for_each(|line| writeln!(out, "{line}")))
 }
 
-/// Writes the heading of a part.
+/// Writes a section heading.
 pub(super) fn heading(text: &str, format: DiffFormat) -> Result<(), UserError> {
     let mark = if format == DiffFormat::Markdown { "# " } else { "== " };
     to_stdout_as(Content::Words, Color::Never, |out| writeln!(out, "{mark}{text}"))
 }
 
-/// The files of a folder, or one file with the name that all versions get.
+/// Returns the files of a folder, or one file under the name `name`, which is the same for all versions.
 fn files(current: &Utf8Path, path: &Utf8Path, name: &str) -> Result<Files, UserError> {
     let whole = current.join(path);
     if whole.is_dir() || val3_files::is_archive_name(path) {
@@ -62,7 +62,7 @@ fn files(current: &Utf8Path, path: &Utf8Path, name: &str) -> Result<Files, UserE
     Ok([(name.into(), folder::read(&whole, path.as_str())?)].into_iter().collect())
 }
 
-/// Conflicts of the files that both sides have changed.
+/// Conflicts in files that both sides have changed.
 fn left_by_merge([base, ours, theirs]: &[Files; 3]) -> Vec<String> {
     let mut paths: Vec<&Utf8PathBuf> = ours.keys().chain(theirs.keys()).chain(base.keys()).collect();
     paths.sort();

@@ -1,4 +1,4 @@
-//! The files of a folder.
+//! Reads the files of a folder.
 
 use std::collections::BTreeSet;
 
@@ -11,19 +11,19 @@ use val3_files::{FileClass, unpack};
 use super::wanted::is_hidden;
 use crate::user_error::UserError;
 
-/// The deepest folder that is searched.
+/// Maximum depth of searched folders.
 const DEPTH: usize = 32;
 
-/// Names of the file that git passes where one version has none.
+/// File names that git passes for a version without the file.
 const ABSENT: [&str; 3] = ["/dev/null", "NUL", "nul"];
 
-/// Whether a path stands for a version that does not exist.
+/// Whether the path means a version that does not exist.
 pub(super) fn is_absent(path: &Utf8Path) -> bool {
     ABSENT.contains(&path.as_str())
 }
 
-/// The files below `folder`, or in the archive of this path, by their paths from there. Files and folders whose names begin
-/// with a dot are those of other tools.
+/// Returns the files in `folder` or in the archive at this path, by their relative paths. Omits files and folders whose
+/// names begin with a dot, because they belong to other tools.
 pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, UserError> {
     if folder.is_file() {
         let fault = |fault| UserError::new(format!("cannot read the archive `{folder}`: {fault}"));
@@ -40,9 +40,9 @@ pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, Us
 
 struct Search<'f> {
     root: &'f Utf8Path,
-    /// The files with their paths from the root.
+    /// Files with their paths relative to the root.
     found: Vec<(Utf8PathBuf, Utf8PathBuf)>,
-    /// Folders already searched, so that links in a circle end.
+    /// Folders already searched, so that circular links end.
     seen: BTreeSet<Utf8PathBuf>,
 }
 
@@ -74,7 +74,7 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// The path from the folder that is searched, with `/`; from the folder around it for a search that starts in `configs`.
+    /// Path relative to the searched folder, with `/`; relative to its parent if the search starts in `configs`.
     fn key(&self, path: &Utf8Path) -> Utf8PathBuf {
         let inner = path.strip_prefix(self.root).unwrap_or(path);
         let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
@@ -83,7 +83,7 @@ impl Search<'_> {
     }
 }
 
-/// The bytes of a file, which messages call `shown`.
+/// Reads a file, which messages call `shown`.
 pub(super) fn read(path: &Utf8Path, shown: &str) -> Result<Vec<u8>, UserError> {
     val3_files::read(path, FileClass::Program)
         .map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))

@@ -1,4 +1,4 @@
-//! What git knows: revisions, their files, and the files of the working tree.
+//! Access to git: revisions, their files, and the files of the working tree.
 
 use std::io::{ErrorKind, Seek as _, Write as _};
 use std::process::{Command, Output, Stdio};
@@ -10,16 +10,16 @@ use val3_files::{FileClass, Unreadable};
 use super::wanted::Wanted;
 use crate::user_error::UserError;
 
-/// A repository, seen from a folder in it.
+/// A repository, accessed from a folder in it.
 pub(super) struct Repository {
-    /// An existing folder in it.
+    /// An existing folder in the repository.
     folder: Utf8PathBuf,
-    /// The path of the requested folder from the root of the repository, without a slash at its end.
+    /// Path of the requested folder relative to the repository's root, without a final slash.
     prefix: Utf8PathBuf,
 }
 
 impl Repository {
-    /// The repository around a path, which need not exist in the working tree.
+    /// Finds the repository that contains the path, which need not exist in the working tree.
     pub(super) fn around(path: &Utf8Path) -> Result<Self, UserError> {
         let folder = path.ancestors().find(|folder| folder.is_dir()).unwrap_or(Utf8Path::new("."));
         let inner = path.strip_prefix(folder).unwrap_or(Utf8Path::new(""));
@@ -32,7 +32,7 @@ impl Repository {
         Ok(Self { folder: folder.to_owned(), prefix })
     }
 
-    /// The tree of a revision; `None` if there is no such revision.
+    /// Tree of a revision; `None` if there is no such revision.
     pub(super) fn tree(&self, revision: &str) -> Result<Option<String>, UserError> {
         if revision.starts_with('-') {
             return Ok(None);
@@ -41,13 +41,13 @@ impl Repository {
         Ok(found.status.success().then(|| String::from_utf8_lossy(&found.stdout).trim().to_owned()))
     }
 
-    /// A revision has a file or folder with this path from the current folder.
+    /// Whether the revision has a file or folder at this path, relative to the current folder.
     pub(super) fn has(&self, revision: &str, path: &str) -> Result<bool, UserError> {
         let found = git(&self.folder, &["rev-parse", "--verify", "--quiet", &format!("{revision}:./{path}")])?;
         Ok(!revision.starts_with('-') && found.status.success())
     }
 
-    /// The newest common ancestor of two revisions; `None` without one.
+    /// Newest common ancestor of two revisions; `None` without one.
     pub(super) fn merge_base(&self, old: &str, new: &str) -> Result<Option<String>, UserError> {
         if old.starts_with('-') || new.starts_with('-') {
             return Ok(None);
@@ -57,13 +57,13 @@ impl Repository {
         Ok(Some(base).filter(|base| found.status.success() && !base.is_empty()))
     }
 
-    /// The files of a tree that a comparison reads.
+    /// Reads the compared files of a tree.
     pub(super) fn files_of(&self, tree: &str) -> Result<Tree, UserError> {
         let listed = git(&self.folder, &self.restricted(&["ls-tree", "-r", "-z", "--full-tree", tree]))?;
         self.files_in(&successful(listed, "list the files of the revision")?)
     }
 
-    /// The staged files that a comparison reads.
+    /// Reads the compared staged files.
     pub(super) fn staged(&self) -> Result<Tree, UserError> {
         let root = self.root()?;
         let listed = git(&root, &self.restricted(&["ls-files", "-z", "--stage"]))?;
@@ -76,14 +76,14 @@ impl Repository {
         self.files_in(&listed)
     }
 
-    /// The arguments, restricted to the requested folder.
+    /// Returns the arguments, restricted to the requested folder.
     fn restricted<'a>(&'a self, arguments: &[&'a str]) -> Vec<&'a str> {
         let is_all = self.prefix.as_str().is_empty();
         let folder = ["--", self.prefix.as_str()];
         arguments.iter().copied().chain(folder.into_iter().filter(|_| !is_all)).collect()
     }
 
-    /// The files of a list of entries that end in a zero byte.
+    /// Reads the files in a list of entries that end in a zero byte.
     fn files_in(&self, listed: &[u8]) -> Result<Tree, UserError> {
         let entries = listed.split(|byte| *byte == 0).filter_map(|entry| std::str::from_utf8(entry).ok());
         let blobs: Vec<(&str, &str)> = entries.filter_map(blob).collect();
@@ -94,12 +94,12 @@ impl Repository {
         Ok(Tree::new(wanted.into_iter().map(|(path, _)| path).zip(bytes)))
     }
 
-    /// The path from the requested folder, if a file belongs to the comparison.
+    /// Path relative to the requested folder; `None` if the file is not compared.
     fn wanted(&self, path: &str, all: &Wanted) -> Option<Utf8PathBuf> {
         let path = Utf8Path::new(path);
         let inner = path.strip_prefix(&self.prefix).ok()?;
         let inner = if inner.as_str().is_empty() { Utf8Path::new(path.file_name()?) } else { inner };
-        // Below `configs`, only the whole path shows what a file is.
+        // For files in `configs`, the file type depends on the whole path.
         match (Tree::wants(inner), all.has(path)) {
             (true, _) => Some(inner.to_owned()),
             (false, true) => Some(path.to_owned()),
@@ -107,10 +107,10 @@ impl Repository {
         }
     }
 
-    /// The contents of objects, in their order.
+    /// Contents of the objects, in order.
     fn contents<'o>(&self, objects: impl Iterator<Item = &'o str>) -> Result<Vec<Vec<u8>>, UserError> {
         let failed = |error: std::io::Error| UserError::new(format!("cannot ask git for files: {error}"));
-        // A file as input, because a pipe could fill up while nothing reads the answers.
+        // The input is a file: git would block on a full output pipe while nothing reads it.
         let mut input = tempfile::tempfile().map_err(failed)?;
         let mut count = 0;
         for object in objects {
@@ -129,14 +129,14 @@ impl Repository {
         Ok(contents)
     }
 
-    /// The root of the working tree.
+    /// Root of the working tree.
     fn root(&self) -> Result<Utf8PathBuf, UserError> {
         let root = git(&self.folder, &["rev-parse", "--show-toplevel"])?;
         let root = successful(root, "find the working tree; a bare repository has none, so name two revisions")?;
         Ok(Utf8PathBuf::from(String::from_utf8_lossy(&root).trim_end_matches(['\n', '\r'])))
     }
 
-    /// The files of the working tree that a comparison reads, without those that git ignores.
+    /// Reads the compared files of the working tree, without files that git ignores.
     pub(super) fn working_tree(&self) -> Result<Tree, UserError> {
         let root = self.root()?;
         let arguments = self.restricted(&["ls-files", "-z", "--cached", "--others", "--exclude-standard"]);
@@ -158,7 +158,7 @@ impl Repository {
 }
 
 /// Path and object of an entry of `git ls-tree`, `100644 blob 1234…<tab>path`, or of `git ls-files --stage`,
-/// `100644 1234… 0<tab>path`. Links are left out.
+/// `100644 1234… 0<tab>path`. `None` for links.
 fn blob(entry: &str) -> Option<(&str, &str)> {
     let (head, path) = entry.split_once('\t')?;
     let words: Vec<&str> = head.split(' ').collect();
@@ -169,13 +169,13 @@ fn blob(entry: &str) -> Option<(&str, &str)> {
     mode.starts_with("100").then_some((path, object))
 }
 
-/// The path of an entry of `git ls-files --stage` that has one of the numbers of a conflict in place of 0.
+/// Path of an entry of `git ls-files --stage` with a conflict's stage number (1 to 3), not 0.
 fn unmerged(entry: &str) -> Option<&str> {
     let (head, path) = entry.split_once('\t')?;
     head.rsplit(' ').next().is_some_and(|stage| matches!(stage, "1" | "2" | "3")).then_some(path)
 }
 
-/// The answers of `git cat-file --batch`: `<object> blob <size>`, the bytes, a line end.
+/// Parses the output of `git cat-file --batch`: `<object> blob <size>`, the bytes, a line end.
 fn batch(mut output: &[u8]) -> Vec<Vec<u8>> {
     let mut contents = Vec::new();
     while let Some(end) = output.iter().position(|byte| *byte == b'\n') {
@@ -190,10 +190,10 @@ fn batch(mut output: &[u8]) -> Vec<Vec<u8>> {
 
 fn command(folder: &Utf8Path, arguments: &[&str]) -> Command {
     let mut command = Command::new("git");
-    // The repository may be a stranger's: its configuration must not start a program, as a monitor of files or a fetch of
-    // missing objects would.
+    // The repository may be untrusted: its configuration must not start programs, such as a file monitor or a download
+    // of missing objects.
     command.env("GIT_NO_LAZY_FETCH", "1").env("GIT_ALLOW_PROTOCOL", "none").args(["-c", "core.fsmonitor=false"]);
-    // A pathspec is a path here, whatever characters it has. Messages are read, so they must be in English.
+    // Special characters in paths have no meaning. Messages are parsed, so they must be in English.
     command
         .env("LC_ALL", "C")
         .arg("--literal-pathspecs")
@@ -226,7 +226,7 @@ fn not_started(error: std::io::Error) -> UserError {
         .with_help("install git, or compare two folders: `val3 diff OLD NEW`")
 }
 
-/// The standard output of a command that must not fail.
+/// Returns the standard output, or an error if the command has failed.
 fn successful(output: Output, purpose: &str) -> Result<Vec<u8>, UserError> {
     if output.status.success() {
         return Ok(output.stdout);

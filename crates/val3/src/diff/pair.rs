@@ -10,7 +10,7 @@ use crate::loose::archives_under;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
-/// The root elements of files and the extensions of those files.
+/// File extensions by root element.
 const ROOTS: [(&str, &str); 6] = [
     ("<Programs", "pgx"),
     ("<programList", "pgx"),
@@ -35,7 +35,7 @@ pub(super) fn versions(current: &Utf8Path, old: &Utf8Path, new: &Utf8Path) -> Re
     Ok(Versions { trees, names })
 }
 
-/// The kind of a path; `None` for the absent file.
+/// Kind of a path; `None` for a version that does not exist.
 fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<Kind>, UserError> {
     if folder::is_absent(path) {
         return Ok(None);
@@ -45,7 +45,7 @@ fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<Kind>, UserError> 
             .with_help("name the two folders or files to compare; for a revision of git use --git")
     };
     match Disk.kind(&current.join(path)).ok_or_else(missing)? {
-        // An archive is compared as the folder that it contains.
+        // An archive is compared as a folder.
         Kind::File if is_archive_name(path) => Ok(Some(Kind::Folder)),
         kind => Ok(Some(kind)),
     }
@@ -70,7 +70,7 @@ fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {
     Ok(Tree::new(files))
 }
 
-/// The path as people open it.
+/// Path as the user would open it.
 fn shown(path: &Utf8Path) -> Result<String, UserError> {
     Ok(Paths::new(&[], &current_folder()?).shown(path))
 }
@@ -79,8 +79,8 @@ fn is_project(path: &Utf8Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"))
 }
 
-/// Two single files. Two project files mean their applications, unless one of them is alone in its folder, as the
-/// temporary files of git are.
+/// Reads two single files. Two project files mean their applications, unless one of the folders contains no other file,
+/// as with the temporary files of git.
 fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<Kind>; 2]) -> Result<[Tree; 2], UserError> {
     if kinds.iter().all(Option::is_some) && paths.iter().all(|path| is_project(path)) {
         let [old, new] = [application(&paths[0])?, application(&paths[1])?];
@@ -107,7 +107,7 @@ fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<Kind>; 2]) -> Result<[Tree; 2]
     Ok([Tree::new(old.map(|bytes| (key.clone(), bytes))), Tree::new(new.map(|bytes| (key, bytes)))])
 }
 
-/// A folder and a project file, which means its application.
+/// Reads a folder and the application of a project file.
 fn projects(paths: &[Utf8PathBuf; 2], is_first_file: bool) -> Result<[Tree; 2], UserError> {
     let [old, new] = paths;
     let file = if is_first_file { old } else { new };
@@ -120,12 +120,12 @@ fn projects(paths: &[Utf8PathBuf; 2], is_first_file: bool) -> Result<[Tree; 2], 
     Ok([read(old, is_first_file)?, read(new, !is_first_file)?])
 }
 
-/// The folder of a project file.
+/// Reads the folder of a project file.
 fn application(path: &Utf8Path) -> Result<Tree, UserError> {
     tree(path.parent().unwrap_or(Utf8Path::new(".")), Some(Kind::Folder))
 }
 
-/// The path with the extension that suits the content, where a temporary file has another one.
+/// Path with the file extension of the content, because temporary files have other extensions.
 pub(super) fn named_by_content(path: &Utf8Path, bytes: &[u8]) -> Utf8PathBuf {
     if Tree::wants(path) || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("cfx")) {
         return path.to_owned();

@@ -1,4 +1,4 @@
-//! The report on the standard output.
+//! Writes the report to the standard output.
 
 use std::io;
 

@@ -1,4 +1,4 @@
-//! Revisions of git.
+//! Comparison of git revisions.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
@@ -8,7 +8,7 @@ use super::git::Repository;
 use crate::args::DiffArgs;
 use crate::user_error::UserError;
 
-/// What is compared.
+/// The revisions and the path to compare.
 struct Request {
     old: String,
     new: NewVersion,
@@ -74,8 +74,8 @@ fn request(current: &Utf8Path, args: &DiffArgs) -> Result<Request, UserError> {
     Ok(Request { old, new, path })
 }
 
-/// The revisions of `OLD..NEW`, and of `OLD...NEW`, which means the changes of NEW since both had a common ancestor. A side that is not
-/// written is HEAD. `None` for a single revision, whose name may contain dots.
+/// Revisions of `OLD..NEW`, or of `OLD...NEW`, which means the changes of NEW since their common ancestor. An omitted
+/// side is HEAD. `None` for a single revision, whose name may contain dots.
 fn range(current: &Utf8Path, word: &str) -> Result<Option<(String, String)>, UserError> {
     let split =
         word.split_once("...").map(|sides| (sides, true)).or_else(|| word.split_once("..").map(|sides| (sides, false)));
@@ -96,7 +96,8 @@ fn range(current: &Utf8Path, word: &str) -> Result<Option<(String, String)>, Use
     Ok(Some((base, new)))
 }
 
-/// The revisions and the path. `--git REV PATH` looks like two revisions: a word that is none is the path, if it exists in either version.
+/// Splits the arguments into revisions and path. In `--git REV PATH`, clap reads two revisions: a word that is no
+/// revision is the path if it exists in either version.
 fn arguments(
     current: &Utf8Path,
     revisions: &[String],
@@ -115,7 +116,7 @@ fn too_many(count: usize) -> UserError {
         .with_help("write `val3 diff --git REV [REV] [PATH]` or `val3 diff --staged [PATH]`")
 }
 
-/// The word is no revision, and names something in the working tree or in the old revision.
+/// Whether the word is no revision, and is a path in the working tree or in the old revision.
 fn is_path(current: &Utf8Path, old: &str, word: &str) -> Result<bool, UserError> {
     let repository = Repository::around(current)?;
     if repository.tree(word)?.is_some() {

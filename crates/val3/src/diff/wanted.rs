@@ -1,33 +1,33 @@
-//! The files of a repository that belong to a comparison: those of VAL 3 and of the cell, and all others of a backup or of an
-//! application. A repository also has files about them, such as a readme.
+//! Selects the compared files of a repository: VAL 3 and cell files, and all other files of a backup or an application.
+//! Other files of a repository, such as a readme, are not compared.
 
 use std::collections::BTreeSet;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_diff::Tree;
 
-/// Says which files belong to a comparison.
+/// Selects compared files.
 pub(super) struct Wanted {
-    /// The folders with a project file.
+    /// Folders that contain a project file.
     applications: BTreeSet<Utf8PathBuf>,
 }
 
 impl Wanted {
-    /// The files among these paths.
+    /// Finds the application folders among these paths.
     pub(super) fn among<'p>(paths: impl Iterator<Item = &'p Utf8Path>) -> Self {
         let is_project = |path: &&Utf8Path| path.extension().is_some_and(|end| end.eq_ignore_ascii_case("pjx"));
         let folders = paths.filter(is_project).filter_map(Utf8Path::parent);
         Self { applications: folders.map(Utf8Path::to_owned).collect() }
     }
 
-    /// Whether a file belongs to the comparison.
+    /// Whether the file is compared.
     pub(super) fn has(&self, path: &Utf8Path) -> bool {
         let is_of_application = || path.ancestors().skip(1).any(|folder| self.applications.contains(folder));
         Tree::wants(path) || (Tree::is_in_backup(path) || is_of_application()) && !is_hidden(path)
     }
 }
 
-/// Whether a file is one of another tool, because its name or that of a folder begins with a dot.
+/// Whether the file belongs to another tool, because its name or a folder's name begins with a dot.
 pub(super) fn is_hidden(path: &Utf8Path) -> bool {
     path.components().any(|part| part.as_str().starts_with('.'))
 }
@@ -42,7 +42,7 @@ mod tests {
         let wanted = Wanted::among(paths.iter().map(Utf8Path::new));
         let found: Vec<&str> = paths.into_iter().filter(|path| wanted.has(Utf8Path::new(path))).collect();
         assert_eq!(found, ["cell/a/a.pjx", "cell/a/recipes/12.txt", "usr/app/x.dll"]);
-        // The folder of an application itself.
+        // Checks an application at the root.
         assert!(Wanted::among([Utf8Path::new("a.pjx")].into_iter()).has("recipes/12.txt".into()));
     }
 }

@@ -1,21 +1,21 @@
-//! Ctrl-C while a text is evaluated at the prompt: it ends the text, not the session.
+//! Ctrl-C during an evaluation at the prompt ends the evaluation, not the session.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use crate::user_error::UserError;
 
-/// Makes Ctrl-C set `flag`, without any other effect.
+/// Makes Ctrl-C set `flag` and have no other effect.
 ///
 /// # Errors
-/// The system refuses.
+/// The signal handler cannot be installed.
 #[cfg(unix)]
 pub(super) fn catch(flag: &Arc<AtomicBool>) -> Result<(), UserError> {
     let caught = signal_hook::flag::register(signal_hook::consts::SIGINT, Arc::clone(flag));
     caught.map(drop).map_err(|error| UserError::new(format!("cannot catch Ctrl-C: {error}")))
 }
 
-/// Ctrl-C has its usual effect.
+/// Does nothing: Ctrl-C keeps its default effect.
 #[cfg(not(unix))]
 pub(super) fn catch(_: &Arc<AtomicBool>) -> Result<(), UserError> {
     Ok(())

@@ -1,4 +1,4 @@
-//! `val3 eval` at a terminal: lines with history and completion.
+//! `val3 eval` at a terminal, with history and completion.
 
 use std::cell::RefCell;
 use std::process::ExitCode;
@@ -23,14 +23,14 @@ pub(crate) fn run(evaluator: Evaluator, color: Color) -> Result<ExitCode, UserEr
     let config = Config::builder().completion_type(CompletionType::List).build();
     let mut editor: Editor<Names, DefaultHistory> = Editor::with_config(config).map_err(|error| no_terminal(&error))?;
     editor.set_helper(Some(Names { evaluator: Rc::clone(&evaluator) }));
-    // The editor has a handler of its own, which would replace this one.
+    // Registered after the line editor, whose own handler would replace this handler.
     interrupt::catch(&flag)?;
     loop {
         match editor.readline("> ") {
             Ok(text) if text.trim().is_empty() => {}
             Ok(text) => {
                 editor.add_history_entry(&text).map_err(|error| no_terminal(&error))?;
-                // Pasted lines are texts of their own.
+                // A pasted text may contain several texts.
                 for text in texts(&text) {
                     if evaluate(&mut evaluator.borrow_mut(), &text, color)? == TextOutcome::Exit {
                         return Ok(ExitCode::SUCCESS);
@@ -48,7 +48,7 @@ fn no_terminal(error: &ReadlineError) -> UserError {
     UserError::new(format!("cannot read from the terminal: {error}")).with_help("give the texts as arguments")
 }
 
-/// Completes names at the cursor as editors do, and continues a block on the next line.
+/// Completes names at the cursor, and continues an open block on the next line.
 #[derive(Helper, Highlighter, Hinter)]
 struct Names {
     evaluator: Rc<RefCell<Evaluator>>,
@@ -61,7 +61,7 @@ impl Completer for Names {
         let found = self.evaluator.borrow_mut().completions(line, at);
         let start = found.first().map_or(at, |(start, _)| *start);
         let typed = line.get(start..at).unwrap_or_default();
-        // A terminal completes what is typed; it has no list to choose likely names from.
+        // A terminal shows no list for choosing a similar name, so only names with the typed prefix remain.
         let mut names: Vec<String> = found.into_iter().map(|(_, name)| name).collect();
         names.retain(|name| name.len() > typed.len() && name.starts_with(typed) && !name.contains(char::is_control));
         names.sort_unstable();
@@ -73,7 +73,7 @@ impl Completer for Names {
 impl Validator for Names {
     fn validate(&self, context: &mut ValidationContext<'_>) -> rustyline::Result<ValidationResult> {
         let text = context.input();
-        // An empty line ends a block that is not closed.
+        // An empty line ends an open block.
         let continues = !text.ends_with('\n') && has_open_block(text);
         Ok(if continues { ValidationResult::Incomplete } else { ValidationResult::Valid(None) })
     }

@@ -3,14 +3,14 @@
 //! ```json
 //! {"version": 1, "pages": [{"kind": "run-time error", "names": ["123"], "heading": "…", "summary": "…", "page": "…"}]}
 //! ```
-//! `page` is Markdown. Of a search, `excerpt` is the best sentence of each page.
+//! `page` is Markdown. `excerpt` is the best sentence of a page that a search has found.
 
 use serde_json::{Value, json};
 use val3_check::topics::Topic;
 
 use super::{Answer, results};
 
-/// The document for an answer.
+/// Converts the result to a document.
 pub(super) fn document(answer: &Answer<'_>) -> Value {
     let pages: Vec<Value> = match answer {
         Answer::Pages(pages) => pages.iter().map(|topic| page(topic, None)).collect(),

@@ -7,7 +7,7 @@ use val3_check::topics::{Kind, Topic};
 
 use crate::markdown::{code_style, heading_style, styled};
 
-/// Writes a line for each topic, below the headings of kinds and groups.
+/// Writes one line for each topic, grouped by kind and group.
 pub(super) fn write(topics: &[Topic], out: &mut dyn WriteColor) -> io::Result<()> {
     let mut listed: Option<(Kind, &str)> = None;
     for topic in topics {
@@ -21,7 +21,7 @@ pub(super) fn write(topics: &[Topic], out: &mut dyn WriteColor) -> io::Result<()
     Ok(())
 }
 
-/// The heading of a group: `Instructions: Motion`.
+/// Writes a group heading, for example `Instructions: Motion`.
 fn heading((kind, group): (Kind, &str), before: Option<(Kind, &str)>, out: &mut dyn WriteColor) -> io::Result<()> {
     if before.is_some() {
         writeln!(out)?;

@@ -7,10 +7,10 @@ use val3_check::topics::{Hit, Kind};
 
 use crate::markdown::{code_style, heading_style, render, styled};
 
-/// The most results that are shown.
+/// Maximum number of shown results.
 const MOST: usize = 10;
 
-/// Writes the best results: the words for `val3 explain`, the title and a sentence of the page.
+/// Writes the best results: the arguments for `val3 explain`, the title and an excerpt.
 pub(super) fn write(words: &[&str], hits: &[Hit<'_>], out: &mut dyn WriteColor) -> io::Result<()> {
     match words {
         [word] => writeln!(out, "No page has the name `{word}`. It is searched in the text of all pages:")?,
@@ -30,7 +30,7 @@ pub(super) fn write(words: &[&str], hits: &[Hit<'_>], out: &mut dyn WriteColor) 
     }
 }
 
-/// The kind of a single page.
+/// Name of the page kind, in the singular.
 pub(super) fn kind(kind: Kind) -> &'static str {
     match kind {
         Kind::Finding => "finding",

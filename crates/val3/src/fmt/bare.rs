@@ -1,21 +1,22 @@
-//! Code without its XML, from `begin` to `end`, as an editor or a chat holds it.
+//! Formats code without XML, from `begin` to `end`, as copied from an editor or a chat.
 
 use val3_fmt::Style;
 use val3_syntax::decode_entities;
 use val3_syntax::xml::escaped;
 
-/// The XML around code of the old dialect, where code may hold any character.
+/// XML that encloses code of the old dialect, in which code may contain any character.
 const HEAD: &str = "<programList xmlns=\"ProgramNameSpace\"><program name=\"program\"><source><code>";
 const TAIL: &str = "</code></source></program></programList>";
-/// The byte order mark.
+/// Byte order mark.
 const MARK: char = '\u{feff}';
 
-/// Whether the text is code and not XML.
+/// Whether the text is code without XML.
 pub(super) fn is_bare(text: &str) -> bool {
     !text.trim_start_matches(MARK).trim_start().starts_with('<')
 }
 
-/// The code with its layout, and whether some of it cannot be read; `None` if it does not begin with `begin`.
+/// Formats the code. The second value is whether a part was skipped because of syntax errors. `None` if the code does
+/// not begin with `begin`.
 pub(super) fn format(text: &str, style: &Style) -> Option<(String, bool)> {
     let code = text.trim_start_matches(MARK).trim_start();
     if !begins(code) {

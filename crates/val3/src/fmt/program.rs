@@ -1,4 +1,4 @@
-//! One program with its layout.
+//! Formats one program.
 
 use camino::Utf8PathBuf;
 use val3_files::{FileClass, replace_unchanged};
@@ -12,26 +12,26 @@ use crate::fixing::{encoded, unencodable};
 use crate::user_error::UserError;
 use crate::write_scope::WriteScope;
 
-/// A program before and after.
+/// A program before and after formatting.
 pub(super) struct Formatted {
     path: Utf8PathBuf,
-    /// The path as people open it.
+    /// Path as the user would open it.
     pub(super) shown: String,
-    /// The text as it was read.
+    /// Text before formatting.
     pub(super) before: String,
-    /// The text with its layout.
+    /// Formatted text.
     pub(super) after: String,
-    /// Some of the code cannot be read.
+    /// Whether code with syntax errors was not formatted.
     pub(super) left_alone: bool,
     bytes: Vec<u8>,
     encoding: Encoding,
 }
 
 impl Formatted {
-    /// The layout of the program in `bytes`, in memory.
+    /// Formats the program in `bytes`, in memory.
     ///
     /// # Errors
-    /// The bytes are no text, or the elements of the file cannot be told apart.
+    /// The bytes are no text, or the XML elements cannot be separated.
     pub(super) fn new(path: Utf8PathBuf, shown: String, bytes: Vec<u8>, style: &Style) -> Result<Self, UserError> {
         if let Some(foreign) = ForeignContent::of(&bytes) {
             return Err(UserError::new(format!("cannot read `{shown}`: {foreign}")));
@@ -47,10 +47,10 @@ impl Formatted {
         Ok(Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding })
     }
 
-    /// As [`Self::new`], for a program or for its code alone, as the standard input may hold it.
+    /// As [`Self::new`], for a program or code without XML from the standard input.
     ///
     /// # Errors
-    /// If the bytes are neither.
+    /// The bytes are neither a program nor code.
     pub(super) fn of_stream(
         path: Utf8PathBuf,
         shown: String,
@@ -65,15 +65,15 @@ impl Formatted {
         Ok(Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding })
     }
 
-    /// Whether the layout changes.
+    /// Whether formatting changes the program.
     pub(super) fn changes(&self) -> bool {
         self.before != self.after
     }
 
-    /// The program as the file holds it.
+    /// Returns the encoded program.
     ///
     /// # Errors
-    /// If its encoding cannot be written.
+    /// The encoding cannot represent the text.
     pub(super) fn bytes(&self) -> Result<Vec<u8>, UserError> {
         if !self.changes() {
             return Ok(self.bytes.clone());
@@ -81,18 +81,18 @@ impl Formatted {
         encoded(self.encoding, &self.after).ok_or_else(|| unencodable(&self.shown))
     }
 
-    /// Checks that the file may be changed if it has to be.
+    /// Checks that the command may change the file, if formatting changes it.
     ///
     /// # Errors
-    /// It is outside of the scope.
+    /// The file is outside of the scope.
     pub(super) fn check_scope(&self, scope: &WriteScope) -> Result<(), UserError> {
         if self.changes() { scope.check(&self.path, &self.shown) } else { Ok(()) }
     }
 
-    /// Replaces the file where it changes.
+    /// Replaces the file if formatting changes it.
     ///
     /// # Errors
-    /// If it cannot be written.
+    /// The file cannot be written.
     pub(super) fn write(&self) -> Result<(), UserError> {
         if !self.changes() {
             return Ok(());

@@ -1,4 +1,4 @@
-//! The programs under the paths, and the style of each.
+//! Finds programs in the requested paths, and each program's style.
 
 use std::collections::BTreeMap;
 
@@ -12,13 +12,13 @@ use val3_fmt::Style;
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
-/// A program to be formatted.
+/// A program to format.
 pub(super) struct FoundProgram {
     pub(super) path: Utf8PathBuf,
     pub(super) style: Style,
 }
 
-/// The programs under the paths, each once, without those that a `val3.toml` excludes from a search.
+/// Finds the programs in the paths, without duplicates, and without programs that a `val3.toml` excludes from a search.
 pub(super) fn programs(
     system: &dyn System,
     asked: &[Utf8PathBuf],
@@ -31,7 +31,7 @@ pub(super) fn programs(
         let path = val3_analysis::paths::normalise(&current.join(asked));
         for program in under(system, &path, paths)? {
             let file = configuration(system, &program)?;
-            // An exclusion does not apply to a program or an excluded folder that the arguments name.
+            // A program or folder that an argument names is not excluded.
             let excluded = |file: &ConfigFile| program != path && file.excludes(&program) && !file.excludes(&path);
             if file.as_ref().is_some_and(excluded) {
                 has_excluded = true;
@@ -75,7 +75,7 @@ fn folder(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf
     }
 }
 
-/// The style of the program at `path`.
+/// Style of the program at `path`.
 pub(super) fn style(system: &dyn System, path: &Utf8Path) -> Result<Style, UserError> {
     style_in(system, configuration(system, path)?.as_ref(), path)
 }

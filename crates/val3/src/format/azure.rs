@@ -1,4 +1,4 @@
-//! Logging commands of Azure Pipelines: each finding becomes an issue of the run.
+//! Logging commands of Azure Pipelines: each finding becomes an issue of the pipeline run.
 
 use std::io;
 
@@ -6,7 +6,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 
 use crate::report::{Finding, Report, Severity};
 
-/// Writes one command a finding.
+/// Writes one command for each finding.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     for finding in &report.findings {
         writeln!(out, "{}", command(finding))?;
@@ -27,7 +27,7 @@ fn command(finding: &Finding) -> String {
     )
 }
 
-/// There is no level below a warning.
+/// Level of the issue. Azure has no level below a warning.
 fn level(severity: Severity) -> &'static str {
     match severity {
         Severity::Info | Severity::Warning => "warning",

@@ -1,4 +1,4 @@
-//! Checkstyle XML 4.3, which many CI services and editors read.
+//! Checkstyle XML 4.3, a format that many CI services and editors read.
 
 use std::io;
 
@@ -7,7 +7,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 use super::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::report::{Finding, Report};
 
-/// Writes one `<file>` a file with findings.
+/// Writes one `<file>` element for each file with findings.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     document(out, |writer| {
         let root = writer.create_element("checkstyle").with_attribute(("version", "4.3"));
@@ -18,7 +18,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
     })
 }
 
-/// Findings are sorted by file, so those of one file are adjacent.
+/// Writes the elements. Findings are sorted by file, so each file's findings are adjacent.
 fn files(report: &Report, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     for findings in report.findings.chunk_by(|a, b| a.place.file.path == b.place.file.path) {
         let Some(first) = findings.first() else { continue };

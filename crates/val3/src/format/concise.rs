@@ -1,4 +1,4 @@
-//! One line a finding, in the form that editors and terminals turn into links.
+//! One line for each finding, in the form that editors and terminals convert to links.
 
 use std::io;
 

@@ -1,6 +1,6 @@
-//! The lines that one finding shows.
+//! Source lines shown with a finding.
 //!
-//! A project may hold a line of many megabytes, so at most a window of each line is shown. Of a place that spans
+//! A file may contain a line of many megabytes, so at most a window of each line is shown. For a range that spans
 //! several lines, only the first line is shown.
 
 use std::ops::Range;
@@ -10,18 +10,18 @@ use codespan_reporting::files::{Error, Files};
 
 use crate::report::{ReportRange, SourceFile};
 
-/// Lines longer than this many bytes are cut.
+/// Maximum length of a line that is not cut, in bytes.
 const LONGEST_LINE: usize = 240;
-/// Bytes that are shown before the place in a cut line.
+/// Number of bytes shown before the marked range in a cut line.
 const BEFORE: usize = 80;
 
-/// The visible parts of the lines that a finding points at.
+/// Visible parts of the lines to which a finding refers.
 #[derive(Debug, Default)]
 pub(crate) struct Excerpt<'a> {
     windows: Vec<Window<'a>>,
 }
 
-/// A file, compared by its address.
+/// A file, compared by address.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FileId<'a>(&'a SourceFile);
 
@@ -39,7 +39,8 @@ struct Window<'a> {
 }
 
 impl<'a> Excerpt<'a> {
-    /// Makes the start of `place` visible. `None` if the visible part of its line is already cut and lacks it.
+    /// Makes the start of `place` visible. `None` if its line is already cut and the visible part does not contain
+    /// `place`.
     pub(crate) fn show(&mut self, place: &'a ReportRange) -> Option<(FileId<'a>, Range<usize>)> {
         let file = FileId(&place.file);
         let line = place.file.lines.line(place.range.start);
@@ -67,13 +68,13 @@ impl<'a> Excerpt<'a> {
     }
 }
 
-/// A line without its line end; empty after the last line.
+/// Range of a line without its line end; empty after the last line.
 fn content(file: &SourceFile, line: usize) -> Range<usize> {
     let end = file.text.len();
     file.lines.line_range(line).unwrap_or(end..end)
 }
 
-/// The part of a line around `focus`.
+/// Range of the visible part of a line, around `focus`.
 fn cut(file: &SourceFile, line: usize, focus: usize) -> Range<usize> {
     let content = content(file, line);
     if content.len() <= LONGEST_LINE {

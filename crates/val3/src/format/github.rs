@@ -1,4 +1,4 @@
-//! Workflow commands of GitHub Actions: each finding becomes a note at its line in the pull request.
+//! Workflow commands of GitHub Actions: each finding becomes a line annotation in the pull request.
 
 use std::io;
 
@@ -6,10 +6,10 @@ use codespan_reporting::term::termcolor::WriteColor;
 
 use crate::report::{Finding, Report, Severity};
 
-/// Number of annotations of one level that GitHub shows for a step of a job.
+/// Number of annotations per level that GitHub shows for a job step.
 const SHOWN: usize = 10;
 
-/// Writes one command a finding.
+/// Writes one command for each finding.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     for finding in &report.findings {
         writeln!(out, "{}", command(finding))?;
@@ -19,7 +19,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
     write_limit(&levels.map(|level| (level, count(level))), out)
 }
 
-/// Writes a line about the levels with more annotations than GitHub shows, if there are any.
+/// Writes a line about the levels with more annotations than GitHub shows, if any.
 pub(crate) fn write_limit(counts: &[(&str, usize)], out: &mut dyn WriteColor) -> io::Result<()> {
     let exceeded = counts.iter().filter(|(_, count)| *count > SHOWN);
     let exceeded: Vec<_> = exceeded.map(|(level, count)| format!("{SHOWN} of {count} {level}s")).collect();
@@ -32,7 +32,7 @@ pub(crate) fn write_limit(counts: &[(&str, usize)], out: &mut dyn WriteColor) ->
 fn command(finding: &Finding) -> String {
     let place = &finding.place;
     let (start, end) = (place.start(), place.end());
-    // Columns of a place that spans lines are refused.
+    // GitHub rejects columns of a range that spans several lines.
     let columns =
         if start.line == end.line { format!("col={},endColumn={},", start.column, end.column) } else { String::new() };
     format!(

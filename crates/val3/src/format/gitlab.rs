@@ -1,4 +1,4 @@
-//! The code quality report of GitLab: a JSON array of findings, shown in the merge request.
+//! GitLab's code quality report: a JSON array of findings, shown in the merge request.
 
 use std::io;
 

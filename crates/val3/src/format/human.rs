@@ -1,5 +1,5 @@
-//! For people: the source line with the place marked, the other sides, and the remedy. The most serious findings come
-//! first, and equal findings of a file are shown once.
+//! Human-readable report: source lines with the marked range, related locations, and help. Errors come first, and equal
+//! findings of a file are shown once.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,7 +28,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
 /// Equal findings of a file; never empty.
 type Group<'a> = Vec<&'a Finding>;
 
-/// The findings in groups: errors first, then by file and place.
+/// Groups the findings: errors first, then sorted by file and range.
 fn groups(findings: &[Finding]) -> Vec<Group<'_>> {
     let mut sorted: Vec<&Finding> = findings.iter().collect();
     sorted.sort_by_key(|finding| Reverse(finding.severity));
@@ -45,7 +45,7 @@ fn groups(findings: &[Finding]) -> Vec<Group<'_>> {
     groups
 }
 
-/// The lines of the findings after the first.
+/// Lists the lines of all findings after the first one.
 fn elsewhere_in_file(others: &[&Finding]) -> Option<String> {
     let lines: BTreeSet<usize> = others.iter().map(|finding| finding.place.start().line).collect();
     let words: Vec<String> = lines.iter().map(usize::to_string).collect();
@@ -59,21 +59,21 @@ fn elsewhere_in_file(others: &[&Finding]) -> Option<String> {
 /// A run-time error, or a reason why a program cannot run, for [`write_program_error`].
 #[derive(Debug)]
 pub(crate) struct ProgramError<'a> {
-    /// Its number; `None` if it is no run-time error.
+    /// Error number; `None` if it is no run-time error.
     pub(crate) code: Option<u16>,
-    /// The problem.
+    /// Problem.
     pub(crate) message: String,
-    /// The remedy.
+    /// Remedy.
     pub(crate) help: &'a str,
-    /// The label of its line.
+    /// Label of the line.
     pub(crate) label: &'a str,
-    /// The file of the program; empty where it is not known.
+    /// Program file; empty if unknown.
     pub(crate) path: &'a str,
-    /// The line of the file, from 1.
+    /// Line of the file, from 1.
     pub(crate) line: u32,
 }
 
-/// Writes a fault with its line.
+/// Writes an error with its source line.
 pub(crate) fn write_program_error(fault: &ProgramError<'_>, out: &mut dyn WriteColor) -> io::Result<()> {
     let text =
         val3_files::read(fault.path.into(), FileClass::Program).map(|bytes| decode(bytes).text).unwrap_or_default();

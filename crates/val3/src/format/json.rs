@@ -1,4 +1,4 @@
-//! One JSON document. Its shape is stable: fields are added, never renamed or dropped, while `version` is 1.
+//! One JSON document with a stable schema: while `version` is 1, fields are added but never renamed or removed.
 //!
 //! ```json
 //! {"version": 1,
@@ -13,17 +13,18 @@
 //!    "fixable": true,
 //!    "fix": {"title": "…", "safe": true, "edits": [{"file": "pal/pick.pgx", "range": {}, "text": "…"}]}}]}
 //! ```
-//! - There is no time in it, so that equal files give equal reports.
+//! - The document contains no time, so that equal files have equal reports.
 //! - `severity` is `error`, `warning` or `info`.
-//! - `label` says what the range is, and `help` what to write instead. Either is empty if it would add nothing.
-//! - `file` and `application` are relative to the requested folder, with `/`. `application` of a file without a project is
-//!   the file itself, and `null` for an archive that is not read.
+//! - `label` describes the range, and `help` the remedy. Either is empty if it would add nothing.
+//! - `file` and `application` are relative to the requested folder, with `/`. For a file without a project,
+//!   `application` is the file itself, and for an archive that is not read, it is `null`.
 //! - `line` and `column` count from 1, columns in characters; `offset` counts the bytes of the stored file from 0.
-//!   `end` is the first place after the range.
-//! - `program` is `null` outside programs; `code_line`, which counts the line of `begin` as 1, outside their code.
-//! - `fix` is `null` if there is none. A `safe` one only applies what was plainly meant. `text` replaces the
-//!   range and is written like the file: escaped where the code is.
-//! - `code_lines` leaves out blank lines and comments.
+//!   `end` is the first position after the range.
+//! - `program` is `null` outside of programs; `code_line`, which counts the line of `begin` as 1, is `null` outside of
+//!   their code.
+//! - `fix` is `null` without a fix. A `safe` fix keeps the behaviour of the program or is certainly intended. `text`
+//!   replaces the range and is encoded like the file: escaped if the code is escaped.
+//! - `code_lines` omits blank lines and comments.
 
 use std::io;
 
@@ -76,7 +77,7 @@ impl Summary {
     }
 }
 
-/// A finding in JSON, the same in `json` and `json-lines`.
+/// A finding in the formats `json` and `json-lines`.
 #[derive(Serialize)]
 pub(super) struct Diagnostic<'a> {
     code: &'a str,

@@ -1,4 +1,4 @@
-//! One JSON object a line and finding, shaped like those of the [`json`](super::json) format.
+//! One JSON object per line and finding, with the schema of the [`json`](super::json) format.
 
 use std::io;
 
@@ -7,7 +7,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 use super::json::Diagnostic;
 use crate::report::Report;
 
-/// Writes the findings, and nothing where there are none.
+/// Writes the findings; without findings, the output is empty.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     for finding in &report.findings {
         serde_json::to_writer(&mut *out, &Diagnostic::of(finding))?;

@@ -1,7 +1,7 @@
-//! JUnit XML: an application is a suite, a finding a test that failed.
+//! JUnit XML: each application is a suite, and each finding a failed test.
 //!
-//! Errors and warnings fail. Advice passes, and the output of its test has the message. An application without findings
-//! is a suite with one test that passed. The findings of a file without an application are a suite of their own.
+//! Errors and warnings are failures. Info findings are passed tests with the message as output. An application without
+//! findings is a suite with one passed test. The findings of a file without an application have their own suite.
 
 use std::io;
 
@@ -11,7 +11,7 @@ use quick_xml::events::BytesText;
 use super::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::report::{Finding, Report, Severity};
 
-/// Writes one `<testsuite>` an application.
+/// Writes one `<testsuite>` element for each application.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     let suites = suites(report);
     document(out, |writer| {
@@ -24,7 +24,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
     })
 }
 
-/// The applications in their order, each with its findings, and then the other files with findings.
+/// Returns the applications in order, each with its findings, followed by the other files with findings.
 fn suites(report: &Report) -> Vec<Suite<'_>> {
     let found_in = |application: &'_ String| {
         let here = |finding: &&Finding| finding.application.as_ref() == Some(application);

@@ -1,4 +1,4 @@
-//! A writer for codespan, whose words for levels are those of compilers.
+//! Writer for codespan that replaces its level names.
 
 use std::io::{self, Write};
 
@@ -6,15 +6,15 @@ use codespan_reporting::diagnostic::{LabelStyle, Severity};
 use codespan_reporting::term::termcolor::WriteColor;
 use codespan_reporting::term::{GeneralWriteResult, WriteStyle};
 
-/// Approximate number of bytes that are buffered.
+/// Approximate buffer size in bytes.
 const PENDING: usize = 4096;
 
-/// Collects text, because codespan writes character by character, and words the levels.
+/// Buffers the text, because codespan writes single characters, and replaces level names.
 pub(crate) struct Levels<'a> {
     out: &'a mut dyn WriteColor,
-    /// The last text in one colour.
+    /// Buffered text in the current colour.
     pending: Vec<u8>,
-    /// Whether the word of a level is being written.
+    /// Whether codespan is writing a level name.
     in_level: bool,
 }
 
@@ -29,7 +29,7 @@ impl<'a> Levels<'a> {
         levels.flush_buffer().map(drop)
     }
 
-    /// Writes the buffer out and returns the inner writer.
+    /// Writes the buffer and returns the inner writer.
     fn flush_buffer(&mut self) -> io::Result<&mut dyn WriteColor> {
         self.out.write_all(&self.pending)?;
         self.pending.clear();
@@ -39,7 +39,7 @@ impl<'a> Levels<'a> {
 
 impl Write for Levels<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        // Codespan has the levels of compilers. Its level note is our level info.
+        // Codespan has the levels of compilers; its `note` is the level `info`.
         let is_note = std::mem::take(&mut self.in_level) && bytes == b"note";
         let text: &[u8] = if is_note { b"info" } else { bytes };
         self.pending.extend_from_slice(text);

@@ -1,6 +1,6 @@
-//! The JSON of reviewdog, which comments findings and proposes fixes in most review services.
+//! JSON of reviewdog, which posts findings and suggested fixes to most review services.
 //!
-//! Columns count bytes of UTF-8 here, as reviewdog asks for.
+//! Columns count UTF-8 bytes, as reviewdog requires.
 
 use std::io;
 
@@ -70,7 +70,7 @@ struct Position {
 
 impl<'a> Diagnostic<'a> {
     fn of(finding: &'a Finding) -> Self {
-        // Reviewdog would offer several suggestions as a choice.
+        // Reviewdog shows several suggestions as alternatives, so only fixes with one edit are written.
         let edits = finding.fix.iter().map(|fix| &fix.edits).filter(|edits| edits.len() == 1).flatten();
         Self {
             message: finding.message_with_help(),

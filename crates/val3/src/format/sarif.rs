@@ -1,6 +1,7 @@
-//! SARIF 2.1.0, the format of code scanning services such as that of GitHub.
+//! SARIF 2.1.0, the format of code scanning services such as GitHub's.
 //!
-//! Paths are relative to the folder under version control. Only rules with findings are listed, each with its page.
+//! Paths are relative to the root of the repository. The rule table contains only rules with findings, each with its
+//! page.
 
 mod log;
 mod rules;
@@ -45,7 +46,7 @@ fn log(report: &Report) -> Log<'_> {
     Log { schema: log::SCHEMA, version: "2.1.0", runs: [run] }
 }
 
-/// The folder under version control on this machine, under its name.
+/// Absolute URI of the repository's root, by its name in the log.
 fn base_uris(root: &str) -> BTreeMap<&'static str, BaseUri> {
     let absolute = Some(root).filter(|root| !root.is_empty()).map(|root| root.trim_matches('/'));
     let uri = |path: &str| format!("file:///{}/", utf8_percent_encode(path, ESCAPED)).replace("////", "///");
@@ -112,10 +113,10 @@ fn region(place: &ReportRange) -> Region {
     Region { start_line: start.line, start_column: start.column, end_line: end.line, end_column: end.column }
 }
 
-/// The name of the folder under version control, which paths are relative to.
+/// Name of the repository's root, to which paths are relative.
 const SOURCE_ROOT: &str = "%SRCROOT%";
 
-/// The characters of a path that need no escape. All others are written as a percent sign and two digits.
+/// Characters of a path that are not percent-encoded.
 const ESCAPED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'~').remove(b'/');
 
 fn artifact_location(path: &str) -> ArtifactLocation {
@@ -130,7 +131,7 @@ fn fix(fix: &Fix) -> log::Fix {
     }
 }
 
-/// The edits of one file; `None` where there are none.
+/// Converts one file's edits; `None` without edits.
 fn artifact_change(edits: &[Edit]) -> Option<ArtifactChange> {
     let path = &edits.first()?.place.file.in_repository;
     let replacement = |edit: &'_ Edit| Replacement {
@@ -153,7 +154,8 @@ mod tests {
 
     const SCHEMA: &str = include_str!("../../tests/schemas/sarif-2.1.0.json");
 
-    /// The published schema, without its pattern for languages: it is no regular expression, and we name no language.
+    /// The published schema without its pattern for languages, which is no valid regular expression; the log has no
+    /// language.
     fn schema() -> Value {
         let mut schema: Value = serde_json::from_str(SCHEMA).unwrap();
         for part in ["run", "toolComponent"] {
@@ -171,7 +173,7 @@ mod tests {
         log
     }
 
-    /// The log without the pages, which have tests of their own.
+    /// Replaces the rule pages, which have their own tests.
     fn shown(mut log: Value) -> String {
         for rule in log["runs"][0]["tool"]["driver"]["rules"].as_array_mut().unwrap() {
             rule["help"] = "…".into();

@@ -1,4 +1,4 @@
-//! One record a line in the shape of the manufacturer's checker, so that wrappers made for it keep working.
+//! One record per line in the format of the manufacturer's checker, for wrappers that parse its output.
 //!
 //! A template defines the contents of a record:
 //!
@@ -21,10 +21,10 @@ use codespan_reporting::term::termcolor::WriteColor;
 use crate::printable::one_line;
 use crate::report::{Finding, Report, Severity};
 
-/// The records that known wrappers of the manufacturer's checker read.
+/// Record template that known wrappers of the manufacturer's checker parse.
 pub(crate) const DEFAULT_TEMPLATE: &str = "<level>%e<CLASS>%c<P1>%p<P2>%s<line>%l<msg>%m<file>%f";
 
-/// The shape of a record.
+/// Template of a record.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Template(String);
 
@@ -52,7 +52,7 @@ impl FromStr for Template {
     }
 }
 
-/// Writes a record a finding.
+/// Writes one record for each finding.
 pub(crate) fn write(report: &Report, template: &Template, out: &mut dyn WriteColor) -> io::Result<()> {
     for finding in &report.findings {
         writeln!(out, "{}", record(finding, template))?;
@@ -69,7 +69,7 @@ fn record(finding: &Finding, template: &Template) -> String {
             _ => record.push(letter),
         }
     }
-    // A record is one line, even if its message quotes several.
+    // A record is one line, even if its message quotes several lines.
     one_line(&record).into_owned()
 }
 

@@ -1,4 +1,4 @@
-//! Shared parts of the XML formats: a writer, and texts that XML can hold.
+//! Shared parts of the XML formats: a writer, and replacement of characters that XML cannot contain.
 
 use std::io;
 
@@ -8,10 +8,10 @@ use quick_xml::events::{BytesDecl, Event};
 
 use crate::printable::{one_line, pictured};
 
-/// A writer of indented XML.
+/// Writer of indented XML.
 pub(crate) type XmlWriter<'a> = Writer<&'a mut dyn WriteColor>;
 
-/// Writes a document: the declaration, what `content` writes, and a line end.
+/// Writes a document: the declaration, the elements that `content` writes, and a line end.
 pub(crate) fn document(
     out: &mut dyn WriteColor,
     content: impl FnOnce(&mut XmlWriter<'_>) -> io::Result<()>,
@@ -22,12 +22,12 @@ pub(crate) fn document(
     writeln!(writer.get_mut())
 }
 
-/// The text with visible forms of control characters, which XML cannot hold, not even escaped.
+/// Returns the text with visible forms of control characters, which XML cannot contain even in escaped form.
 pub(crate) fn allowed(text: &str) -> String {
     pictured(text).replace(is_forbidden, "\u{fffd}")
 }
 
-/// As [`allowed`], in one line: for names and paths.
+/// As [`allowed`], in one line, for names and paths.
 pub(crate) fn allowed_name(text: &str) -> String {
     one_line(text).replace(is_forbidden, "\u{fffd}")
 }

@@ -4,19 +4,19 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_check::loose::ArchiveContent;
 use val3_files::archive_entries;
 
-/// An archive that is not read.
+/// An archive that was not read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct UnreadArchive {
-    /// The absolute path.
+    /// Absolute path.
     pub(crate) path: Utf8PathBuf,
-    /// The reason why it was not read.
+    /// Reason why it was not read.
     pub(crate) content: ArchiveContent,
 }
 
 impl UnreadArchive {
-    /// The archive at `path`; `None` if it contains no VAL 3 files.
+    /// Inspects the archive at `path`; `None` if it contains no VAL 3 files.
     pub(crate) fn of(path: Utf8PathBuf) -> Option<Self> {
-        // The files of a requested archive are in memory.
+        // A path that is not on the disk is inside a requested archive.
         let content = if path.exists() { content(&path)? } else { ArchiveContent::Nested };
         Some(Self { path, content })
     }

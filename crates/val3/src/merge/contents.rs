@@ -1,19 +1,19 @@
-//! The merge of the bytes of three versions.
+//! Merges the bytes of three versions.
 
 use val3_merge::{FileKind, Merged};
 use val3_syntax::encoding::{Encoding, decode};
 use val3_syntax::foreign::ForeignContent;
 
-/// The result of a merge.
+/// Result of a merge.
 pub(super) struct Outcome {
-    /// The content of the merged file.
+    /// Content of the merged file.
     pub(super) bytes: Vec<u8>,
-    /// The merge of the texts, or the reason why there is none and ours is unchanged.
+    /// Merge of the texts, or the reason why OURS is unchanged.
     pub(super) merged: Result<Merged, String>,
 }
 
 impl Outcome {
-    /// Whether all changes are in the result.
+    /// Whether the result contains all changes.
     pub(super) fn is_clean(&self) -> bool {
         self.merged.as_ref().is_ok_and(Merged::is_clean)
     }
@@ -24,7 +24,7 @@ impl Outcome {
     }
 }
 
-/// Merges the bytes of base, ours and theirs.
+/// Merges the bytes of BASE, OURS and THEIRS.
 pub(super) fn merge(kind: FileKind, [base, ours, theirs]: &[Vec<u8>; 3]) -> Outcome {
     if base == theirs || ours == theirs {
         return Outcome::unchanged(ours);

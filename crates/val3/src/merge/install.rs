@@ -1,4 +1,4 @@
-//! The setup of git: which files `val3 merge` merges, and how it is called.
+//! Setup of git: the files that `val3 merge` merges, and its command line.
 
 use std::process::{Command, Output, Stdio};
 
@@ -12,11 +12,11 @@ use crate::user_error::UserError;
 /// Extensions of merged files.
 const EXTENSIONS: [&str; 4] = ["dtx", "pjx", "pgx", "cfx"];
 
-/// Settings of the repository: the name that git shows, and the command with the three versions and the path.
+/// Repository settings: the driver's displayed name, and its command with the three versions and the path.
 const SETTINGS: [(&str, &str); 2] =
     [("merge.val3.name", "val3 merge"), ("merge.val3.driver", "val3 merge --path=%P %O %A %B")];
 
-/// Sets up the repository around a folder, and reports each change.
+/// Sets up the repository that contains a folder, and reports each change.
 pub(super) fn run(folder: &Utf8Path) -> Result<(), UserError> {
     let root = successful(git(folder, &["rev-parse", "--show-toplevel"])?, folder)?;
     let root = Utf8PathBuf::from(root.trim_end_matches(['\n', '\r']));
@@ -34,7 +34,7 @@ pub(super) fn run(folder: &Utf8Path) -> Result<(), UserError> {
     to_stdout_as(Content::Words, Color::Never, |out| report.iter().try_for_each(|line| writeln!(out, "{line}")))
 }
 
-/// Adds the lines that are missing in `.gitattributes`; returns them.
+/// Adds the missing lines to `.gitattributes`, and returns them.
 fn attributes(root: &Utf8Path) -> Result<Vec<String>, UserError> {
     let path = root.join(".gitattributes");
     let mut missing = Vec::new();
@@ -68,7 +68,7 @@ fn git(folder: &Utf8Path, arguments: &[&str]) -> Result<Output, UserError> {
         .map_err(|error| UserError::new(format!("cannot start git: {error}")).with_help("install git, and try again"))
 }
 
-/// The standard output of a command that must not fail.
+/// Returns the standard output, or an error if the command has failed.
 fn successful(output: Output, folder: &Utf8Path) -> Result<String, UserError> {
     if output.status.success() {
         return Ok(String::from_utf8_lossy(&output.stdout).into_owned());

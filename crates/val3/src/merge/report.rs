@@ -1,4 +1,4 @@
-//! The report of a merge, on the standard error output.
+//! Report of a merge on the standard error output.
 
 use camino::Utf8Path;
 
@@ -6,7 +6,7 @@ use super::contents::Outcome;
 use crate::output::to_stderr;
 use crate::printable::one_line;
 
-/// Reports elements with new indexes, and what a person must look at.
+/// Reports elements with new indexes, and conflicts.
 pub(super) fn write(outcome: &Outcome, path: &Utf8Path) {
     for line in lines(outcome) {
         to_stderr(|out| writeln!(out, "{}", one_line(&format!("{path}: {line}"))));

@@ -1,4 +1,4 @@
-//! The controller that a new application is for: its arm, its version, and its settings.
+//! Controller of a new application: arm, version and settings.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::arm::shipped;
@@ -18,65 +18,65 @@ use crate::args::NewArgs;
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
-/// The arm of a new application if neither the cell nor the arguments name one.
+/// Arm of a new application if neither the cell nor the arguments name one.
 const DEFAULT_ARM: &str = "tx2-90";
 
-/// Beginnings of the names of arms that CS9 controllers move.
+/// Name prefixes of arms with a CS9 controller.
 const CS9_ARMS: [&str; 2] = ["TX2", "TS2"];
 
-/// The controller of a new application.
+/// Controller of a new application.
 pub(super) struct Controller {
-    /// The arm.
+    /// Arm.
     pub(super) arm: Arm,
-    /// The version of VAL 3.
+    /// VAL 3 version.
     pub(super) version: Version,
     /// Whether runs start with arm power.
     pub(super) has_power: bool,
-    /// The settings that have to be written, because no file names the arm.
+    /// New settings; `None` if a file already names the arm.
     pub(super) settings: Option<NewSettings>,
 }
 
-/// A `val3.toml` that names the arm.
+/// A new `val3.toml` that names the arm.
 pub(super) struct NewSettings {
-    /// Its path.
+    /// Path.
     pub(super) path: Utf8PathBuf,
     arm: String,
 }
 
 impl NewSettings {
-    /// The folder of the file.
+    /// Folder of the file.
     pub(super) fn folder(&self) -> &Utf8Path {
         self.path.parent().unwrap_or(&self.path)
     }
 
-    /// The name of the file.
+    /// Name of the file.
     pub(super) fn file_name(&self) -> &str {
         self.path.file_name().unwrap_or(FILE_NAME)
     }
 
-    /// The text of the file.
+    /// Text of the file.
     pub(super) fn text(&self) -> String {
         include_str!("template/val3.toml").replace("{arm}", &self.arm)
     }
 }
 
-/// The arm that the files of a cell name.
+/// Arm named by a file of the cell.
 struct CellArm {
     arm: Arm,
-    /// The file that names it.
+    /// File that names the arm.
     file: Utf8PathBuf,
 }
 
 impl Controller {
-    /// The kind of the arm.
+    /// Kind of the arm.
     pub(super) fn kind(&self) -> types::Arm {
         if self.arm.is_scara() { types::Arm::Scara } else { types::Arm::SixAxis }
     }
 
-    /// The controller of the cell, with what the arguments name instead.
+    /// Reads the controller of the cell. The arguments take precedence.
     ///
     /// # Errors
-    /// The arm is not known or differs from that of the cell, or a file of the cell cannot be read.
+    /// The arm is unknown or differs from the cell's arm, or a file of the cell cannot be read.
     pub(super) fn of(place: &Place, args: &NewArgs, paths: &Paths) -> Result<Self, UserError> {
         let requested = args.arm.as_deref().map(shipped).transpose().map_err(unknown_arm)?.map(|arm| Arm::clone(&arm));
         let configuration = if place.exists { configuration(&place.usrapp, paths)? } else { None };
@@ -114,21 +114,21 @@ fn unknown_arm(reason: impl ToString) -> UserError {
     UserError::new(reason.to_string()).with_help("`val3 arm list` shows the known arms")
 }
 
-/// The newest known version of the arm's controller: CS9 for arms of its generation, otherwise CS8.
+/// Newest known version of the arm's controller: CS9 for TX2 and TS2 arms, otherwise CS8.
 fn newest_version(arm: &Arm) -> Version {
     let major = if CS9_ARMS.iter().any(|start| arm.name().starts_with(start)) { 8 } else { 7 };
     let mut known = KNOWN.iter().filter_map(|text| Version::parse(text));
     known.find(|version| version.major == major).unwrap_or_default()
 }
 
-/// The settings that count in a folder of applications.
+/// Settings for applications in the folder.
 fn configuration(usrapp: &Utf8Path, paths: &Paths) -> Result<Option<ConfigFile>, UserError> {
     nearest_configuration(&Disk, usrapp).map_err(|error| {
         UserError::new(format!("{}: {}", paths.shown(&error.path), error.message)).with_help(error.help)
     })
 }
 
-/// The arm that the settings name, otherwise that of the cell's files.
+/// Arm in the settings, otherwise in the cell's files.
 fn cell_arm(place: &Place, configuration: Option<&ConfigFile>, paths: &Paths) -> Result<Option<CellArm>, UserError> {
     let named = configuration.and_then(|file| Some((file, file.config.arm.as_ref()?)));
     let kind = named.and_then(|(_, setting)| setting.kind());
@@ -165,7 +165,7 @@ fn cell_arm(place: &Place, configuration: Option<&ConfigFile>, paths: &Paths) ->
     Ok(Some(CellArm { arm, file }))
 }
 
-/// The version of VAL 3 that the files of the cell state.
+/// VAL 3 version in the cell's files.
 fn cell_version(place: &Place, paths: &Paths) -> Result<Option<Version>, UserError> {
     let text = cell_file(place, "val3version.xml", paths)?;
     let version = text.and_then(|(_, text)| Version::parse(&version_file::language(&text)?));

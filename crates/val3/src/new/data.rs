@@ -27,7 +27,7 @@ fn pose(positions: &Positions) -> String {
     written(fields.into_iter().map(|(name, value)| (name.to_owned(), value)))
 }
 
-/// Attributes of numbers. Files omit those that are 0.
+/// Formats numbers as attributes. Data files omit attributes with the value 0.
 fn written(values: impl Iterator<Item = (String, f64)>) -> String {
     let attributes = values.filter(|(_, value)| *value != 0.0).map(|(name, value)| format!("{name}=\"{value}\""));
     attributes.collect::<Vec<_>>().join(" ")

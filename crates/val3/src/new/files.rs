@@ -1,4 +1,4 @@
-//! Files of a new application and of its test.
+//! Files of a new application and its test.
 
 use val3_kinematics::Arm;
 use val3_lang::versions::Version;
@@ -7,13 +7,13 @@ use val3_suite::library::{self, TestApplication};
 use super::data;
 use super::positions::Positions;
 
-/// Names of the test application, which its library identifiers cannot have.
+/// Reserved names in the test application, which its library aliases cannot use.
 pub(super) const TEST_NAMES: [&str; 4] = ["start", "stop", TEST, library::ALIAS];
 
-/// The test.
+/// Name of the test.
 const TEST: &str = "testAbove";
 
-/// Programs that are the same for every arm.
+/// Programs that are independent of the arm.
 const PROGRAMS: [(&str, &str); 3] = [
     ("above.pgx", include_str!("template/above.pgx")),
     ("start.pgx", include_str!("template/start.pgx")),
@@ -22,16 +22,16 @@ const PROGRAMS: [(&str, &str); 3] = [
 
 /// A new application.
 pub(super) struct Application<'a> {
-    /// Its name.
+    /// Application name.
     pub(super) name: &'a str,
-    /// The version that it declares.
+    /// Declared version.
     pub(super) version: Version,
-    /// Its positions.
+    /// Positions.
     pub(super) positions: &'a Positions,
 }
 
 impl Application<'_> {
-    /// Name and text of each file.
+    /// Returns all files' names and texts.
     pub(super) fn files(&self, arm: &Arm) -> Vec<(String, String)> {
         let programs = PROGRAMS.map(|(file, text)| (file.to_owned(), text.replace("{name}", self.name)));
         let project = include_str!("template/application.pjx");
@@ -42,7 +42,7 @@ impl Application<'_> {
         files
     }
 
-    /// Name and text of each file of the test.
+    /// Returns all test files' names and texts.
     pub(super) fn test_files(&self) -> Vec<(String, String)> {
         let test = TestApplication { application: self.name, alias: self.name, version: self.version };
         test.files((TEST, include_str!("template/testAbove.pgx")))

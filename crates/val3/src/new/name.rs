@@ -1,4 +1,4 @@
-//! Names that a new application may have.
+//! Name validation for new applications.
 
 use val3_lang::keywords::{is_identifier, reserved};
 use val3_lang::test_names::is_test_application;
@@ -8,16 +8,16 @@ use val3_suite::library;
 use super::files::TEST_NAMES;
 use crate::user_error::UserError;
 
-/// Most characters of a name where VAL 3 has no limit, so that paths stay below the 260 characters of Windows.
+/// Maximum length of a name if VAL 3 has no limit, so that paths stay below the 260 characters of Windows.
 const LONGEST: usize = 64;
 
-/// Names of devices, which Windows permits for no file or folder; COM and LPT are followed by a digit.
+/// Device names, which Windows permits for no file or folder; a digit follows COM and LPT.
 const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "com", "lpt"];
 
-/// Checks that an application for this version may have the name.
+/// Checks that the name is valid for an application of this version.
 ///
 /// # Errors
-/// The name cannot be that of a folder and of a library identifier.
+/// The name is no valid folder name or library alias.
 pub(super) fn check(name: &str, version: Version) -> Result<(), UserError> {
     let longest = version.identifier_limit().unwrap_or(LONGEST);
     let reason = if !is_identifier(name) {
@@ -39,7 +39,7 @@ pub(super) fn check(name: &str, version: Version) -> Result<(), UserError> {
         .with_help("write a name such as `pickParts`"))
 }
 
-/// Whether Windows reserves the name, in any letter case.
+/// Whether Windows reserves the name, in upper or lower case.
 fn is_device(name: &str) -> bool {
     let name = name.to_ascii_lowercase();
     let stem = name.trim_end_matches(|last: char| last.is_ascii_digit());

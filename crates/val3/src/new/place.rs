@@ -1,25 +1,26 @@
-//! The place of a new application: beside the others of a cell, or in a new cell.
+//! Folder of a new application: in an existing cell or in a new cell.
 
 use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
-/// The folder of the applications of a controller, in every spelling.
+/// Folder of a controller's applications, in lower case.
 const USRAPP: &str = "usrapp";
 
-/// The place of a new application.
+/// Location of a new application.
 pub(super) struct Place {
-    /// The folder of a controller, which contains `usr`; `None` if applications lie in a `usrapp` without one.
+    /// Folder of a controller, which contains `usr`; `None` if `usrapp` has no such parent.
     pub(super) cell: Option<Utf8PathBuf>,
-    /// The folder of the applications.
+    /// Folder of the applications.
     pub(super) usrapp: Utf8PathBuf,
-    /// Whether the cell existed before.
+    /// Whether the cell already existed.
     pub(super) exists: bool,
 }
 
 impl Place {
-    /// The cell in or around `folder`, which is absolute, otherwise a new one called `name` in it.
+    /// Finds the cell in or above `folder`, an absolute path. If there is none, returns a new cell called `name` in
+    /// `folder`.
     ///
     /// # Errors
     /// The folder does not exist.
@@ -39,15 +40,15 @@ impl Place {
         Ok(Self { usrapp: cell.join("usr").join(USRAPP), cell: Some(cell), exists: false })
     }
 
-    /// The folder of an application.
+    /// Application folder.
     pub(super) fn folder(&self, name: &str) -> Utf8PathBuf {
         self.usrapp.join(name)
     }
 
-    /// Checks that nothing would be replaced. Controllers do not distinguish upper and lower case in paths.
+    /// Checks that no existing file or folder would be replaced. Controllers ignore the letter case of paths.
     ///
     /// # Errors
-    /// One of the folders, or that of the new cell, exists.
+    /// One of the folders, or the folder of the new cell, exists.
     pub(super) fn check_absent(&self, folders: &[&Utf8PathBuf], paths: &Paths) -> Result<(), UserError> {
         let new = self.cell.iter().filter(|_| !self.exists);
         let existing = new.chain(folders.iter().copied()).find_map(|folder| existing(folder));
@@ -57,7 +58,7 @@ impl Place {
     }
 }
 
-/// The `usrapp` that a folder is or that the controller in it has.
+/// The `usrapp` folder: `folder` itself, or the controller's `usrapp` in `folder`.
 fn usrapp(folder: &Utf8Path) -> Option<Utf8PathBuf> {
     if folder.file_name().is_some_and(|name| name.eq_ignore_ascii_case(USRAPP)) {
         return Some(folder.to_owned());
@@ -69,7 +70,7 @@ fn usrapp(folder: &Utf8Path) -> Option<Utf8PathBuf> {
     }
 }
 
-/// The entry with this path, in any letter case.
+/// Finds the entry with this path, ignoring the name's letter case.
 fn existing(path: &Utf8Path) -> Option<Utf8PathBuf> {
     let (folder, name) = (path.parent()?, path.file_name()?);
     let entries = folder.read_dir_utf8().ok()?.filter_map(Result::ok);

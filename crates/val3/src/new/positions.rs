@@ -1,42 +1,42 @@
-//! Positions of a new application, which its arm reaches.
+//! Positions of a new application within its arm's reach.
 
 use val3_geometry::Trsf;
 use val3_kinematics::{Arm, Configuration, Joints};
 
 use crate::user_error::UserError;
 
-/// Home position of an arm with six axes, in degrees: forearm horizontal, tool downwards.
+/// Home position of a six-axis arm, in degrees: forearm horizontal, tool downwards.
 const HOME: Joints = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];
 
-/// Position near the point of an arm with six axes, in degrees: to the left of home, tool downwards.
+/// Position near the point of a six-axis arm, in degrees: to the left of home, tool downwards.
 const NEAR: Joints = [20.0, 20.0, 100.0, 0.0, 60.0, 20.0];
 
-/// Home position of a SCARA arm, with the stroke as a part of its range from below.
+/// Home position of a SCARA arm. The stroke is a fraction of its range, from the lower limit.
 const SCARA_HOME: Joints = [0.0, 60.0, 0.75, 0.0, 0.0, 0.0];
 
-/// Position near the point of a SCARA arm.
+/// Position near the point of a SCARA arm, in the same form.
 const SCARA_NEAR: Joints = [30.0, 60.0, 0.25, 0.0, 0.0, 0.0];
 
-/// Height above the point, as a part of the reach and of a SCARA arm's stroke.
+/// Height above the point, as a fraction of the reach and of a SCARA arm's stroke.
 const HEIGHT: (f64, f64) = (0.1, 0.4);
 
 /// Positions of the application.
 pub(super) struct Positions {
-    /// The home position, in degrees (a stroke in mm).
+    /// Home position, in degrees, or in mm for a stroke.
     pub(super) home: Joints,
-    /// The point in world, in mm and degrees.
+    /// Pose of the point in world, in mm and degrees.
     pub(super) point: Trsf,
-    /// The configuration of the point.
+    /// Configuration of the point.
     pub(super) configuration: Configuration,
-    /// The height of the approach above the point, in mm.
+    /// Height of the approach above the point, in mm.
     pub(super) height: f64,
 }
 
 impl Positions {
-    /// Positions that the arm reaches.
+    /// Computes positions within the reach of the arm.
     ///
     /// # Errors
-    /// The limits of the cell do not permit them.
+    /// The limits in the cell do not permit them.
     pub(super) fn of(arm: &Arm) -> Result<Self, UserError> {
         let (home, near) = if arm.is_scara() { (SCARA_HOME, SCARA_NEAR) } else { (HOME, NEAR) };
         let (home, near) = (joints(arm, home), joints(arm, near));
@@ -55,7 +55,7 @@ impl Positions {
         ))
     }
 
-    /// Whether the arm reaches home, the point, and the path above it.
+    /// Whether the arm reaches home, the point, and the path above the point.
     fn is_reached(&self, arm: &Arm, near: &Joints) -> bool {
         let at = |part: f64| Trsf { z: self.height.mul_add(part, self.point.z), ..self.point };
         let is_reached = |pose: Trsf| {
@@ -66,7 +66,7 @@ impl Positions {
     }
 }
 
-/// Joints of an arm, from values whose stroke is a part of the range of the arm.
+/// Converts values with a relative stroke to joints of the arm.
 fn joints(arm: &Arm, mut joints: Joints) -> Joints {
     let limits = arm.limits();
     for (axis, (joint, limits)) in joints.iter_mut().zip(limits).enumerate() {
@@ -78,14 +78,14 @@ fn joints(arm: &Arm, mut joints: Joints) -> Joints {
     joints
 }
 
-/// The length of the stroke, in mm; infinite for an arm without one.
+/// Length of the stroke, in mm; infinite for an arm without a stroke.
 fn stroke(arm: &Arm) -> f64 {
     let axes = arm.limits().iter().enumerate();
     let mut strokes = axes.filter(|(axis, _)| arm.is_stroke(*axis)).map(|(_, limits)| limits.max - limits.min);
     strokes.next().unwrap_or(f64::INFINITY)
 }
 
-/// The pose as people teach it: whole mm and degrees.
+/// Rounds the pose to whole mm and degrees, like taught values in examples.
 fn rounded(pose: &Trsf) -> Trsf {
     let whole = |value: f64| value.round() + 0.0;
     let Trsf { x, y, z, rx, ry, rz } = pose;

@@ -1,10 +1,10 @@
-//! Commands of continuous integration services, which they read from the output of a step.
+//! Commands of continuous integration services in the output of a step.
 //!
-//! GitHub Actions executes a line that begins with `::` after blanks, and `##[…]` anywhere in a line; Azure Pipelines and
-//! TeamCity execute `##vso[…]` and `##teamcity[…]`. The services compare texts by the rules of a language, in which
-//! invisible characters do not count.
+//! GitHub Actions executes a line that begins with `::` after blanks, and `##[…]` anywhere in a line; Azure Pipelines
+//! and TeamCity execute `##vso[…]` and `##teamcity[…]`. The services compare texts by linguistic rules, which ignore
+//! invisible characters.
 
-/// The environment variables that these services set.
+/// Environment variables that the services set.
 const SERVICES: [&str; 3] = ["GITHUB_ACTIONS", "TF_BUILD", "TEAMCITY_VERSION"];
 
 /// Whether a service reads the output.
@@ -12,14 +12,14 @@ pub(super) fn are_read() -> bool {
     SERVICES.iter().any(|name| std::env::var_os(name).is_some_and(|value| !value.is_empty()))
 }
 
-/// Finds the characters that complete the beginning of a command.
+/// Finds the characters that complete the first characters of a command.
 #[derive(Debug, Default)]
 pub(super) struct CommandSearch {
     line: LineStart,
     hashes: Hashes,
 }
 
-/// The visible characters of a line so far.
+/// Visible characters of the line so far.
 #[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
 enum LineStart {
     #[default]
@@ -28,18 +28,18 @@ enum LineStart {
     Other,
 }
 
-/// The characters before, as the beginning of `##word[`.
+/// Preceding characters, as a prefix of `##word[`.
 #[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
 enum Hashes {
     #[default]
     None,
     One,
-    /// Two, and perhaps letters.
+    /// Two hashes, possibly followed by letters.
     Two,
 }
 
 impl CommandSearch {
-    /// Whether this next character of the output completes the beginning of a command.
+    /// Whether the next character of the output completes the first characters of a command.
     pub(super) fn completes(&mut self, character: char) -> bool {
         if matches!(character, '\r' | '\n') {
             *self = Self::default();
@@ -65,7 +65,7 @@ impl CommandSearch {
     }
 }
 
-/// Whether a comparison by the rules of a language skips the character.
+/// Whether a linguistic comparison ignores the character.
 fn is_invisible(character: char) -> bool {
     match character {
         '\t' => false,

@@ -1,30 +1,30 @@
-//! Kinds of output, which decide how it is changed for its reader.
+//! Content kinds of output, which determine how the filter changes it.
 
 use std::io::{self, IsTerminal as _};
 
 use super::commands;
 
-/// A kind of output. Those that must reach a program unchanged are changed only where a terminal shows them.
+/// Output kind by content. Output that a program must receive unchanged is changed only at a terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Content {
-    /// Texts for people, with names, paths and code: control characters are always visible.
+    /// Human-readable text with names, paths and code: control characters are always replaced by visible forms.
     Words,
-    /// Commands of a service, in which the format has escaped all texts.
+    /// Commands of a service; the format has escaped all texts.
     Commands,
-    /// JSON, in which control characters can be escaped without a change of its meaning.
+    /// JSON, in which control characters can be escaped without a change in meaning.
     Json,
-    /// The output of an application, or a patch: unchanged in files and pipes, but never a command of a service.
+    /// Output of an application, or a patch: unchanged in files and pipes, but never a command of a service.
     Data,
-    /// The content of a file: unchanged in files and pipes.
+    /// Content of a file: unchanged in files and pipes.
     File,
 }
 
-/// The destination of an output.
+/// Output destination.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Destination {
     /// Whether it is a terminal.
     pub(super) is_terminal: bool,
-    /// Whether a service reads commands from it.
+    /// Whether a service executes commands in it.
     pub(super) reads_commands: bool,
 }
 
@@ -32,13 +32,13 @@ impl Destination {
     /// A file.
     pub(crate) const FILE: Self = Self { is_terminal: false, reads_commands: false };
 
-    /// The standard output. A service reads it unless it was redirected to a file.
+    /// The standard output. A service reads it unless it is redirected to a file.
     pub(crate) fn stdout() -> Self {
         let out = io::stdout();
         Self { is_terminal: out.is_terminal(), reads_commands: commands::are_read() && !is_file(&out) }
     }
 
-    /// The standard error output, on which only words are written.
+    /// The standard error output, to which only [`Content::Words`] are written.
     pub(super) fn stderr() -> Self {
         Self { is_terminal: io::stderr().is_terminal(), reads_commands: commands::are_read() }
     }
@@ -53,19 +53,19 @@ fn is_file(out: &io::Stdout) -> bool {
     file.and_then(|file| std::fs::File::from(file).metadata()).is_ok_and(|metadata| metadata.is_file())
 }
 
-/// The treatment of control characters.
+/// Treatment of control characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Controls {
     /// Unchanged.
     Kept,
     /// Replaced by visible forms.
     Pictured,
-    /// Escaped as in strings of JSON.
+    /// Escaped as in JSON strings.
     Escaped,
 }
 
 impl Content {
-    /// The treatment of control characters on the way to a destination.
+    /// Treatment of control characters for a destination.
     pub(super) fn controls(self, to: Destination) -> Controls {
         match self {
             Self::Words | Self::Commands => Controls::Pictured,
@@ -75,7 +75,7 @@ impl Content {
         }
     }
 
-    /// Whether texts that a service would execute are changed on the way to a destination.
+    /// Whether the filter breaks texts that a service would execute.
     pub(super) fn breaks_commands(self, to: Destination) -> bool {
         to.reads_commands && !matches!(self, Self::Commands | Self::File)
     }

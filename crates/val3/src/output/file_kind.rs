@@ -1,44 +1,44 @@
-//! Kinds of output. An existing file is only replaced by output of its own kind, so that a wrong argument does not destroy a
-//! program.
+//! Kinds of output files. An existing file is only replaced by output of the same kind, so that a wrong argument does
+//! not destroy a program.
 
 use camino::Utf8Path;
 use val3_files::Unreadable;
 
 use crate::user_error::UserError;
 
-/// The kind of content of an output file.
+/// Output file kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FileKind {
-    /// The events of a run, one JSON object a line.
+    /// Events of a run, one JSON object per line.
     Events,
-    /// JSON documents, or JSON objects in lines.
+    /// JSON documents, or one JSON object per line.
     Json,
-    /// Reports in XML.
+    /// XML reports.
     XmlReport,
-    /// Pictures.
+    /// SVG pictures.
     Svg,
-    /// Pages.
+    /// HTML pages.
     Html,
-    /// Programs, or their code.
+    /// Programs, or code without XML.
     Program,
-    /// Tables and texts without a form of their own.
+    /// Tables and other texts.
     Text,
 }
 
-/// Root elements of reports in XML.
+/// Root elements of XML reports.
 const REPORTS: [&str; 3] = ["<testsuites", "<checkstyle", "<coverage"];
 
 /// Extension of programs.
 const PROGRAM: &str = "pgx";
 
-/// Extensions of files that are input of the tools or of a controller.
+/// Extensions of input files for the tools or a controller.
 const INPUTS: [&str; 7] = ["pgx", "dtx", "pjx", "cfx", "ltx", "toml", "zip"];
 
-/// Bytes that show the kind of a file.
+/// Number of bytes that determine the kind of a file.
 const HEAD: u64 = 1024;
 
 impl FileKind {
-    /// Whether a file that begins in this way has this kind of content. So does an empty file.
+    /// Whether the first bytes of a file have this kind. An empty file has every kind.
     fn begins(self, head: &[u8]) -> bool {
         let head = String::from_utf8_lossy(head).to_lowercase();
         let head = head.trim_start_matches('\u{feff}').trim_start();
@@ -57,17 +57,17 @@ impl FileKind {
     }
 }
 
-/// Checks that there is no file at a path that `content` may not replace.
+/// Checks that there is no file at `path` that `content` may not replace.
 ///
 /// # Errors
-/// The file is input of the tools, or has another kind of content, or cannot be read.
+/// The file is input of the tools, has other content, or cannot be read.
 pub(super) fn check_replaceable(path: &Utf8Path, content: FileKind, what: &str) -> Result<(), UserError> {
     let has_extension = |known: &str| path.extension().is_some_and(|found| known.eq_ignore_ascii_case(found));
     let is_own = content == FileKind::Program && has_extension(PROGRAM);
     let is_input = !is_own && INPUTS.iter().any(|known| has_extension(known));
     let is_replaceable = match val3_files::read_head(path, HEAD) {
         Ok(head) => !is_input && content.begins(&head),
-        // Devices and pipes receive the output, and a folder is reported when the file is created.
+        // Devices and pipes accept the output; a folder is reported when the file is created.
         Err(Unreadable::Missing | Unreadable::Device | Unreadable::Pipe | Unreadable::Socket | Unreadable::Folder) => {
             true
         }

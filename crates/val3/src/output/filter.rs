@@ -1,4 +1,4 @@
-//! The writer between all texts and their destination. Colours bypass it.
+//! Writer through which all text passes before its destination. Colours bypass it.
 
 use std::io::{self, Write};
 
@@ -8,20 +8,20 @@ use super::commands::CommandSearch;
 use super::content::{Content, Controls, Destination};
 use crate::printable::{is_unprintable, push_picture};
 
-/// Changes texts as their [`Content`] requires.
+/// Changes text as its [`Content`] requires.
 pub(super) struct Filter<'a> {
     out: &'a mut dyn WriteColor,
     controls: Controls,
     search: Option<CommandSearch>,
-    /// The beginning of a character that the next write completes.
+    /// First bytes of a character that the next write completes.
     partial: Vec<u8>,
-    /// Whether a carriage return was the last character. Before a line feed it is a part of the line's end.
+    /// Whether the last character was a carriage return. Before a line feed, it belongs to the line end.
     after_return: bool,
     changed: String,
 }
 
 impl<'a> Filter<'a> {
-    /// Runs `write` with a writer that changes texts for `out`.
+    /// Runs `write` with a writer that filters text for `out`.
     pub(super) fn before(
         out: &'a mut dyn WriteColor,
         content: Content,
@@ -40,7 +40,7 @@ impl<'a> Filter<'a> {
         filter.finish()
     }
 
-    /// Writes what waits for another character.
+    /// Writes incomplete characters at the end of the text.
     fn finish(&mut self) -> io::Result<()> {
         if self.after_return {
             self.after_return = false;
@@ -53,7 +53,7 @@ impl<'a> Filter<'a> {
         self.pass()
     }
 
-    /// Writes the changed text.
+    /// Writes the filtered text.
     fn pass(&mut self) -> io::Result<()> {
         let written = self.out.write_all(self.changed.as_bytes());
         self.changed.clear();

@@ -1,6 +1,7 @@
-//! `--output FILE`: a file in place of the standard output of a command.
+//! `--output FILE`: a file that replaces the standard output of a command.
 //!
-//! The destination is one of the process, as the standard output is. So each command writes as it does without the option.
+//! Like the standard output, the file is global to the process, so commands write in the same way with and without the
+//! option.
 
 use std::io::{self, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -12,7 +13,7 @@ use super::file;
 use super::file_kind::FileKind;
 use crate::user_error::UserError;
 
-/// The file that replaces the standard output.
+/// File that replaces the standard output.
 static FILE: Mutex<Option<Redirection>> = Mutex::new(None);
 
 struct Redirection {
@@ -24,7 +25,7 @@ fn redirection() -> MutexGuard<'static, Option<Redirection>> {
     FILE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Lets the standard output be a file, which appears as a whole when it is committed.
+/// Redirects the standard output to a file, which replaces `path` atomically when it is committed.
 ///
 /// # Errors
 /// The file cannot be written, or has other content.
@@ -34,7 +35,7 @@ pub(crate) fn redirect(path: &Utf8Path, kind: FileKind) -> Result<(), UserError>
     Ok(())
 }
 
-/// Completes the file, if there is one.
+/// Completes the file, if the output is redirected.
 ///
 /// # Errors
 /// The file cannot be written.
@@ -50,7 +51,7 @@ pub(super) fn write(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Opt
     Some(write(file).map_err(|error| file::refused(path, "output", &error)))
 }
 
-/// Whether the standard output is a file that the command line names.
+/// Whether the standard output is redirected to a file.
 pub(super) fn is_redirected() -> bool {
     redirection().is_some()
 }

@@ -1,4 +1,4 @@
-//! A finding and the places it points at.
+//! A finding and its locations.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -16,31 +16,31 @@ pub(crate) struct Position {
     pub(crate) line: usize,
     /// Column in characters, from 1.
     pub(crate) column: usize,
-    /// Bytes of the stored file before this position.
+    /// Offset in bytes of the stored file.
     pub(crate) offset: usize,
 }
 
-/// A file that findings point at.
+/// A file to which findings refer.
 #[derive(Debug)]
 pub(crate) struct SourceFile {
-    /// The path relative to the requested folder, with `/`.
+    /// Path relative to the requested folder, with `/`.
     pub(crate) path: String,
-    /// The path as people open it: relative to the current folder where that is shorter.
+    /// Path as displayed: relative to the current folder if that is shorter.
     pub(crate) shown: String,
-    /// The path relative to the folder of the version control, with `/`.
+    /// Path relative to the repository's root, with `/`.
     pub(crate) in_repository: String,
-    /// The path on the controller (`Disk://app/prog.pgx`), where it has one.
+    /// Path on the controller (`Disk://app/prog.pgx`), if it has one.
     pub(crate) disk: Option<String>,
-    /// The text, decoded.
+    /// Decoded text.
     pub(crate) text: Arc<str>,
-    /// The lines of the text.
+    /// Line index of the text.
     pub(crate) lines: LineIndex,
-    /// The encoding of the stored file.
+    /// Encoding of the stored file.
     encoding: Encoding,
 }
 
 impl SourceFile {
-    /// A file under one path, without a place on a controller.
+    /// Creates a file whose paths are all `path`, without a path on a controller.
     pub(crate) fn new(path: &str, text: Arc<str>, encoding: Encoding) -> Self {
         Self {
             path: path.to_owned(),
@@ -53,7 +53,7 @@ impl SourceFile {
         }
     }
 
-    /// The position of a character boundary. An offset after the end means the end.
+    /// Position of an offset, which must be a character boundary. An offset after the end is clamped to the end.
     pub(crate) fn position(&self, offset: usize) -> Position {
         let offset = offset.min(self.text.len());
         let LineColumn { line, column } = self.lines.line_column(offset, Columns::SHOWN_CHARACTERS);
@@ -71,19 +71,19 @@ impl SourceFile {
 /// A range of a file.
 #[derive(Debug, Clone)]
 pub(crate) struct ReportRange {
-    /// The file.
+    /// File.
     pub(crate) file: Arc<SourceFile>,
-    /// Bytes of the decoded text.
+    /// Byte range of the decoded text.
     pub(crate) range: Range<usize>,
 }
 
 impl ReportRange {
-    /// Where it starts.
+    /// Start position.
     pub(crate) fn start(&self) -> Position {
         self.file.position(self.range.start)
     }
 
-    /// Where it ends: the first place that is not part of it.
+    /// End position: the first position after the range.
     pub(crate) fn end(&self) -> Position {
         self.file.position(self.range.end)
     }
@@ -92,43 +92,43 @@ impl ReportRange {
 /// One finding.
 #[derive(Debug, Clone)]
 pub(crate) struct Finding {
-    /// `V0203`
+    /// Code, for example `V0203`.
     pub(crate) code: &'static str,
-    /// `argument-type`
+    /// Name, for example `argument-type`.
     pub(crate) name: &'static str,
-    /// Its level.
+    /// Level.
     pub(crate) severity: Severity,
-    /// The message: one sentence.
+    /// Message: one sentence.
     pub(crate) message: String,
-    /// A few words under the place; may be empty.
+    /// Label of the marked range, a few words; may be empty.
     pub(crate) label: String,
-    /// The remedy; may be empty.
+    /// Remedy; may be empty.
     pub(crate) help: String,
-    /// Its identity in baselines, with the path relative to the folder of the version control.
+    /// Identity in baselines, with the path relative to the repository's root.
     pub(crate) fingerprint: Fingerprint,
-    /// The place.
+    /// Location.
     pub(crate) place: ReportRange,
-    /// The program that contains the place.
+    /// Program that contains the location.
     pub(crate) program: Option<String>,
-    /// The line within the program's code, where the line of `begin` is 1.
+    /// Line number within the program's code, where the line of `begin` is 1.
     pub(crate) code_line: Option<usize>,
-    /// The path of the application's `.pjx`, like [`SourceFile::path`].
+    /// Path of the application's `.pjx`, as in [`SourceFile::path`].
     pub(crate) application: Option<String>,
-    /// Whether the last check did not have it.
+    /// Whether the previous check did not have the finding.
     pub(crate) is_new: bool,
-    /// The other sides of the fault.
+    /// Related locations.
     pub(crate) related: Vec<Related>,
-    /// The fix.
+    /// Fix.
     pub(crate) fix: Option<Fix>,
 }
 
 impl Finding {
-    /// The message, with a mark if the finding is new since the last check.
+    /// Message, marked if the finding is new.
     pub(crate) fn marked_message(&self) -> String {
         if self.is_new { format!("{} (new)", self.message) } else { self.message.clone() }
     }
 
-    /// The message with the remedy, for outputs that show one text.
+    /// Message with the remedy, for outputs with only one text.
     pub(crate) fn message_with_help(&self) -> String {
         if self.help.is_empty() { self.message.clone() } else { format!("{}; {}", self.message, self.help) }
     }
@@ -137,29 +137,29 @@ impl Finding {
 /// A change that fixes a finding.
 #[derive(Debug, Clone)]
 pub(crate) struct Fix {
-    /// The description of the change, as an order.
+    /// Description of the change, as a request.
     pub(crate) title: String,
-    /// Whether it is applied without asking.
+    /// Whether the fix is applied without a request by the user.
     pub(crate) safe: bool,
-    /// The replacements.
+    /// Replacements.
     pub(crate) edits: Vec<Edit>,
 }
 
-/// Replaces a place.
+/// A replacement.
 #[derive(Debug, Clone)]
 pub(crate) struct Edit {
-    /// The place.
+    /// Replaced range.
     pub(crate) place: ReportRange,
-    /// The new text of the place.
+    /// New text of the range.
     pub(crate) text: String,
 }
 
-/// Another side of a finding.
+/// A related location of a finding.
 #[derive(Debug, Clone)]
 pub(crate) struct Related {
-    /// The place.
+    /// Location.
     pub(crate) place: ReportRange,
-    /// The message for the place.
+    /// Message for the location.
     pub(crate) message: String,
 }
 

@@ -1,4 +1,4 @@
-//! A report that every format is tested with.
+//! Sample reports for the tests of all formats.
 
 #![allow(clippy::expect_used, reason = "a sample that is broken may stop the tests")]
 
@@ -24,7 +24,7 @@ end]]></Code>
 const DATA: &str = "<Data name=\"mFast\" access=\"private\" type=\"mdesc\" size=\"1\"/>\r\n\
     <Data name=\"nCount\" access=\"private\" type=\"num\" size=\"1\"/>\r\n";
 
-/// Three findings of three levels in two files.
+/// Three findings with three levels in two files.
 pub(crate) fn report() -> Report {
     let statistics = Statistics { applications: 1, files: 3, programs: 1, code_lines: 1412, seconds: 0.0213 };
     let program = file("cell/usr/usrapp/pal/pick.pgx", PROGRAM, Encoding::Latin1);
@@ -34,12 +34,12 @@ pub(crate) fn report() -> Report {
     Report { source_root: "/home/me/Zelle 1".to_owned(), ..report }
 }
 
-/// A report of a check that found nothing.
+/// Report of a check without findings.
 pub(crate) fn clean() -> Report {
     Report::new(report().statistics, vec![APPLICATION.to_owned()], Vec::new(), Vec::new())
 }
 
-/// A report whose texts are full of signs that mean something in some format.
+/// Report whose texts contain the special characters of all formats.
 pub(crate) fn hostile() -> Report {
     let file = file("cell/a&b \u{1}/<x>,\"y\":%.pgx", "nCout\u{0}=1\n", Encoding::Utf8);
     let finding = Finding {
@@ -52,7 +52,7 @@ pub(crate) fn hostile() -> Report {
     Report::new(report().statistics, vec![APPLICATION.to_owned()], vec![finding], Vec::new())
 }
 
-/// A place that covers `part` in `file`.
+/// Range of `part` in `file`.
 pub(crate) fn place(file: &Arc<SourceFile>, part: &str) -> ReportRange {
     let start = file.text.find(part).expect("the sample holds the part");
     ReportRange { file: Arc::clone(file), range: start..start + part.len() }

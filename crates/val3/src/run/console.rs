@@ -1,4 +1,4 @@
-//! The output of a run for people.
+//! Human-readable output of a run.
 
 use std::io::{self, IsTerminal as _};
 
@@ -17,29 +17,29 @@ use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
-/// The label of the line of a run-time error that needs no reason.
+/// Label of the line with a run-time error without a further reason.
 const STOPPED: &str = "the task stopped here";
 
-/// The help for a recorded path that the arm cannot follow.
+/// Help for a recorded path that the arm cannot follow.
 const CORRECT_PATH: &str = "The arm stops before the path, and isEmpty() stays false. Correct the move; resetMotion \
                             clears the queue.";
 
-/// The help for a line that no cell configures.
+/// Help for a line that the cell does not configure.
 const CONNECT: &str = "If the device of the cell is not available here, connect the line with --line; see \
                        `val3 run --help`.";
 
-/// The help for an input or output without a link to a signal.
+/// Help for an input or output without a link to a signal.
 const LINK: &str = "Give the data a link in its .dtx, or link it with dioLink or aioLink before this line.";
 
-/// The standard output and error output.
+/// The standard output and the standard error output of a run.
 pub(crate) struct Console {
     pub(super) color: Color,
-    /// Whether the standard output is free for the output of the application.
+    /// Whether the standard output may be used for the output of the application.
     speaks: bool,
-    /// A client shows the output instead.
+    /// Whether a debug client shows the output instead.
     pub(super) is_silent: bool,
     is_read: bool,
-    /// Whether the application has written something.
+    /// Whether the application has written output.
     has_said: bool,
     pub(super) paths: Paths,
     failures: Failures,
@@ -61,17 +61,17 @@ impl Console {
         })
     }
 
-    /// The outputs of a run whose client shows the output.
+    /// Creates a console without output, for a run whose debug client shows the output.
     pub(crate) fn silent() -> Result<Self, UserError> {
         Ok(Self { is_silent: true, ..Self::new(Color::Never, false)? })
     }
 
-    /// Whether a task has ended in an unhandled error.
+    /// Whether a task has stopped with an unhandled error.
     pub(crate) fn has_unhandled_errors(&self) -> bool {
         !self.failures.is_empty()
     }
 
-    /// Shows what has happened, if people want to know.
+    /// Shows an event, if it is relevant for the user.
     pub(crate) fn show(&mut self, event: &Event) -> Result<(), UserError> {
         self.follow(event);
         if self.is_silent {
@@ -93,13 +93,13 @@ impl Console {
         }
     }
 
-    /// Keeps track of errors and of libraries.
+    /// Tracks errors and missing libraries.
     pub(crate) fn follow(&mut self, event: &Event) {
         self.failures.follow(event);
         self.missing.follow(event);
     }
 
-    /// Shows the unhandled errors: those at a time of the run, or all of them at its end.
+    /// Shows the unhandled errors: the errors that are due at a time of the run, or all errors at its end.
     pub(crate) fn show_failures(&mut self, now: Option<f64>) {
         if !self.is_silent {
             self.failures.take_unhandled(now).iter().for_each(|failure| self.fault(failure));
@@ -107,7 +107,7 @@ impl Console {
         }
     }
 
-    /// Writes a line to the standard output, if it is free.
+    /// Writes a line to the standard output, if the output may be used.
     pub(crate) fn say(&mut self, text: &str) -> Result<(), UserError> {
         self.has_said = true;
         if self.speaks {
@@ -121,7 +121,7 @@ impl Console {
         !self.is_read
     }
 
-    /// A run-time error with its line.
+    /// Writes a run-time error with its line.
     fn fault(&self, Failure { task, code, file, line, reason, is_line_missing, .. }: &Failure) {
         let error = runtime_errors::find(*code);
         let message = format!("{} (task `{task}`)", error.map_or("unknown run-time error", |error| error.short));
@@ -138,7 +138,7 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 
-    /// A recorded path that the arm cannot follow, with the line of its move.
+    /// Writes that the arm cannot follow a recorded path, with the line of its move.
     fn impossible_path(&self, ImpossiblePath { instruction, file, line, reason, .. }: &ImpossiblePath) {
         let message = format!("the arm cannot follow the path of this `{instruction}`");
         let path = self.paths.to_open(file.as_str().into());
@@ -147,7 +147,7 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 
-    /// An instruction that the controller lacks, with its line.
+    /// Writes that the controller does not support an instruction, with its line.
     fn lacking(&self, task: &str, instruction: &str, file: &str, line: u32) {
         let message = format!("{} (task `{task}`)", missing_instruction(instruction));
         let help = "the run has ended here, because the rest of the program depends on the instruction";
@@ -156,7 +156,8 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_program_error(&fault, out));
     }
 
-    /// Mentions the user page if it has text. In a terminal it is shown if the application has written nothing else.
+    /// Mentions the user page if it has text. At a terminal, it is shown completely if the application has no other
+    /// output.
     pub(crate) fn mention_page(&self, pendant: &Pendant) -> Result<(), UserError> {
         let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
         let has_text = !page.title().is_empty() || page.lines().any(|line| !line.trim().is_empty());
@@ -170,8 +171,8 @@ impl Console {
         Ok(())
     }
 
-    /// The user page that the pendant shows, with its title in the frame; on the standard error output where the
-    /// standard output is taken.
+    /// Prints the user page that the pendant shows, with its title in the frame. If the standard output is in use, the
+    /// page is printed to the standard error output.
     pub(crate) fn page(&self, pendant: &Pendant) -> Result<(), UserError> {
         let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
         let width = COLUMNS;

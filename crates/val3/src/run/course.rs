@@ -1,4 +1,4 @@
-//! The course of a run: from its first cycle to its end.
+//! Main loop of a run, from its first cycle to its end.
 
 use std::rc::Rc;
 use std::time::{Duration, Instant};
@@ -28,10 +28,10 @@ use crate::sockets::Announcements;
 use crate::test::report;
 use crate::user_error::UserError;
 
-/// The time between two looks at viewers while a debugger may act as well.
+/// Polling interval for viewers while a debugger is also polled.
 const SHARED_ATTENTION: Duration = Duration::from_millis(20);
 
-/// A run, with everything that it needs and everybody who looks at it.
+/// A run with its devices, observers and clients.
 pub(super) struct Course<'a> {
     pub(super) args: &'a RunArgs,
     pub(super) debugger: Debugger,
@@ -43,14 +43,14 @@ pub(super) struct Course<'a> {
     tempo: Tempo,
     patience: Patience,
     announcements: Rc<Announcements>,
-    /// The test that is debugged.
+    /// Debugged test.
     test: Option<Stages>,
-    /// Whether it has failed, when it is over.
+    /// Whether the finished test has failed; `None` before its end.
     has_failed_test: Option<bool>,
 }
 
 impl<'a> Course<'a> {
-    /// Opens the files that the arguments name, so that a run whose files cannot be written does not begin.
+    /// Opens the files that the arguments name, so that a run does not begin if a file cannot be written.
     pub(super) fn open(args: &'a RunArgs, ready: ReadyApplication, observers: Observers) -> Result<Self, UserError> {
         let motion = MotionObservers::open(args, &ready.controller)?;
         let viewers = args.serve.map(|address| Viewers::open(address, args, &ready.controller)).transpose()?;
@@ -74,7 +74,7 @@ impl<'a> Course<'a> {
         })
     }
 
-    /// Runs the controller until the run ends, and passes all events to the observers and the guide.
+    /// Runs the controller until the run ends, and sends all events to the observers and the debug client.
     pub(super) fn run(&mut self, guide: &mut dyn Guide, signals: &Signals) -> Result<End, UserError> {
         self.debugger.controller.devices.interrupt = signals.flag();
         let end = self.run_cycles(guide, signals);
@@ -139,7 +139,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Tells a user who sees neither the controller nor a debugger why time is real and where tasks wait.
+    /// Explains why time is real and where tasks wait, unless the user sees the controller or a debugger.
     fn note_waits(&mut self, guide: &mut dyn Guide) {
         if self.observers.is_live() || self.viewers.is_some() || guide.session().is_some() {
             return;
@@ -155,12 +155,12 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Starts the next program of a debugged test when the present one is over.
+    /// Starts the next program of a debugged test when the current program has ended.
     fn follow_test(&mut self) -> Transition {
         let Some(test) = &mut self.test else { return Transition::None };
         let transition = test.follow(&mut self.debugger.controller);
         if transition == Transition::Started {
-            // A replay of what was before would not start the program.
+            // Replaying an earlier state would not start the program.
             self.debugger.forget_past();
         }
         transition
@@ -190,7 +190,7 @@ impl<'a> Course<'a> {
     /// Runs to the end of a cycle; none if the debugger has stopped the run, or before the cycle is over.
     fn advance(&mut self, guide: &mut dyn Guide) -> Result<Option<Outcome>, UserError> {
         let start = self.debugger.controller.now();
-        // Going back in the past removes the limit.
+        // Stepping back removes the limit.
         self.debugger.controller.set_limit(self.tempo.pace.until);
         let progress = self.debugger.advance();
         self.motion.see(start, &self.debugger.controller)?;
@@ -227,7 +227,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Waits for a request or a command while the clock of the controller does not run.
+    /// Waits for a request or a command while the controller's clock is stopped.
     fn wait_for_outside(&mut self, guide: &mut dyn Guide) {
         match &mut self.viewers {
             Some(viewers) if self.args.debug_port.is_none() => viewers.wait(ATTENTION),
@@ -237,8 +237,7 @@ impl<'a> Course<'a> {
         self.tempo.restart_clock(self.debugger.controller.now());
     }
 
-    /// Executes the commands of viewers. Returns the end that comes from outside: the operator's, a signal's, or that
-    /// of the readers of the output.
+    /// Executes viewer commands. Returns the end caused by the operator, by a signal, or by a closed output.
     fn broken_off(&mut self, signals: &Signals) -> Result<Option<End>, UserError> {
         if let Some(viewers) = &mut self.viewers {
             viewers.attend(&mut self.debugger.controller, &mut self.tempo);
@@ -251,7 +250,7 @@ impl<'a> Course<'a> {
         })
     }
 
-    /// The end of a run whose time is over.
+    /// Returns the end of a run that has reached its time limit.
     fn end_of_time(&self) -> Option<End> {
         let now = self.debugger.controller.now();
         match self.observers.recording() {
@@ -290,7 +289,7 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    /// Sends the client the result of a debugged test that has ended by itself.
+    /// Sends the result of a debugged test to the client, unless the test was aborted.
     fn report_test(&mut self, end: End, guide: &mut dyn Guide) -> Result<(), UserError> {
         let test = self.test.take().filter(|_| matches!(end, End::Controller(_)));
         let (Some(test), Some(session)) = (test, guide.session()) else { return Ok(()) };
@@ -302,7 +301,7 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    /// The exit code for an end.
+    /// Exit code for an end.
     pub(super) fn exit_code(&self, end: End) -> u8 {
         let has_failed = self.observers.has_unhandled_errors() || self.observers.has_diverged();
         match end {
@@ -317,8 +316,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Writes what is written at the end of a run, says why it has ended, and lets viewers look at it until a signal
-    /// arrives.
+    /// Writes the reports at the end of a run, explains the end, and serves viewers until a signal arrives.
     pub(super) fn close(self, end: End, signals: &Signals) -> Result<(), UserError> {
         let (args, mut controller) = (self.args, self.debugger.controller);
         let console = self.observers.close()?;
@@ -326,7 +324,7 @@ impl<'a> Course<'a> {
         match args.screen {
             true => console.page(pendant)?,
             false if !args.follows_wall() => console.mention_page(pendant)?,
-            // Somebody has watched the page in a terminal, browser or editor, or could have.
+            // The page was already visible in a terminal, browser or editor.
             false => {}
         }
         console.explain(end, args, &controller);
@@ -339,20 +337,20 @@ impl<'a> Course<'a> {
     }
 }
 
-/// The pace that the arguments ask for. An operator needs real time.
+/// Pace according to the arguments. With an operator, time is real.
 fn pace(args: &RunArgs, observers: &Observers) -> Pace {
     let recorded = observers.recording().and_then(Recording::limit);
     let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
     Pace { real_time: args.follows_wall(), until, attended: args.interactive || args.serve.is_some() }
 }
 
-/// Whether people see an event on a terminal.
+/// Whether an event is displayed at a terminal.
 fn is_shown(event: &EventKind) -> bool {
     use EventKind::{Log, Notice, Popup, Print};
     matches!(event, Print { .. } | Log { .. } | Popup { .. } | Notice { .. })
 }
 
-/// The reason of the end for the record.
+/// Reason of the end for the event record.
 fn reason(end: End) -> EndReason {
     match end {
         End::Controller(outcome) => outcome.into(),

@@ -1,4 +1,4 @@
-//! Runs that a client debugs.
+//! Runs with a debug client.
 
 use std::process::ExitCode;
 
@@ -18,17 +18,17 @@ use crate::sockets::Reader;
 use crate::test::open_test;
 use crate::user_error::{EXIT_USAGE, UserError};
 
-/// How many times `ATTENTION` a client that has attached has at the end of the run to leave.
+/// Number of `ATTENTION` intervals that an attached client has for disconnecting at the end of the run.
 const FAREWELLS: usize = 10;
 
-/// The settings of a launch configuration that `val3 run` does not have.
+/// Settings of a launch configuration that are no options of `val3 run`.
 #[derive(Debug, Clone)]
 pub(crate) struct DebugSettings {
-    /// Those of the session.
+    /// Session settings.
     pub(crate) session: SessionSettings,
-    /// Nothing stops the run, and it has no past.
+    /// Whether the run has no stops and no history (`noDebug`).
     pub(crate) is_plain_run: bool,
-    /// The test that is executed.
+    /// Debugged test.
     pub(crate) test: Option<String>,
 }
 
@@ -44,17 +44,18 @@ pub(crate) fn open_debugged(
     }
 }
 
-/// The continuation after a run that the client has launched.
+/// Continuation after a run that the client has launched.
 enum Next {
-    /// The process ends with this code.
+    /// The process exits with this code.
     Exit(u8),
-    /// The client looks at the end of the run, whose exit code this is.
+    /// The client inspects the end of the run, which has this exit code.
     Over(u8),
-    /// The client wants the run from the beginning.
+    /// The client has requested a restart.
     Restart,
 }
 
-/// Runs an application until it has ended and the client has left; again if the client wants to.
+/// Runs an application until it has ended and the client has disconnected. Repeats this if the client requests a
+/// restart.
 ///
 /// # Errors
 /// Signals cannot be caught.
@@ -88,7 +89,8 @@ pub(crate) fn debug(
     }
 }
 
-/// Waits after the end of a run until the client leaves, or wants to restart.
+/// Waits after the end of a run until the client disconnects or requests a restart. Returns whether it requests a
+/// restart.
 fn wants_restart(session: &mut DebugSession, signals: &Signals) -> bool {
     loop {
         match session.attend_end() {
@@ -99,7 +101,7 @@ fn wants_restart(session: &mut DebugSession, signals: &Signals) -> bool {
     }
 }
 
-/// Opens the application again, with its files as they are now. The client learns why that fails.
+/// Opens the application again with its present files. An error is sent to the client.
 fn reopen(session: &mut DebugSession, args: &RunArgs, settings: &DebugSettings) -> Option<ReadyApplication> {
     let (mut shown, has_colors) = (String::new(), session.shows_colors());
     let opened = open_debugged(args, settings, &mut |write| shown.push_str(&text(has_colors, write)));

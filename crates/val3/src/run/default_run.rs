@@ -1,4 +1,4 @@
-//! The run that `[run.default]` of a `val3.toml` names, for a folder of which no application is named.
+//! Default run: the settings `[run.default]` of a `val3.toml`, for a folder without a named application.
 
 use std::io;
 
@@ -14,15 +14,15 @@ use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
-/// The files that a default run writes, as people read their paths.
+/// Files that a default run writes, as displayed paths.
 #[derive(Debug, Default)]
 pub(super) struct WrittenFiles(Vec<String>);
 
-/// Completes the arguments by `[run.default]` of the nearest `val3.toml`, if they name a folder around its application. The
-/// note on it is the whole command. `None`: no settings name this run.
+/// Completes the arguments by `[run.default]` of the nearest `val3.toml`, if they name a folder that is no application.
+/// Prints the complete command. `None` if no settings apply.
 ///
 /// # Errors
-/// The settings are at fault.
+/// The settings are invalid.
 pub(super) fn complete(args: &mut RunArgs) -> Result<Option<WrittenFiles>, UserError> {
     let current = current_folder()?;
     let paths = Paths::new(&[], &current);
@@ -47,13 +47,13 @@ pub(super) fn complete(args: &mut RunArgs) -> Result<Option<WrittenFiles>, UserE
     Ok(Some(written))
 }
 
-/// Whether a folder is not itself that of an application.
+/// Whether the folder is not an application itself.
 fn is_around_applications(folder: &Utf8Path) -> bool {
     let is_project = |name: &String| Utf8Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("pjx"));
     Disk.kind(folder) == Some(Kind::Folder) && !Disk.list(folder).is_ok_and(|names| names.iter().any(is_project))
 }
 
-/// Checks that no link leads from a written path to another file.
+/// Checks that no written path contains a link to a location elsewhere.
 ///
 /// # Errors
 /// The setting whose path contains a link.
@@ -96,14 +96,14 @@ fn insert(
         }
     };
     output(&mut args.plot, &run.plot);
-    // A run that is debugged has no page, because its past may change.
+    // A debugged run exports no page, because stepping back can change its history.
     if args.debug_port.is_none() {
         output(&mut args.export, &run.export);
     }
     written
 }
 
-/// The arguments that settings may have completed, as a command.
+/// Formats the arguments that settings may have completed, as a command.
 fn command(args: &RunArgs) -> String {
     let mut words = vec!["val3 run".to_owned(), quoted(&args.application)];
     words.extend(args.script.iter().map(|path| format!("--script {}", quoted(path))));
@@ -115,7 +115,7 @@ fn command(args: &RunArgs) -> String {
     words.join(" ")
 }
 
-/// A path for a shell.
+/// Quotes a path for a shell.
 fn quoted(path: &Utf8Path) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "/._-+@".contains(c);
     match one_line(path.as_str()).into_owned() {
@@ -125,7 +125,7 @@ fn quoted(path: &Utf8Path) -> String {
 }
 
 impl WrittenFiles {
-    /// Names the files.
+    /// Reports the written files.
     pub(super) fn report(&self) {
         to_stderr(|out| self.0.iter().try_for_each(|path| -> io::Result<()> { writeln!(out, "wrote {path}") }));
     }

@@ -1,21 +1,21 @@
-//! The reason why a run has ended.
+//! End reasons of a run.
 
 use val3_machine::controller::Outcome;
 use val3_machine::event::EndReason;
 
-/// The reason why a run has ended.
+/// End reason of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
     /// The controller, with its last outcome.
     Controller(Outcome),
     /// The replayed recording has ended, for this reason.
     Recorded(EndReason),
-    /// The output is no longer read.
+    /// The output is closed.
     Unread,
-    /// The client of the debugger has ended it.
+    /// The debug client has ended the run.
     Left,
-    /// The client of the debugger wants it from its beginning.
+    /// The debug client has requested a restart.
     Restart,
-    /// The operator did not wait for `stop`, or a signal arrived. With the exit code.
+    /// The operator has aborted `stop`, or a signal arrived. The value is the exit code.
     BrokenOff(u8),
 }

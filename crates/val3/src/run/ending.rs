@@ -1,4 +1,4 @@
-//! The reason for the end of a run, for people: the waits of its tasks.
+//! Explains the end of a run: why it ended, and what its tasks wait for.
 
 use std::io::{self, Write};
 
@@ -12,31 +12,31 @@ use crate::args::RunArgs;
 use crate::output::to_stderr;
 use crate::printable::one_line;
 
-/// The help for tasks that wait.
+/// Help for waiting tasks.
 const UNSTICK: &str = "Change what a task waits for in a script (--script), type keys (--keys), or resume the task \
                        from another one.";
 
-/// The help for a run that goes on.
+/// Help for a run that continues.
 const GOES_ON: &str =
     "Ctrl-C or --until SECONDS ends the run. A script (--script) gives power, inputs, keys and messages.";
 
-/// The help for a cyclic program, whose normal end is the limit.
+/// Help for a cyclic program, whose normal end is the limit.
 const EXPECTED: &str = "With --until-ok the exit code is 0.";
 
-/// The help for moves that were recorded last.
+/// Help for moves that were recorded and not executed.
 const AWAIT: &str = "waitEndMove() waits for recorded moves.";
 
 /// Maximum number of listed moves.
 const MOST_MOVES: usize = 20;
 
-/// The help for a run that was interrupted.
+/// Help for an interrupted run.
 const RECORDED: &str = "A run that is recorded with --events FILE can be repeated up to this point with --replay.";
 
-/// Maximum number of listed tasks. Applications have a dozen; a run-away loop of `taskCreate` has thousands.
+/// Maximum number of listed tasks. Applications have about ten; a faulty loop with `taskCreate` has thousands.
 const MOST_TASKS: usize = 50;
 
 impl Console {
-    /// Says why the run has ended before its application, and where its tasks are.
+    /// Explains why the run has ended before its application, and lists its tasks' lines.
     pub(crate) fn explain(&self, end: End, args: &RunArgs, controller: &Controller) {
         if self.is_silent {
             return;
@@ -62,14 +62,14 @@ impl Console {
         }
     }
 
-    /// Lists the waits of the tasks of a run that goes on.
+    /// Lists what the tasks of a continuing run wait for.
     pub(super) fn list_waits(&self, message: &str, controller: &Controller) {
         if !self.is_silent {
             self.list(message, GOES_ON, controller);
         }
     }
 
-    /// Writes a note to the error output, unless a client shows the output.
+    /// Writes a note to the standard error output, unless a client shows the output.
     pub(super) fn note(&self, text: &str) {
         if !self.is_silent {
             to_stderr(|out| writeln!(out, "{}", one_line(text)));
@@ -88,7 +88,7 @@ impl Console {
         });
     }
 
-    /// Lists the recorded moves that the end of the application has left undone.
+    /// Lists the recorded moves that were discarded at the end of the application.
     fn list_dropped_moves(&self, controller: &Controller) {
         let moves = controller.motion_queue();
         let sources: Vec<&CodeSource> = moves.iter().filter_map(|queued| queued.source.as_ref()).collect();
@@ -107,7 +107,7 @@ impl Console {
         });
     }
 
-    /// A recorded move with its line: `movel at main/work.pgx:7: movel(pPick,tGrip,mSlow)`.
+    /// Writes a recorded move with its line: `movel at main/work.pgx:7: movel(pPick,tGrip,mSlow)`.
     fn dropped_move(&self, source: &CodeSource, out: &mut dyn Write) -> io::Result<()> {
         let CodeSource { instruction, line, file, .. } = source;
         let path = self.paths.shown(file.as_str().into());
@@ -115,7 +115,7 @@ impl Console {
         writeln!(out, "  {instruction} at {path}:{line}{}", one_line(&code))
     }
 
-    /// A task with its line: `task "work" at main/work.pgx:7 waits for a condition: wait(bGo)`.
+    /// Writes a task with its line: `task "work" at main/work.pgx:7 waits for a condition: wait(bGo)`.
     fn position(&self, position: &TaskPosition, out: &mut dyn Write) -> io::Result<()> {
         let TaskPosition { name, activity, line, file, .. } = position;
         let path = self.paths.shown(file.as_str().into());

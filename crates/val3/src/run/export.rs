@@ -1,4 +1,4 @@
-//! The page that plays a run again (`--export`): the page of `--serve` with the messages of the run inside of it.
+//! Page that replays a run (`--export`): the page of `--serve` with the messages of the run embedded.
 
 use std::io::{self, Write};
 
@@ -18,21 +18,22 @@ use crate::output::file_kind::FileKind;
 use crate::serve::PAGE;
 use crate::user_error::UserError;
 
-/// The element of the page before which the recording is inserted.
+/// Element of the page after which the recording is inserted.
 const BODY: &str = "<body>";
 
-/// A page that is written while the run goes its way.
+/// A page that is written during the run.
 pub(super) struct Export {
     feed: Feed,
     path: Utf8PathBuf,
     out: Recording,
 }
 
-/// Messages, packed and spelled as text: each is `u8` (0 for an object, 1 for samples), `u32` length, and its bytes.
+/// Messages, compressed and encoded in base64. Each message is `u8` (0 for an object, 1 for samples), `u32` length, and
+/// its bytes.
 type Recording = GzEncoder<EncoderWriter<'static, base64::engine::GeneralPurpose, io::BufWriter<OutputFile>>>;
 
 impl Export {
-    /// Begins the file, which replaces an older one when it is complete.
+    /// Creates the file, which replaces an existing file when it is complete.
     ///
     /// # Errors
     /// The file cannot be written.
@@ -46,13 +47,13 @@ impl Export {
         Ok(export)
     }
 
-    /// A cycle that began at `start` is over.
+    /// Writes the messages of the cycle that began at `start`.
     pub(super) fn see(&mut self, start: Time, events: &[Event], controller: &Controller) -> Result<(), UserError> {
         self.feed.see(start, events, controller);
         self.write()
     }
 
-    /// The run has ended.
+    /// Writes the end of the run.
     pub(super) fn see_end(
         &mut self,
         events: &[Event],
@@ -99,7 +100,7 @@ fn packed(out: &mut Recording, message: &Message) -> io::Result<()> {
     out.write_all(bytes)
 }
 
-/// The page before and after the recording.
+/// Parts of the page before and after the recording.
 fn halves() -> (&'static str, &'static str) {
     let at = PAGE.find(BODY).map_or(0, |at| at + BODY.len());
     PAGE.split_at(at)

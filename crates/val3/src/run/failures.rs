@@ -1,9 +1,9 @@
-//! Tasks that a run-time error has stopped, until another task handles the error, and paths that the arm cannot follow.
+//! Tracks unhandled run-time errors, and paths that the arm cannot follow.
 
 use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_machine::event::{Event, EventKind};
 
-/// Seconds of the controller's clock after which an error counts as unhandled while the run continues.
+/// Time in seconds on the controller's clock after which an error counts as unhandled while the run continues.
 const PATIENCE: f64 = 1.0;
 
 /// A run-time error that has stopped a task.
@@ -13,11 +13,11 @@ pub(super) struct Failure {
     pub(super) code: u16,
     pub(super) file: String,
     pub(super) line: u32,
-    /// Why a move was refused.
+    /// Reason why a move was rejected.
     pub(super) reason: Option<String>,
-    /// Whether it is about a serial line or socket that the cell does not configure.
+    /// Whether the error concerns a serial line or socket that the cell does not configure.
     pub(super) is_line_missing: bool,
-    /// The time of the error, in seconds.
+    /// Time of the error, in seconds.
     at: f64,
     is_shown: bool,
 }
@@ -25,33 +25,33 @@ pub(super) struct Failure {
 /// A recorded path that the arm cannot follow.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ImpossiblePath {
-    /// The instruction that has recorded its move.
+    /// Instruction that has recorded the move.
     pub(super) instruction: &'static str,
     pub(super) file: String,
     pub(super) line: u32,
-    /// Why the arm cannot follow it.
+    /// Reason why the arm cannot follow the path.
     pub(super) reason: String,
     is_shown: bool,
 }
 
-/// The unhandled errors, in the order in which they occurred.
+/// Unhandled errors, in the order in which they occurred.
 #[derive(Debug, Default)]
 pub(super) struct Failures {
     unhandled: Vec<Failure>,
-    /// The last line of the event log.
+    /// Last line of the event log.
     logged: String,
-    /// The line of the event log about the move that was refused last.
+    /// Line of the event log about the last rejected move.
     refused: Option<String>,
-    /// The path before which the arm rests, until `resetMotion` discards it.
+    /// Path before which the arm has stopped, until `resetMotion` discards it.
     path: Option<ImpossiblePath>,
 }
 
 impl Failures {
-    /// Keeps an error. It counts as handled when another task resumes the failed one, or kills it.
+    /// Tracks the errors in events. An error counts as handled when another task resumes or kills the failed task.
     pub(super) fn follow(&mut self, event: &Event) {
         match &event.kind {
             EventKind::Log { text, .. } => self.logged.clone_from(text),
-            // The error of the task follows.
+            // The error event of the task follows.
             EventKind::Move { phase: "error", .. } => self.refused = Some(self.logged.clone()),
             EventKind::Fault { instruction, text, file, line, .. } => {
                 let (file, reason) = (file.clone(), text.clone());
@@ -65,7 +65,7 @@ impl Failures {
                 self.unhandled.push(Failure { task, code, file, line, reason, is_line_missing, at, is_shown: false });
             }
             EventKind::Task { state: "resumed" | "killed", name, .. } if event.task.is_some() => {
-                // Libraries may have tasks of the same name.
+                // Libraries may have tasks with the same name.
                 let handled = self.unhandled.iter().position(|failure| failure.task == *name);
                 handled.map(|at| self.unhandled.remove(at));
             }
@@ -78,7 +78,8 @@ impl Failures {
         self.unhandled.is_empty() && self.path.is_none()
     }
 
-    /// The path that the arm cannot follow, unless it was shown or is the reason of an unhandled error 150.
+    /// Returns the path that the arm cannot follow, unless it was already shown or is the cause of an unhandled error
+    /// 150.
     pub(super) fn take_path(&mut self) -> Option<ImpossiblePath> {
         let is_known = self.unhandled.iter().any(|failure| failure.code == MOTION_FAULT);
         let path = self.path.as_mut().filter(|path| !is_known && !path.is_shown)?;
@@ -86,8 +87,8 @@ impl Failures {
         Some(path.clone())
     }
 
-    /// The unhandled errors that were not shown yet: those older than a moment at time `now`, or all of them when the
-    /// run has ended.
+    /// Returns the unhandled errors that were not yet shown: the errors that occurred at least `PATIENCE` before `now`,
+    /// or all errors if the run has ended.
     pub(super) fn take_unhandled(&mut self, now: Option<f64>) -> Vec<Failure> {
         let is_old = |failure: &Failure| now.is_none_or(|now| now >= failure.at + PATIENCE);
         let due = self.unhandled.iter_mut().filter(|failure| !failure.is_shown && is_old(failure));

@@ -1,25 +1,25 @@
-//! Control of a run: by no debugger, by the client that has launched it, or by clients that attach to it.
+//! Debug control of a run: by no debugger, by the client that has launched it, or by clients that attach to it.
 
 use std::time::Duration;
 
 use val3_dap::{DebugSession, Demand, Reception, Target};
 
-/// The time between two looks at signals while only a client can do something.
+/// Polling interval for signals while only a client can continue the run.
 pub(super) const ATTENTION: Duration = Duration::from_millis(100);
 
-/// The control of a run, which its loop asks between two cycles.
+/// Debug control of a run, polled by its main loop between two cycles.
 pub(super) trait Guide {
     /// Handles the requests that have arrived.
     fn attend(&mut self, target: &mut Target<'_>) -> Demand;
 
-    /// The client that learns what happens, if there is one.
+    /// Session of the client to which events are reported, if any.
     fn session(&mut self) -> Option<&mut DebugSession>;
 
-    /// Waits for this time, or until a request has arrived.
+    /// Waits for this time or until a request arrives.
     fn wait(&mut self, time: Duration);
 }
 
-/// The run is not stopped.
+/// Control without stops.
 pub(super) struct NoDebugger;
 
 impl Guide for NoDebugger {

@@ -1,4 +1,4 @@
-//! `--interactive`: the user page in a terminal, with the keyboard as the keys of the pendant.
+//! `--interactive`: shows the user page in a terminal, and maps the keyboard to the keys of the pendant.
 
 mod journal;
 mod keyboard;
@@ -18,7 +18,7 @@ use journal::Journal;
 use keyboard::Command;
 use view::View;
 
-/// Minimum time between two pictures.
+/// Minimum time between two redraws.
 const REFRESH: Duration = Duration::from_millis(40);
 
 /// A terminal that shows the pendant.
@@ -31,10 +31,10 @@ pub(super) struct Live {
     interrupted: bool,
 }
 
-/// Whether there is a terminal to show the page and to read keys from.
+/// Checks that a terminal is available for the page and the keys.
 ///
 /// # Errors
-/// The standard input or output is something else.
+/// The standard input or output is no terminal.
 pub(super) fn check_terminal(events_to_stdout: bool) -> Result<(), UserError> {
     if events_to_stdout {
         return Err(UserError::new("the standard output cannot show both the events and the user page")
@@ -48,10 +48,10 @@ pub(super) fn check_terminal(events_to_stdout: bool) -> Result<(), UserError> {
 }
 
 impl Live {
-    /// Takes the terminal.
+    /// Initialises the terminal.
     ///
     /// # Errors
-    /// It cannot be controlled.
+    /// The terminal cannot be controlled.
     pub(super) fn open() -> Result<Self, UserError> {
         let terminal = ratatui::try_init().map_err(|error| {
             ratatui::restore();
@@ -60,12 +60,12 @@ impl Live {
         Ok(Self { terminal, journal: Journal::default(), drawn: None, interrupted: false })
     }
 
-    /// Keeps the text of an event that people want to read.
+    /// Records an event's text, if it is relevant for the user.
     pub(super) fn record_event(&mut self, event: &Event) {
         self.journal.record_event(event);
     }
 
-    /// Gives the keys that were pressed to the pendant, and shows it.
+    /// Sends pressed keys to the pendant, and redraws it.
     ///
     /// # Errors
     /// The terminal was closed.
@@ -95,7 +95,7 @@ impl Live {
         Ok(ControlFlow::Continue(()))
     }
 
-    /// The first interruption stops the application, so that its program `stop` runs; the second one ends the run.
+    /// The first interrupt stops the application, so that its program `stop` runs; the second interrupt ends the run.
     fn apply_command(&mut self, command: Option<Command>, controller: &mut Controller) -> ControlFlow<()> {
         match command {
             Some(Command::Tap(code)) => controller.operate(Operation::Tap(code)),

@@ -1,4 +1,4 @@
-//! Libraries that could not be loaded: the reason why a line that uses one meets an error.
+//! Tracks libraries that could not be loaded, to explain errors in lines that use them.
 
 use std::collections::BTreeMap;
 
@@ -7,12 +7,12 @@ use val3_machine::event::{Event, EventKind};
 
 use super::source_line::code;
 
-/// The libraries that were not loaded, by their identifiers: the path, and the code of `libLoad`.
+/// Unloaded libraries by alias: the path, and the result code of `libLoad`.
 #[derive(Debug, Default)]
 pub(super) struct MissingLibraries(BTreeMap<String, (String, u16)>);
 
 impl MissingLibraries {
-    /// Keeps track of libraries, including those that load with the application.
+    /// Tracks load events, also of libraries that are loaded with the application.
     pub(super) fn follow(&mut self, event: &Event) {
         let EventKind::Lib { op: "load", alias, path, code } = &event.kind else { return };
         if *code < INTERFACE_DIFFERS {
@@ -22,8 +22,8 @@ impl MissingLibraries {
         }
     }
 
-    /// Sentences about the missing libraries that a line of a file uses, or about all of them if the line cannot be
-    /// read; a blank follows each.
+    /// Returns sentences about the missing libraries that a line of a file uses, or about all of them if the line
+    /// cannot be read. A blank follows each sentence.
     pub(super) fn notes_for_line(&self, file: &str, line: u32) -> String {
         let code = code(file, line);
         let is_used = |alias: &str| code.as_ref().is_none_or(|code| code.contains(&format!("{alias}:")));

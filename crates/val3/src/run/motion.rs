@@ -1,4 +1,4 @@
-//! Reports on the motion of a run: a trace, a picture and a table of times.
+//! Motion reports of a run: a trace, a picture and a table of times.
 
 mod blends;
 mod picture;
@@ -18,20 +18,20 @@ use picture::PictureFile;
 use times::Times;
 use trace::Trace;
 
-/// The observers of the arm that the arguments ask for.
+/// Requested motion observers.
 pub(super) struct MotionObservers {
     trace: Option<Trace>,
     picture: Option<PictureFile>,
     times: Option<Times>,
-    /// The note for readers of the trace and the times, printed once the arm has moved.
+    /// Note for readers of the trace and the times, printed if the arm has moved.
     note: Option<String>,
     has_moved: bool,
-    /// When the arm was seen last, and how it was then.
+    /// Last observation of the arm, and its time.
     last: Option<(Time, Sample, SpeedLimit)>,
 }
 
 impl MotionObservers {
-    /// Opens the files, so that a run whose files cannot be written does not begin.
+    /// Opens the files, so that a run does not begin if a file cannot be written.
     pub(super) fn open(args: &RunArgs, controller: &Controller) -> Result<Self, UserError> {
         let arm = controller.devices.state.arm.model();
         let axes = arm.axes();
@@ -47,7 +47,7 @@ impl MotionObservers {
         })
     }
 
-    /// A cycle that began at `start` is over.
+    /// Observes the end of the cycle that began at `start`.
     pub(super) fn see(&mut self, start: Time, controller: &Controller) -> Result<(), UserError> {
         let is_idle = self.trace.is_none() && self.picture.is_none() && self.times.is_none();
         if is_idle || self.last.is_some_and(|(last, ..)| start < last + CYCLE) {
@@ -72,14 +72,14 @@ impl MotionObservers {
         Ok(())
     }
 
-    /// Events have been recorded.
+    /// Observes recorded events.
     pub(super) fn follow(&mut self, events: &[Event]) {
         if let Some(times) = &mut self.times {
             times.follow(events);
         }
     }
 
-    /// Writes what is written at the end of a run.
+    /// Writes the reports at the end of a run.
     pub(super) fn close(self) -> Result<(), UserError> {
         if let Some(note) = self.note.filter(|_| self.has_moved) {
             to_stderr(|out| writeln!(out, "note: {note}"));

@@ -1,4 +1,4 @@
-//! The observers of a run: the record, and people.
+//! Observers of a run: the event record, the console and the terminal.
 
 use std::ops::ControlFlow;
 
@@ -16,17 +16,17 @@ use crate::color::Color;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 
-/// The observers that receive the events of a run.
+/// Observers that receive the events of a run.
 pub(super) struct Observers {
     record: Record,
     console: Console,
     live: Option<Live>,
-    /// The run that this one repeats.
+    /// Recording with which the run is compared.
     recording: Option<Recording>,
 }
 
 impl Observers {
-    /// The observers that the arguments name.
+    /// Opens the observers that the arguments name.
     pub(super) fn open(args: &RunArgs, recording: Option<Recording>, color: Color) -> Result<Self, UserError> {
         let record = Record::open(args.events.as_deref())?;
         let console = Console::new(color, !record.takes_stdout())?;
@@ -34,13 +34,13 @@ impl Observers {
         Ok(Self { record, console, live, recording })
     }
 
-    /// The observers of a run whose client shows the output.
+    /// Opens the observers of a run whose client shows the output.
     pub(super) fn silent(args: &RunArgs) -> Result<Self, UserError> {
         let record = Record::open(args.events.as_deref())?;
         Ok(Self { record, console: Console::silent()?, live: None, recording: None })
     }
 
-    /// Passes events on.
+    /// Sends events to all observers.
     pub(super) fn notify(&mut self, events: &[Event]) -> Result<(), UserError> {
         events.iter().try_for_each(|event| {
             self.record.write(event)?;
@@ -52,7 +52,8 @@ impl Observers {
         })
     }
 
-    /// Passes the last events of a run on. A recording that continues after `--until` is not compared any further.
+    /// Sends the last events of a run. If the run ends at its limit or is aborted, a longer recording is not compared
+    /// further.
     pub(super) fn notify_end(&mut self, end: End, events: &[Event]) -> Result<(), UserError> {
         if matches!(end, End::Controller(Outcome::Limit) | End::BrokenOff(_) | End::Unread | End::Left) {
             let recording = self.recording.take();
@@ -65,7 +66,7 @@ impl Observers {
         Ok(())
     }
 
-    /// Makes all events so far visible.
+    /// Flushes the outputs, so that all events so far are visible.
     pub(super) fn flush(&mut self, now: Time) -> Result<(), UserError> {
         if self.live.is_none() {
             self.console.show_failures(Some(seconds(now)));
@@ -78,40 +79,40 @@ impl Observers {
         self.live.is_some()
     }
 
-    /// The standard output and error output.
+    /// Standard output and standard error output.
     pub(super) fn console(&self) -> &Console {
         &self.console
     }
 
-    /// The run that this one repeats.
+    /// Recording with which the run is compared.
     pub(super) fn recording(&self) -> Option<&Recording> {
         self.recording.as_ref()
     }
 
-    /// Whether the run differs from the one that it repeats.
+    /// Whether the run differs from the recording.
     pub(super) fn has_diverged(&self) -> bool {
         self.recording.as_ref().is_some_and(Recording::has_diverged)
     }
 
-    /// Whether a task has ended in an unhandled error.
+    /// Whether a task has stopped with an unhandled error.
     pub(super) fn has_unhandled_errors(&self) -> bool {
         self.console.has_unhandled_errors()
     }
 
-    /// Whether the output of the run is no longer read.
+    /// Whether the output of the run is closed.
     pub(super) fn has_left(&self) -> bool {
         self.record.is_abandoned() || self.console.is_abandoned()
     }
 
-    /// Lets the operator do something, if there is one.
+    /// Processes operator input, if there is an operator.
     pub(super) fn attend(&mut self, controller: &mut Controller) -> Result<ControlFlow<()>, UserError> {
         self.live.as_mut().map_or(Ok(ControlFlow::Continue(())), |live| live.attend(controller))
     }
 
-    /// Ends the output. The journal of the user page, which disappears, is printed and thus stays readable.
+    /// Closes the outputs. The journal of the user page, which disappears, is printed to remain readable.
     pub(super) fn close(mut self) -> Result<Console, UserError> {
         match self.live.take() {
-            // The journal has the errors.
+            // The journal contains the errors.
             Some(live) => live.close().iter().try_for_each(|line| self.console.say(line))?,
             None => self.console.show_failures(None),
         }
@@ -120,7 +121,7 @@ impl Observers {
     }
 }
 
-/// Shows the first difference to a recording.
+/// Shows the first difference from a recording.
 fn report(divergence: Option<Divergence>) {
     if let Some(divergence) = divergence {
         to_stderr(|out| writeln!(out, "{}", UserError::from(divergence)));

@@ -1,4 +1,4 @@
-//! From the arguments of `val3 run` to a controller with the application in memory.
+//! Opens an application for `val3 run`: from the arguments to a controller with the application in memory.
 
 use std::io;
 use std::process::ExitCode;
@@ -28,32 +28,32 @@ use crate::sockets::{Announcements, Reader};
 use crate::summary;
 use crate::user_error::{EXIT_USAGE, UserError};
 
-/// The result of opening an application.
+/// Result of opening an application.
 pub(crate) enum OpenedApplication {
     /// The application is in memory.
     Ready(Box<ReadyApplication>),
-    /// The application has faults, which were shown.
+    /// The application has faults, which were displayed.
     Faulty(ExitCode),
 }
 
-/// An application in memory, with the database that it was compiled from.
+/// An application in memory, with its database.
 pub(crate) struct ReadyApplication {
     pub(crate) controller: Controller,
     pub(crate) application: Application,
-    /// The test that is debugged.
+    /// Debugged test.
     pub(crate) test: Option<Stages>,
     /// Announcements of sockets whose ports only the cell names.
     pub(crate) announcements: Rc<Announcements>,
-    /// How many findings the check has, for a note. `None`: a test is debugged.
+    /// Note with the number of findings; `None` if a test is debugged.
     pub(crate) checked: Option<String>,
-    /// The files of the archive that is run.
+    /// Unpacked archive files.
     pub(crate) _unpacked: Option<Unpacked>,
 }
 
-/// Shows a text to the user.
+/// Function that displays a text to the user.
 pub(crate) type Show<'a> = &'a mut dyn FnMut(&dyn Fn(&mut dyn WriteColor) -> io::Result<()>);
 
-/// Reads, checks and compiles the application. `reader` learns which sockets it opens.
+/// Loads, checks and compiles the application. `reader` receives announcements of opened sockets.
 pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<OpenedApplication, UserError> {
     let path = current_folder()?.join(&args.application);
     let unpacked = Unpacked::of(&path)?;
@@ -84,7 +84,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     };
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
     check_stop(&args.program, &programs)?;
-    // The recording of a compared run contains the answers of its lines, so this run records them too.
+    // A compared run's recording contains its lines' external input, so this run records it, too.
     let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
     let announcements = Rc::new(Announcements::new(reader));
     let settings = controller.settings(Rc::clone(&announcements) as Rc<dyn SocketGuard>);
@@ -107,7 +107,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     })))
 }
 
-/// Checks that an application with `start` also has `stop`. Controllers start no other application (2.1.2).
+/// Checks that an application with `start` also has `stop`. Controllers do not start other applications (2.1.2).
 fn check_stop(program: &str, programs: &[String]) -> Result<(), UserError> {
     let has = |name: &str| programs.iter().any(|known| known == name);
     if program != START || !has(START) || has(STOP) {
@@ -131,7 +131,7 @@ fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Res
     })
 }
 
-/// The programs that `--program` can name instead of one that does not exist.
+/// Lists programs that `--program` can name in place of the unknown program.
 fn programs_to_name(unknown: &str, programs: &[String]) -> String {
     let mut names: Vec<&str> = programs.iter().map(String::as_str).collect();
     if names.is_empty() {
@@ -142,7 +142,7 @@ fn programs_to_name(unknown: &str, programs: &[String]) -> String {
     format!("{}choose one of its programs with --program: {}", meant.unwrap_or_default(), names.join(", "))
 }
 
-/// Shows a limit of this controller where the application exceeds it.
+/// Shows a limit of this controller that the application exceeds.
 fn show_limit(error: &CompileError, show: Show<'_>) -> Result<(), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
     let path = paths.to_open(error.file.as_str().into());
@@ -162,20 +162,20 @@ fn show_limit(error: &CompileError, show: Show<'_>) -> Result<(), UserError> {
     Ok(())
 }
 
-/// The result of the check before a run.
+/// Result of the check before a run.
 struct Checked {
-    /// The exit code, if the controller's compiler refuses the application.
+    /// Exit code, if the controller's compiler rejects the application.
     refusal: Option<ExitCode>,
-    /// How many findings the check has, for a note.
+    /// Note with the number of findings.
     counts: String,
 }
 
-/// Shows why the controller's compiler refuses the application, and the other findings of level error.
+/// Shows why the controller's compiler rejects the application, and the other errors.
 fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> Result<Checked, UserError> {
     let mut outcomes = session.check()?;
     let refusals = val3_check::refusals(session.db(), project);
     let is_refused = !refusals.is_empty();
-    // The report keeps the first of equal findings. Settings may give the second another level.
+    // The report keeps the first of equal findings; settings may change the level of the second.
     outcomes.diagnostics.splice(0..0, refusals);
     let mut report = session.report(outcomes);
     let counts = summary::of_checked_run(&report);

@@ -1,4 +1,4 @@
-//! Effects on an application from outside while it runs: the operator and the script.
+//! External effects on a running application: the operator and the script.
 
 use std::time::SystemTime;
 
@@ -12,11 +12,11 @@ use val3_suite::{Scenario, ScenarioError};
 use crate::args::RunArgs;
 use crate::user_error::UserError;
 
-/// Sets up the operator, the script and the wall calendar as the arguments say.
+/// Sets up the operator, the script and the calendar from the arguments. `is_resized` returns whether a data item
+/// changes its size.
 ///
 /// # Errors
-/// The script names a variable or signal that does not exist.
-/// `is_resized` returns whether a data item changes its size.
+/// The script names an unknown variable or signal.
 pub(super) fn arrange(
     controller: &mut Controller,
     args: &RunArgs,
@@ -38,7 +38,7 @@ pub(super) fn arrange(
     Ok(())
 }
 
-/// Refuses a script that has faults.
+/// Checks that a script has no faults.
 ///
 /// # Errors
 /// The script has faults, which the message lists.
@@ -48,10 +48,10 @@ pub(crate) fn check_script(path: &Utf8Path, faults: &[String]) -> Result<(), Use
     if faults.is_empty() { Ok(()) } else { Err(unusable()) }
 }
 
-/// Reads the file of a script. That of a scenario is one too: a run leaves out the expectations.
+/// Reads a script file. Scenario files are valid, too: a run ignores their expectations.
 ///
 /// # Errors
-/// The file cannot be read, or has a key or value that is not possible.
+/// The file cannot be read, or has an invalid key or value.
 pub(crate) fn read_script(path: &Utf8Path) -> Result<Scenario, UserError> {
     let text = val3_files::read_text(path, FileClass::Settings).map_err(|error| {
         UserError::new(format!("cannot read the script `{path}`: {error}"))
@@ -60,7 +60,7 @@ pub(crate) fn read_script(path: &Utf8Path) -> Result<Scenario, UserError> {
     Scenario::parse(path.as_str(), &text).map_err(|error| unusable_script(path, &error))
 }
 
-/// The error of a script with a key or value that is not possible.
+/// Error of a script with an invalid key or value.
 pub(crate) fn unusable_script(path: &Utf8Path, error: &ScenarioError) -> UserError {
     UserError::new(format!("the script `{path}` cannot be used")).with_details(error.to_string())
 }

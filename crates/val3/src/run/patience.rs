@@ -1,4 +1,4 @@
-//! Notes on a run that is silent: where its tasks wait, and why time is real.
+//! Notes on a run without output: what its tasks wait for, and why time is real.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::{Duration, Instant};
@@ -7,24 +7,24 @@ use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, TaskPosition};
 use val3_machine::event::seconds;
 
-/// The time on the wall without output after which a run names the waits of its tasks.
+/// Real time without output after which a run lists what its tasks wait for.
 const PATIENCE: Duration = Duration::from_secs(3);
 
-/// The time on the wall between two looks at the tasks.
+/// Polling interval of the tasks in real time.
 const INTERVAL: Duration = Duration::from_millis(250);
 
-/// The place and the reason of a wait that can be without an end.
+/// Location and reason of a wait that may never end: file, line, activity.
 type WaitState = (String, u32, String);
 
-/// The state of a run as its user knows it.
+/// Output and notes that the user has received.
 #[derive(Debug)]
 pub(super) struct Patience {
-    /// The last output, or the last note.
+    /// Time of the last output or note.
     last_output: Instant,
     last_look: Instant,
-    /// The waits of tasks by their names, and when each was seen first.
+    /// Waits by task name, with the time at which each wait was first observed.
     waits: BTreeMap<String, (WaitState, Instant)>,
-    /// The waits of the last note; `None` before the first one.
+    /// Waits in the last note; `None` before the first note.
     noted: Option<BTreeSet<(String, WaitState)>>,
     /// Whether the note on real time was given.
     has_noted_time: bool,
@@ -35,12 +35,12 @@ impl Patience {
         Self { last_output: now, last_look: now, waits: BTreeMap::new(), noted: None, has_noted_time: false }
     }
 
-    /// The user has seen output.
+    /// Records that the user has received output.
     pub(super) fn see_output(&mut self, now: Instant) {
         self.last_output = now;
     }
 
-    /// The note on a run in virtual time that follows the peer of a line; once.
+    /// Returns the note that time is real because a line has an external peer; only once.
     pub(super) fn note_on_time(&mut self, controller: &Controller) -> Option<String> {
         if self.has_noted_time {
             return None;
@@ -51,8 +51,8 @@ impl Patience {
         Some(format!("note: {user} has a peer on `{link}`: time is real; `receive` in a script keeps it virtual"))
     }
 
-    /// The head of a note on the waits of tasks, if the run has been silent for some seconds and its waits are not those of
-    /// the last note.
+    /// Returns the first line of a note on waiting tasks, if the run has had no output for `PATIENCE` and its waits
+    /// differ from the last note.
     pub(super) fn note_on_waits(&mut self, now: Instant, controller: &Controller) -> Option<String> {
         if now.duration_since(self.last_look) < INTERVAL {
             return None;
@@ -84,7 +84,7 @@ impl Patience {
     }
 }
 
-/// The wait of a task, unless it ends by itself.
+/// Wait state of a task; `None` if the wait ends by itself.
 fn wait_state(position: &TaskPosition) -> Option<WaitState> {
     let TaskPosition { activity, line, file, .. } = position;
     (!activity.ends_by_itself()).then(|| (file.clone(), *line, activity.to_string()))

@@ -1,4 +1,4 @@
-//! The record of a run: what happens as one JSON object a line (`--events`).
+//! Event record of a run: one JSON object per line (`--events`).
 
 use std::io::{self, BufWriter, ErrorKind, Write};
 
@@ -10,7 +10,7 @@ use crate::output::file_kind::FileKind;
 use crate::output::{Content, Destination, file, filtered};
 use crate::user_error::UserError;
 
-/// The destination of the record.
+/// Output of the event record.
 pub(crate) struct Record {
     out: Option<Box<dyn Write>>,
     path: Utf8PathBuf,
@@ -19,7 +19,7 @@ pub(crate) struct Record {
 }
 
 impl Record {
-    /// A record in a file, on the standard output (`-`), or none.
+    /// Opens a record in a file, on the standard output (`-`), or without output.
     pub(crate) fn open(path: Option<&Utf8Path>) -> Result<Self, UserError> {
         let path = path.unwrap_or(Utf8Path::new("")).to_owned();
         let out: Option<Box<dyn Write>> = match path.as_str() {
@@ -31,7 +31,7 @@ impl Record {
         Ok(Self { out, path, to, is_read: true })
     }
 
-    /// Whether the record uses the standard output, so that output for people goes elsewhere.
+    /// Whether the record uses the standard output, so that human-readable output goes elsewhere.
     pub(crate) fn takes_stdout(&self) -> bool {
         self.path == "-"
     }
@@ -46,12 +46,12 @@ impl Record {
         self.judge(written)
     }
 
-    /// Whether the record is no longer read.
+    /// Whether the reader of the record has closed it.
     pub(crate) fn is_abandoned(&self) -> bool {
         !self.is_read
     }
 
-    /// Writes the buffer out.
+    /// Flushes the buffer.
     pub(crate) fn flush(&mut self) -> Result<(), UserError> {
         let written = self.out.as_mut().map_or(Ok(()), |out| out.flush());
         self.judge(written)

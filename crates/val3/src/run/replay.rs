@@ -1,4 +1,4 @@
-//! `--replay`: a run is compared with the recording of another one, and ends at its end.
+//! `--replay`: compares a run with a recording, and ends the run at the recorded end.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use serde::Deserialize;
@@ -10,32 +10,32 @@ use val3_machine::event::{EndReason, Event};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
-/// The recording of a run.
+/// Recording of a run.
 #[derive(Debug)]
 pub(super) struct Recording {
     path: Utf8PathBuf,
-    /// The events, one a line.
+    /// Events, one per line.
     lines: Vec<String>,
-    /// The number of events of the run that were compared.
+    /// Number of compared events.
     compared: usize,
-    /// The time of the last event.
+    /// Time of the last event.
     end: Time,
-    /// The reason why the recorded run ended; `None` if the recording breaks off.
+    /// End reason of the recorded run; `None` if the recording is incomplete.
     reason: Option<EndReason>,
     has_diverged: bool,
 }
 
-/// The first difference between a run and its recording.
+/// First difference between a run and its recording.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Divergence {
     path: Utf8PathBuf,
-    /// The line of the recording, from 1.
+    /// Line of the recording, from 1.
     line: usize,
     recorded: Option<String>,
     found: Option<String>,
 }
 
-/// The fields of an event that give the end of a recording.
+/// Event fields that state the end of a recording.
 #[derive(Deserialize)]
 struct Moment {
     t: f64,
@@ -59,7 +59,7 @@ impl Recording {
 
     fn parse(path: &Utf8Path, text: &str) -> Result<Self, String> {
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-        // The last line of a run that was killed may be incomplete.
+        // If the recorded run was killed, its last line may be incomplete.
         let is_cut = |line: &str| serde_json::from_str::<Value>(line).is_err_and(|error| error.is_eof());
         lines.pop_if(|line| !text.ends_with('\n') && is_cut(line));
         let last = lines.last().ok_or("the file has no events")?;
@@ -68,18 +68,18 @@ impl Recording {
         Ok(Self { path: path.to_owned(), lines, compared: 0, end: nanoseconds(last.t), reason, has_diverged: false })
     }
 
-    /// The time of the recorded end, unless the recorded run ended on its own. The run ends there.
+    /// Time limit of the run: the recorded end, unless the recorded run has ended by itself.
     pub(super) fn limit(&self) -> Option<Time> {
         let is_by_itself = matches!(self.reason, Some(EndReason::Finished | EndReason::Error | EndReason::Refused));
         (!is_by_itself).then_some(self.end)
     }
 
-    /// Whether the run has continued beyond the recorded end.
+    /// Whether the run has continued after the recorded end.
     pub(super) fn is_over(&self, now: Time) -> bool {
         self.limit().map_or(now > self.end, |limit| now >= limit)
     }
 
-    /// The reason why the recorded run ended.
+    /// End reason of the recorded run.
     pub(super) fn reason(&self) -> EndReason {
         self.reason.unwrap_or(EndReason::Stopped)
     }
@@ -89,7 +89,7 @@ impl Recording {
         self.has_diverged
     }
 
-    /// Compares the next event of the run. Returns the difference if it is the first one.
+    /// Compares the next event of the run. Returns the first difference, once.
     pub(super) fn compare(&mut self, event: &Event) -> Option<Divergence> {
         let at = self.compared;
         self.compared += 1;
@@ -115,7 +115,7 @@ impl Recording {
     }
 }
 
-/// Whether two events are the same. The order of fields and the form of numbers do not count.
+/// Whether two events are equal, regardless of field order and number format.
 fn is_equal(one: Option<&String>, other: Option<&String>) -> bool {
     let value = |event: Option<&String>| event.and_then(|event| serde_json::from_str::<Value>(event).ok());
     one == other || value(one).is_some_and(|one| Some(one) == value(other))

@@ -1,4 +1,4 @@
-//! The pace of a run on the real clock, which operators may change while it runs.
+//! Pace of a run in real time, which operators may change during the run.
 
 use std::time::Duration;
 
@@ -9,56 +9,56 @@ use val3_view::Speed;
 
 use crate::wall_clock::WallClock;
 
-/// Cycles that one command may ask for.
+/// Maximum number of cycles in one command.
 const MOST_CYCLES: u64 = 250;
 
-/// The pace of a run.
+/// Pace of a run.
 #[derive(Debug)]
 pub(super) struct Tempo {
     pub(super) pace: Pace,
     clock: WallClock,
     speed: f64,
     is_paused: bool,
-    /// Cycles to run while the run is paused.
+    /// Number of cycles to execute while the run is paused.
     cycles: u64,
 }
 
 impl Tempo {
-    /// A run that is not paused.
+    /// Creates the pace of a run that is not paused.
     pub(super) fn new(pace: Pace, now: Time) -> Self {
         Self { pace, clock: WallClock::new(now), speed: 1.0, is_paused: false, cycles: 0 }
     }
 
-    /// Whether the next cycle has to wait for an operator.
+    /// Whether the run is paused before its next cycle.
     pub(super) const fn is_stopped(&self) -> bool {
         self.is_paused && self.cycles == 0
     }
 
-    /// A cycle is over.
+    /// Counts a finished cycle.
     pub(super) const fn end_cycle(&mut self) {
         self.cycles = self.cycles.saturating_sub(1);
     }
 
-    /// The clock of the controller has not run since.
+    /// Restarts the real clock after the controller's clock was stopped.
     pub(super) fn restart_clock(&mut self, now: Time) {
         self.clock.restart(now, self.speed);
     }
 
-    /// The time to wait on the real clock.
+    /// Remaining wait in real time.
     pub(super) fn wait_time(&self, delay: Delay) -> Duration {
         self.clock.wait_time(delay)
     }
 
-    /// The pace as the message `clock`.
+    /// Message `clock` with the pace.
     pub(super) fn message(&self, seconds: f64) -> Value {
         let speed = if self.pace.real_time { Speed::Times(self.speed) } else { Speed::Fastest };
         speed.message(seconds, self.is_paused)
     }
 
-    /// The command `pace`: another speed, or a pause.
+    /// Executes the command `pace`: changes the speed, or pauses the run.
     ///
     /// # Errors
-    /// An argument is wrong. Nothing has changed.
+    /// An argument is invalid. Nothing has changed.
     pub(super) fn change(&mut self, arguments: &Map<String, Value>, now: Time) -> Result<(), String> {
         let is_paused = match arguments.get("isPaused") {
             None => self.is_paused,
@@ -75,10 +75,10 @@ impl Tempo {
         Ok(())
     }
 
-    /// The command `cycle`: some cycles of a run that is paused.
+    /// Executes the command `cycle`: several cycles while the run is paused.
     ///
     /// # Errors
-    /// The run is not paused, or the number is wrong.
+    /// The run is not paused, or the number is invalid.
     pub(super) fn step(&mut self, arguments: &Map<String, Value>, now: Time) -> Result<(), String> {
         let cycles = arguments.get("cycles").map_or(Some(1), Value::as_u64);
         let cycles = cycles.filter(|cycles| (1..=MOST_CYCLES).contains(cycles));

@@ -1,4 +1,4 @@
-//! The copy of an archive that a run reads and writes, because programs may write to `Disk://`.
+//! Archive copy that a run reads and writes, because programs may write to `Disk://`.
 
 use std::fs;
 
@@ -9,15 +9,15 @@ use val3_analysis::paths::normalise;
 use crate::in_memory::archive_around;
 use crate::user_error::UserError;
 
-/// The files of an archive in a temporary folder, which is deleted with the value.
+/// Archive files in a temporary folder, which is deleted on drop.
 pub(crate) struct Unpacked {
-    /// The requested path in the folder.
+    /// Requested path in the folder.
     pub(crate) path: Utf8PathBuf,
     _folder: TempDir,
 }
 
 impl Unpacked {
-    /// Unpacks the archive that `path` names, or in which it lies; `None` if it is in no archive.
+    /// Unpacks the archive at `path` or above it. `None` if the path is not in an archive.
     ///
     /// # Errors
     /// The archive cannot be read, or the temporary folder cannot be written.

@@ -1,4 +1,4 @@
-//! The paths that the arguments ask for: folders, applications, scenarios, and files of single tests.
+//! Paths in the arguments: folders, applications, scenarios, and files of single tests.
 
 use std::collections::BTreeSet;
 
@@ -11,18 +11,18 @@ use super::refused::RefusedTests;
 use super::script_file::program_beside;
 use crate::user_error::UserError;
 
-/// The paths of the arguments.
+/// Paths in the arguments.
 #[derive(Debug, Default)]
 pub(super) struct Asked {
-    /// Folders, applications and scenarios, whose tests are all meant.
+    /// Folders, applications and scenarios, all of whose tests are requested.
     pub(super) folders: Vec<Utf8PathBuf>,
-    /// The files of test programs.
+    /// Files of test programs.
     pub(super) programs: Vec<Utf8PathBuf>,
 }
 
 impl Asked {
-    /// The paths relative to the current folder. A file may have the number of a line after it, as editors write places; the
-    /// file of expectations beside a test program means this program.
+    /// Resolves the paths relative to the current folder. A line number may follow a file name, as editors display
+    /// locations. The expectations file next to a test program means this program.
     pub(super) fn new(paths: &[Utf8PathBuf], current: &Utf8Path) -> Self {
         let mut asked = Self::default();
         for path in paths {
@@ -35,17 +35,17 @@ impl Asked {
         asked
     }
 
-    /// Whether a test of an application is meant that only files of programs have led to.
+    /// Whether the file of the test is named, for an application that was only found by file names.
     pub(super) fn names(&self, case: &TestCase) -> bool {
         let key = path_key(&case.file);
         self.programs.iter().any(|program| path_key(program.as_str()) == key)
     }
 
-    /// Checks that each file of a program is a test. `files` are those of the tests that were found, `refused` the project
-    /// files of applications whose tests are not known.
+    /// Checks that each named program file is a test. `files` are the files of the found tests; `refused` are the
+    /// project files of applications whose tests are unknown.
     ///
     /// # Errors
-    /// A file is none of the tests.
+    /// A file belongs to no test.
     pub(super) fn check_found(&self, files: &BTreeSet<String>, refused: &[RefusedTests]) -> Result<(), UserError> {
         let is_refused = |program: &Utf8Path| {
             refused.iter().filter_map(|tests| tests.path.parent()).any(|folder| program.starts_with(folder))
@@ -59,7 +59,7 @@ impl Asked {
     }
 }
 
-/// The path without `:LINE` at its end, if there is no file with it.
+/// Removes `:LINE` from the end of the path, unless a file with this name exists.
 fn without_line(path: &Utf8Path) -> Utf8PathBuf {
     let split = path.as_str().rsplit_once(':').filter(|_| !path.exists());
     let is_line = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
@@ -69,7 +69,7 @@ fn without_line(path: &Utf8Path) -> Utf8PathBuf {
     }
 }
 
-/// The test program that a file is or belongs to.
+/// Test program that the file is or belongs to.
 fn program(path: &Utf8Path) -> Option<Utf8PathBuf> {
     let has_extension = |end: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(end));
     if !path.is_file() {

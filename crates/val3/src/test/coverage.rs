@@ -1,4 +1,4 @@
-//! The coverage of the tested programs: a table, files for services and people, and the least that is accepted.
+//! Coverage of the tested programs: a table, report files, and the minimum share.
 
 use std::fs;
 
@@ -16,7 +16,7 @@ use crate::paths::Paths;
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
-/// The beginning of code that is not escaped.
+/// Start of code that is not escaped.
 const CDATA: &str = "<![CDATA[";
 
 /// Writes the reports. Returns whether enough lines were executed.
@@ -42,13 +42,13 @@ pub(super) fn report(args: &TestArgs, counted: Coverage, paths: &Paths, color: C
     Ok(shortfall.is_none())
 }
 
-/// The path by which services know a file, and its lines of code. `None` for a library that only a test has written.
+/// Path by which services identify a file, and its code lines. `None` for a library that only a test has written.
 fn shown(file: &str, paths: &Paths) -> Option<(String, Vec<(u32, String)>)> {
     let bytes = val3_files::read(file.into(), FileClass::Program).ok()?;
     Some((one_line(&paths.in_repository(file.into())).into_owned(), source(&encoding::decode(bytes).text)))
 }
 
-/// The code of a program with the lines of its file.
+/// Code lines of a program with their line numbers in the file.
 fn source(text: &str) -> Vec<(u32, String)> {
     let parse = parse(text);
     let range = code(parse.view()).map(|code| usize::from(code.range().start())..usize::from(code.range().end()));
@@ -86,7 +86,7 @@ fn write_pages(coverage: &Coverage, folder: &Utf8Path) -> Result<(), UserError> 
         .try_for_each(|page| to_file(&folder.join(&page.name), FileKind::Html, |out| write!(out, "{}", page.text)))
 }
 
-/// The error message if too few lines were executed.
+/// Error message if too few lines were executed.
 fn shortfall(args: &CoverageArgs, lines: Share) -> Option<String> {
     let wanted = args.fail_under?;
     if lines.total == 0 {

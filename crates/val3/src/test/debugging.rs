@@ -1,4 +1,4 @@
-//! A test that a client debugs.
+//! Tests with a debug client.
 
 use std::rc::Rc;
 
@@ -20,10 +20,10 @@ use crate::run::ReadyApplication;
 use crate::sockets::Announcements;
 use crate::user_error::UserError;
 
-/// Opens a test application, and starts the first program of one of its tests, as `val3 test` does.
+/// Opens a test application, and starts a test's first program, as `val3 test` does.
 ///
 /// # Errors
-/// The application cannot be read, the compiler refuses it, or it has no such test.
+/// The application cannot be loaded, the compiler rejects it, or it has no such test.
 pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, UserError> {
     let opening = Opening { controller: &args.controller, limit: None, is_counted: false, replace: None, edited: &[] };
     let suite = open(opening, &current_folder()?.join(&args.application))?;
@@ -49,7 +49,7 @@ pub(crate) fn open_test(args: &RunArgs, name: &str) -> Result<ReadyApplication, 
     })
 }
 
-/// The test with a name, which need not name the application; of a test with a table the first row.
+/// Finds a test by name, with or without the application's name. For the name of a table, the first row is used.
 fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
     let whole = format!("{}:{name}", suite.image.name);
     let called = |name_of: fn(&TestCase) -> String| {
@@ -63,7 +63,7 @@ fn find<'s>(suite: &'s Suite, name: &str) -> Result<&'s TestCase, UserError> {
     })
 }
 
-/// The result of a debugged test: for people, and for the client.
+/// Result of a debugged test, as text for the user and as JSON for the client.
 pub(crate) fn report(case: TestCase, mut result: TestResult) -> Result<(String, Value), UserError> {
     let paths = Paths::new(&[], &current_folder()?);
     golden_texts::judge(&case, &mut result, false)?;

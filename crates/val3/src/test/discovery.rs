@@ -1,4 +1,4 @@
-//! The applications with tests below the paths asked for.
+//! Finds applications with tests in the requested paths.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -26,13 +26,13 @@ use crate::args::{ControllerArgs, LIMITS, TestArgs};
 use crate::paths::{Paths, from_here};
 use crate::user_error::UserError;
 
-/// The seconds of the controller's clock after which a test has failed, where nothing else is set.
+/// Default timeout of a test, in seconds of the controller's clock.
 const DEFAULT_LIMIT: f64 = 60.0;
 
-/// The applications with tests.
+/// Applications with tests.
 pub(super) struct Suites {
     pub(super) opened: Vec<Suite>,
-    /// What stands for the tests of the others.
+    /// Tests that cannot be executed.
     pub(super) refused: Vec<RefusedTests>,
 }
 
@@ -46,7 +46,7 @@ pub(super) struct Suite {
 }
 
 impl Suite {
-    /// The files of test programs in its folder that its project does not list, in order.
+    /// Test program files in the application's folder that its project does not list, sorted.
     pub(super) fn unlisted_tests(&self) -> Vec<&Utf8Path> {
         let db = self.application.db();
         let is_here = |path: &&Utf8Path| path.parent() == self.manifest.parent();
@@ -58,8 +58,8 @@ impl Suite {
         tests
     }
 
-    /// The folders that its tests depend on, and whether with everything below: that around the application, where tested
-    /// applications are, those of the tests and of the libraries, and that of the configuration.
+    /// Folders on which the tests depend, and whether their subfolders are included: the parent of the application with
+    /// the tested applications, the folders of tests and libraries, and the folder of the configuration.
     pub(super) fn folders(&self) -> Vec<(Utf8PathBuf, bool)> {
         let (db, project) = (self.application.db(), self.application.project());
         let around = self.manifest.parent().and_then(Utf8Path::parent);
@@ -70,7 +70,7 @@ impl Suite {
     }
 }
 
-/// A test of an application.
+/// An application's test.
 #[derive(Clone, Copy)]
 pub(super) struct TestFile<'s> {
     pub(super) manifest: &'s Utf8Path,
@@ -80,12 +80,12 @@ pub(super) struct TestFile<'s> {
 /// An application whose tests are listed.
 pub(super) struct Listed {
     pub(super) manifest: Utf8PathBuf,
-    /// Its tests, or the reason why they cannot be executed.
+    /// Tests, or the reason why they cannot be executed.
     pub(super) cases: Result<Vec<TestCase>, String>,
 }
 
 impl Listed {
-    /// All applications with tests; possibly none.
+    /// Lists all applications with tests; the list may be empty.
     ///
     /// # Errors
     /// A path does not exist.
@@ -123,7 +123,7 @@ impl Listed {
         Self { manifest, cases: cases.map(wanted).map_err(|error| error.to_string()) }
     }
 
-    /// Takes the tests of another entry of the same application. `false` if it is none.
+    /// Moves the tests of `next` into this entry, if both belong to the same application. Returns whether they do.
     fn takes(&mut self, next: &mut Self) -> bool {
         match (&mut self.cases, &mut next.cases) {
             (Ok(cases), Ok(more)) if self.manifest == next.manifest => {
@@ -135,10 +135,10 @@ impl Listed {
     }
 }
 
-/// The tests of applications that the arguments ask for. `refused` keeps those among which such a test is.
+/// Returns the requested tests. Requested tests that cannot be executed remain in `refused`.
 ///
 /// # Errors
-/// A test that the arguments name does not exist, or no test is left.
+/// A test that an argument names does not exist, or no test remains.
 pub(super) fn chosen<'s>(
     args: &TestArgs,
     suites: &'s [Suite],
@@ -167,10 +167,10 @@ pub(super) fn chosen<'s>(
     Ok(selection.part(wanted, |test| test.case))
 }
 
-/// The applications with tests, in the order of their folders.
+/// Finds and opens the applications with tests, in folder order.
 ///
 /// # Errors
-/// There is none, or a folder cannot be searched.
+/// There is no such application, or a folder cannot be searched.
 pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Suites, UserError> {
     let asked = Asked::new(&args.paths, current);
     let scenarios = scenarios::find(&asked.folders)?;
@@ -211,11 +211,11 @@ pub(super) fn suites(args: &TestArgs, current: &Utf8Path) -> Result<Suites, User
 /// An application with test programs.
 struct FoundApplication {
     manifest: Utf8PathBuf,
-    /// All its tests are meant, not only those whose files the arguments name.
+    /// Whether all tests are requested, not only tests whose files the arguments name.
     is_whole: bool,
 }
 
-/// The applications with test programs that the paths lead to, in the order of their project files.
+/// Finds the applications with test programs in the requested paths, sorted by project file.
 fn found_applications(asked: &Asked, scenarios: &[Utf8PathBuf]) -> Result<Vec<FoundApplication>, UserError> {
     let whole = test_applications(&scenarios::without(&asked.folders, scenarios))?;
     let named = test_applications(&asked.programs)?;
@@ -227,7 +227,7 @@ fn found_applications(asked: &Asked, scenarios: &[Utf8PathBuf]) -> Result<Vec<Fo
     Ok(found)
 }
 
-/// The project files of the applications with test programs below the paths, in order.
+/// Project files of the applications with test programs in the paths, sorted.
 fn test_applications(paths: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError> {
     if paths.is_empty() {
         return Ok(Vec::new());
@@ -245,17 +245,17 @@ fn test_applications(paths: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserErro
     Ok(manifests)
 }
 
-/// How applications with tests are opened.
+/// Options for opening an application with tests.
 #[derive(Clone, Copy)]
 pub(super) struct Opening<'a> {
     pub(super) controller: &'a ControllerArgs,
-    /// The limit of the arguments, in seconds.
+    /// Timeout in the arguments, in seconds.
     pub(super) limit: Option<f64>,
-    /// Lines and branches are counted.
+    /// Whether lines and branches are counted.
     pub(super) is_counted: bool,
-    /// The stand-ins that the file of a test names, by identifier with absolute paths.
+    /// Stand-in libraries that the file of a test names: absolute paths by library alias.
     pub(super) replace: Option<&'a BTreeMap<String, String>>,
-    /// Texts of programs in place of those on the disk, by path.
+    /// Texts that replace program files on the disk, by path.
     pub(super) edited: &'a [(Utf8PathBuf, Arc<str>)],
 }
 
@@ -266,10 +266,10 @@ impl<'a> Opening<'a> {
     }
 }
 
-/// Reads and compiles an application.
+/// Loads and compiles an application.
 ///
 /// # Errors
-/// It cannot be read, or the compiler refuses it.
+/// The application cannot be loaded, or the compiler rejects it.
 pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, Refusal> {
     let mut system = OverlayFs::new(Disk);
     opening.edited.iter().for_each(|(path, text)| system.edit(path, Arc::clone(text)));
@@ -302,10 +302,10 @@ pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, R
     Ok(Suite { manifest: manifest.to_owned(), application, image, cases, settings })
 }
 
-/// The settings of the arguments, or of the configuration where the arguments set none.
+/// Returns the settings in the arguments, completed by the configuration.
 ///
 /// # Errors
-/// The configuration has a value that the setting does not accept.
+/// The configuration has an invalid value.
 fn settings(limit: Option<f64>, application: &Application) -> Result<TestSettings, UserError> {
     let configuration = application.project().configuration(application.db());
     let file = configuration.map(|configuration| configuration.file(application.db()));

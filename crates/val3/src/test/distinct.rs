@@ -1,4 +1,4 @@
-//! Names that tell all tests apart: applications or scenarios of one name get their paths.
+//! Makes test names unique by adding paths to equal names of applications or scenarios.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,7 +7,7 @@ use val3_suite::{TestCase, TestKind};
 
 use crate::paths::Paths;
 
-/// Gives each test a name for people that no other test has. Each comes with the project file of its application.
+/// Sets a unique display name for each test. Each test comes with the project file of its application.
 pub(super) fn distinguish(tests: Vec<(Utf8PathBuf, &mut TestCase)>, paths: &Paths) {
     let mut applications: BTreeMap<String, BTreeSet<Utf8PathBuf>> = BTreeMap::new();
     let mut scenarios: BTreeMap<(Utf8PathBuf, String), BTreeSet<String>> = BTreeMap::new();

@@ -1,9 +1,9 @@
-//! The last events before a failure, as text.
+//! Text of the last events before a failure.
 
 use val3_machine::event::EventKind;
 use val3_suite::RepeatedEvent;
 
-/// The line of an event: its time, and what has happened how often.
+/// An event's line: its time, task, description and number of repetitions.
 pub(super) fn line(RepeatedEvent { event, count, since }: &RepeatedEvent) -> String {
     let task = event.task.as_ref().map(|task| format!(" (task `{task}`)")).unwrap_or_default();
     let times = if *count > 1 { format!(", {count} times since {since:.3} s") } else { String::new() };

@@ -1,4 +1,4 @@
-//! Results as workflow commands of GitHub Actions: each failure becomes a note at its line in the pull request.
+//! Workflow commands of GitHub Actions: each failure becomes a line annotation in the pull request.
 
 use std::io;
 
@@ -9,7 +9,7 @@ use super::tested::lines;
 use crate::format::github::{data, property, write_limit};
 use crate::paths::Paths;
 
-/// Writes one command a failure, at the line of the innermost program or of the expectation.
+/// Writes one command for each failure, at the line of the innermost program or of the expectation.
 pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let tested = &results.tested;
     let failures = tested.iter().flat_map(|test| test.result.failures.iter().map(|failure| (&test.case, failure)));

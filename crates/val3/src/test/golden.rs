@@ -1,4 +1,4 @@
-//! Files with recorded motion: compared after a test, or recorded again (`--update`).
+//! Recorded motion: compared after a test, or recorded once more (`--update`).
 
 use std::fs;
 
@@ -15,14 +15,14 @@ use crate::output::to_stderr;
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
-/// The first bytes of a picture.
+/// First bytes of a picture.
 const PICTURE: &[u8] = b"<svg";
 
-/// The expectation that names the file.
+/// Expectation that names the file.
 const KEY: &str = "expect.trace";
 
-/// Compares the motion of a test with the file that its expectation names, or records it there. A failure becomes one of
-/// the test. Only tests without failures are recorded.
+/// Compares the motion of a test with the file that its expectation names, or records it there. A difference is added
+/// to the failures of the test. Only tests without failures are recorded.
 ///
 /// # Errors
 /// A file cannot be written.
@@ -49,11 +49,11 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
     Ok(Some(RecordedFile { path, action }))
 }
 
-/// Compares the motion of a test with the file that its expectation names, and writes nothing. A failure becomes one of the
-/// test.
+/// Compares the motion of a test with the file that its expectation names, and writes nothing. A difference is added to
+/// the failures of the test.
 ///
 /// # Errors
-/// The file lies where tests have none.
+/// The file is outside of the permitted folders.
 pub(super) fn judge_only(case: &TestCase, result: &mut TestResult) -> Result<(), UserError> {
     let Some(motion) = result.motion.take() else { return Ok(()) };
     let folder = Utf8Path::new(&case.file).parent().unwrap_or(Utf8Path::new("."));
@@ -90,15 +90,15 @@ fn compare(motion: &RecordedMotion, path: &Utf8Path, result: &mut TestResult) ->
     }
 }
 
-/// The picture of a motion that differs from its file.
+/// Picture of a motion that differs from its file.
 fn picture(path: &Utf8Path) -> Utf8PathBuf {
     path.with_extension("failed.svg")
 }
 
-/// Whether there is a picture that can be replaced or removed.
+/// Whether a picture exists that may be replaced or removed.
 ///
 /// # Errors
-/// A file of another kind has its name, or the file cannot be read.
+/// The file at this path is no picture, or cannot be read.
 fn is_picture(path: &Utf8Path) -> Result<bool, UserError> {
     match val3_files::read_head(path, PICTURE.len() as u64) {
         Ok(head) if head == PICTURE => Ok(true),
@@ -116,7 +116,7 @@ fn remove_picture(path: &Utf8Path) -> Result<(), UserError> {
     }
 }
 
-/// Says which files `--update` has written.
+/// Reports the files that `--update` has written.
 pub(super) fn report(tested: &[Tested], paths: &Paths) {
     for RecordedFile { path, action } in tested.iter().flat_map(|test| &test.recorded) {
         to_stderr(|out| writeln!(out, "{action} {}", paths.shown(path.as_path())));

@@ -1,4 +1,4 @@
-//! Recorded texts: compared after a test, or recorded again (`--update`).
+//! Recorded texts: compared after a test, or recorded once more (`--update`).
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
@@ -9,8 +9,8 @@ use super::cell::check_file;
 use super::recorded_file::{RecordedFile, Recording, record};
 use crate::user_error::UserError;
 
-/// Compares the texts of a test with the files that its expectations name, or records them there. A failure becomes one of
-/// the test. Only tests without failures are recorded.
+/// Compares the texts of a test with the files that its expectations name, or records them there. A difference is added
+/// to the failures of the test. Only tests without failures are recorded.
 ///
 /// # Errors
 /// A file cannot be written.
@@ -44,7 +44,7 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
 /// Compares the texts of a test with the files that its expectations name, and writes nothing.
 ///
 /// # Errors
-/// A file lies where tests have none.
+/// A file is outside of the permitted folders.
 pub(super) fn judge_only(case: &TestCase, result: &mut TestResult) -> Result<(), UserError> {
     for golden in std::mem::take(&mut result.golden_texts) {
         let path = path(case, &golden)?;

@@ -1,4 +1,4 @@
-//! Results as one page for browsers, without scripts or other files. It is light or dark as the reader's system is.
+//! Results as one HTML page without scripts or other files. Its colours follow the light or dark setting of the system.
 
 use std::io;
 
@@ -13,8 +13,8 @@ use crate::paths::Paths;
 
 const STYLE: &str = include_str!("html/style.css");
 
-/// Writes the page: the numbers, then the tests of each application. Failed ones are open, with the drawings of motions that
-/// differ from the recorded ones.
+/// Writes the page: the counts, then each application's tests. Failed tests are expanded, with drawings of motions
+/// that differ from recorded motions.
 pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let numbers = numbers(results);
     writeln!(
@@ -42,7 +42,7 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
     writeln!(out, "</body>\n</html>")
 }
 
-/// Writes the failed tests with the first line of each failure, each a link to its details.
+/// Writes the failed tests with each failure's first line, linked to the details.
 fn failures(results: &Results, out: &mut dyn WriteColor) -> io::Result<()> {
     let failed: Vec<&Tested> = results.tested.iter().filter(|test| !test.result.has_passed()).collect();
     if failed.is_empty() {
@@ -71,7 +71,7 @@ fn numbers(results: &Results) -> String {
     shown.map(|(_, (count, what))| format!("{count} {what}")).collect::<Vec<_>>().join(", ")
 }
 
-/// A line for a test; with its circumstances where there are any.
+/// Writes a row for a test, with its circumstances if there are any.
 fn test(tested: &Tested, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let Tested { case, result, .. } = tested;
     let (class, sign) = match (&result.exemption, result.has_passed()) {

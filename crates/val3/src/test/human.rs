@@ -1,4 +1,4 @@
-//! Results as text.
+//! Results as text for people.
 
 use std::io;
 
@@ -12,17 +12,17 @@ use super::tested::{Tested, described};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
-/// Results as far as they were written.
+/// Output state of the results.
 #[derive(Debug, Default)]
 pub(super) struct Listing {
-    /// Tests that have passed are omitted.
+    /// Whether passed tests are omitted.
     pub(super) is_quiet: bool,
-    /// The application of the last test.
+    /// Application of the last test.
     application: String,
 }
 
 impl Listing {
-    /// Writes the line of a test, and what has failed.
+    /// Writes the line of a test, and its failures.
     pub(super) fn add(&mut self, tested: &Tested, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
         let Tested { case, result, .. } = tested;
         if self.is_quiet && result.has_passed() && result.exemption.is_none() {
@@ -61,7 +61,7 @@ pub(super) fn write(results: &Results, is_quiet: bool, paths: &Paths, out: &mut 
     summary(results, paths, out)
 }
 
-/// Writes the failures of several tests once more, each on a line, and the numbers of tests.
+/// Writes the failures once more, one per line, if several tests were executed, and the numbers of tests.
 pub(super) fn summary(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let failed = results.failed();
     if failed > 0 && results.tested.len() > 1 {
@@ -83,7 +83,7 @@ pub(super) fn summary(results: &Results, paths: &Paths, out: &mut dyn WriteColor
     }
 }
 
-/// Writes the slowest tests with the time that each has taken.
+/// Writes the slowest tests with their durations.
 pub(super) fn slowest(results: &Results, count: usize, out: &mut dyn WriteColor) -> io::Result<()> {
     if count > 0 && !results.tested.is_empty() {
         writeln!(out, "slowest tests:")?;
@@ -94,7 +94,7 @@ pub(super) fn slowest(results: &Results, count: usize, out: &mut dyn WriteColor)
     })
 }
 
-/// The place, the name and the first line of a failure.
+/// Location, name and first line of a failure.
 fn failure_line(Tested { case, result, .. }: &Tested, failure: &Failure, paths: &Paths) -> String {
     let place = failure.places.iter().find(|place| !place.file.is_empty());
     let (file, line) = place.map_or((&case.file, case.line), |place| (&place.file, place.line));
@@ -111,7 +111,7 @@ fn failure_line(Tested { case, result, .. }: &Tested, failure: &Failure, paths: 
     )
 }
 
-/// Writes what a failed test has shown and printed, and its last events.
+/// Writes the screen, the printed lines and the last events of a failed test.
 fn circumstances(result: &TestResult, out: &mut dyn WriteColor) -> io::Result<()> {
     if let Some(page) = &result.page {
         writeln!(out, "        the screen shows:")?;

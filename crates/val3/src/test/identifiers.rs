@@ -1,4 +1,4 @@
-//! The library identifiers of `[test] replace` that no application declares.
+//! Checks that applications declare the library aliases in `[test] replace`.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,20 +14,20 @@ use val3_session::SessionError;
 
 use crate::user_error::UserError;
 
-/// Refuses unknown identifiers in the configurations of applications with tests.
+/// Checks the configurations of applications with tests.
 ///
 /// # Errors
-/// An identifier is declared neither by an application that was asked for nor by one below the folder of the configuration.
+/// Neither a requested application nor an application in the folder of the configuration declares an alias.
 pub(super) fn check(workspace: &Workspace, manifests: &[Utf8PathBuf]) -> Result<(), UserError> {
     let unknown: Vec<ConfigError> =
         configurations(&workspace.db, manifests).into_iter().flat_map(|file| unknown(&workspace.db, file)).collect();
     if unknown.is_empty() { Ok(()) } else { Err(SessionError::Load(LoadError::Configuration(unknown)).into()) }
 }
 
-/// Refuses unknown identifiers in the file of a test.
+/// Checks the file of a test.
 ///
 /// # Errors
-/// No project that its application loads declares the identifier.
+/// No project that its application loads declares an alias.
 pub(super) fn check_file(db: &Database, replace: &BTreeMap<String, String>) -> Result<(), UserError> {
     let declared = declared(db);
     let Some(unknown) = replace.keys().find(|identifier| !declared.contains(*identifier)) else { return Ok(()) };
@@ -35,7 +35,7 @@ pub(super) fn check_file(db: &Database, replace: &BTreeMap<String, String>) -> R
     Err(UserError::new(format!("`replace`: {message}")).with_help(help))
 }
 
-/// The configurations of applications, by path.
+/// Configurations of applications, sorted by path.
 fn configurations<'db>(db: &'db Database, manifests: &[Utf8PathBuf]) -> Vec<&'db ConfigFile> {
     let projects = Sources::get(db).projects(db);
     let project = |manifest: &Utf8PathBuf| projects.get(&path_key(manifest.as_str())).copied();
@@ -45,7 +45,7 @@ fn configurations<'db>(db: &'db Database, manifests: &[Utf8PathBuf]) -> Vec<&'db
     by_path.into_values().collect()
 }
 
-/// The faults of identifiers that are unknown in a configuration.
+/// Faults of unknown aliases in a configuration.
 fn unknown(db: &Database, file: &ConfigFile) -> Vec<ConfigError> {
     let mut declared = declared(db);
     let is_unknown = |declared: &BTreeSet<String>, identifier: &str| !declared.contains(identifier);
@@ -53,7 +53,7 @@ fn unknown(db: &Database, file: &ConfigFile) -> Vec<ConfigError> {
     if !identifiers().any(|identifier| is_unknown(&declared, identifier)) {
         return Vec::new();
     }
-    // An application that was not asked for may declare it.
+    // An application that was not requested may declare the alias.
     if let Ok(all) = load(&Disk, &[file.folder().to_owned()]) {
         declared.extend(self::declared(&all.db));
     }
@@ -61,7 +61,7 @@ fn unknown(db: &Database, file: &ConfigFile) -> Vec<ConfigError> {
     unknown.map(|identifier| fault(file, identifier, &declared)).collect()
 }
 
-/// The library identifiers of all projects.
+/// Library aliases of all projects.
 fn declared(db: &Database) -> BTreeSet<String> {
     Sources::get(db)
         .projects(db)
@@ -75,7 +75,7 @@ fn fault(file: &ConfigFile, identifier: &str, declared: &BTreeSet<String>) -> Co
     file.fault(&format!("test.replace.{identifier}"), message, help)
 }
 
-/// The message about an unknown identifier, and the remedy.
+/// Message and help for an unknown alias.
 fn wording(identifier: &str, declared: &BTreeSet<String>) -> (String, String) {
     let proposal = question(nearest(identifier, declared.iter().map(String::as_str)));
     let help = proposal.unwrap_or_else(|| "write an identifier of <Libraries> as programs use it".to_owned());

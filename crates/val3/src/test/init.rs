@@ -1,4 +1,4 @@
-//! `--init`: the library `val3assert` and a first test beside an application.
+//! `--init`: writes the library `val3assert` and a first test next to an application.
 
 use std::fs;
 use std::process::ExitCode;
@@ -17,16 +17,17 @@ use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
-/// The lowest version with libraries and user types as the assertions use them. A test has that of its application, or this.
+/// Minimum version of a test, because the assertions use libraries and user types. Otherwise, a test has the version of
+/// its application.
 const VERSION: Version = Version::new(7, 0, 0);
 
-/// The library identifier of an application whose name cannot be one.
+/// Default library alias, if the application's name is not a valid alias.
 const ALIAS: &str = "app";
 
-/// Names of the test application.
+/// Names used by the test application.
 const TAKEN: [&str; 4] = ["start", "stop", library::FIRST_TEST.0, library::ALIAS];
 
-/// Writes the files. Existing ones are never replaced.
+/// Writes the files. Existing files are never replaced.
 ///
 /// # Errors
 /// The path is not an application, or a folder cannot be written.
@@ -59,9 +60,9 @@ pub(super) fn run(paths: &[Utf8PathBuf]) -> Result<ExitCode, UserError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// What a test takes from its application.
+/// Properties of the tested application that its test shares.
 struct Tested {
-    /// The kind of arm of its positions, else of its configuration or cell.
+    /// Arm kind of the application's positions, otherwise of its configuration or cell.
     arm: Arm,
     version: Version,
 }
@@ -76,7 +77,7 @@ fn tested(application: &Utf8Path, name: &str) -> Result<Tested, UserError> {
     Ok(Tested { arm, version: items.map_or(VERSION, |items| items.version) })
 }
 
-/// The library identifier of the application in its test: its name where that is a usable one.
+/// Library alias of the application in its test: its name, if that is a valid alias.
 fn alias(name: &str, version: Version) -> &str {
     let limit = version.identifier_limit().unwrap_or(usize::MAX);
     let is_usable = is_identifier(name) && reserved(name).is_none() && name.len() <= limit && !TAKEN.contains(&name);

@@ -1,4 +1,4 @@
-//! Results as one JSON object, and the tests without results.
+//! Results as one JSON object, and the list of tests without results.
 
 use std::io;
 
@@ -23,7 +23,7 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
     writeln!(out, "{object:#}")
 }
 
-/// The numbers of tests, and those that were not run.
+/// Numbers of tests, and the tests that were not executed.
 pub(super) fn summary(results: &Results, paths: &Paths) -> Value {
     json!({
         "version": 1,
@@ -37,7 +37,7 @@ pub(super) fn summary(results: &Results, paths: &Paths) -> Value {
     })
 }
 
-/// Writes the object with the applications that have tests, and the reason where one cannot be executed.
+/// Writes the object with the applications that have tests, and the reason if an application cannot be tested.
 pub(super) fn list(listed: &[Listed], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let application = |listed: &Listed| {
         let folder = listed.manifest.parent().unwrap_or(&listed.manifest);
@@ -54,7 +54,7 @@ pub(super) fn list(listed: &[Listed], paths: &Paths, out: &mut dyn WriteColor) -
     writeln!(out, "{:#}", json!({ "version": 1, "applications": applications }))
 }
 
-/// A test without a result.
+/// A test without its result.
 pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
     json!({
         "id": case.shown_name(),
@@ -99,7 +99,7 @@ pub(super) fn described(Tested { case, result, wall, attempts, .. }: &Tested, pa
     })
 }
 
-/// The reason why a test is neither a passed nor a failed one.
+/// Reason why a test has neither passed nor failed.
 fn exempt(exemption: &Exemption, paths: &Paths) -> Value {
     match exemption {
         Exemption::Skipped { reason } => json!({ "kind": "skipped", "reason": reason }),
@@ -113,8 +113,8 @@ fn exempt(exemption: &Exemption, paths: &Paths) -> Value {
     }
 }
 
-/// An event as in the record of a run, with the path of its file as those of places. A repeated one has its number and the
-/// time of the first.
+/// An event as in the event record, with a displayed file path. A repeated event has its count and the time of its
+/// first occurrence.
 fn repeated(RepeatedEvent { event, count, since }: &RepeatedEvent, paths: &Paths) -> Value {
     let mut object = json!(event);
     if let Some(file) = object.get_mut("file")

@@ -1,4 +1,4 @@
-//! Results as JSON objects, one a line, while the tests are executed.
+//! Results as one JSON object per line, written during the execution.
 
 use std::io;
 
@@ -10,7 +10,7 @@ use super::results::Results;
 use super::workers::Progress;
 use crate::paths::Paths;
 
-/// Writes the line of a test that has started or finished.
+/// Writes the line for a test that has started or finished.
 pub(super) fn write(progress: &Progress<'_>, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let (kind, test) = match progress {
         Progress::Started(case) => ("started", named(case, paths)),
@@ -20,7 +20,7 @@ pub(super) fn write(progress: &Progress<'_>, paths: &Paths, out: &mut dyn WriteC
     writeln!(out, "{}", json!({ "kind": kind, "test": test }))
 }
 
-/// Writes the lines of tests that are over.
+/// Writes the lines of finished tests.
 pub(super) fn document(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     results.tested.iter().try_for_each(|test| write(&Progress::Finished(test), paths, out))?;
     summary(results, paths, out)

@@ -1,4 +1,4 @@
-//! Results as JUnit XML: an application is a suite. Times are those of the clock on the wall, as dashboards compare them.
+//! Results as JUnit XML: each application is a suite. Times are real times, which dashboards compare.
 
 use std::io;
 use std::time::Duration;
@@ -15,7 +15,7 @@ use crate::format::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
-/// A test, and its result or the reason why it was not run.
+/// A test with its result, or with the reason why it was not executed.
 #[derive(Clone, Copy)]
 enum Entry<'r> {
     Run(&'r Tested),
@@ -30,7 +30,7 @@ impl<'r> Entry<'r> {
         }
     }
 
-    /// The reason why the test neither passes nor fails.
+    /// Reason why the test has neither passed nor failed.
     fn omission(self) -> Option<String> {
         match self {
             Self::Run(tested) => tested.result.exemption.as_ref().map(Exemption::label),
@@ -39,7 +39,7 @@ impl<'r> Entry<'r> {
     }
 }
 
-/// Writes one `<testsuite>` an application.
+/// Writes one `<testsuite>` element for each application.
 pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let run = results.tested.iter().map(Entry::Run);
     let mut all: Vec<Entry<'_>> =
@@ -50,7 +50,7 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
             applications.push(entry.case().shown_application());
         }
     }
-    // The sort is stable: tests keep their order.
+    // A stable sort keeps the order of the tests.
     all.sort_by_key(|entry| applications.iter().position(|name| *name == entry.case().shown_application()));
     document(out, |writer| {
         let root = writer.create_element("testsuites").with_attributes([
@@ -123,7 +123,7 @@ fn result(result: &TestResult, paths: &Paths, writer: &mut XmlWriter<'_>) -> io:
     writer.create_element("system-out").write_text_content(BytesText::new(&allowed(&output))).map(drop)
 }
 
-/// The printed lines, each after a mark, and of a failed test the user page and the last events.
+/// Printed lines, each with a prefix; for a failed test also the user page and the last events.
 fn output(result: &TestResult) -> String {
     let printed = result.prints.iter().flat_map(|print| print.split('\n'));
     let mut lines: Vec<String> = printed.map(|line| format!("| {line}")).collect();

@@ -1,4 +1,4 @@
-//! `--new`: a test in a test application.
+//! `--new`: writes a test into a test application.
 
 use std::process::ExitCode;
 
@@ -17,7 +17,8 @@ use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
-/// Writes the test `name` of the program `tested` into the test application at the path, or beside the application there.
+/// Writes the test `name` for the program `tested` into the test application at the path, or next to the application at
+/// the path.
 ///
 /// # Errors
 /// There is no such application, the test exists, or a file cannot be written.
@@ -47,14 +48,14 @@ pub(super) fn run(paths: &[Utf8PathBuf], name: &str, tested: Option<&str>) -> Re
     Ok(ExitCode::SUCCESS)
 }
 
-/// The folder of the test application: the path itself, or the one beside it whose name ends with `Test`.
+/// Folder of the test application: the folder next to the path whose name ends with `Test`, or the path itself.
 fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     let path = path.canonicalize_utf8().map_err(|error| UserError::new(format!("`{path}`: {error}")))?;
     let beside = path.file_name().map(|name| path.with_file_name(format!("{name}Test")));
     Ok(beside.filter(|beside| beside.is_dir()).unwrap_or(path))
 }
 
-/// Writes new files, then the edited ones. Nothing is written if one of them cannot be.
+/// Writes new files, then edited files. Nothing is written if one of them cannot be written.
 fn write(db: &Database, change: &SourceChange, shown: &Paths) -> Result<(), UserError> {
     let refused =
         |path: &Utf8Path, reason: String| UserError::new(format!("cannot write `{}`: {reason}", shown.shown(path)));
@@ -77,7 +78,7 @@ fn write(db: &Database, change: &SourceChange, shown: &Paths) -> Result<(), User
     Ok(())
 }
 
-/// A file with its bytes after edits.
+/// Returns a file and its bytes after edits.
 fn edited(db: &Database, edits: &[FileEdit], shown: &Paths) -> Result<(File, Vec<u8>), UserError> {
     let file = edits.first().map(|edit| edit.file).ok_or_else(|| UserError::new("a file without an edit"))?;
     let mut text = file.text(db).to_string();
@@ -88,7 +89,7 @@ fn edited(db: &Database, edits: &[FileEdit], shown: &Paths) -> Result<(File, Vec
     Ok((file, bytes))
 }
 
-/// The encoding of a file. One that could not be read has no text that could be edited.
+/// File encoding. An unreadable file is not edited.
 fn encoding(db: &Database, file: File) -> Encoding {
     match file.status(db) {
         FileStatus::Read { encoding, .. } => *encoding,

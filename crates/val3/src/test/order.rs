@@ -1,11 +1,11 @@
-//! The tests that are executed, and their order.
+//! Selection of tests for a shard, and the order of execution.
 
 use std::str::FromStr;
 
-/// One of several parts of all tests.
+/// One of several parts of all tests (`--shard`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Shard {
-    /// From 0.
+    /// Number of the part, from 0.
     part: usize,
     parts: usize,
 }
@@ -23,8 +23,8 @@ impl FromStr for Shard {
 }
 
 impl Shard {
-    /// Which tests belong to the part. Where the seconds of tests are known, each goes to the part that has the least time
-    /// so far, the slowest first.
+    /// Returns for each test whether it belongs to the part. If the durations of the tests are known, each test,
+    /// slowest first, is assigned to the part with the shortest total time so far.
     pub(super) fn part(self, seconds: &[Option<f64>]) -> Vec<bool> {
         let known: Option<Vec<f64>> = seconds.iter().copied().collect();
         let Some(known) = known.filter(|known| !known.is_empty()) else {
@@ -32,7 +32,7 @@ impl Shard {
         };
         let mut order: Vec<usize> = (0..known.len()).collect();
         let of = |number: &usize| known.get(*number).copied().unwrap_or_default();
-        // The sort is stable, so every machine has the same order.
+        // A stable sort has the same result on every machine.
         order.sort_by(|one, other| of(other).total_cmp(&of(one)));
         let mut sums = vec![0.0; self.parts];
         let mut is_here = vec![false; known.len()];
@@ -54,7 +54,7 @@ fn sum(sums: &[f64], part: usize) -> f64 {
     sums.get(part).copied().unwrap_or_default()
 }
 
-/// The numbers from 0 in the order that a seed decides.
+/// Numbers from 0 to `count - 1` in an order that depends on the seed.
 pub(super) fn shuffled(count: usize, seed: u64) -> Vec<usize> {
     let key = |number: usize| mixed(seed.wrapping_add(mixed(number as u64)));
     let mut order: Vec<usize> = (0..count).collect();
@@ -62,7 +62,7 @@ pub(super) fn shuffled(count: usize, seed: u64) -> Vec<usize> {
     order
 }
 
-/// Each bit of the result depends on each bit of `number` (splitmix64).
+/// Hash in which each bit of the result depends on each bit of `number` (splitmix64).
 fn mixed(number: u64) -> u64 {
     let number = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let number = (number ^ (number >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

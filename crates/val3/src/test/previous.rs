@@ -1,4 +1,4 @@
-//! The report of an earlier run, as `--output json=FILE` writes it.
+//! An earlier run's report, written by `--output json=FILE`.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use val3_files::FileClass;
 
 use crate::user_error::UserError;
 
-/// The object of the report.
+/// JSON object of the report.
 #[derive(Debug, Deserialize)]
 struct Report {
     version: u32,
@@ -23,7 +23,7 @@ struct Entry {
     wall_seconds: f64,
 }
 
-/// The results of an earlier run by the names of the tests.
+/// An earlier run's results, by test name.
 #[derive(Debug, Default)]
 pub(super) struct Previous {
     results: BTreeMap<String, PreviousResult>,
@@ -36,7 +36,7 @@ struct PreviousResult {
 }
 
 impl Previous {
-    /// Reads a report. A test that it has several times has failed if it has failed once.
+    /// Reads a report. A test that occurs several times has failed if it has failed once.
     ///
     /// # Errors
     /// The file cannot be read, or is no report.
@@ -59,12 +59,12 @@ impl Previous {
         Ok(Self { results })
     }
 
-    /// Whether a test has failed.
+    /// Whether the test has failed.
     pub(super) fn has_failed(&self, id: &str) -> bool {
         self.results.get(id).is_some_and(|result| result.has_failed)
     }
 
-    /// The time that a test has taken in seconds; for a new one that of all tests in the mean.
+    /// Duration of a test in seconds; for a new test, the mean duration of all tests.
     pub(super) fn seconds(&self, id: &str) -> f64 {
         let sum: f64 = self.results.values().map(|result| result.seconds).sum();
         let mean = || sum / (self.results.len() as f64).max(1.0);

@@ -1,5 +1,5 @@
-//! Tests that cannot be executed: those of an application that cannot be read or that the compiler refuses, and scenarios at
-//! fault. They are failures among the results of the others.
+//! Tests that cannot be executed, because their application cannot be loaded or compiled, or their scenario is invalid.
+//! They are reported as failures among the other results.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::Database;
@@ -13,19 +13,19 @@ use val3_suite::{Failure, Place, TestCase, TestKind, TestResult};
 use super::tested::Tested;
 use crate::user_error::UserError;
 
-/// The name of the failure that stands for all tests of an application.
+/// Test name of the failure that represents all of an application's tests.
 const ALL: &str = "(all tests)";
 
-/// Findings of the compiler that become failures. Further ones mostly follow from these.
+/// Maximum number of compiler findings that become failures. Further findings are mostly consequences.
 const SHOWN: usize = 10;
 
-/// The reason why the tests of an application cannot be executed.
+/// Reason why an application's tests cannot be executed.
 #[derive(Debug)]
 pub(super) struct Refusal {
     error: UserError,
-    /// The findings of the compiler.
+    /// Findings of the compiler.
     findings: Vec<Failure>,
-    /// The names of its test programs; none if the application cannot be read.
+    /// Names of the test programs; empty if the application cannot be loaded.
     programs: Vec<String>,
 }
 
@@ -48,7 +48,7 @@ impl From<RefusedTests> for UserError {
 }
 
 impl Refusal {
-    /// The refusal of an application that can be read.
+    /// Creates the reason for an application that can be loaded.
     pub(super) fn new(error: UserError, findings: &[Diagnostic], application: &Application) -> Self {
         let (db, project) = (application.db(), application.project());
         let stems = program_files(db, project).iter().filter_map(|file| file.path(db).file_stem());
@@ -58,7 +58,7 @@ impl Refusal {
     }
 }
 
-/// A finding of the compiler as a failure.
+/// Converts a compiler finding to a failure.
 fn failure(db: &Database, finding: &Diagnostic) -> Failure {
     let file = finding.place.file;
     let line = LineIndex::new(file.text(db)).line(finding.place.range.start().into()) + 1;
@@ -67,18 +67,18 @@ fn failure(db: &Database, finding: &Diagnostic) -> Failure {
     Failure { message: finding.message.clone(), places: vec![place] }
 }
 
-/// The tests of an application that cannot be executed, or a scenario that cannot.
+/// The tests in an application that cannot be tested, or an invalid scenario.
 #[derive(Debug)]
 pub(super) struct RefusedTests {
-    /// The project file of the application, or the file of the scenario.
+    /// Project file of the application, or scenario file.
     pub(super) path: Utf8PathBuf,
-    /// The failure that stands for them.
+    /// Test case of the failure that represents them.
     case: TestCase,
     refusal: Refusal,
 }
 
 impl RefusedTests {
-    /// All tests of an application.
+    /// Represents all of an application's tests.
     pub(super) fn of_application(manifest: &Utf8Path, refusal: Refusal) -> Self {
         let application = manifest.parent().and_then(Utf8Path::file_name).unwrap_or_default();
         let case = TestCase { kind: TestKind::Program, ..TestCase::scenario(application, ALL, manifest.as_str()) };
@@ -92,12 +92,12 @@ impl RefusedTests {
         Self { path: path.to_owned(), case, refusal: error.into() }
     }
 
-    /// The project file of the application, or the file of the scenario, and the failure that stands for the tests.
+    /// Project file of the application, or scenario file, and the test case.
     pub(super) fn case_mut(&mut self) -> (Utf8PathBuf, &mut TestCase) {
         (self.path.clone(), &mut self.case)
     }
 
-    /// Whether one of the tests is chosen. All of them count where their names are not known.
+    /// Whether one of the tests is selected. If their names are unknown, all tests count as selected.
     pub(super) fn has(&self, is_chosen: impl Fn(&TestCase) -> bool) -> bool {
         let is_named = |program: &String| is_chosen(&TestCase { program: program.clone(), ..self.case.clone() });
         match self.case.kind {
@@ -106,7 +106,7 @@ impl RefusedTests {
         }
     }
 
-    /// The failures that stand for the tests.
+    /// Converts the tests to a failure.
     pub(super) fn into_tested(self) -> Tested {
         let Self { case, refusal: Refusal { error, mut findings, .. }, .. } = self;
         let place = Place { program: case.program.clone(), file: case.file.clone(), line: case.line };
@@ -117,7 +117,7 @@ impl RefusedTests {
 }
 
 impl Tested {
-    /// A test whose script cannot be used.
+    /// A test whose script is invalid.
     pub(super) fn unusable(case: &TestCase, error: &UserError) -> Self {
         let place = Place { program: case.program_name(), file: case.file.clone(), line: case.line };
         let failure = Failure { message: error.lines(), places: vec![place] };

@@ -1,4 +1,4 @@
-//! The results of all tests of a run.
+//! Results of all tests in a run.
 
 use std::time::Duration;
 
@@ -6,31 +6,31 @@ use val3_suite::{Exemption, TestCase};
 
 use super::tested::Tested;
 
-/// The results of a run.
+/// Results of a run.
 pub(super) struct Results {
-    /// The executed tests, in the order of their names.
+    /// Executed tests, sorted by name.
     pub(super) tested: Vec<Tested>,
-    /// The tests that were chosen and not executed, because the run has ended early.
+    /// Selected tests that were not executed, because the run ended early.
     pub(super) not_run: Vec<TestCase>,
-    /// The reason for its early end.
+    /// Reason why the run ended early.
     pub(super) early_end: Option<EarlyEnd>,
-    /// The time that the run has taken on the clock on the wall.
+    /// Real duration of the run.
     pub(super) wall: Duration,
 }
 
-/// The reason why tests were not executed.
+/// Reason why tests were not executed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum EarlyEnd {
-    /// `--fail-fast`
+    /// The option `--fail-fast`.
     FirstFailure,
     /// Ctrl-C, or another signal with this exit code.
     Signal(u8),
-    /// Nothing reads the output any more.
+    /// The output is closed.
     UnreadOutput,
 }
 
 impl EarlyEnd {
-    /// The reason in words.
+    /// Reason in words.
     pub(super) fn reason(self) -> &'static str {
         match self {
             Self::FirstFailure => "not run, because --fail-fast ends at the first failure",
@@ -41,22 +41,22 @@ impl EarlyEnd {
 }
 
 impl Results {
-    /// The number of tests that have failed.
+    /// Number of failed tests.
     pub(super) fn failed(&self) -> usize {
         failed(&self.tested)
     }
 
-    /// The number of tests that have passed.
+    /// Number of passed tests.
     pub(super) fn passed(&self) -> usize {
         self.tested.len() - self.failed() - self.skipped() - self.known_failures()
     }
 
-    /// The number of tests that have passed only when they were executed again.
+    /// Number of tests that have only passed in a retry.
     pub(super) fn flaky(&self) -> usize {
         self.tested.iter().filter(|test| test.is_flaky()).count()
     }
 
-    /// The slowest tests, the slowest first.
+    /// Slowest tests, slowest first.
     pub(super) fn slowest(&self, count: usize) -> Vec<&Tested> {
         let mut all: Vec<&Tested> = self.tested.iter().collect();
         all.sort_by_key(|test| std::cmp::Reverse(test.wall));
@@ -64,12 +64,12 @@ impl Results {
         all
     }
 
-    /// The number of tests that were skipped.
+    /// Number of skipped tests.
     pub(super) fn skipped(&self) -> usize {
         self.exempt(|exemption| matches!(exemption, Exemption::Skipped { .. }))
     }
 
-    /// The number of tests that have failed as they say.
+    /// Number of tests with a known failure.
     pub(super) fn known_failures(&self) -> usize {
         self.exempt(|exemption| matches!(exemption, Exemption::KnownFailure { .. }))
     }
@@ -82,14 +82,14 @@ impl Results {
             .count()
     }
 
-    /// The tests that were not executed, each with the reason.
+    /// Tests that were not executed, each with the reason.
     pub(super) fn not_run(&self) -> impl Iterator<Item = (&TestCase, &'static str)> {
         let reason = self.early_end.map_or("not run", EarlyEnd::reason);
         self.not_run.iter().map(move |case| (case, reason))
     }
 }
 
-/// The number of tests that have failed.
+/// Number of failed tests.
 pub(super) fn failed(tested: &[Tested]) -> usize {
     tested.iter().filter(|test| !test.result.has_passed()).count()
 }

@@ -1,4 +1,4 @@
-//! The scenarios below the paths asked for.
+//! Finds scenarios in the requested paths.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::{LoadError, files, is_below_tests, nearest_configuration};
@@ -18,10 +18,10 @@ use crate::paths::from_here;
 use crate::run::read_script;
 use crate::user_error::UserError;
 
-/// The files of the scenarios that are asked for: those below the paths, and those that are named.
+/// Returns the requested scenario files: files in the paths, and files that the arguments name.
 ///
 /// # Errors
-/// A `val3.toml` is at fault, or a file that may be a scenario cannot be read.
+/// A `val3.toml` is invalid, or a possible scenario file cannot be read.
 pub(super) fn find(asked: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError> {
     let mut found = Vec::new();
     for path in asked {
@@ -41,7 +41,7 @@ pub(super) fn find(asked: &[Utf8PathBuf]) -> Result<Vec<Utf8PathBuf>, UserError>
     Ok(found)
 }
 
-/// The paths below which test programs are to be found: those that hold more than scenarios.
+/// Paths to search for test programs: paths that contain more than scenarios.
 pub(super) fn without(asked: &[Utf8PathBuf], scenarios: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
     let has_scenarios = |path: &Utf8Path| scenarios.iter().any(|scenario| scenario.starts_with(path));
     let has_projects = |path: &Utf8Path| !files(&Disk, path, "pjx", &mut Vec::new()).is_empty();
@@ -73,13 +73,13 @@ pub(super) fn add_suites(args: &TestArgs, scenarios: &[Utf8PathBuf], suites: &mu
     suites.opened.append(&mut found);
 }
 
-/// The test that a scenario is; `manifest` is the project file of its application.
+/// Test case of a scenario; `manifest` is its application's project file.
 pub(super) fn case(manifest: &Utf8Path, path: &Utf8Path) -> TestCase {
     let application = manifest.parent().and_then(Utf8Path::file_name).unwrap_or_default();
     TestCase::scenario(application, path.file_stem().unwrap_or_default(), path.as_str())
 }
 
-/// The project file of the application that a scenario runs.
+/// Project file of the application that a scenario runs.
 ///
 /// # Errors
 /// The scenario cannot be read, or names no application.
@@ -102,13 +102,14 @@ pub(super) fn application(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     Ok(application.project().manifest(application.db()).path(application.db()).clone())
 }
 
-/// A file that can only be a scenario.
+/// Whether the path is a scenario file that an argument names.
 fn is_named(path: &Utf8Path) -> bool {
     has_extension(path, "toml") && path.is_file()
 }
 
-/// Whether a file below the paths is a scenario: it lies below a folder `tests`, and names an application. So is one with
-/// expectations, or in such a folder with a script, that belongs to no test program: it would be executed by nothing.
+/// Whether a file in the paths is a scenario: it is in a folder `tests` and names an application. A file with
+/// expectations, or a script in such a folder, is also a scenario if it belongs to no test program, because otherwise
+/// it would never be executed.
 ///
 /// # Errors
 /// The file cannot be read, so that it may be a test that is not executed.
@@ -128,7 +129,7 @@ fn is_scenario(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
             Role::Other => false,
         }),
         Err(Unreadable::Missing) => Ok(false),
-        // The test fails, because every scenario is UTF-8.
+        // Reported as a failed test, because every scenario is UTF-8.
         Err(Unreadable::NotUtf8) => Ok(is_below),
         Err(reason) => Err(UserError::new(format!("cannot read `{path}`, which may be a test: {reason}"))
             .with_help("allow reading it, or move it away from the tests")),
@@ -153,7 +154,7 @@ fn is_excluded(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
     Ok(configuration(folder)?.is_some_and(|file| file.excludes(path) && folder != asked && !file.excludes(asked)))
 }
 
-/// The `val3.toml` that counts for a folder.
+/// The `val3.toml` for a folder.
 fn configuration(folder: &Utf8Path) -> Result<Option<ConfigFile>, UserError> {
     let fault = |error| SessionError::from(LoadError::Configuration(vec![error]));
     Ok(nearest_configuration(&Disk, folder).map_err(fault)?)

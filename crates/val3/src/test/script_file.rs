@@ -1,4 +1,4 @@
-//! The file of a test: that of a scenario, or the script beside a test program.
+//! File of a test: a scenario file, or the script next to a test program.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::files;
@@ -11,11 +11,11 @@ use crate::paths::from_here;
 use crate::run::{read_script, unusable_script};
 use crate::user_error::UserError;
 
-/// The file of a test with its contents. A test program need not have one.
+/// File of a test, with its content. It is optional for a test program.
 pub(super) struct ScriptFile {
     pub(super) path: Utf8PathBuf,
     pub(super) scenario: Scenario,
-    /// The controller that it asks for, with absolute paths.
+    /// Requested controller properties, with absolute paths.
     pub(super) keys: ControllerKeys,
 }
 
@@ -23,7 +23,7 @@ impl ScriptFile {
     /// Reads the file of a test.
     ///
     /// # Errors
-    /// It cannot be read, or has a key or value that is not possible for this kind of test.
+    /// The file cannot be read, or has a key or value that is invalid for this kind of test.
     pub(super) fn of(case: &TestCase) -> Result<Self, UserError> {
         let Some(path) = path(case) else {
             return Ok(Self {
@@ -45,7 +45,7 @@ impl ScriptFile {
     }
 }
 
-/// The project file of a library that the file of a test in `folder` names as a stand-in.
+/// Project file of a library that the file of a test in `folder` names as a stand-in.
 fn stand_in(folder: &Utf8Path, script: &Utf8Path, library: &str) -> Result<Utf8PathBuf, UserError> {
     let manifest = with_manifest(normalise(&folder.join(library)));
     check_project(folder, &manifest, "replace")?;
@@ -56,7 +56,7 @@ fn stand_in(folder: &Utf8Path, script: &Utf8Path, library: &str) -> Result<Utf8P
         .with_help("name the folder of a library or its `.pjx`, relative to the script"))
 }
 
-/// The path of the file of a test: of a row `testSum[2].toml`, otherwise `testSum.toml`.
+/// Path of the test's file: `testSum[2].toml` for a row, otherwise `testSum.toml`.
 fn path(case: &TestCase) -> Option<Utf8PathBuf> {
     if case.kind == TestKind::Scenario {
         return Some(case.file.clone().into());
@@ -67,22 +67,22 @@ fn path(case: &TestCase) -> Option<Utf8PathBuf> {
     of_row.into_iter().chain([program.with_extension("toml")]).find(|path| path.is_file())
 }
 
-/// The test program that a file beside it belongs to: `testSum.toml` and `testSum[2].toml` to `testSum.pgx`.
+/// Path of the test program to which a script belongs: `testSum.pgx` for `testSum.toml` and `testSum[2].toml`.
 pub(super) fn program_beside(path: &Utf8Path) -> Utf8PathBuf {
     let name = path.file_stem().unwrap_or_default();
     path.with_file_name(format!("{}.pgx", row(name).map_or(name, |(program, _)| program)))
 }
 
-/// The program and the row of a name such as `testSum[2]`.
+/// Program and row in a name such as `testSum[2]`.
 fn row(name: &str) -> Option<(&str, u32)> {
     let (program, row) = name.strip_suffix(']')?.split_once('[')?;
     Some((program, row.parse().ok()?))
 }
 
-/// The scripts of rows that the tests of an application do not have, each with the reason.
+/// Scripts for rows that do not exist in the application's tests, each with an error.
 pub(super) fn without_row(manifest: &Utf8Path, cases: &[TestCase]) -> Vec<(Utf8PathBuf, UserError)> {
     let folder = manifest.parent().unwrap_or(Utf8Path::new("."));
-    // Folders that cannot be listed are reported where applications are looked for.
+    // Folders that cannot be listed are reported by the search for applications.
     let scripts =
         files(&Disk, folder, "toml", &mut Vec::new()).into_iter().filter(|path| path.parent() == Some(folder));
     let refusal = |path: Utf8PathBuf| {

@@ -1,4 +1,4 @@
-//! The tests that the arguments choose.
+//! Selection of tests by the arguments.
 
 use val3_suite::TestCase;
 
@@ -7,31 +7,31 @@ use super::script_file::ScriptFile;
 use crate::args::TestArgs;
 use crate::user_error::UserError;
 
-/// Chooses tests by their names, tags and earlier results.
+/// Selects tests by name, tags and earlier results.
 pub(super) struct Selection<'a> {
     args: &'a TestArgs,
-    /// The report of the earlier run whose failures are executed.
+    /// An earlier run's report; only its failures are executed.
     failed: Option<Previous>,
     timings: Option<Previous>,
 }
 
 impl<'a> Selection<'a> {
-    /// What the arguments choose.
+    /// Creates the selection of the arguments.
     ///
     /// # Errors
-    /// The report of an earlier run cannot be read.
+    /// An earlier run's report cannot be read.
     pub(super) fn of(args: &'a TestArgs) -> Result<Self, UserError> {
         let read = |path: &Option<camino::Utf8PathBuf>| path.as_deref().map(Previous::read).transpose();
         let (failed, timings) = (read(&args.selection.failed_in)?, read(&args.selection.timings)?);
         Ok(Self { args, failed, timings })
     }
 
-    /// Whether a test is chosen.
+    /// Whether the test is selected.
     pub(super) fn has(&self, case: &TestCase) -> bool {
         self.has_name(case) && self.has_failed(case) && self.has_tags(case)
     }
 
-    /// Whether tests that cannot be executed are chosen. Their earlier results and tags are not known.
+    /// Whether tests that cannot be executed are selected. Their earlier results and tags are unknown.
     pub(super) fn has_refused(&self, case: &TestCase) -> bool {
         self.has_name(case)
     }
@@ -49,7 +49,8 @@ impl<'a> Selection<'a> {
         self.failed.as_ref().is_none_or(|failed| failed.has_failed(&case.shown_name()))
     }
 
-    /// A test whose file cannot be read is chosen, so that its failure is shown.
+    /// Whether the test has the requested tags. A test whose file cannot be read is selected, so that its failure is
+    /// shown.
     fn has_tags(&self, case: &TestCase) -> bool {
         let wanted = &self.args.selection;
         if wanted.tag.is_empty() && wanted.tag_out.is_empty() {
@@ -60,7 +61,7 @@ impl<'a> Selection<'a> {
         (wanted.tag.is_empty() || wanted.tag.iter().any(has)) && !wanted.tag_out.iter().any(has)
     }
 
-    /// The part of the tests that `--shard` leaves, in their order.
+    /// Tests in the part of `--shard`, in order.
     pub(super) fn part<T>(&self, tests: Vec<T>, case: impl Fn(&T) -> &TestCase) -> Vec<T> {
         let Some(shard) = self.args.shard else { return tests };
         let seconds = |test: &T| self.timings.as_ref().map(|timings| timings.seconds(&case(test).shown_name()));
@@ -69,7 +70,7 @@ impl<'a> Selection<'a> {
         tests.into_iter().zip(is_here).filter_map(|(test, is_here)| is_here.then_some(test)).collect()
     }
 
-    /// The clauses of a sentence that no test is chosen.
+    /// Describes the selection, for the message that no test is selected.
     pub(super) fn described(&self) -> String {
         let TestArgs { filter, filter_out, selection, .. } = self.args;
         let quoted = |words: &[String], between: &str| {
@@ -90,7 +91,7 @@ impl<'a> Selection<'a> {
     }
 }
 
-/// Whether a test has a name, which may be that of all rows of its table.
+/// Whether the test has this name, which may be its table's common name for all rows.
 pub(super) fn is_called(case: &TestCase, name: &str) -> bool {
     let of_rows = format!("{}:{}", case.shown_application(), case.program);
     [case.name(), case.program_name(), case.shown_name(), of_rows].iter().any(|known| known == name)

@@ -1,18 +1,18 @@
-//! The line of a file at which a test has failed.
+//! Source line at which a test has failed.
 
 use camino::Utf8Path;
 use val3_files::FileClass;
 use val3_suite::Place;
 use val3_syntax::{decode_entities, encoding};
 
-/// Characters of a line that are shown.
+/// Maximum number of displayed characters.
 const LONGEST: usize = 160;
 
-/// The beginning of code that is not escaped, in the first line of a program.
+/// Start of code that is not escaped, in the first line of a program.
 const CDATA: &str = "<![CDATA[";
 
-/// The text of the line, without the blanks around it. `None` if the file cannot be read any more, if the place is a whole
-/// file, and for the head of a table in a scenario.
+/// Returns the text of the line, trimmed. `None` if the file can no longer be read, if the location is an entire file,
+/// and for the head of a table in a scenario.
 pub(super) fn source_line(place: &Place) -> Option<String> {
     let path = Utf8Path::new(&place.file);
     let is_program = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("pgx"));
@@ -24,7 +24,7 @@ pub(super) fn source_line(place: &Place) -> Option<String> {
     let is_escaped = is_program && !text.contains(CDATA);
     let line = if is_escaped { decode_entities(line) } else { line.into() };
     let line = line.trim();
-    // The head of a table does not show what is expected.
+    // The head of a table does not contain the expectation.
     let is_head = is_settings && line.starts_with('[');
     let end = line.char_indices().nth(LONGEST).map(|(end, _)| end);
     let shown = end.and_then(|end| line.get(..end)).map_or_else(|| line.to_owned(), |shown| format!("{shown}…"));

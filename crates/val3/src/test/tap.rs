@@ -10,13 +10,13 @@ use super::tested::{Tested, described};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
-/// The directive of the protocol for a test that may fail. It is written in parts, because no file may have marks of
-/// unfinished work.
+/// Directive of the protocol for a test that may fail. It is concatenated, because the word is not permitted in source
+/// files.
 const MAY_FAIL: &str = concat!("TO", "DO");
 
 /// Writes the plan and a line for each test, with the lines of a failure as comments.
 ///
-/// Tests that were not run are skipped ones; the last line ends a run that was interrupted.
+/// Tests that were not executed are reported as skipped; the last line ends an interrupted run.
 pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let Results { tested, not_run, .. } = results;
     writeln!(out, "TAP version 14\n1..{}", tested.len() + not_run.len())?;

@@ -1,4 +1,4 @@
-//! A test with its result.
+//! Tests with their results.
 
 use std::time::Duration;
 
@@ -12,31 +12,31 @@ use crate::paths::Paths;
 pub(super) struct Tested {
     pub(super) case: TestCase,
     pub(super) result: TestResult,
-    /// The recorded motion and texts that `--update` has written.
+    /// Recorded motion and texts that `--update` has written.
     pub(super) recorded: Vec<RecordedFile>,
-    /// It could be executed.
+    /// Whether the test could be executed.
     pub(super) is_executed: bool,
-    /// The time that it has taken on the clock on the wall.
+    /// Real duration of the test.
     pub(super) wall: Duration,
-    /// How often it was executed: more than once only with `--retries`.
+    /// Number of executions; above 1 only with `--retries`.
     pub(super) attempts: u32,
 }
 
 impl Tested {
-    /// A test with its result.
+    /// Creates an executed test with its result.
     pub(super) fn of(case: &TestCase, result: TestResult) -> Self {
         Self { case: case.clone(), result, recorded: Vec::new(), is_executed: true, wall: Duration::ZERO, attempts: 1 }
     }
 }
 
 impl Tested {
-    /// Whether it has passed only when it was executed again.
+    /// Whether the test has only passed in a retry.
     pub(super) fn is_flaky(&self) -> bool {
         self.attempts > 1 && self.result.has_passed()
     }
 }
 
-/// The lines that describe the failures of a test, and the values of its row.
+/// Lines that describe a test's failures and its row's values.
 pub(super) fn described(result: &TestResult, paths: &Paths) -> Vec<String> {
     let known = result.exemption.iter().flat_map(|exemption| match exemption {
         Exemption::Skipped { .. } => vec![exemption.label()],
@@ -50,7 +50,7 @@ pub(super) fn described(result: &TestResult, paths: &Paths) -> Vec<String> {
     failures.chain(row(result).filter(|_| !result.has_passed())).collect()
 }
 
-/// The lines that describe a failure: its message, the line of code, and the programs that led there.
+/// Lines that describe a failure: its message, the source line, and the call stack.
 pub(super) fn lines(failure: &Failure, paths: &Paths) -> Vec<String> {
     let place = |place: &Place| match place.file.as_str() {
         "" => format!("at {}:{}", place.program, place.line),
@@ -66,7 +66,7 @@ pub(super) fn lines(failure: &Failure, paths: &Paths) -> Vec<String> {
     lines
 }
 
-/// The line with the values of the row of a test.
+/// Line with the values of a test's row.
 fn row(result: &TestResult) -> Option<String> {
     let values: Vec<String> = result.row.iter().map(|(column, value)| format!("{column} = {value}")).collect();
     (!values.is_empty()).then(|| format!("row: {}", values.join(", ")))

@@ -1,4 +1,4 @@
-//! The execution of tests on several threads.
+//! Executes tests on several threads.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -32,29 +32,29 @@ use crate::signals::Signals;
 use crate::sockets::ClosedSockets;
 use crate::user_error::UserError;
 
-/// An event of the execution of tests.
+/// An event of the execution.
 pub(super) enum Progress<'t> {
-    /// A thread begins with a test.
+    /// A thread has started a test.
     Started(&'t TestCase),
-    /// A test is over.
+    /// A test has finished.
     Finished(&'t Tested),
-    /// A test is over, and so are all before it in the order of the results.
+    /// A test has finished, and so have all its predecessors in the order of the results.
     Next(&'t Tested),
 }
 
-/// Receives each event as it happens. It can end the execution after the tests that have begun.
+/// Receives each event when it happens. It can end the execution after the tests that have already started.
 pub(super) type Observer<'o> = &'o mut dyn FnMut(&Progress<'_>) -> Result<ControlFlow<()>, UserError>;
 
-/// The surroundings of the execution of tests.
+/// Shared resources of the execution.
 pub(super) struct Surroundings<'s> {
-    /// The sockets, which stay closed.
+    /// Sockets, which stay closed.
     pub(super) sockets: &'s ClosedSockets,
-    /// A signal ends all tests.
+    /// Signals, which end all tests.
     pub(super) signals: &'s Signals,
 }
 
-/// Executes tests; the results have their order. With `--fail-fast` they end at the first failure. The coverage is that of
-/// all tests.
+/// Executes tests, and returns the results in order. With `--fail-fast`, the execution ends at the first failure. The
+/// coverage covers all tests.
 ///
 /// # Errors
 /// An application or a script cannot be used, or the observer has failed.
@@ -98,14 +98,14 @@ pub(super) fn executed(
     Ok((Results { tested, not_run, early_end, wall: start.elapsed() }, coverage))
 }
 
-/// The tests that are over.
+/// Finished tests.
 struct Done<'o> {
-    /// The numbers of the tests in the order of execution.
+    /// Test numbers in the order of execution.
     order: &'o [usize],
-    /// The place of each in the order of execution and its result, by its number. Results have the order of the numbers,
-    /// whatever the order of execution is.
+    /// Index in the order of execution and result, by test number. Results are sorted by number, regardless of the
+    /// order of execution.
     tests: BTreeMap<usize, (usize, Tested)>,
-    /// The number of the next test to show.
+    /// Number of the next test to show.
     shown: usize,
     fail_fast: bool,
 }
@@ -117,8 +117,8 @@ impl Done<'_> {
         }
     }
 
-    /// Shows the tests whose predecessors are over. With `--fail-fast` this waits for the end, because a test that has failed
-    /// removes those that other threads have executed after it.
+    /// Shows tests whose predecessors have finished. With `--fail-fast`, they are shown at the end, because a failed
+    /// test removes the tests that other threads have executed after it.
     fn show_next(&mut self, observer: Observer<'_>) -> Result<ControlFlow<()>, UserError> {
         while let Some((_, tested)) = self.tests.get(&self.shown).filter(|_| !self.fail_fast) {
             self.shown += 1;
@@ -137,14 +137,14 @@ impl Done<'_> {
         }
     }
 
-    /// Shows the tests that were not shown yet.
+    /// Shows the remaining tests.
     fn show(&self, observer: Observer<'_>) -> Result<(), UserError> {
         let mut open = self.tests.range(self.shown..);
         open.try_for_each(|(_, (_, tested))| observer(&Progress::Next(tested)).map(drop))
     }
 }
 
-/// Collects the results of all threads. Returns what they have covered, and whether the output is read to its end.
+/// Collects the results of all threads. Returns the coverage, and whether the output is still read.
 fn observed(
     messages: Receiver<Message>,
     queue: &Queue<'_>,
@@ -167,7 +167,7 @@ fn observed(
                 Ok(ControlFlow::Continue(()))
             }
         };
-        // The threads notice that nothing receives their messages.
+        // The threads end when their messages have no receiver.
         if flow?.is_break() {
             return Ok((coverage, false));
         }
@@ -175,20 +175,20 @@ fn observed(
     Ok((coverage, true))
 }
 
-/// A message of a thread, with the place of the test in the order of execution.
+/// Message of a thread. The number is the index of the test in the order of execution.
 enum Message {
     Started(usize),
     Finished(usize, Box<Tested>),
-    /// The coverage of all tests of the thread.
+    /// Coverage of the thread's tests.
     Counted(Coverage),
 }
 
-/// The tests in the order of execution, which all threads take them from.
+/// Tests in the order of execution, from which all threads take the next test.
 struct Queue<'t> {
     tests: Vec<&'t TestFile<'t>>,
     next: AtomicUsize,
     is_over: AtomicBool,
-    /// Set by a signal.
+    /// Whether a signal was caught.
     is_interrupted: Arc<AtomicBool>,
 }
 
@@ -205,7 +205,7 @@ impl<'t> Queue<'t> {
         self.tests.get(place).copied()
     }
 
-    /// The next test with its place.
+    /// Next test, with its index in the order of execution.
     fn take(&self) -> Option<(usize, &'t TestFile<'t>)> {
         if self.is_over.load(Ordering::Relaxed) || self.is_interrupted() {
             return None;
@@ -214,7 +214,7 @@ impl<'t> Queue<'t> {
         self.test(place).map(|test| (place, test))
     }
 
-    /// No test begins any more. Those before the present one have begun, and will be completed.
+    /// Prevents the start of further tests. All tests before the current one have started, and will be completed.
     fn end(&self) {
         self.is_over.store(true, Ordering::Relaxed);
     }
@@ -225,32 +225,32 @@ pub(super) fn threads(args: &TestArgs) -> usize {
     args.jobs.map_or(cores, |jobs| usize::try_from(jobs).unwrap_or(cores))
 }
 
-/// A thread with the application whose tests it executes. A database is used by one thread.
+/// A thread and its current application. Each thread has its own database.
 struct Worker<'a> {
     args: &'a TestArgs,
     sockets: ClosedSockets,
     bench: Option<Bench>,
-    /// The evaluator of conditions of an application, once a test of it has not ended.
+    /// Evaluator for an application's conditions, created after the first test that has not ended.
     evaluator: Option<(Utf8PathBuf, FrameEvaluator)>,
     coverage: Coverage,
 }
 
 /// An application on a controller that returns to its initial state before each test.
 ///
-/// With a new controller for each test, 1,000 tests of one application took 19 s instead of 0.1.
+/// With a new controller for each test, 1,000 tests of one application took 19 s instead of 0.1 s.
 pub(super) struct Bench {
     pub(super) suite: Suite,
     pub(super) controller: Controller,
     initial: Snapshot,
-    /// The controller that the tests ask for.
+    /// Requested controller properties.
     pub(super) keys: ControllerKeys,
 }
 
 impl Bench {
-    /// An application on a controller as the file of a test asks for it.
+    /// Opens an application on a controller with the properties of a test.
     ///
     /// # Errors
-    /// The application cannot be read, the compiler refuses it, or there is no such controller.
+    /// The application cannot be loaded, the compiler rejects it, or the properties are invalid.
     pub(super) fn open(
         opening: Opening<'_>,
         manifest: &Utf8Path,
@@ -264,7 +264,7 @@ impl Bench {
         Self::of(opening, suite, keys.clone(), guard)
     }
 
-    /// An application on a new controller.
+    /// Creates a new controller for an opened application.
     fn of(
         opening: Opening<'_>,
         suite: Suite,
@@ -280,16 +280,16 @@ impl Bench {
         Ok(Self { suite, controller, initial, keys })
     }
 
-    /// Whether a test has used a line to the outside, or was the other end of a line itself.
+    /// Whether a test has used an external line, or was itself the peer of a line.
     pub(super) fn has_connections(&self) -> bool {
         let lines = &self.controller.devices.lines;
         lines.reach_outside() || lines.are_scripted()
     }
 
-    /// Puts the controller into its initial state, with the script of a test.
+    /// Resets the controller to its initial state, with the script of a test.
     ///
     /// # Errors
-    /// The script does not fit the application.
+    /// The script is invalid for the application.
     pub(super) fn prepare(&mut self, ScriptFile { path, scenario, .. }: &ScriptFile) -> Result<(), UserError> {
         self.controller.begin_again(&self.initial);
         let application = &self.suite.application;
@@ -300,8 +300,8 @@ impl Bench {
     }
 }
 
-/// The evaluator of an application. It has a database of its own, because it adds texts to it. `None` if the application can
-/// no longer be read.
+/// Creates an application's evaluator. It has its own database, because it adds texts to it. `None` if the
+/// application can no longer be loaded.
 fn evaluator_of<'e>(
     manifest: &Utf8Path,
     known: &'e mut Option<(Utf8PathBuf, FrameEvaluator)>,
@@ -322,7 +322,7 @@ impl<'a> Worker<'a> {
         Rc::new(self.sockets.clone())
     }
 
-    /// Executes tests of the queue until none is left, or nothing receives the messages.
+    /// Executes tests of the queue until it is empty, or the messages have no receiver.
     fn work(mut self, queue: &Queue<'_>, messages: &Sender<Message>) -> Result<(), UserError> {
         while let Some((place, test)) = queue.take() {
             if messages.send(Message::Started(place)).is_err() {
@@ -336,12 +336,12 @@ impl<'a> Worker<'a> {
                 break;
             }
         }
-        // Nothing receives it where the output is no longer read.
+        // Fails without a receiver, if the output was closed.
         let _ = messages.send(Message::Counted(self.coverage));
         Ok(())
     }
 
-    /// Executes a test, and again if it fails, as often as the arguments allow. `None` if the run was interrupted.
+    /// Executes a test, and repeats it after a failure within the retry limit. `None` if the run was interrupted.
     fn attempts(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<Tested>, UserError> {
         let mut attempts = 1;
         loop {
@@ -386,7 +386,7 @@ impl<'a> Worker<'a> {
         };
         self.coverage.merge(counted(&bench.controller, &bench.suite.application));
         self.bench = Some(bench);
-        // Texts first: a motion is recorded only if they are as they should be.
+        // Texts first: a motion is only recorded if the texts are correct.
         let mut recorded = golden_texts::judge(test.case, &mut result, self.args.update)?;
         recorded.extend(golden::judge(test.case, &mut result, self.args.update)?);
         result.judge_known_failure();
@@ -394,12 +394,12 @@ impl<'a> Worker<'a> {
         Ok(Some(Tested { recorded, wall: start.elapsed(), ..Tested::of(test.case, result) }))
     }
 
-    /// The application on a controller: that of the test before, if it suits.
+    /// Application on a controller; reused from the previous test if the properties are equal.
     fn bench(&mut self, manifest: &Utf8Path, keys: &ControllerKeys) -> Result<Bench, UserError> {
         let opening = Opening::of(self.args);
         let known = self.bench.take().filter(|bench| bench.suite.manifest == manifest && bench.keys == *keys);
         match known {
-            // Connections would keep what the test before has left.
+            // Connections would keep data of the previous test.
             Some(bench) if bench.has_connections() => Bench::of(opening, bench.suite, bench.keys, self.guard()),
             Some(bench) => Ok(bench),
             None => Bench::open(opening, manifest, keys, self.guard()),

@@ -1,4 +1,4 @@
-//! Programs in place of instructions of add-ons (`run.add-ons`): called by `run`, `test`, `eval` and `dap`.
+//! Stand-in programs for instructions of add-ons (`run.add-ons`), called by `run`, `test`, `eval` and `dap`.
 
 use std::fs;
 
@@ -8,7 +8,8 @@ use serde_json::json;
 use crate::dap_client::Session;
 use crate::support::Folder;
 
-/// An application and its library, which both use an add-on. The stand-ins of the add-on share a speed.
+/// An application and its library, which both use an add-on. The stand-in programs of the add-on share a variable for
+/// the speed.
 const CELL: &str = r#"
 library lib "Disk://lib/lib.pjx"
 num nSpeed[2]
@@ -290,7 +291,7 @@ fn wrong_settings_are_explained_at_their_place() {
     );
 }
 
-/// The table of an add-on with `num $getVel(num)`.
+/// Add-on table with `num $getVel(num)`.
 const TABLE: &str = r#"
 === /configs/arm.cfx
 <?xml version="1.0"?><Arm></Arm>

@@ -1,4 +1,4 @@
-//! Values in place of instructions of add-ons (`run.add-ons`).
+//! Stand-in values for instructions of add-ons (`run.add-ons`).
 
 use crate::support::Folder;
 

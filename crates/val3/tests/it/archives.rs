@@ -1,4 +1,4 @@
-//! Archives of backups, which are read in place.
+//! Backup archives, which are read without unpacking.
 
 use std::fs;
 use std::io::{Cursor, Write as _};
@@ -8,7 +8,7 @@ use zip::write::{SimpleFileOptions, ZipWriter};
 
 use crate::support::{FAULTY, Folder, add_stops};
 
-/// Packs the files of a folder below `usr`, as a controller does.
+/// Packs the `usr` files of a folder into an archive, as a controller does.
 pub(crate) fn pack(folder: &Folder, archive: &Path) {
     add_stops(folder.path());
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
@@ -28,7 +28,7 @@ pub(crate) fn pack(folder: &Folder, archive: &Path) {
     fs::write(archive, writer.finish().unwrap().into_inner()).unwrap();
 }
 
-/// A folder with the archive `backup.zip` of a listing.
+/// A folder that contains a listing as the archive `backup.zip`.
 fn archived(listing: &str) -> Folder {
     let folder = Folder::empty();
     pack(&Folder::with(listing), &folder.path().join("backup.zip"));

@@ -1,4 +1,4 @@
-//! `val3 arm`: arms, and the measurement of an arm with hidden times on the embedded controller.
+//! `val3 arm`: lists and files of arms, and measuring an arm with hidden times on the embedded controller.
 
 use std::fmt::Write as _;
 
@@ -124,10 +124,10 @@ fn files_are_replaced_only_by_force() {
     assert_eq!(folder.read("my.toml"), "mine");
 }
 
-/// An arm with hidden times, the ranges of its measurement and the position at which it starts.
+/// An arm with hidden times, the ranges of its measurement and its start position.
 struct Measured {
     arm: &'static str,
-    /// Nominal speed, acceleration and deceleration of each axis.
+    /// Nominal speeds, accelerations and decelerations by axis.
     hidden: [&'static [f64]; 3],
     ranges: &'static [&'static str],
     start: &'static str,
@@ -168,20 +168,20 @@ impl Measured {
         folder
     }
 
-    /// Runs the application with these keys of the operator.
+    /// Runs the application with these key presses of the operator.
     fn run(&self, folder: &Folder, keys: &str, more: &[&str]) -> CommandOutput {
         let start = format!("--start={}", self.start);
         let args = ["run", "armTimes", "--arm", "hidden.toml", "--power", "--until", "3600", "--keys", keys, &start];
         folder.val3(&[&args[..], more].concat())
     }
 
-    /// Keys by which the operator starts all axes.
+    /// Keys with which the operator starts all axes.
     fn all_keys(&self) -> String {
         vec!["F1"; 2 * self.hidden[0].len()].join(",")
     }
 }
 
-/// Adds noise of up to 4 ms in both directions to each time of a log.
+/// Adds noise between -4 and 4 ms to each time of a log.
 fn noisy(log: &str) -> String {
     let mut state: u64 = 42;
     let mut noise = || {
@@ -221,7 +221,7 @@ fn the_hidden_times_are_found(measured: &Measured) {
             }
         }
     }
-    // The file describes an arm for all commands.
+    // The file is a valid arm description for all commands.
     assert_eq!(folder.val3(&["run", "armTimes", "--arm", "my.toml", "--until", "1"]).code, 3);
 }
 
@@ -235,13 +235,13 @@ fn the_times_of_a_scara_arm_are_found_within_one_per_cent() {
     the_hidden_times_are_found(&SCARA);
 }
 
-/// Joints of each row of a trace.
+/// Joint values in each row of a trace.
 fn joints(trace: &str, axes: usize) -> Vec<Vec<f64>> {
     let rows = trace.lines().skip(1).map(|row| row.split(',').skip(3).take(axes).map(|joint| joint.parse().unwrap()));
     rows.map(Iterator::collect).collect()
 }
 
-/// Axis 1 and 6 have given ranges, the others 15 degrees to both sides of the start.
+/// Axes 1 and 6 have requested ranges; the range of each other axis is 15 degrees to both sides of the start position.
 #[test]
 fn each_axis_moves_alone_and_stays_in_its_range() {
     let folder = SIX_AXIS.folder();
@@ -264,7 +264,7 @@ fn each_axis_moves_alone_and_stays_in_its_range() {
     }
 }
 
-/// Without the operator's key nothing moves; other keys than those on the page have no effect.
+/// Without the operator's key press nothing moves; keys that the page does not show have no effect.
 #[test]
 fn the_operator_decides_about_each_axis() {
     let folder = SIX_AXIS.folder();
@@ -323,7 +323,7 @@ fn the_operator_decides_about_each_axis() {
     .assert_eq(&run.stdout);
 }
 
-/// In manual mode and below the full monitor speed the times would be wrong, so nothing moves.
+/// In manual mode and below full monitor speed, the times would be wrong, so nothing moves.
 #[test]
 fn the_controller_has_to_be_ready() {
     let folder = SIX_AXIS.folder();
@@ -341,7 +341,7 @@ fn the_controller_has_to_be_ready() {
     .assert_eq(&messages);
 }
 
-/// An axis outside of its range stays where it is.
+/// An axis outside its range is not moved.
 #[test]
 fn an_axis_outside_of_its_range_is_not_moved() {
     let folder = SIX_AXIS.folder();
@@ -356,7 +356,7 @@ fn an_axis_outside_of_its_range_is_not_moved() {
     .assert_eq(&run.stdout);
 }
 
-/// What is missing in a log or wrong is named, and the times stay those of a model.
+/// Missing and invalid parts of a log are reported, and the times are copied from the model.
 #[test]
 fn an_incomplete_log_is_no_complete_measurement() {
     let folder = SCARA.folder();
@@ -424,7 +424,7 @@ fn an_incomplete_log_is_no_complete_measurement() {
     "##]]
     .assert_eq(&file);
 
-    // The file of the measurement is a base as any other.
+    // The measured file is a valid base for another measurement.
     let again = folder.val3(&["arm", "fit", "cut.log", "--arm", "my.toml"]);
     assert_eq!(again.stdout, file);
 }

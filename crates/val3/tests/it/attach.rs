@@ -1,4 +1,4 @@
-//! Debuggers that attach to a run, and sessions through a port.
+//! Debuggers that attach to a run, and debug sessions through a port.
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
@@ -9,12 +9,12 @@ use serde_json::{Value, json};
 
 use crate::dap_client::{Session, application, assert_ended, example};
 
-/// A process that listens on a port of its choice.
+/// A process that listens on a free port.
 struct Listener {
     process: Child,
     stderr: BufReader<ChildStderr>,
     address: String,
-    /// The last word of the first line: the secret, or the variable that contains it.
+    /// Last word of the first line: the secret, or its environment variable's name.
     secret: String,
 }
 
@@ -41,7 +41,7 @@ impl Listener {
         Self { process, stderr, address, secret: words.next_back().unwrap() }
     }
 
-    /// The shipped example, in real time so that it runs as long as the test.
+    /// Runs the shipped example in real time, so that the run lasts as long as the test.
     fn run(options: &[&str]) -> Self {
         let (application, script) = (application(), example("boxes.toml"));
         let run = ["run", &application, "--script", &script, "--time", "real", "--debug-port", "0"];
@@ -56,7 +56,7 @@ impl Listener {
         self.process.try_wait().unwrap().is_none()
     }
 
-    /// The rest of the error output of a process that ends.
+    /// Remaining error output of a process that ends.
     fn ending(mut self) -> String {
         assert_ended(&mut self.process);
         let mut text = String::new();
@@ -67,7 +67,7 @@ impl Listener {
 
 impl Drop for Listener {
     fn drop(&mut self) {
-        // It has ended unless the test has failed, or it serves until it is ended.
+        // A server runs until it is killed; a run has usually ended by itself.
         let _ = self.process.kill();
         let _ = self.process.wait();
     }
@@ -150,7 +150,7 @@ fn a_run_stays_stopped_until_the_next_client() {
     session.ask("configurationDone", json!({}));
     session.stopped("pause");
     assert_eq!(session.ask("val3/pose", json!({})), pose);
-    // The connection breaks: the run continues.
+    // The run continues after a broken connection.
     drop(session);
     let mut session = attach(&run, &json!({}));
     stop_in_the_run(&mut session);
@@ -192,7 +192,7 @@ fn an_adapter_on_standard_input_attaches() {
     session.assert_ended();
 }
 
-/// A page in a browser can send such a request.
+/// A page in a browser could send this request.
 #[test]
 fn a_port_refuses_what_is_no_debugger() {
     let mut run = Listener::run(&[]);
@@ -201,7 +201,7 @@ fn a_port_refuses_what_is_no_debugger() {
     let (body, mut answer) = (body.to_string(), String::new());
     let request = format!("POST / HTTP/1.1\r\nContent-Length: {}\r\n\r\n{body}", body.len());
     stream.write_all(request.as_bytes()).unwrap();
-    // A connection that is ended before everything is read is reset.
+    // The system resets a connection that is closed with unread bytes.
     let _ = stream.read_to_string(&mut answer);
     assert_eq!(answer, "");
     assert!(run.is_running());
@@ -222,7 +222,7 @@ fn two_sessions_through_a_port_are_independent() {
     second.ask("disconnect", json!({}));
 }
 
-/// Each option that names a file would be written by the process that listens.
+/// The listening process would write each file that an option names.
 #[test]
 fn a_client_without_the_secret_changes_nothing() {
     let folder = tempfile::tempdir().unwrap();
@@ -285,7 +285,7 @@ fn the_environment_may_contain_the_secret() {
     .assert_eq(&String::from_utf8(output.stderr).unwrap());
 }
 
-/// An option of the request that the specification defines reaches the adapter of a port.
+/// The adapter behind a port receives `noDebug`, which the protocol specification defines.
 #[test]
 fn a_port_runs_without_debugging() {
     let server = Listener::new(&["dap", "--port", "0"]);

@@ -1,4 +1,4 @@
-//! Known findings: a baseline leaves out exactly what was there when it was written.
+//! Baselines: the known findings are exactly those at the time of writing.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, copy_folder};
 
 const BASELINE: &str = "val3-baseline.json";
 
-/// A check with the baseline; one line a finding.
+/// A check with the baseline; one line for each finding.
 fn check(folder: &Folder, more: &[&str]) -> CommandOutput {
     folder.val3(&[&["check", "--format", "concise", "--baseline", BASELINE], more].concat())
 }
@@ -67,10 +67,10 @@ fn unreadable_baselines_are_refused() {
     assert!(nameless.stderr.contains("--baseline FILE"), "{nameless:?}");
 }
 
-/// Arguments that fix the rules, so that new rules do not change the findings of the generated application.
+/// A fixed selection of rules, so that new rules do not change the findings of the generated application.
 const SELECTED: &[&str] = &["--select", "V0101,V0202,V0701"];
 
-/// Numbers that are the same in every run.
+/// Pseudo-random numbers that are the same in every run.
 struct Chance(u64);
 
 impl Chance {
@@ -80,7 +80,7 @@ impl Chance {
     }
 }
 
-/// Twelve programs, each with findings of its own and with some that are the same on several lines.
+/// Twelve programs, each with unique findings and with equal findings on several lines.
 fn mid_sized() -> String {
     let program = |program: usize| {
         let lines = (0..40).map(|line| match line % 8 {
@@ -95,7 +95,7 @@ fn mid_sized() -> String {
     format!("num nCount\nnum nSum\n{calls}{}", (0..12).map(program).collect::<String>())
 }
 
-/// Edits a program at random; the text of the finding that this causes, if any.
+/// Edits a program at random. Returns the new text, and the text of the finding that the edit causes, if any.
 fn edit(text: &str, step: usize, chance: &mut Chance) -> (String, Option<String>) {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     let begin = lines.iter().position(|line| line.contains("begin")).unwrap();
@@ -144,7 +144,7 @@ fn edit(text: &str, step: usize, chance: &mut Chance) -> (String, Option<String>
     (lines.join(line_end) + line_end, caused)
 }
 
-/// Gives the program another name, with its file, its entry in the project and its calls.
+/// Renames a program: its file, its entry in the project and its calls.
 fn rename(folder: &Folder, old: &str, new: &str) {
     let path = |program: &str| format!("usrapp/main/{program}.pgx");
     let text = folder.read(&path(old));

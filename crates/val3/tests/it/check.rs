@@ -97,7 +97,7 @@ fn colours_are_for_terminals_and_on_request() {
     assert!(!run(command).stdout.contains('\u{1b}'));
 }
 
-/// Each name of another language as an instruction on a line of its own.
+/// Each instruction name of another language, on a separate line.
 #[test]
 fn instructions_of_other_languages_are_errors_in_every_version_with_their_remedy() {
     let names: Vec<&str> = val3_lang::foreign_names::all().collect();

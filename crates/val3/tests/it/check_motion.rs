@@ -1,4 +1,4 @@
-//! `val3 check --motion`: positions and moves against the arm.
+//! `val3 check --motion`: compares positions and moves with the arm.
 
 use expect_test::expect;
 

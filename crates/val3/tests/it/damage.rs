@@ -1,5 +1,4 @@
-//! Files that are damaged, or no files at all: no command answers as if it had read them, waits for them, or fills the
-//! memory.
+//! Damaged files and special files: no command reports success for them, blocks on them, or fills the memory.
 
 use std::fs;
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
@@ -15,10 +14,10 @@ use serde_json::{Value, json};
 use crate::dap_client::Session;
 use crate::support::{CommandOutput, Folder};
 
-/// Longer than any command takes, also on a busy machine. A command that takes longer hangs.
+/// Timeout above the duration of any command on a busy machine. A slower command hangs.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A cell with all kinds of files.
+/// A cell with all file types.
 const CELL: &str = r#"
 num nCount=3
 program start()
@@ -80,11 +79,11 @@ const TABLE: &str = "app/val3.Motion.anthro.cfx";
 
 /// A kind of damage.
 struct Damage {
-    /// Creates the damaged entry at a path, from the bytes of the file.
+    /// Creates the damaged entry at a path, from the bytes of the original file.
     apply: fn(&str, &[u8]),
-    /// Words that every message about the entry has.
+    /// Text in every message about the entry.
     name: &'static str,
-    /// The content is a text, of which only a part is readable. The project's files have faults at their places.
+    /// Whether the content is text of which only a part is readable. For project files, the faults have locations.
     is_text: bool,
 }
 
@@ -131,7 +130,7 @@ fn denied(path: &str, bytes: &[u8]) {
     fs::set_permissions(path, fs::Permissions::from_mode(0o000)).unwrap();
 }
 
-/// Missing rights do not stop this user.
+/// Whether the user is root, for whom missing permissions have no effect.
 fn is_root() -> bool {
     rustix::process::getuid().is_root()
 }
@@ -163,7 +162,7 @@ fn damages() -> impl Iterator<Item = &'static Damage> {
     DAMAGES.iter().filter(|damage| damage.name != "permission denied" || !is_root())
 }
 
-/// Runs a command that must end, and returns its output.
+/// Runs a command that must terminate, and returns its output.
 fn ends(folder: &Folder, args: &[&str]) -> CommandOutput {
     let mut command = folder.command(args);
     let mut child = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -175,7 +174,7 @@ fn ends(folder: &Folder, args: &[&str]) -> CommandOutput {
             let mut text = String::new();
             let mut stream = stream;
             stream.read_to_string(&mut text).unwrap();
-            // The receiver is gone after a command that hangs.
+            // There is no receiver after a timeout.
             let _ = sender.send(text);
         });
     }
@@ -187,8 +186,8 @@ fn ends(folder: &Folder, args: &[&str]) -> CommandOutput {
     CommandOutput { code: child.wait().unwrap().code().unwrap(), stdout: texts.concat(), stderr: String::new() }
 }
 
-/// The fault of a command that has not reported the file as it must. Text with errors, and files that a comparison shows
-/// as text, have the exit code 1.
+/// Describes a missing report of the damaged file. The exit code is 1 for text with errors and for files that a
+/// comparison shows as text, otherwise 2.
 fn fault(file: &str, damage: &Damage, args: &[&str], run: &CommandOutput) -> Option<String> {
     let name = file.rsplit('/').next().unwrap();
     let is_finding = args[0] == "diff" || damage.is_text && PROJECT_FILES.contains(&file);
@@ -201,7 +200,7 @@ fn fault(file: &str, damage: &Damage, args: &[&str], run: &CommandOutput) -> Opt
         .then(|| format!("{file}, {}, {args:?}: exit code {}\n{}", damage.name, run.code, run.stdout))
 }
 
-/// Each of these commands reports each damage of each of these files.
+/// Checks that each command reports every damage in each file.
 fn assert_law(files: &[&str], commands: &[&[&str]]) {
     let mut faults = Vec::new();
     for file in files {
@@ -277,7 +276,7 @@ fn tests_report_every_file_that_they_cannot_read() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// A device is reached through a link, which leads out of the cell.
+/// The device is the target of a link to the outside of the cell.
 #[test]
 fn a_link_to_a_device_is_not_read() {
     for file in PROJECT_FILES.iter().chain(&CELL_FILES).chain(&[TABLE]) {
@@ -317,7 +316,7 @@ fn editors_are_told_the_file() {
     }
 }
 
-/// Whether the server publishes a message like this within its first minutes in the folder.
+/// Whether the server publishes an expected message within its first minutes in the folder.
 fn published(folder: &Folder, is_expected: impl Fn(&str) -> bool) -> bool {
     let mut server = folder.command(&["lsp"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
     let mut input = server.stdin.take().unwrap();

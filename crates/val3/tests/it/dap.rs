@@ -22,7 +22,7 @@ fn lines_are_stepped_over_forwards_and_backwards() {
     assert_eq!(session.stopped("step"), task);
     assert_eq!(session.frame(task).1, second);
     session.ask("stepBack", json!({ "threadId": task }));
-    // The beginning of the run.
+    // The first line of the run.
     assert_eq!(session.stopped("entry"), task);
     assert_eq!(session.frame(task).1, first);
     session.end();
@@ -75,7 +75,7 @@ fn motion_is_stepped_piece_by_piece() {
     let (mut session, task) = Session::launched(json!({ "motionMode": "step" }));
     session.set_breakpoint("home.pgx", json!({ "line": 22 }));
     session.ask("continue", json!({ "threadId": task }));
-    // Each line that changes the motion is a stop in step mode.
+    // In step mode, each line that changes the motion is a stop.
     let task = loop {
         let stop = session.event("stopped");
         let task = stop["threadId"].as_i64().unwrap();

@@ -1,4 +1,4 @@
-//! A client of the debug adapter. Each message in both directions is validated against the schema.
+//! Test client of the debug adapter. Each message in both directions is validated against the protocol's schema.
 
 use std::io::{BufReader, Read, Write};
 use std::net::{Shutdown, TcpStream};
@@ -12,10 +12,10 @@ use val3_dap::{Incoming, read_messages};
 
 use crate::support::add_stops;
 
-/// Longer than any answer takes, also on a busy machine.
+/// Timeout above the duration of any response on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A path of the shipped example.
+/// Path in the shipped example.
 pub(crate) fn example(path: &str) -> String {
     let folder = std::fs::canonicalize(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/palletiser")).unwrap();
     folder.join(path).to_str().unwrap().to_owned()
@@ -25,22 +25,22 @@ pub(crate) fn application() -> String {
     example("usr/usrapp/palletiser")
 }
 
-/// A client and its adapter.
+/// A client and its adapter process.
 pub(crate) struct Session {
-    /// The process that serves the client, unless the test looks after it.
+    /// Process that serves the client, unless the test owns it.
     adapter: Option<Child>,
     output: Option<Box<dyn Write>>,
-    /// The connection, which ends with the session.
+    /// Connection, which is closed with the session.
     stream: Option<TcpStream>,
     inbox: Receiver<Incoming>,
     validator: SchemaValidator,
     seq: i64,
-    /// Messages that no call has returned yet.
+    /// Received messages that no call has returned.
     events: Vec<Value>,
 }
 
 impl Session {
-    /// A client of an adapter on its standard input and output.
+    /// Connects a client to the standard input and output of a new adapter.
     pub(crate) fn new() -> Self {
         let mut adapter = Command::new(env!("CARGO_BIN_EXE_val3"))
             .arg("dap")
@@ -54,7 +54,7 @@ impl Session {
         session
     }
 
-    /// A client of a port of this machine.
+    /// Connects a client to a port of this machine.
     pub(crate) fn connected(address: &str) -> Self {
         let stream = TcpStream::connect(address).unwrap();
         let mut session = Self::over(stream.try_clone().unwrap(), stream.try_clone().unwrap());
@@ -77,7 +77,7 @@ impl Session {
         }
     }
 
-    /// A session that has stopped before the first line of the example.
+    /// Launches the example in a new session, and stops before its first line.
     pub(crate) fn launched(options: Value) -> (Self, i64) {
         options["program"].as_str().into_iter().for_each(|program| add_stops(program.as_ref()));
         Self::new().launch(options)
@@ -121,7 +121,7 @@ impl Session {
         self.write_bytes(format!("Content-Length: {}\r\n\r\n{body}", body.len()).as_bytes());
     }
 
-    /// Sends bytes as they are.
+    /// Sends raw bytes.
     pub(crate) fn write_bytes(&mut self, bytes: &[u8]) {
         let output = self.output.as_mut().unwrap();
         output.write_all(bytes).unwrap();
@@ -144,7 +144,7 @@ impl Session {
         self.response(request)
     }
 
-    /// The body of the response to a request that is executed.
+    /// Sends a request that must succeed, and returns the body of the response.
     #[track_caller]
     pub(crate) fn ask(&mut self, command: &str, arguments: Value) -> Value {
         let response = self.request(command, arguments);
@@ -152,7 +152,7 @@ impl Session {
         response["body"].clone()
     }
 
-    /// The reason why a request is refused.
+    /// Sends a request that must fail, and returns the message of the response.
     #[track_caller]
     pub(crate) fn refused(&mut self, command: &str, arguments: Value) -> String {
         let response = self.request(command, arguments);
@@ -177,7 +177,7 @@ impl Session {
         }
     }
 
-    /// The task of a stop for this reason.
+    /// Waits for a stop for this reason, and returns its task.
     #[track_caller]
     pub(crate) fn stopped(&mut self, reason: &str) -> i64 {
         let stop = self.event("stopped");
@@ -185,7 +185,7 @@ impl Session {
         stop["threadId"].as_i64().unwrap()
     }
 
-    /// The name, the line and the number of the innermost frame.
+    /// Name, line and id of the innermost stack frame.
     pub(crate) fn frame(&mut self, task: i64) -> (String, i64, i64) {
         let trace = self.ask("stackTrace", json!({ "threadId": task }));
         let frame = &trace["stackFrames"][0];
@@ -204,14 +204,14 @@ impl Session {
         self.ask("evaluate", arguments)["result"].as_str().unwrap().to_owned()
     }
 
-    /// Ends the session, and the adapter with it.
+    /// Ends the session and the adapter.
     #[track_caller]
     pub(crate) fn end(mut self) {
         self.ask("disconnect", json!({ "terminateDebuggee": true }));
         self.assert_ended();
     }
 
-    /// Sends a signal to the adapter, and gives the exit code with which it ends.
+    /// Sends a signal to the adapter, and returns its exit code.
     #[cfg(unix)]
     pub(crate) fn signal(&mut self, signal: rustix::process::Signal) -> Option<i32> {
         let adapter = self.adapter.as_mut().unwrap();
@@ -230,7 +230,7 @@ impl Session {
 impl Drop for Session {
     fn drop(&mut self) {
         self.stream.iter().for_each(|stream| drop(stream.shutdown(Shutdown::Both)));
-        // It has ended unless the test has failed.
+        // The adapter is still running if the test has failed.
         self.adapter.iter_mut().for_each(|adapter| drop(adapter.kill()));
     }
 }

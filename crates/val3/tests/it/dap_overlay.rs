@@ -1,4 +1,5 @@
-//! Files that a debugged program writes: on the disk when the session has ended, and only those of the last future.
+//! Files that a debugged program writes: they are on the disk after the session, without writes that stepping back has
+//! undone.
 
 use std::fs;
 
@@ -7,7 +8,7 @@ use serde_json::{Value, json};
 use crate::dap_client::Session;
 use crate::support::Folder;
 
-/// Writes one line, then another one that depends on `nWay`.
+/// Writes one line, then another line that depends on `nWay`.
 const LISTING: &str = "
 num nWay=1
 num nFile
@@ -33,7 +34,7 @@ begin
 end
 ";
 
-/// The line of a text in the file of a program.
+/// Index of the first program line that contains a text.
 fn line(folder: &Folder, text: &str) -> Option<usize> {
     folder.read("usrapp/main/start.pgx").lines().position(|line| line.contains(text)).map(|row| row + 1)
 }
@@ -124,7 +125,7 @@ fn a_client_that_disappears_leaves_whole_files() {
     assert_eq!(text(&folder, "old.txt").as_deref(), Some("old"));
 }
 
-/// While the run is stopped, and while it runs.
+/// The signal arrives while the run is stopped, and while it is running.
 #[cfg(unix)]
 #[test]
 fn a_signal_leaves_whole_files_and_a_complete_record() {
@@ -146,7 +147,7 @@ fn a_signal_leaves_whole_files_and_a_complete_record() {
     }
 }
 
-/// Contents that were read are a part of the past: they are dropped with its beginning.
+/// File contents that were read are part of the history: they are discarded with its oldest part.
 #[test]
 fn contents_that_were_read_count_as_past() {
     let folder = Folder::with(
@@ -173,7 +174,7 @@ end
         session.end();
         past
     };
-    // 60 times 100,000 bytes, without those after the last snapshot.
+    // 60 times 100,000 bytes, without the contents read after the last snapshot.
     let whole = past(256);
     assert!(whole["isWhole"] == true && whole["bytes"].as_u64() > Some(4_500_000), "{whole}");
     let bounded = past(2);

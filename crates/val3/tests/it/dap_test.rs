@@ -33,7 +33,7 @@ fn break_at(session: &mut Session, folder: &Folder, program: &str, line: u32) {
     assert_eq!(set["breakpoints"][0]["verified"], true, "{set}");
 }
 
-/// The names and lines of the frames, with `~` before those in the background.
+/// Names and lines of the stack frames, with `~` before subtle frames.
 fn frames(session: &mut Session, task: i64) -> Vec<String> {
     let trace = session.ask("stackTrace", json!({ "threadId": task }));
     let frames = trace["stackFrames"].as_array().unwrap().iter();
@@ -107,7 +107,7 @@ fn one_row_of_a_table_is_debugged() {
     }
 }
 
-/// The messages of a failure and of those after it.
+/// Messages of a failure and its further failures.
 fn messages(failure: &Value) -> Vec<String> {
     let others = failure["others"].as_array().into_iter().flatten();
     std::iter::once(failure).chain(others).filter_map(|it| it["message"].as_str().map(str::to_owned)).collect()

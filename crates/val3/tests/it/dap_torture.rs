@@ -1,5 +1,5 @@
-//! `val3 dap` with clients and programs that behave badly: each request has its answer, the process ends with its client,
-//! and files are whole.
+//! `val3 dap` with misbehaving clients and programs: each request has a response, the process ends with its client, and
+//! files are complete.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,12 +10,12 @@ use serde_json::{Value, json};
 use crate::dap_client::{Session, application, example};
 use crate::support::{Folder, copy_folder};
 
-/// Random numbers that a seed determines.
+/// Pseudo-random numbers from a seed.
 struct Chance(u64);
 
 impl Chance {
     fn below(&mut self, bound: usize) -> usize {
-        // The constants of Knuth's MMIX generator.
+        // Constants of Knuth's MMIX generator.
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         usize::try_from(self.0 >> 33).unwrap() % bound
     }
@@ -87,7 +87,7 @@ const CUSTOM_COMMANDS: [&str; 11] = [
     "val3/past",
 ];
 
-/// Names of arguments.
+/// Argument names.
 const KEYS: [&str; 26] = [
     "threadId",
     "threadId",
@@ -177,7 +177,7 @@ fn value(chance: &mut Chance, depth: usize) -> Value {
     }
 }
 
-/// Some arguments, of which each usually has the right type.
+/// Random arguments, most of which have the right type.
 fn arguments(chance: &mut Chance, depth: usize) -> Value {
     let mut object = serde_json::Map::new();
     for _ in 0..chance.below(7) {
@@ -202,7 +202,7 @@ fn arguments(chance: &mut Chance, depth: usize) -> Value {
     Value::Object(object)
 }
 
-/// What each request needs, with a random value.
+/// Random arguments, completed by the required arguments of the request.
 fn complete(command: &str, chance: &mut Chance) -> Value {
     let mut arguments = arguments(chance, 2);
     let needed = match command {
@@ -220,7 +220,7 @@ fn complete(command: &str, chance: &mut Chance) -> Value {
         "completions" => json!({ "text": text(chance), "column": chance.below(9) }),
         _ => json!({}),
     };
-    // Sometimes they are missing.
+    // Required arguments are sometimes omitted.
     if chance.below(10) > 0 {
         arguments.as_object_mut().unwrap().extend(needed.as_object().unwrap().clone());
     }
@@ -243,7 +243,7 @@ fn random_requests_in_random_order_are_answered() {
         let (mut session, _) = Session::launched(options);
         let (mut executed, mut is_over) = (0, false);
         for _ in 0..60 {
-            // Sometimes several are under way.
+            // Several requests may be in progress.
             let count = 1 + chance.below(4);
             let requests: Vec<i64> = (0..count).map(|_| random_request(&mut session, &mut chance)).collect();
             for request in requests {
@@ -272,14 +272,14 @@ fn breakpoints_change_while_the_run_continues() {
         let count = lines.len();
         let set = session.ask("setBreakpoints", json!({ "source": source, "breakpoints": lines }));
         assert_eq!(set["breakpoints"].as_array().unwrap().len(), count);
-        // It has stopped unless there was none.
+        // The task was stopped unless it did not exist.
         let response = session.request("continue", json!({ "threadId": task }));
         assert!(response["success"] == true || response["message"] == "notStopped", "{response}");
     }
     session.end();
 }
 
-/// The last bytes of a client that disappears.
+/// Sends the last bytes of a client before it disconnects.
 type Farewell = fn(&mut Session, i64) -> i64;
 
 #[test]
@@ -304,7 +304,7 @@ fn a_client_that_disappears_takes_the_run_with_it() {
         let task = session.stopped("breakpoint");
         last(&mut session, task);
         session.assert_ended();
-        // Each event of the run is there, up to the last one.
+        // The record contains every event up to the end of the run.
         let written = fs::read_to_string(&events).unwrap();
         let lines: Vec<Value> = written.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
         assert!(written.ends_with('\n') && lines.len() > 10, "{written}");
@@ -352,7 +352,7 @@ fn a_program_that_fails_while_it_is_stopped_can_be_looked_at() {
     session.set_breakpoint("home.pgx", json!({ "line": 13 }));
     session.ask("continue", json!({ "threadId": task }));
     session.stopped("breakpoint");
-    // A failure that no task handles: the subscript is changed under the program.
+    // An unhandled error: the index is changed outside of the program.
     let threads = session.ask("threads", json!({}));
     let all: Vec<i64> =
         threads["threads"].as_array().unwrap().iter().map(|task| task["id"].as_i64().unwrap()).collect();
@@ -373,7 +373,7 @@ fn copy() -> (Folder, PathBuf) {
     (folder, application)
 }
 
-/// The files of a folder.
+/// Files of a folder with their content.
 fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     files.map(|path| (path.clone(), fs::read(path).unwrap())).collect()
@@ -386,7 +386,7 @@ fn sources_change_while_they_are_debugged() {
     let start = application.join("start.pgx");
     let whole = fs::read(&start).unwrap();
     let (_, first, frame) = session.frame(task);
-    // Half of the file: the program in memory is the one that was opened.
+    // The file is truncated; the program in memory is the version that was opened.
     fs::write(&start, &whole[..whole.len() / 2]).unwrap();
     session.ask("next", json!({ "threadId": task }));
     let task = session.stopped("step");
@@ -399,7 +399,7 @@ fn sources_change_while_they_are_debugged() {
     session.event("stopped");
     session.ask("restart", json!({}));
     assert_eq!(session.event("exited")["exitCode"], 1, "the application cannot be opened");
-    // The file is back, so that it can.
+    // With the restored file, the restart succeeds.
     fs::write(&start, &whole).unwrap();
     let before = contents(&application);
     session.ask("restart", json!({}));

@@ -158,7 +158,7 @@ fn unreadable_files_are_named_and_a_closed_pipe_is_no_error() {
     assert_eq!(run(command).code, 0);
 }
 
-/// The example palletiser after a visit.
+/// The example palletiser after a service visit.
 #[test]
 fn the_report_on_the_page_is_a_real_one() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");

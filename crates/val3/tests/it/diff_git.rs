@@ -161,7 +161,7 @@ fn missing_git_is_named() {
     assert!(found.stderr.contains("cannot start git") && found.stderr.contains("install git"), "{found:?}");
 }
 
-/// The recipes of docs/src/diff.md.
+/// The setup in docs/src/diff.md.
 #[test]
 fn git_shows_files_as_text_and_opens_the_tool() {
     let folder = repository();

@@ -1,10 +1,10 @@
-//! Documents: each command that they show is executed, in a copy of the repository's examples.
+//! Documentation tests: each command in a document is executed, in a copy of the repository's examples.
 //!
-//! The lines of the blocks `sh` of a page run one after the other, so a page reads like a session. Those of the book start in
-//! `examples/palletiser`, those of other documents in the root of the repository. The comment of a line may say that it
-//! `exits with 1`, or why it is `not executed`. A block `text output` is what the commands before it print; `…` stands for
-//! any text, and alone for any lines. A block with a file name (`toml file=boxes.toml`) writes that file; of a program it
-//! replaces the code.
+//! The lines of a page's `sh` blocks run one after the other, so a page reads like a session. Pages of the book start
+//! in `examples/palletiser`, other documents in the root of the repository. A comment on a line may state that the
+//! command `exits with 1`, or why it is `not executed`. A block `text output` contains the output of the preceding
+//! commands; `…` matches any text, and on a separate line any lines. A block with a file name (`toml file=boxes.toml`)
+//! writes that file; for a program, it replaces the code.
 
 mod block;
 mod session;
@@ -19,7 +19,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The documents in a folder, by name.
+/// Documents in a folder, sorted by name.
 fn documents(folder: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().path());
     let mut pages: Vec<_> =
@@ -28,7 +28,7 @@ fn documents(folder: &str) -> Vec<PathBuf> {
     pages
 }
 
-/// Executes the commands of each page, and names the lines that are wrong.
+/// Executes each page's commands, and reports wrong lines.
 fn execute(pages: &[PathBuf], start: &str) {
     let mut faults = Vec::new();
     for page in pages {

@@ -11,7 +11,7 @@ use crate::support::{CommandOutput, Folder, add_stops};
 
 const PASSWORD: &str = "k7#fjW-20q";
 
-/// An application that loads `part.zip` with a password, and uses it if it gets it.
+/// An application that loads `part.zip` with a password, and uses the library if it was loaded.
 const LOADER: &str = r#"
     library part "Disk://part/part.pjx" autoload=false
     num nCode
@@ -34,7 +34,7 @@ const LOADER: &str = r#"
     end
 "#;
 
-/// The library that is encrypted. It loads an unencrypted one next to it.
+/// The encrypted library. It loads an unencrypted library next to it.
 const SECRET: &str = r#"
     --- secret
     library bolt "Disk://bolt/bolt.pjx"
@@ -60,13 +60,13 @@ fn pack<'f>(files: impl IntoIterator<Item = (&'f str, &'f [u8])>) -> Vec<u8> {
     zip.finish().unwrap().into_inner()
 }
 
-/// The files of the encrypted library.
+/// Files of the encrypted library.
 fn secret() -> Vec<(String, String)> {
     let files = Fixture::parse(SECRET).files.into_iter();
     files.filter_map(|(path, text)| Some((path.strip_prefix("usrapp/secret/")?.to_owned(), text))).collect()
 }
 
-/// Runs the application with these bytes in `part.zip`.
+/// Runs the application with these bytes as `part.zip`.
 #[track_caller]
 fn run(archive: &[u8], password: &str) -> CommandOutput {
     let folder = Folder::with(&LOADER.replace("string sPassword", &format!("string sPassword=\"{password}\"")));
@@ -81,7 +81,7 @@ fn run(archive: &[u8], password: &str) -> CommandOutput {
     run
 }
 
-/// All files in the folder of the cell.
+/// All files in the cell's folder.
 fn listing(folder: &Folder) -> Vec<String> {
     let mut open = vec![folder.path().to_owned()];
     let mut found = Vec::new();

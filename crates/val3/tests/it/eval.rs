@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use crate::support::{CLEAN, Folder};
 
-/// The output of an evaluation, with the exit code last.
+/// Output of an evaluation, followed by the exit code.
 fn answers(arguments: &[&str]) -> String {
     let run = Folder::empty().val3(&[&["eval"], arguments].concat());
     format!("{}{}{}", run.stdout, run.stderr, run.code)
@@ -110,7 +110,7 @@ fn texts_can_use_the_data_of_an_application() {
     assert_eq!((run.code, run.stdout.as_str()), (0, "0\n2\n"), "{run:?}");
 }
 
-/// Everything outside of the programs that an expression can ask for.
+/// Expressions for all external state of a program.
 const WORLD: [&str; 13] = [
     "getLanguage()",
     "getVersion(\"ArmType\")",
@@ -127,7 +127,7 @@ const WORLD: [&str; 13] = [
     "sioCtrl(siHost,\"port\",2000)",
 ];
 
-/// A cell with everything that a controller has around an application.
+/// A cell with all the files that an application accesses on a controller.
 fn cell() -> Folder {
     let lines: Vec<String> = WORLD.iter().map(|text| format!("?{text}")).collect();
     let folder = Folder::with(&format!(

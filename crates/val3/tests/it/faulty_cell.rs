@@ -1,4 +1,4 @@
-//! The output of a check of the shipped cell with a fault of each family.
+//! Check output for the shipped cell with one fault per rule family.
 
 use std::process::Command;
 

@@ -8,7 +8,7 @@ const PROGRAM: &str = "usrapp/main/start.pgx";
 const TWO: &str = "num nCount\nnum nCount\n\nprogram start()\nbegin\n  nCuont=1\n  call other()\nend\n\n\
     program other()\nbegin\n  nOther=1\nend\n";
 
-/// The names of the files of the findings.
+/// File names in the findings.
 fn files(run: &CommandOutput) -> Vec<&str> {
     run.stdout.lines().filter_map(|line| line.split(':').next()?.rsplit('/').next()).collect()
 }
@@ -67,7 +67,7 @@ fn the_standard_input_replaces_the_file() {
     assert!(run.stdout.starts_with("usrapp/main/start.pgx:"), "{run:?}");
     assert_eq!(check(PROGRAM, &stored).code, 0);
     assert_eq!(check("./usrapp/../usrapp/main/START.pgx", &faulty).code, 1);
-    // The file need not be there.
+    // The replaced file need not exist.
     let run = check("usrapp/main/new.pgx", &faulty.replace("name=\"start\"", "name=\"new\""));
     assert_eq!((run.code, files(&run)), (1, vec!["new.pgx"]), "{run:?}");
     let manifest = folder.read("usrapp/main/main.pjx").replace("start.pgx", "gone.pgx");

@@ -5,7 +5,7 @@ use std::fs;
 use crate::support::{CLEAN, CommandOutput, FAULTY, Folder, UNUSUAL};
 
 const PROGRAM: &str = "usrapp/main/start.pgx";
-/// Two keywords in an unusual spelling, and a name that is nearly one.
+/// Two keywords in an unusual spelling, and a misspelled name.
 const MIXED: &str = "num nCount\nIF nCount==1\nnCuont=2\nendif\n";
 
 #[test]
@@ -89,8 +89,7 @@ fn nothing_to_change_is_an_empty_diff() {
     assert_eq!(run.code, 1, "{run:?}");
 }
 
-/// A project whose folder holds one program more than it lists. This one uses data and a library that nothing else
-/// uses.
+/// A project with an additional, unlisted program in its folder. Only this program uses some data and a library.
 fn with_stray_program(code: &str) -> Folder {
     let folder = Folder::with(
         "library part \"Disk://part/part.pjx\"\nnum nUsed\nnum nLeft\nprogram start()\nbegin\nend\n--- part\npublic num nA\n",
@@ -103,7 +102,7 @@ fn with_stray_program(code: &str) -> Folder {
 
 const USES: &str = "nUsed=part:nA";
 
-/// The findings in the JSON of a check, without the offered fixes.
+/// Findings in the JSON of a check, without the offered fixes.
 fn findings(run: &CommandOutput) -> serde_json::Value {
     let mut json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
     json["diagnostics"].take()
@@ -130,7 +129,7 @@ fn items_used_by_an_unlisted_program_are_kept() {
 
 #[test]
 fn no_fix_adds_an_error() {
-    // The program would be part of the application, with its fault.
+    // Listing the program would add its fault to the application.
     let folder = with_stray_program("nUsed=nOther");
     for select in [&[][..], &["--select", "unlisted-file"]] {
         let run = folder.val3(&[&["check", "--fix", "--unsafe-fixes"], select].concat());
@@ -171,7 +170,7 @@ fn an_empty_list_is_removed() {
     assert!(folder.read("usrapp/main/main.pjx").contains("<Libraries />"));
 }
 
-/// A program of s5: ISO-8859-1, escaped, with line ends of Windows.
+/// A program of s5: ISO-8859-1, escaped, with Windows line ends.
 const OLD: &[u8] = b"<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\r\n\
     <programList xmlns=\"ProgramNameSpace\">\r\n\
     <program name=\"start\" public=\"false\" >\r\n\

@@ -48,7 +48,7 @@ fn diff_shows_and_writes_nothing() {
     assert_eq!(folder.read(PROGRAM), before);
 }
 
-/// A program of s5: ISO-8859-1, escaped, with line ends of Windows.
+/// A program of s5: ISO-8859-1, escaped, with Windows line ends.
 const OLD: &[u8] = b"<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\r\n\
     <programList xmlns=\"ProgramNameSpace\"><program name=\"start\" public=\"false\"><description>gr\xf6\xdfe</description>\
     <source><code>begin\r\n  // pr\xeat\r\nIF 1 &lt; 2\r\nendIf\r\nend</code></source></program></programList>\r\n";

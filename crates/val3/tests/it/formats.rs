@@ -48,7 +48,7 @@ fn equal_files_give_equal_reports() {
     }
 }
 
-/// The text of the file between the offsets of a finding.
+/// File text between the offsets of a finding.
 fn marked(folder: &Folder, finding: &Value) -> String {
     let text = folder.read("usrapp/main/start.pgx");
     let offset = |end: &str| finding["range"][end]["offset"].as_u64().unwrap() as usize;

@@ -1,10 +1,10 @@
-//! Repositories of git in temporary folders.
+//! Git repositories in temporary folders.
 
 use std::process::Command;
 
 use crate::support::{CommandOutput, Folder, run};
 
-/// Runs git without the settings of the machine, and with the tested `val3` as command.
+/// Runs git without the machine's settings, and with the tested `val3` in PATH.
 pub(crate) fn git(folder: &Folder, arguments: &[&str]) -> CommandOutput {
     let mut command = Command::new("git");
     command.args(arguments).current_dir(folder.path());

@@ -1,4 +1,4 @@
-//! Programs and files that would break a careless controller. The program gets an error, and the run continues.
+//! Programs and files that misuse the controller. The program gets an error, and the run continues.
 
 use std::fs;
 use std::io::{Cursor, Write};
@@ -69,7 +69,7 @@ end
     prints(&folder, &[], "40\n9999\n9\n128\n");
 }
 
-/// The secret is next to the folders of the roots, outside of them.
+/// An application next to a secret file, which is outside of the root folders.
 fn beside_a_secret(code: &str) -> Folder {
     let folder = Folder::with(&format!(
         r#"

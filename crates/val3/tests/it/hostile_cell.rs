@@ -1,7 +1,7 @@
-//! A cell that somebody else wrote and that tries everything: files outside of it, sockets, devices, terminal sequences.
+//! An untrusted cell that attacks the user: files outside of it, sockets, devices, terminal sequences.
 //!
-//! Beside the cell lie canary files, and a listener waits at a port that the cell names. No command reads the canaries,
-//! changes them, connects to the listener, writes control characters, hangs, or takes much memory.
+//! Canary files are next to the cell, and a listener waits on a port that the cell names. No command reads or changes
+//! the canaries, connects to the listener, writes control characters, hangs, or uses much memory.
 
 #![cfg(target_os = "linux")]
 
@@ -18,36 +18,36 @@ use rustix::fs::{Mode, mkfifoat};
 
 use crate::support::Folder;
 
-/// Longer than any command takes, also on a busy machine. A command that takes longer hangs.
+/// Timeout above the duration of any command on a busy machine. A slower command hangs.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Greatest address space of a command, in KiB.
+/// Maximum address space of a command, in KiB.
 const MEMORY: u64 = 4 << 20;
 
-/// What no output and no file may contain.
+/// Text that no output and no file may contain.
 const SECRET: &str = "TOP-SECRET-4711";
 
-/// A cell, and what lies beside it.
+/// A cell, and the files next to it.
 struct HostileCell {
     folder: Folder,
     listener: TcpListener,
 }
 
-/// The end of a command.
+/// Result of a command.
 struct Ending {
     command: String,
     code: Option<i32>,
     output: String,
 }
 
-/// What a cell tries. A cell that tries everything at once is refused for the first of it.
+/// Attacks in a cell. They are divided among several cells, because a command stops at the first rejected attack.
 #[derive(Clone, Copy, Debug)]
 struct Attacks {
-    /// `val3.toml` with this text names files and machines outside.
+    /// Text of `val3.toml`, which names external files and machines.
     settings: &'static str,
-    /// Devices, pipes and links have the names of files.
+    /// Whether devices, pipes and links have the names of files.
     traps: bool,
-    /// Names and code have control characters.
+    /// Whether names and code contain control characters.
     escapes: bool,
 }
 
@@ -77,7 +77,7 @@ impl HostileCell {
         self.folder.path().join("outside").to_str().unwrap().to_owned()
     }
 
-    /// Files beside the cell. Each contains the secret.
+    /// Writes files next to the cell. Each contains the secret.
     fn write_canaries(&self) {
         let program = format!(
             "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  \
@@ -118,7 +118,7 @@ impl HostileCell {
             <Data name=\"siHost\" access=\"private\" xsi:type=\"array\" type=\"sio\" size=\"1\"><Value key=\"0\" link=\"Socket\\host\" /></Data>\n    \
             <Data name=\"nHuge\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"65535,65535\" />\n  </Datas>\n</Database>";
         for (path, text) in val3_test::Fixture::parse(&format!("{code}{data}")).files {
-            // Only one of the applications has data that need more memory than there is.
+            // Only one of the applications has data that exceed the memory limit.
             self.folder.write(
                 &format!("cell/usr/{path}").replace("/main/main.", "/huge/huge.").replace("/main/", "/huge/"),
                 &text,
@@ -133,7 +133,7 @@ impl HostileCell {
         self.folder.write("cell/usr/configs/sio.cfx", &line);
     }
 
-    /// An application whose project names files outside of its folder.
+    /// Writes an application whose project names files outside of its folder.
     fn write_escape(&self, outside: &str) {
         let project = self.folder.read("cell/usr/usrapp/main/main.pjx");
         let foreign = format!(
@@ -149,7 +149,7 @@ impl HostileCell {
         }
     }
 
-    /// Devices, pipes and links under the names of files.
+    /// Creates devices, pipes and links under the names of files.
     fn write_traps(&self) {
         let cell = self.folder.path().join("cell");
         symlink(self.outside(), cell.join("usr/usrapp/link")).unwrap();
@@ -166,7 +166,7 @@ impl HostileCell {
         symlink("/dev/zero", cell.join("add-on.xml")).unwrap();
     }
 
-    /// Runs `val3` in the cell with an address space of limited size.
+    /// Starts `val3` in the cell with a limited address space.
     fn start(&self, args: &[&str]) -> Child {
         Command::new("sh")
             .args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\""), env!("CARGO_BIN_EXE_val3")])
@@ -184,7 +184,7 @@ impl HostileCell {
 
     fn val3(&self, args: &[&str], input: &str) -> Ending {
         let mut child = self.start(args);
-        // A command that has ended reads no more.
+        // A command that has ended does not read its input.
         drop(child.stdin.take().unwrap().write_all(input.as_bytes()));
         let readers = [reader(child.stdout.take().unwrap()), reader(child.stderr.take().unwrap())];
         let started = Instant::now();
@@ -202,7 +202,7 @@ impl HostileCell {
         Ending { command: args.join(" "), code, output }
     }
 
-    /// Serves the run, and asks for its page if it is served.
+    /// Serves the run, and requests its page if it is served.
     fn serve(&self) {
         let mut child = self.start(&["run", "usr/usrapp/main", "--serve", "127.0.0.1:0"]);
         let mut stderr = BufReader::new(child.stderr.take().unwrap()).lines();
@@ -220,7 +220,7 @@ impl HostileCell {
         self.assert_no_connection("run --serve");
     }
 
-    /// The listener has been left alone.
+    /// Checks that no command has connected to the listener.
     fn assert_no_connection(&self, command: &str) {
         let accepted = self.listener.accept();
         assert!(accepted.as_ref().is_err_and(|error| error.kind() == ErrorKind::WouldBlock), "{command}: {accepted:?}");
@@ -239,7 +239,7 @@ fn pipe(path: &Path) {
     mkfifoat(rustix::fs::CWD, path, Mode::from_raw_mode(0o600)).unwrap();
 }
 
-/// The texts of the regular files below a folder, by their paths. Links are not followed.
+/// Content of the regular files in a folder, by path. Links are not followed.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -254,7 +254,7 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
-/// A message of the protocols of editors and debuggers.
+/// A message of the language server protocol and the debug adapter protocol.
 fn message(text: &str) -> String {
     format!("Content-Length: {}\r\n\r\n{text}", text.len())
 }
@@ -262,10 +262,10 @@ fn message(text: &str) -> String {
 impl Ending {
     fn assert_harmless(&self) {
         let Self { command, code, output } = self;
-        // A signal or a panic is no answer.
+        // A signal or a panic is no valid result.
         assert!(code.is_some_and(|code| (0..=3).contains(&code)), "`{command}` ends with {code:?}: {output}");
         assert!(!output.contains(SECRET), "`{command}` shows the secret: {output}");
-        // The output of a program is exact in pipes. The tests of `strangers` show it on a terminal.
+        // Pipes receive the exact output of a program. The tests in `strangers` check the output at a terminal.
         let is_raw = |character: char| character.is_control() && !matches!(character, '\n' | '\t' | '\r');
         let raw = output.find(is_raw).filter(|_| !command.starts_with("run"));
         let raw = raw.map(|at| output[at..].chars().take(20).collect::<String>());
@@ -275,10 +275,10 @@ impl Ending {
     }
 }
 
-/// Printed where the program of the cell ends.
+/// Text printed at the end of the cell's program.
 const AT_END: &str = "everything tried";
 
-/// A test that names a file outside for its recorded motion.
+/// A test whose recorded motion is a file outside of the cell.
 const EVIL_TEST: &str = "application = \"..\"\nuntil = 2\n[expect]\ntrace = \"../../../../../outside/.bashrc\"\n";
 
 /// A socket of the cell that connects to the listener.
@@ -292,7 +292,7 @@ const SIO: &str = r#"<?xml version="1.0" encoding="utf-8"?>
 </sio>
 "#;
 
-/// What the settings of the cell ask for.
+/// Settings of the cell.
 const SETTINGS: &str = r#"
 roots = { X = "/" }
 disk = "/"
@@ -304,7 +304,7 @@ lines = { 'Socket\host' = "client:127.0.0.1:PORT" }
 shapes = { base = "base.stl" }
 "#;
 
-/// Settings that only runs use.
+/// Settings that only affect runs.
 const SETTINGS_OF_RUNS: &str = r#"
 roots = { X = "/" }
 [run]
@@ -312,10 +312,10 @@ network = true
 lines = { 'Socket\host' = "client:127.0.0.1:PORT" }
 "#;
 
-/// Runs the application of the cell.
+/// Arguments that run the cell's application.
 const RUN: [&str; 4] = ["run", "usr/usrapp/main", "--until", "2"];
 
-/// The commands, with what a command reads on its standard input.
+/// Commands, each with its standard input.
 fn commands(root: &Path) -> Vec<(Vec<&'static str>, String)> {
     let run = |path: &'static str, more: &[&'static str]| [&["run", path, "--until", "2"], more].concat();
     let mut commands: Vec<(Vec<&str>, String)> = [
@@ -368,7 +368,7 @@ fn commands(root: &Path) -> Vec<(Vec<&'static str>, String)> {
     commands
 }
 
-/// Tries every command. Returns the output of the run of the application.
+/// Executes every command. Returns the output of the application's run.
 fn try_everything(attacks: Attacks) -> String {
     let cell = HostileCell::new(attacks);
     let root = cell.folder.path().join("cell");
@@ -394,7 +394,7 @@ fn try_everything(attacks: Attacks) -> String {
     run
 }
 
-/// Whether bytes contain a text, as it is or in base64.
+/// Whether the bytes contain the text, in plain form or in base64.
 fn contains(bytes: &[u8], text: &str) -> bool {
     use base64::Engine as _;
     let encoded = base64::engine::general_purpose::STANDARD_NO_PAD.encode(text);

@@ -1,8 +1,8 @@
-//! Virtual time while a line is open and has no peer.
+//! Virtual time while a line is open without a peer.
 
 use crate::support::Folder;
 
-/// A task reads from a server with a timeout, another one sleeps, and an operator acts.
+/// One task reads from a server with a timeout, another task sleeps, and an operator acts.
 const CELL: &str = r#"
 num nByte[10]
 num nCount

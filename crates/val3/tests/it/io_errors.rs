@@ -1,8 +1,8 @@
-//! Run-time errors of inputs and outputs in a run, on both sides of the edge (12.1).
+//! Run-time errors of inputs and outputs in a run, before and after the fault (12.1).
 
 use crate::support::Folder;
 
-/// A program that accesses a signal three times, one second apart, each time in a task of its own.
+/// A program that accesses a signal three times, one second apart, each time in a new task.
 const PROGRAM: &str = r#"
 dio dOut
 dio dIn
@@ -26,7 +26,8 @@ begin
 end
 "#;
 
-/// The result of `taskStatus` at each try: 1, or the error. The second follows `event`, the third follows `undo`.
+/// Results of `taskStatus` for the three accesses: 1, or the error. The second access follows `event`, the third
+/// follows `undo`.
 fn tries(act: &str, event: &str, undo: &str) -> String {
     let folder = Folder::with(&PROGRAM.replace("ACT", act));
     let data = folder.read("usrapp/main/main.dtx");

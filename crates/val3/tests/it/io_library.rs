@@ -1,4 +1,4 @@
-//! The library `io` of s5 and s6, whose data are the signals of the cell without a link in their file.
+//! The library `io` of s5 and s6, whose data are the cell's signals without a link in their file.
 
 use crate::support::Folder;
 

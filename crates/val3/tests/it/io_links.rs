@@ -1,4 +1,4 @@
-//! Links of data to the tables of the Modbus server and to the signals of a field bus, in `val3 check`.
+//! Data links to Modbus server tables and field bus signals, in `val3 check`.
 
 use crate::support::Folder;
 
@@ -23,7 +23,7 @@ const FIELD_BUS: &str = r#"<ProcessData><Adapter displayName="PROFINET"><Module 
 </Module></Adapter></ProcessData>
 "#;
 
-/// The findings about links in an application whose data have these types and links. The cell has more `files`.
+/// Findings about links in an application with these data types and links. `files` are added to the cell.
 fn findings(data: &[(&str, &str)], files: &[(&str, &str)]) -> String {
     let folder = Folder::with(
         "version s8.10\ncls()\n=== main/main.dtx\n\n=== /configs/arm.cfx\n<arm><String name=\"arm\" value=\"tx2_60-S1\"/></arm>\n",
@@ -64,7 +64,7 @@ fn links_to_the_modbus_server_are_compared_with_its_table() {
         usrapp/main/main.dtx:8:92: error[V0526] the data is `dio`, but its link `ModbusSrv-0\Modbus-Word\nRecipe[0]` names `aio`
     "#]].assert_eq(&findings(&links, &[TABLE]));
     assert_eq!(findings(&links, &[]), "");
-    // The names of another card are not known.
+    // The signal names of another card are unknown.
     let other = MODBUS.replace("Card=\"0\"", "Card=\"1\"");
     assert_eq!(findings(&links, &[(TABLE.0, &other)]), "");
 }
@@ -83,7 +83,7 @@ fn links_by_guid_are_compared_with_the_field_bus() {
         usrapp/main/main.dtx:5:92: warning[V0525] the cell has no input or output `CE061C2D-63EF-4C60-9F0E-0D5C5E2B1A79`
     "#]].assert_eq(&findings(&links, &[BUS]));
     assert_eq!(findings(&links, &[]), "");
-    // An EtherCAT master has signals of its own.
+    // An EtherCAT master has other signals.
     assert_eq!(findings(&links, &[BUS, ("configs/J206_EtherCAT/eni.xml", "<EtherCATConfig/>")]), "");
     let named = FIELD_BUS.replace("CE061C2D-63EF-4C60-9F0E-0D5C5E2B1A77", "In.1");
     assert_eq!(findings(&links, &[(BUS.0, &named)]), "");

@@ -1,5 +1,5 @@
-//! Commands that write are killed at random moments. Each file is then as before or as after; temporary files have a name that
-//! shows what they are, and the next run of the command removes them.
+//! Writing commands are killed at random moments. Each file then has its old or its new content; temporary files are
+//! recognisable by their names, and the next run of the command removes them.
 //!
 //! `PROPTEST_CASES=500 cargo test -p val3 --test it -- killed` is the long form.
 
@@ -17,10 +17,10 @@ use proptest::sample::Index;
 
 use crate::support::Folder;
 
-/// Programs of the application: enough for a kill between two of them.
+/// Number of programs in the application, enough for a kill between two of them.
 const PROGRAMS: usize = 12;
 
-/// The commands that write files, and the output files that grow while the command runs.
+/// Commands that write files, each with the output files that grow while it runs.
 const WRITERS: [(&[&str], &[&str]); 9] = [
     (&["check", "--fix", "usrapp"], &[]),
     (&["check", "--add-suppressions", "usrapp"], &[]),
@@ -92,8 +92,8 @@ fn application() -> Folder {
     folder
 }
 
-/// The files below a folder, by their paths in it. Texts name the folder by a fixed path, and all pages that are whole are
-/// equal: their packed data contain the folder.
+/// Files in a folder by relative path. The folder's path in a text is replaced by a fixed path. All complete pages are
+/// considered equal, because their compressed data contain the folder's path.
 fn files(folder: &Path) -> Files {
     let root = folder.to_str().unwrap();
     let mut found = Files::new();
@@ -119,7 +119,7 @@ fn collect(folder: &Path, prefix: &str, found: &mut Files) {
     }
 }
 
-/// The copy of a file that is written, or the folder in which `libSave` prepares a library.
+/// Whether the path is a temporary copy of a written file, or a folder in which `libSave` prepares a library.
 fn is_temporary(path: &str) -> bool {
     let name = path.rsplit('/').next().unwrap();
     let is_of_library = path.split('/').any(|folder| folder == ".saving" || folder == ".saved");
@@ -127,7 +127,7 @@ fn is_temporary(path: &str) -> bool {
 }
 
 impl Writer {
-    /// Whether a file after a kill is as before or as after the command.
+    /// Whether a file after a kill has its content before or after the command.
     fn is_whole(&self, path: &str, text: Option<&Vec<u8>>) -> bool {
         let (before, after) = (self.before.get(path), self.after.get(path));
         let is_prefix = || text.zip(after).is_some_and(|(text, after)| after.starts_with(text));

@@ -8,7 +8,7 @@ use rustix::termios::tcgetattr;
 use crate::support::Folder;
 use crate::terminal::Terminal;
 
-/// A terminal in which the application of a folder runs.
+/// A terminal in which a folder's application runs.
 fn run(folder: &Folder) -> Terminal {
     Terminal::with(folder.command(&["run", "--interactive", "--until", "30", "usrapp/main"]))
 }
@@ -64,7 +64,8 @@ fn a_signal_restores_the_terminal() {
     }
 }
 
-/// A loop of file accesses keeps its cycle for long; a signal ends it after the access that is under way.
+/// Without a check, a loop of file accesses would not end its cycle for a long time. A signal ends the run after the
+/// current access.
 #[test]
 fn a_signal_ends_a_loop_of_file_accesses() {
     let folder = Folder::with("  ? \"begun\"\n  while true\n    libSave()\n  endWhile\n");
@@ -77,7 +78,7 @@ fn a_signal_ends_a_loop_of_file_accesses() {
     assert_eq!(child.wait().unwrap().code(), Some(143));
 }
 
-/// The record of a run that a signal ends is complete, including the end.
+/// After a signal, the event record is complete and contains the end.
 #[test]
 fn a_signal_leaves_a_complete_record() {
     let folder = Folder::with("while true\n?1\ndelay(3600)\nendWhile\n");
@@ -92,7 +93,7 @@ fn a_signal_leaves_a_complete_record() {
     assert!(events.ends_with("\"kind\":\"end\",\"reason\":\"stopped\"}\n"), "{events}");
 }
 
-/// The events of a run in real time can be read when they happen.
+/// The events of a run in real time are readable immediately.
 #[test]
 fn events_are_written_while_the_run_continues() {
     let folder = Folder::with("?1\ndelay(3600)\n");

@@ -1,4 +1,4 @@
-//! Files in a checked folder that belong to no application: each is read or named.
+//! Files in a checked folder that belong to no application: each is checked or reported.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::archives::pack;
 use crate::support::{CLEAN, CommandOutput, Folder};
 
-/// A program of s7 with this name and code.
+/// An s7 program with this name and code.
 fn program(name: &str, code: &str) -> String {
     format!(
         "<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"{name}\"><Code><![CDATA[begin\n\
@@ -117,7 +117,7 @@ const FORMATS: [&str; 12] = [
     "rdjson",
 ];
 
-/// A folder with an application, and one with a backup and a program without a project.
+/// A folder with an application, a backup archive and a program without a project.
 fn mixed() -> Folder {
     let folder = Folder::with(CLEAN);
     pack(&Folder::with(CLEAN), &folder.path().join("backup.zip"));
@@ -175,7 +175,7 @@ fn a_folder_that_is_too_deep_is_named() {
     assert!(run.stderr.contains("more than 32 folders deep"), "{run:?}");
 }
 
-/// A file in a folder of the law.
+/// A kind of file in the generated folders.
 #[derive(Debug, Clone, Copy)]
 enum Kind {
     Application,
@@ -201,7 +201,7 @@ fn kinds() -> impl Strategy<Value = Kind> {
     ])
 }
 
-/// Writes a file, or those of an application, into a folder. Names are unique by `number`.
+/// Writes a file, or the files of an application, into a folder. `number` is part of all names.
 fn write(folder: &Folder, below: &str, number: usize, kind: Kind) {
     let path = |extension: &str| format!("{below}/f{number}.{extension}");
     match kind {
@@ -232,7 +232,7 @@ fn write(folder: &Folder, below: &str, number: usize, kind: Kind) {
     }
 }
 
-/// The number of files with an extension of VAL 3, and of archives that contain some or cannot be read.
+/// Number of files with a VAL 3 extension, and of archives that contain such files or cannot be read.
 fn accountable(kind: Kind) -> usize {
     match kind {
         Kind::Application | Kind::Listed => 2,

@@ -4,7 +4,7 @@ use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Longer than a server takes to end, also on a busy machine.
+/// Timeout above the shutdown time of a server on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(30);
 
 fn server(arguments: &[&str]) -> Child {
@@ -23,7 +23,7 @@ fn send(server: &mut Child, message: &str) {
     input.flush().unwrap();
 }
 
-/// The exit code of a server that ends although its input is open.
+/// Exit code of a server that ends although its input is open.
 fn exit_code(server: &mut Child) -> Option<i32> {
     let started = Instant::now();
     while started.elapsed() < PATIENCE {
@@ -45,7 +45,7 @@ fn initialize(process: u32) -> String {
 fn a_session_ends_with_exit() {
     let folder = tempfile::tempdir().unwrap();
     let log = folder.path().join("val3.log");
-    // The arguments that clients pass.
+    // Arguments that editors pass.
     let mut server = server(&["--stdio", "--clientProcessId=1", "--log", log.to_str().unwrap()]);
     send(&mut server, &initialize(std::process::id()));
     let mut output = BufReader::new(server.stdout.take().unwrap());
@@ -73,7 +73,7 @@ fn the_server_ends_with_its_client() {
     let mut client = Command::new("sleep").arg("60").spawn().unwrap();
     let mut server = server(&[]);
     send(&mut server, &initialize(client.id()));
-    // The server has seen the client alive once it answers.
+    // After the first response, the server watches the client process.
     let mut head = [0; 8];
     server.stdout.as_mut().unwrap().read_exact(&mut head).unwrap();
     client.kill().unwrap();

@@ -1,4 +1,4 @@
-//! The `val3` command as a process: arguments in, output and exit code out.
+//! End-to-end tests of the `val3` command: arguments in, output and exit code out.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 #![allow(clippy::disallowed_methods, reason = "a thread reads what a command writes")]

@@ -1,4 +1,4 @@
-//! Manners of the command line that all commands share: colours, repeated options, settings of another file.
+//! Command-line behaviour that all commands share: colours, repeated options, and another settings file.
 
 use std::process::Command;
 
@@ -6,7 +6,7 @@ use expect_test::expect;
 
 use crate::support::{CLEAN, FAULTY, Folder, run};
 
-/// The standard output of a command with variables of the environment.
+/// Standard output of a command with these environment variables.
 fn with_variables(folder: &Folder, args: &[&str], variables: &[(&str, &str)]) -> String {
     let mut command: Command = folder.command(args);
     command.envs(variables.iter().copied());

@@ -1,4 +1,4 @@
-//! `val3 merge` as the merge driver of git.
+//! `val3 merge` as git's merge driver.
 
 use crate::git::{commit, git, git_ok};
 use crate::support::Folder;
@@ -24,7 +24,7 @@ fn repository() -> Folder {
     folder
 }
 
-/// Changes the files on two branches; the branch `main` is checked out then.
+/// Changes the files on two branches. Finally, `main` is checked out.
 fn branches(folder: &Folder, ours: impl Fn(&Folder), theirs: impl Fn(&Folder)) {
     git_ok(folder, &["checkout", "-q", "-b", "other"]);
     theirs(folder);
@@ -116,7 +116,7 @@ fn a_rebase_merges_in_the_same_way() {
     );
     let run = git(&folder, &["rebase", "-q", "other"]);
     assert_eq!(run.code, 0, "{run:?}");
-    // The commits of the rebased branch are theirs for git.
+    // In a rebase, git calls the commits of the rebased branch "theirs".
     check_merged(&folder, &["size=\"5\"", "key=\"3\" x=\"777\"", "key=\"4\" x=\"100\""]);
 }
 

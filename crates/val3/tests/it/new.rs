@@ -1,4 +1,4 @@
-//! `val3 new`: the written application, its check, its run and its test.
+//! `val3 new`: writes an application that passes its check, its run and its test.
 
 use expect_test::expect;
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! One root of `Disk://` for an application and all that it loads, and the project that lies directly in a folder.
+//! One `Disk://` root for an application and all loaded libraries and types, and the project directly in a folder.
 
 use crate::support::Folder;
 
@@ -22,7 +22,7 @@ fn data(name: &str, ty: &str) -> String {
     )
 }
 
-/// An application whose types have copies in a folder of the same name, `cell/libs/libs`.
+/// An application whose types have copies in a nested folder of the same name, `cell/libs/libs`.
 fn with_copies() -> Folder {
     let folder = Folder::empty();
     let listing = val3_test::Fixture::parse(
@@ -79,7 +79,7 @@ fn a_setting_takes_precedence_over_the_application() {
 #[test]
 fn two_types_of_one_name_are_shown_with_their_files() {
     let folder = with_copies();
-    // The libraries have another disk than the application.
+    // The libraries have another disk root than the application.
     folder.write("cell/libs/val3.toml", "disk = \".\"\n");
     let run = folder.val3(&["check", "cell/app"]);
     assert_eq!(run.code, 1, "{run:?}");
@@ -87,7 +87,7 @@ fn two_types_of_one_name_are_shown_with_their_files() {
     assert!(run.stdout.contains(message), "{run:?}");
 }
 
-/// RoboDK exports an application with further projects in its folder.
+/// RoboDK exports an application with further projects in its subfolders.
 #[test]
 fn the_project_in_the_folder_is_meant_whatever_lies_below() {
     let folder = Folder::with("--- main\nprogram start()\nbegin\n  ? \"main\"\nend\n");

@@ -1,4 +1,4 @@
-//! The user page at the end of a run in a terminal.
+//! User page at the end of a run at a terminal.
 
 use crate::support::Folder;
 use crate::terminal::output_on_terminal;

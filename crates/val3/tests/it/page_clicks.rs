@@ -1,4 +1,4 @@
-//! Clicks on user pages made with HTML, in scripts and in the served page.
+//! Clicks on HTML user pages, in scripts and in the served page.
 
 use serde_json::{Value, json};
 
@@ -52,7 +52,7 @@ fn scripts_click_on_elements() {
         folder.read("events.jsonl").lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let tasks: Vec<&str> = events.iter().filter_map(|event| event["task"].as_str()).collect();
     assert!(tasks.contains(&"main.btnAdd.click_clkAdd"), "{tasks:?}");
-    // The task of the first click still runs.
+    // The task of the first click is still running.
     let log = events.iter().filter(|event| event.to_string().contains("still runs")).count();
     assert_eq!(log, 1, "{events:?}");
 }

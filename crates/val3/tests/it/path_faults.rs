@@ -1,11 +1,11 @@
-//! Paths that the arm cannot follow, and moves that the end of the application leaves undone.
+//! Paths that the arm cannot follow, and recorded moves that are discarded at the end of the application.
 
 use expect_test::{Expect, expect};
 
 use crate::support::{CommandOutput, Folder};
 
-/// The arm is at {0,0,90,0,90,0}. Both lines pass axis 1 at a distance of 80 mm, and the blend between them would lead
-/// the centre of the wrist through the cylinder around the axis that it cannot reach.
+/// The arm starts at {0,0,90,0,90,0}. Both lines pass axis 1 at a distance of 80 mm. The blend between them would move
+/// the wrist centre through the unreachable cylinder around the axis.
 const CUT_CORNER: &str = "joint j\npoint p\nmdesc m\n  m.blend=off\n  enablePower()\n  wait(isPowered())\n  j={0,0,90,0,90,0}\n  \
                           movej(j,flange,m)\n  waitEndMove()\n  p=here(flange,world)\n  p.trsf.x=80\n  p.trsf.y=300\n  \
                           movej(p,flange,m)\n  m.blend=Cartesian\n  m.leave=200\n  m.reach=200\n  p.trsf.y=-80\n  \
@@ -64,7 +64,7 @@ fn a_condition_that_waits_for_the_arm_has_the_reason() {
     "#]].assert_eq(&run.stderr);
 }
 
-/// Error 150 has the reason, which is not reported once more when the arm comes to rest.
+/// Error 150 contains the reason, which is not reported a second time when the arm stops.
 #[test]
 fn the_next_motion_instruction_has_the_error() {
     ends(
@@ -106,7 +106,7 @@ fn a_fault_is_one_event_and_a_row_of_the_times() {
     .assert_eq(&rows.join("\n"));
 }
 
-/// Manual 10.6: `movel` has the error if a straight line to its target is impossible.
+/// Manual 10.6: `movel` raises the error if no straight line to its target exists.
 #[test]
 fn a_line_that_cannot_be_followed_is_an_error_of_its_own_instruction() {
     let code = "point p\nmdesc m\n  m.blend=off\n  enablePower()\n  wait(isPowered())\n  movej({0,0,90,0,5,0},flange,m)\n  \

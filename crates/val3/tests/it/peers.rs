@@ -1,5 +1,5 @@
-//! Sockets of a run with real peers. The run hears them and survives their mistakes, and its recording is replayed
-//! without them.
+//! Sockets of a run with real peers. The run receives their data and survives their faults, and its recording is
+//! replayed without them.
 
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream, UdpSocket};
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use crate::support::{CommandOutput, Folder};
 
-/// How long a peer waits for the run.
+/// Timeout of a peer that waits for the run.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 const DATA: &str = r#"
@@ -25,7 +25,7 @@ const DATA: &str = r#"
   </Datas>
 </Database>"#;
 
-/// An application whose `siHost` is linked to `Socket\host`.
+/// An application with `siHost` linked to `Socket\host`.
 fn application(programs: &str) -> Folder {
     Folder::with(&format!("{programs}\n{DATA}"))
 }
@@ -35,13 +35,13 @@ fn free_port() -> u16 {
     TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port()
 }
 
-/// Runs the application with `Socket\host` at `end`, in real time, so that a server waits for its caller.
+/// Runs the application with `Socket\host` at `end`, in real time, so that a server waits for its client.
 fn run(folder: &Folder, end: &str, more: &[&str]) -> CommandOutput {
     let line = format!(r"--line=Socket\host={end}");
     folder.val3(&[&["run", &line, "--time", "real", "--until", "20", "--events", "events.jsonl"], more].concat())
 }
 
-/// Calls a server as soon as it listens.
+/// Connects to a server as soon as it listens.
 fn call(port: u16) -> TcpStream {
     let started = Instant::now();
     loop {
@@ -56,7 +56,7 @@ fn call(port: u16) -> TcpStream {
     }
 }
 
-/// Says something and gives the answer, without its end.
+/// Sends a text and returns the response, without its end character.
 fn ask(stream: &TcpStream, text: &str) -> String {
     let mut out = stream;
     out.write_all(text.as_bytes()).unwrap();
@@ -66,7 +66,7 @@ fn ask(stream: &TcpStream, text: &str) -> String {
     String::from_utf8(answer).unwrap()
 }
 
-/// The recorded run again, without peers: the same bytes.
+/// Replays the run without peers, and checks that the output is identical.
 #[track_caller]
 fn replays(folder: &Folder, end: &str, first: &CommandOutput) {
     let recorded = folder.read("events.jsonl");
@@ -107,7 +107,7 @@ fn a_server_is_recorded_and_replayed() {
     replays(&folder, &end, &first);
 }
 
-/// A server that reads one line and answers it, for `calls` connections.
+/// A server that reads one line and responds, for `calls` connections.
 fn host(listener: TcpListener, calls: usize) -> JoinHandle<Vec<String>> {
     spawn(move || {
         let answer = |(stream, _): (TcpStream, _)| {
@@ -160,7 +160,7 @@ fn datagrams_are_recorded_and_replayed() {
         let started = Instant::now();
         let mut answer = [0; 64];
         for text in ["one\r", "end\r"] {
-            // Datagrams that are sent before the run listens are lost.
+            // Datagrams are lost until the run listens.
             let heard = loop {
                 assert!(started.elapsed() < PATIENCE);
                 let _ = socket.send(text.as_bytes());
@@ -179,7 +179,7 @@ fn datagrams_are_recorded_and_replayed() {
     replays(&folder, &end, &first);
 }
 
-/// An endless stream, faster than the program reads: unread bytes stay outside, and time passes.
+/// An endless stream that is faster than the program: unread bytes are not buffered, and time advances.
 #[test]
 fn a_flood_is_read_string_by_string() {
     let folder = application(
@@ -214,7 +214,7 @@ end
     assert_eq!((first.code, first.stdout.as_str()), (0, "100\ntrue\n"), "{first:?}");
 }
 
-/// A peer that connects and sends nothing, or half a word, costs only its task the time-out (error 125).
+/// If a peer connects and sends nothing or an incomplete text, only its task gets the timeout error (125).
 #[test]
 fn a_stalled_peer_times_out() {
     let folder = application(
@@ -251,7 +251,7 @@ end
     assert_eq!((first.code, first.stdout.as_str()), (0, "1\n125\n-1\n"), "{first:?}");
 }
 
-/// A peer that does not read: `sioSet` gives what went out, or -1, when the time is up.
+/// If a peer does not read, `sioSet` returns the number of sent bytes, or -1, after the timeout.
 #[test]
 fn a_peer_that_does_not_read_times_out() {
     let folder = application(
@@ -282,7 +282,7 @@ end
     assert_eq!((first.code, first.stdout.as_str()), (0, "true\n"), "{first:?}");
 }
 
-/// Peers that reset the connection, with bytes on the way in both directions: the server hears the next one.
+/// Peers that reset the connection with unread bytes in both directions. The server accepts the next connection.
 #[test]
 fn a_reset_ends_only_its_connection() {
     let folder = application(ECHO);
@@ -294,7 +294,7 @@ fn a_reset_ends_only_its_connection() {
             stream.write_all(b"half a wor").unwrap();
             drop(stream);
         }
-        // The run may still be busy with earlier peers.
+        // The run may still process earlier connections.
         let started = Instant::now();
         loop {
             let mut stream = call(port);
@@ -312,7 +312,7 @@ fn a_reset_ends_only_its_connection() {
     replays(&folder, &format!("server:{port}"), &first);
 }
 
-/// A task that never waits does not let a time-out of two seconds pass in a moment.
+/// With a task that never waits, virtual time must not skip a timeout of two seconds.
 #[test]
 fn a_busy_task_does_not_block_a_peer() {
     let folder = application(

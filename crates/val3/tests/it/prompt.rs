@@ -5,17 +5,17 @@ use rustix::process::{Pid, Signal, kill_process};
 use crate::support::Folder;
 use crate::terminal::Terminal;
 
-/// The up arrow.
+/// Escape sequence of the up arrow.
 const UP: &[u8] = b"\x1b[A";
 
-/// A prompt for the application of a folder.
+/// A prompt for the application in a folder.
 fn prompt(folder: &Folder) -> Terminal {
     let mut terminal = Terminal::with(folder.command(&["eval", "--app", "usrapp/main", "--local", "num nOwn"]));
     terminal.wait_for("> ");
     terminal
 }
 
-/// A cell whose application has something to complete, and a program without an end.
+/// A cell with names to complete and an endless program.
 fn cell() -> Folder {
     Folder::with(
         "num nCountOfParts = 41\nprogram forEver()\nbegin\n?\"begun\"\nwhile true\nendWhile\nend\n\
@@ -23,7 +23,7 @@ fn cell() -> Folder {
     )
 }
 
-/// Ctrl-C, as a terminal sends it to the command in it.
+/// Sends Ctrl-C, as a terminal does to its command.
 fn interrupt(terminal: &Terminal) {
     kill_process(Pid::from_child(&terminal.child), Signal::INT).unwrap();
 }

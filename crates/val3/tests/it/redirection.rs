@@ -1,8 +1,8 @@
-//! `--output` and `--input`: files in place of the standard output and the standard input.
+//! `--output` and `--input`: files that replace the standard output and the standard input.
 
 use crate::support::{CLEAN, FAULTY, Folder, UNUSUAL, piped};
 
-/// Writes the output of a command into a file, and checks that it is the one of the standard output.
+/// Writes a command's output to a file, and checks that it equals the standard output.
 fn same_in_file(folder: &Folder, (words, args): (&[&str], &[&str])) {
     let printed = folder.val3(&[words, args].concat());
     let written = folder.val3(&[words, &["--output", "out.txt"], args].concat());
@@ -70,7 +70,7 @@ fn a_formatted_copy_leaves_the_program_unchanged() {
     assert!(folder.read("copy.pgx").contains("if nCount==1"), "{copy:?}");
     let bytes = before.as_bytes();
     assert_eq!(folder.read("copy.pgx"), piped(&folder, &["fmt", "-"], bytes).stdout);
-    // A program replaces a program, and nothing else.
+    // A program only replaces a program.
     assert_eq!(folder.val3(&["fmt", "usrapp/main/start.pgx", "--output", "copy.pgx"]).code, 0);
     let refused = folder.val3(&["fmt", "usrapp/main/start.pgx", "--output", "usrapp/main/main.dtx"]);
     assert!(refused.code == 2 && refused.stderr.contains("does not replace it"), "{refused:?}");

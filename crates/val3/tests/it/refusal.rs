@@ -1,4 +1,4 @@
-//! Which faults keep an application from being started: those that the controller's compiler refuses.
+//! Faults because of which an application is not started: the faults that the controller's compiler rejects.
 
 use camino::Utf8PathBuf;
 use val3_analysis::load::{Workspace, load};
@@ -10,13 +10,13 @@ use val3_test::{Fixture, ROOT};
 
 use crate::support::{CommandOutput, Folder};
 
-/// The rules of level error whose faults show when the application runs.
+/// Rules of level error whose faults have an effect only at run time.
 const AT_RUN_TIME: [&str; 24] = [
     "V0212", "V0225", "V0227", "V0230", "V0235", "V0241", "V0244", "V0247", "V0316", "V0320", "V0321", "V0322",
     "V0325", "V0329", "V0333", "V0401", "V0409", "V0410", "V0418", "V0501", "V0603", "V0605", "V0606", "V0607",
 ];
 
-/// The first bad example of a rule, in a cell with a `val3.toml`. Files that cannot be read have no example.
+/// First bad example of a rule, in a cell with a `val3.toml`. Rules about unreadable files have no example.
 fn bad_example(rule: &Rule, settings: &str) -> Option<Workspace> {
     let section = format!("{}\n", page::section(rule.page, "Bad"));
     let listing = page::examples(&section).into_iter().next()?;
@@ -46,7 +46,7 @@ fn all_faults_are_listed() {
                     assert!(val3_compile::compile(&workspace.db, *project).is_ok(), "{}", rule.code);
                 }
             } else if rule.code != "V0104" {
-                // Hardly a repository has the tables of add-ons, and their absence is no fault.
+                // Most repositories lack the add-on tables, and their absence is no fault.
                 assert!(refused.contains(&rule.code), "{} with `{settings}`: {refused:?}", rule.code);
             }
         }

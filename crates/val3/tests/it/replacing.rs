@@ -1,4 +1,4 @@
-//! Files are replaced as a whole, and only by output of their own kind.
+//! Files are replaced atomically, and only by output of the same kind.
 
 use std::fs;
 use std::os::unix::fs::MetadataExt as _;
@@ -7,7 +7,7 @@ use crate::support::{CLEAN, FAULTY, Folder, UNUSUAL};
 
 const PROGRAM: &str = "usrapp/main/start.pgx";
 
-/// A run that never ends.
+/// An endless run.
 const ENDLESS: &str = "num nCount\nwhile true\nnCount=nCount+1\nendWhile\n";
 
 fn names(folder: &Folder, path: &str) -> Vec<String> {
@@ -52,7 +52,7 @@ fn a_run_that_is_killed_keeps_the_old_picture_and_page() {
     let arguments =
         ["run", "usrapp/main", "--time", "real", "--plot", "plot.svg", "--export", "page.html", "--events", "e"];
     let mut child = folder.command(&arguments).spawn().unwrap();
-    // The record shows that the run has begun.
+    // Waits until the record shows that the run has begun.
     while fs::metadata(folder.path().join("e")).map_or(true, |record| record.len() == 0) {
         std::thread::sleep(std::time::Duration::from_millis(10));
     }

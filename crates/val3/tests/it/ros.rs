@@ -1,4 +1,4 @@
-//! A server in VAL 3 and a client in Python speak the simple message format of ROS-Industrial over TCP.
+//! A server in VAL 3 and a client in Python exchange ROS-Industrial simple messages over TCP.
 
 use std::net::TcpListener;
 use std::process::{Child, Command, Stdio};
@@ -8,7 +8,7 @@ use crate::support::{CommandOutput, Folder, run};
 const SERVER: &str = include_str!("ros/server.listing");
 const CLIENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/it/ros/client.py");
 
-/// A server that runs until the value goes.
+/// A server that is killed on drop.
 struct Server {
     child: Child,
     _folder: Folder,
@@ -41,7 +41,7 @@ fn free_ports() -> [u16; 2] {
     listeners.map(|listener| listener.local_addr().unwrap().port())
 }
 
-/// The output of the client.
+/// Output of the client.
 #[track_caller]
 fn client(arguments: &[&str]) -> String {
     let mut command = Command::new("python3");
@@ -63,7 +63,7 @@ fn joints_and_status_are_streamed() {
     assert_eq!(client(&["feedback", &server.feedback.to_string(), "12"]), expected.concat());
 }
 
-/// Points are answered as they are recorded, and the arm follows them. The server sends its joints meanwhile.
+/// The server acknowledges recorded points, and the arm moves to them. Meanwhile, it sends its joint position.
 #[test]
 fn a_trajectory_is_answered_and_followed() {
     let server = Server::start();

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::support::{CommandOutput, FAULTY, Folder};
 
-/// An application that meets the error 10 in a task of its own, and what `start` does about it.
+/// An application with run-time error 10 in a separate task, and the reaction of `start`.
 fn failing(answer: &str) -> Folder {
     Folder::with(&format!(
         r#"
@@ -76,7 +76,7 @@ fn an_error_that_another_task_handles_is_no_failure() {
     ends(&failing(repaired).val3(&["run"]), 0, "stop\n");
 }
 
-/// Nothing but the errors that are left when the run ends is a failure.
+/// Only errors that are unhandled at the end of the run are failures.
 #[test]
 fn a_handled_error_is_not_shown() {
     let run = failing("taskKill(\"divide\")").val3(&["run"]);
@@ -227,7 +227,7 @@ fn a_replay_reports_the_first_difference() {
     ends(&run, 1, "1\n4\n9\n");
     assert_eq!(run.stderr.matches("differs").count(), 1, "{run:?}");
     assert!(run.stderr.starts_with("error: the run differs from `first.json` at line 3\n  recorded: {"), "{run:?}");
-    // A run that ends before the recording does differs too.
+    // A run that ends before the recording also differs.
     folder.write("usrapp/main/start.pgx", &program.replace("while true", "while nCount<2"));
     let run = folder.val3(&["run", "--replay", "first.json"]);
     ends(&run, 1, "1\n2\n");
@@ -356,7 +356,7 @@ fn sum(from: u32) -> String {
     format!("  n=n{parts}\n")
 }
 
-/// The events of one kind that a run writes.
+/// Events of one kind that a run writes.
 fn events(folder: &Folder, arguments: &[&str], kind: &str) -> Vec<Value> {
     let run = folder.val3(&[&["run", "--events", "-"], arguments].concat());
     let events = run.stdout.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
@@ -532,7 +532,7 @@ fn each_example_has_equal_events_in_two_runs() {
     assert!(ran > 0, "no example has run");
 }
 
-/// `val3 run … | head -3` ends although the application does not.
+/// `val3 run … | head -3` ends although the application is endless.
 #[test]
 fn a_run_ends_when_its_output_is_closed() {
     let folder = Folder::with(ENDLESS);
@@ -572,7 +572,7 @@ fn an_application_without_stop_does_not_run() {
     let folder =
         Folder::with("program start()\nbegin\n  ? \"hello\"\nend\nprogram other()\nbegin\n  ? \"other\"\nend\n");
     let val3 = |args: &[&str]| {
-        // Without the `stop` that the tests add for other runs.
+        // `exact_command` does not add a program `stop`.
         crate::support::run(folder.exact_command(args))
     };
     let run = val3(&["run"]);

@@ -1,10 +1,10 @@
-//! Wrong arms and impossible moves, as users read about them.
+//! Messages about invalid arms and impossible moves.
 
 use expect_test::{Expect, expect};
 
 use crate::support::Folder;
 
-/// Runs `val3 run` with an arm; nothing but the message may be written.
+/// Runs `val3 run` with an arm; the message must be the only output.
 #[track_caller]
 fn refused(folder: &Folder, arm: &str, message: &Expect) {
     let run = folder.val3(&["run", "--arm", arm]);
@@ -40,7 +40,7 @@ fn an_unknown_arm_has_a_proposal() {
     );
 }
 
-/// A file in which everything is right.
+/// A valid arm file.
 const ARM: &str = r#"name = "mine"
 kind = "six-axis"
 [geometry]
@@ -55,7 +55,7 @@ max = [180, 147.5, 145, 270, 140, 270]
 maximum_speed = [400, 400, 430, 540, 475, 760]
 "#;
 
-/// The beginning of the messages on files of arms.
+/// Start of the messages about arm files.
 const WRONG: &str = "error: the arm of `my.toml` cannot be used: ";
 
 #[test]
@@ -124,7 +124,7 @@ fn a_file_without_sense_is_refused_with_its_line() {
     "#]].assert_eq(&messages);
 }
 
-/// A cell may name an arm that is not known: the run says which one it takes instead.
+/// If the cell names an unknown arm, the run reports its replacement.
 #[test]
 fn an_unknown_arm_of_the_cell_is_replaced_with_a_note() {
     let folder = Folder::with("? getVersion(\"ArmType\")\n? isInRange({0,0,0,0,0,0})\n");
@@ -136,7 +136,7 @@ fn an_unknown_arm_of_the_cell_is_replaced_with_a_note() {
     "#]].assert_eq(&run.stderr);
 }
 
-/// Data and power of every program. The arm is at {0,0,90,0,90,0}, its flange at x = 475 mm, y = 50 mm, z = 325 mm.
+/// Data and power for every program. The arm is at {0,0,90,0,90,0}, its flange at x = 475 mm, y = 50 mm, z = 325 mm.
 const HEAD: &str = "joint j\npoint p\npoint pEnd\nmdesc m\nframe fA\nframe fB\ntool tA\ntool tB\n  m.blend=off\n  enablePower()\n  wait(isPowered())\n  \
                     j={0,0,90,0,90,0}\n  movej(j,flange,m)\n  waitEndMove()\n  p=here(flange,world)\n";
 
@@ -342,7 +342,7 @@ fn descriptors_out_of_range_are_refused() {
     );
 }
 
-/// Frames and tools that refer to each other have no place.
+/// Frames and tools with circular references have no placement.
 #[test]
 fn frames_and_tools_in_a_loop_are_errors_where_they_are_used() {
     stops(
@@ -373,7 +373,7 @@ fn frames_and_tools_in_a_loop_are_errors_where_they_are_used() {
     );
 }
 
-/// The check finds such a loop in the data, and the run does not start.
+/// The check finds the circular reference in the data, and the run does not start.
 #[test]
 fn a_loop_of_frames_in_the_data_is_found_before_the_run() {
     let folder = Folder::with("frame fA\nframe fB\n? 1\n");
@@ -395,7 +395,7 @@ fn a_loop_of_frames_in_the_data_is_found_before_the_run() {
     .assert_eq(&run.stderr);
 }
 
-/// `vel` is a share of the nominal speeds, which may be taken beyond the maximum of an axis. Each line warns once.
+/// `vel` is a percentage of the nominal speeds, and may exceed an axis' maximum speed. Each line warns once.
 #[test]
 fn a_speed_beyond_the_maximum_of_an_axis_is_a_warning() {
     let moves = "mdesc m\njoint jA\njoint jB\nnum nI\n  enablePower()\n  wait(isPowered())\n  m.vel=150\n  \
@@ -412,6 +412,6 @@ fn a_speed_beyond_the_maximum_of_an_axis_is_a_warning() {
         {"t":1.004012,"task":"main~","kind":"log","level":"warning","text":"movej at start:12: with vel = 160 axis 1 may move at 424 degrees/s, its maximum is 400 degrees/s; use vel = 150 at most"}
         {"t":1.004014,"task":"main~","kind":"log","level":"warning","text":"movej at start:13: with vel = 160 axis 1 may move at 424 degrees/s, its maximum is 400 degrees/s; use vel = 150 at most"}
     "#]].assert_eq(&warnings("TX2-90"));
-    // The maximum speeds of an RX60 are choices of the model.
+    // The maximum speeds of an RX60 are assumptions of the model.
     assert_eq!(warnings("RX60"), "");
 }

@@ -1,4 +1,4 @@
-//! `val3 run` of a folder with several applications: the run that its `val3.toml` names.
+//! `val3 run` for a folder with several applications: the default run in its `val3.toml`.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use expect_test::expect;
 
 use crate::support::{Folder, copy_folder};
 
-/// Two applications, and their `val3.toml`.
+/// Two applications with a `val3.toml`.
 fn cell(settings: &str) -> Folder {
     let folder =
         Folder::with("? \"main\"\ndelay(5)\n? clock()\n--- other\nprogram start()\nbegin\n  ? \"other\"\nend\n");
@@ -51,7 +51,7 @@ fn arguments_replace_the_settings_of_a_default_run() {
     assert!(
         run.stderr.contains("--until 3 --plot mine.svg --export run.html") && run.stderr.ends_with("wrote run.html\n")
     );
-    // An application that is named runs without them.
+    // The settings do not apply to an application that an argument names.
     let run = folder.val3(&["run", "usrapp/main"]);
     assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "main\n5\n", ""), "{run:?}");
     assert_eq!(folder.val3(&["run", "usrapp/other"]).stdout, "other\n");
@@ -65,7 +65,7 @@ fn several_applications_without_a_default_are_listed() {
         error: `.` holds 2 applications
           help: name the folder of one of them: usrapp/main, usrapp/other; or set `[run.default] application` in val3.toml
     "#]].assert_eq(&run.stderr);
-    // The default is no application of the folder that is named.
+    // The default application is not in the named folder.
     let run = cell("[run.default]\napplication = \"elsewhere\"\n").val3(&["run", "usrapp"]);
     assert_eq!(run.code, 2);
     expect![[r#"

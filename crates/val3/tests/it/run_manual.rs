@@ -1,21 +1,21 @@
-//! The speed of the tool in manual mode.
+//! Tool speed in manual mode.
 
 use expect_test::expect;
 
 use crate::support::Folder;
 
-/// A turn of axis 1 and a line, with a tool of 200 mm.
+/// A move of axis 1 and a line, with a tool of 200 mm.
 const MOVES: &str = "mdesc mStop\njoint jReady\npoint pNear\ntool tLong\n  mStop.blend=off\n  tLong.trsf.z=200\n  \
                      wait(isPowered())\n  jReady={90,0,90,0,90,0}\n  movej(jReady,tLong,mStop)\n  waitEndMove()\n  \
                      pNear=here(tLong,world)\n  pNear.trsf.x=pNear.trsf.x+200\n  movel(pNear,tLong,mStop)\n  \
                      waitEndMove()\n";
 
-/// An operator who lets programs move the arm in a mode.
+/// Operator script that enables motion in a mode.
 fn operator(mode: &str) -> String {
     format!("[[at]]\nt = 0\nmode = \"{mode}\"\n\n[[at]]\nt = 1\npower = true\nmove = true\n")
 }
 
-/// The rows of a trace: time, joint 1, position and speed of the tool centre point.
+/// Rows of a trace: time, joint 1, position and speed of the tool centre point.
 fn trace(folder: &Folder, mode: &str) -> Vec<[f64; 6]> {
     folder.write("operator.toml", &operator(mode));
     let run = folder.val3(&[
@@ -47,7 +47,7 @@ fn the_tool_keeps_250_mm_per_second_in_manual_mode_on_the_same_path() {
     assert!(fastest(&full) > 1500.0 && fastest(&trace(&folder, "test")) > 1500.0);
     assert!((249.0..=250.001).contains(&fastest(&manual)), "{}", fastest(&manual));
     assert!(full.last().unwrap()[2..5] == manual.last().unwrap()[2..5] && manual.len() > 3 * full.len());
-    // The turn is a circle around axis 1, and the line is straight.
+    // The first move is a circle around axis 1, and the line is straight.
     let (turn, line) = manual.split_at(manual.iter().position(|row| row[1] == 90.0).unwrap());
     let radius = |[x, y, _]: [f64; 3]| x.hypot(y);
     let place = |row: &[f64; 6]| [row[2], row[3], row[4]];
@@ -84,7 +84,7 @@ fn the_cell_sets_the_speed_of_the_manual_mode() {
     .assert_eq(&(warnings.join("\n") + "\n"));
 }
 
-/// A change of the mode cuts the power. With power at once the arm brakes, then continues slowly.
+/// A change of the mode cuts the power. If it is restored immediately, the arm brakes and continues slowly.
 #[test]
 fn a_change_to_manual_mode_slows_a_moving_arm() {
     let folder = Folder::with(MOVES);

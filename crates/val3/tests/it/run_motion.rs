@@ -1,4 +1,4 @@
-//! What `val3 run` shows of the motion: trace, picture, times.
+//! Motion reports of `val3 run`: trace, picture, times.
 
 use std::io::Read as _;
 use std::path::Path;
@@ -10,13 +10,13 @@ use flate2::read::GzDecoder;
 
 use crate::support::{Folder, run};
 
-/// A joint move of 90 degrees, a second at rest, and a line.
+/// A joint move of 90 degrees, a pause of 1 s, and a line.
 const MOVES: &str = "mdesc mStop\njoint jReady\npoint pNear\n  mStop.blend=off\n  enablePower()\n  wait(isPowered())\n  \
                      jReady={90,0,90,0,90,0}\n  movej(jReady,flange,mStop)\n  waitEndMove()\n  delay(1)\n  \
                      pNear=here(flange,world)\n  pNear.trsf.x=pNear.trsf.x+100\n  movel(pNear,flange,mStop)\n  \
                      waitEndMove()\n";
 
-/// The rows of a trace without its head, as texts.
+/// Rows of a trace without its head, as texts.
 fn rows(text: &str) -> Vec<Vec<&str>> {
     text.lines().skip(1).map(|line| line.split(',').collect()).collect()
 }
@@ -39,7 +39,7 @@ fn the_trace_has_the_arm_every_4_ms_while_it_moves() {
     }
 }
 
-/// The frames of a recording: `u8` kind, `u32` length, content.
+/// Messages of an exported recording: `u8` kind, `u32` length, content.
 fn frames(page: &str) -> Vec<(u8, Vec<u8>)> {
     let (_, recording) = page.split_once("<body><script id=\"recording\" type=\"text/plain\">").unwrap();
     let packed = BASE64_STANDARD.decode(recording.split_once("</script>").unwrap().0).unwrap();
@@ -99,7 +99,7 @@ fn the_times_of_a_run_are_those_of_its_lines() {
     assert_eq!(delay["seconds"], 1.0, "{report:#}");
 }
 
-/// The slow line is limited by its `tvel`; at 10 % nothing but the monitor speed limits the arm.
+/// The slow line is limited by its `tvel`; at 10 %, only the monitor speed limits the arm.
 #[test]
 fn each_line_has_the_limits_of_its_speed() {
     let folder = Folder::with(&format!(
@@ -178,7 +178,7 @@ fn a_full_disk_is_a_message() {
     }
 }
 
-/// A run that ends with an error has its picture up to there.
+/// If a run ends with an error, the picture shows the motion before the error.
 #[test]
 fn the_picture_shows_what_was_reached() {
     let folder = Folder::with(&format!("{MOVES}  pNear.trsf.x=9999\n  movel(pNear,flange,mStop)\n"));
@@ -190,7 +190,7 @@ fn the_picture_shows_what_was_reached() {
     );
 }
 
-/// A half circle at a low speed, a corner that is shortened because the leave of the last move counts until it is
+/// A half circle at a low speed, a blend that is shortened because the last move's leave distance counts until it is
 /// cancelled, and the stop.
 const CIRCLE: &str = "mdesc mSlow\npoint pA\npoint pPick\n  enablePower()\n  wait(isPowered())\n  pA=here(flange,world)\n  \
                       mSlow.tvel=250\n  movec(appro(pA,{100,100,0,0,0,0}),appro(pA,{0,200,0,0,0,0}),flange,mSlow)\n  \
@@ -212,7 +212,7 @@ fn the_picture_has_circles_limits_and_shortened_blends() {
     assert_eq!(folder.val3(&["run", "--plot-accelerations"]).code, 2);
 }
 
-/// Twelve moves of 39 mm with blends of 40 mm, a move with a reach of 0, and a blend that is cancelled.
+/// Twelve moves of 39 mm with blends of 40 mm, a move with reach 0, and a cancelled blend.
 const SHORT_MOVES: &str = "mdesc m\nnum n\npoint p\n  enablePower()\n  wait(isPowered())\n  p=here(flange,world)\n  \
                            m.blend=joint\n  m.leave=40\n  m.reach=40\n  for n=1 to 12\n    \
                            p.trsf.x=p.trsf.x-39*(n%2)\n    p.trsf.y=p.trsf.y+39*(1-n%2)\n    movel(p,flange,m)\n  endFor\n  \
@@ -280,7 +280,7 @@ fn blends_cut_short_are_told_with_their_reasons() {
     assert_eq!(reach["reason"], "sharedWithNext", "{report:#}");
 }
 
-/// The picture of the README, drawn by the command beside it.
+/// The picture in the README, drawn by the command next to it.
 #[test]
 fn the_picture_of_the_palletiser_is_up_to_date() {
     let cell = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/palletiser");
@@ -317,7 +317,8 @@ fn a_run_can_start_with_power_and_anywhere_within_the_limits() {
     .assert_eq(&run.stderr);
 }
 
-/// The note appears once for a trace and a table, not without a motion or a measured arm, nor without their options.
+/// The note appears once for a trace and a table. It does not appear without a motion, for a measured arm, or without
+/// these options.
 #[test]
 fn times_of_a_model_arm_are_noted_once() {
     let folder = Folder::with(MOVES);

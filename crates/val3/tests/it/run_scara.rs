@@ -1,8 +1,8 @@
-//! Programs of SCARA arms. The arm is a TS2-60: links of 380 and 240 mm, a stroke of 200 mm, the tool points down.
+//! Programs for SCARA arms. The arm is a TS2-60: links of 380 and 240 mm, a stroke of 200 mm, the tool points down.
 
 use crate::support::{CommandOutput, Folder};
 
-/// Data and power of every program.
+/// Data and power for every program.
 const HEAD: &str = "jointRs j\njointRs jEnd\npointRs p\npointRs pEnd\nmdesc m\nnum nStart\nbool bFound\n  m.blend=off\n  \
                     enablePower()\n  wait(isPowered())\n";
 
@@ -40,8 +40,8 @@ fn lines_and_circles_lead_to_their_points() {
     );
 }
 
-/// Axis 1 at 346.5°/s and 1732.5°/s², as the other axes have ways that are shorter in time: 90/346.5 + 0.2 s; at 5 %
-/// 90/17.325 + 0.01 s. The screw axis turns by 900° at 1584°/s and 7920°/s².
+/// Axis 1 with 346.5°/s and 1732.5°/s² is slowest: 90/346.5 + 0.2 s; at 5 %, 90/17.325 + 0.01 s. The screw axis turns
+/// by 900° with 1584°/s and 7920°/s².
 #[test]
 fn joint_moves_take_the_time_of_their_slowest_axis() {
     let timed = |from: &str, to: &str| {
@@ -53,7 +53,7 @@ fn joint_moves_take_the_time_of_their_slowest_axis() {
     check(&timed("{0,90,50,0}", "{90,90,100,90}"), "0.46\n");
     check(&format!("  m.vel=5\n{}", timed("{0,90,50,0}", "{90,90,100,90}")), "5.208\n");
     check(&timed("{0,90,50,-450}", "{0,90,50,450}"), "0.772\n");
-    // A stroke of 150 mm at 1320 mm/s and 6600 mm/s² does not reach the full speed: 2·√(150/6600).
+    // A stroke of 150 mm with 1320 mm/s and 6600 mm/s² does not reach full speed: 2·√(150/6600).
     check(&timed("{0,90,20,0}", "{0,90,170,0}"), "0.304\n");
 }
 
@@ -105,7 +105,7 @@ fn a_line_keeps_the_configuration_and_the_reach() {
     }
 }
 
-/// Where nothing names the arm, the one of the run has the name that programs read.
+/// Programs read the name of the default arm.
 #[test]
 fn the_default_arm_has_its_name() {
     let folder = Folder::with("  ? getVersion(\"ArmType\")\n");
@@ -115,8 +115,8 @@ fn the_default_arm_has_its_name() {
     }
 }
 
-/// The TP80 makes up to 200 picks a minute (assemblymag.com/articles/94544): 25 mm up, 305 mm across, 25 mm down, and back in
-/// 0.3 s.
+/// The TP80 performs up to 200 picks per minute (assemblymag.com/articles/94544): 25 mm up, 305 mm across, 25 mm down,
+/// and back in 0.3 s.
 #[test]
 fn the_fast_picker_makes_its_published_cycle() {
     let pick = "  movel(pAbove,flange,m)\n  movel(pAbovePlace,flange,m)\n  movel(pPlace,flange,m)\n  \

@@ -1,11 +1,11 @@
-//! Runs that wait say where, and why their time is real.
+//! Notes of waiting runs: where tasks wait, and why time is real.
 
 use std::io::{BufRead as _, BufReader};
 use std::process::Stdio;
 
 use crate::support::Folder;
 
-/// The error output of a run until a line contains `text`. The run is ended then.
+/// Reads the error output of a run until a line contains `text`, and ends the run.
 fn told(folder: &Folder, arguments: &[&str], text: &str) -> String {
     let mut command = folder.command(arguments);
     let mut run = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
@@ -21,7 +21,7 @@ fn told(folder: &Folder, arguments: &[&str], text: &str) -> String {
     told
 }
 
-/// A task that waits in `code`, and another one that keeps the clock running.
+/// A task that waits in `code`, and another task that keeps the clock running.
 fn waiting(code: &str) -> Folder {
     Folder::with(&format!(
         "
@@ -71,7 +71,7 @@ fn a_silent_run_names_the_waits_of_its_tasks() {
     assert!(told.contains("task `main~` waits for time (`delay`)"), "{told}");
 }
 
-/// Data that link `siHost` to the socket `host`.
+/// Data with `siHost` linked to the socket `host`.
 const HOST: &str = r#"
 === main/main.dtx
 <?xml version="1.0" encoding="utf-8"?>

@@ -1,10 +1,10 @@
-//! Scripts name signals, data and lines that do not exist, in applications whose libraries are loaded while they run.
+//! Scripts with unknown signals, data and lines, in applications that load libraries at run time.
 
 use expect_test::expect;
 
 use crate::support::{CommandOutput, Folder};
 
-/// An application that loads the library `part` at 1 s, with a signal and data of its own.
+/// An application that loads the library `part` at 1 s. The library has a signal and data.
 fn folder() -> Folder {
     let folder = Folder::with(
         "library part \"Disk://part/part.pjx\" autoload=false

@@ -9,7 +9,7 @@ use rustix::termios::{ControlModes, tcgetattr};
 use crate::support::Folder;
 use crate::terminal::pair;
 
-/// Talks to the device at the other end: greets, repeats two texts, sends bytes, waits for a text that never arrives.
+/// Communicates with the device: greets, sends two texts back, sends bytes, waits for a text that never arrives.
 const PROGRAM: &str = r#"
 sio siLine
 string sText
@@ -60,17 +60,17 @@ fn cell() -> Folder {
     folder
 }
 
-/// Reads as many bytes as are awaited.
+/// Reads `count` bytes.
 fn read(line: &mut File, count: usize) -> Vec<u8> {
     let mut bytes = vec![0; count];
     line.read_exact(&mut bytes).unwrap();
     bytes
 }
 
-/// Plays the device at the other end.
+/// Simulates the device at the other end.
 fn answer(mut device: File) {
     assert_eq!(read(&mut device, 6), b"ready\r");
-    // The end of a text need not come with it, nor a text alone.
+    // A text may arrive in parts, and two texts may arrive together.
     device.write_all(b"fir").unwrap();
     device.write_all(b"st\rsecond \xc3\xa9\r").unwrap();
     assert_eq!(read(&mut device, 5), [1, 255, 13, 10, 0], "bytes are sent as they are");
@@ -81,7 +81,7 @@ fn answer(mut device: File) {
 fn a_serial_line_carries_texts_and_bytes_both_ways() {
     let folder = cell();
     let (device, name) = pair();
-    // Both ends are held open, so that the settings stay to be looked at.
+    // Both ends are kept open, so that the settings can be inspected.
     let end = OpenOptions::new().read(true).write(true).open(&name).unwrap();
     let line = format!("Serial\\port1=serial:{name}");
     let mut command =
@@ -104,7 +104,8 @@ fn a_serial_line_carries_texts_and_bytes_both_ways() {
     assert_eq!((replay.code, replay.stdout.as_str()), (1, EXPECTED), "{replay:?}");
 }
 
-/// The results of the program: settings it takes, a value and a setting it does not, texts, bytes, and nothing more.
+/// Output of the program: results of valid settings, an invalid value and an invalid setting, then texts, bytes, and a
+/// timeout.
 const EXPECTED: &str = "0\n0\n0\n0\n0\n0\n-3\n-5\nfirst\nsecond é\n5\n0\n10\n13\n200\n7\n0\n0\n";
 
 #[test]

@@ -214,7 +214,7 @@ fn a_changed_point_is_saved_and_nothing_else() {
     assert_eq!(run.ending().0, 130);
 }
 
-/// The run keeps real time, and another viewer sees it.
+/// The run keeps real time, and another viewer receives its messages.
 #[test]
 fn a_viewer_that_never_reads_delays_nothing() {
     let mut run = ServedRun::of(PRINTING, &[]);

@@ -63,7 +63,7 @@ fn quiet_prints_only_findings() {
     assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
 }
 
-/// A program of s5, whose code is escaped text.
+/// An s5 program, whose code is escaped text.
 const ESCAPED: &str = r#"<?xml version="1.0" encoding="iso-8859-1"?>
 <programList xmlns="ProgramNameSpace">
   <program name="start" public="true">

@@ -1,4 +1,4 @@
-//! Text of strangers: names, paths, code, settings, output and arguments with control characters and with commands of
+//! Untrusted text: names, paths, code, settings, output and arguments with control characters and with commands of
 //! continuous integration services.
 
 use std::path::Path;
@@ -9,8 +9,8 @@ use val3_test::Fixture;
 use crate::support::Folder;
 use crate::terminal::output_on_terminal;
 
-/// Sequences that set the title of a terminal and clear its screen, in C0 and C1, text in the other direction, and
-/// lines that a service would execute.
+/// Sequences that set the title of a terminal and clear its screen, in C0 and C1, right-to-left text, and lines that a
+/// service would execute.
 const EVIL: &str = "\u{1b}]0;x\u{7}\u{9b}2J\u{202e}\u{7f}\u{8}\r::error::a\n::error::b ##[error]c ##vso[task]d";
 
 /// [`EVIL`] without the characters that XML does not allow.
@@ -18,7 +18,7 @@ fn in_xml() -> String {
     EVIL.replace(['\u{1b}', '\u{7}', '\u{8}'], "")
 }
 
-/// [`EVIL`] in a string of TOML.
+/// [`EVIL`] in a TOML string.
 fn toml() -> String {
     let escape = |character: char| match character {
         control if control.is_control() => format!("\\u{:04X}", u32::from(control)),
@@ -27,13 +27,13 @@ fn toml() -> String {
     EVIL.chars().map(escape).collect()
 }
 
-/// A string of VAL 3 with this value.
+/// A VAL 3 expression for this string.
 fn val3_string(text: &str) -> String {
     let codes: Vec<String> = text.chars().map(|character| format!("chr({})", u32::from(character))).collect();
     codes.join("+")
 }
 
-/// An application that shows [`EVIL`] in every way, and fails.
+/// An application that outputs [`EVIL`] in every way, and fails.
 fn good() -> String {
     let says = format!(
         "sText={}\n? sText\nlogMsg(sText)\npopUpMsg(sText)\nuserPage()\ncls()\ntitle(sText)\nput(sText)\n\
@@ -48,12 +48,12 @@ fn good() -> String {
     )
 }
 
-/// The name of a folder with [`EVIL`], without `/` and `:`, which paths of the controller cannot have.
+/// A folder name with [`EVIL`], without `/` and `:`, which controller paths do not allow.
 fn evil_folder() -> String {
     format!("usr{}", EVIL.replace('/', ""))
 }
 
-/// A cell in which everything that has a name or a text is evil.
+/// A cell in which every name and every text contains [`EVIL`].
 fn cell() -> Folder {
     let folder = Folder::empty();
     let (name, code) = (in_xml(), EVIL.replace(['\n', '\r'], " "));
@@ -99,7 +99,7 @@ fn cell() -> Folder {
     folder
 }
 
-/// Arguments of every command that shows names, paths, texts or arguments.
+/// Arguments of every command that outputs names, paths, texts or arguments.
 fn commands() -> Vec<Vec<String>> {
     let evil = evil_folder();
     let words = |line: &str| -> Vec<String> { line.split(' ').map(|word| word.replace("EVIL", &evil)).collect() };
@@ -154,13 +154,13 @@ fn commands() -> Vec<Vec<String>> {
     checks.into_iter().chain(tests).chain(others.iter().map(|line| words(line))).collect()
 }
 
-/// Whether a terminal would obey the character.
+/// Whether a terminal would execute the character.
 fn is_raw(character: char) -> bool {
     let is_direction = matches!(character, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     is_direction || (character.is_control() && !matches!(character, '\t' | '\n'))
 }
 
-/// The first line that a service would execute.
+/// First line that a service would execute.
 fn executed(output: &str) -> Option<&str> {
     output
         .split(['\n', '\r'])
@@ -197,7 +197,7 @@ fn no_command_shows_control_characters_on_a_terminal() {
 #[test]
 fn no_report_has_control_characters() {
     let folder = cell();
-    // The output of a program and a patch are exact where no terminal shows them.
+    // The output of a program and a patch are exact unless written to a terminal.
     let is_exact = |args: &[String]| args[0] == "run" || args[0] == "eval" || args.iter().any(|arg| arg == "--diff");
     for args in commands() {
         let output = in_a_service(&folder, &args).stdin(Stdio::null()).output().unwrap();
@@ -225,7 +225,7 @@ fn a_path_with_a_line_break_begins_no_line() {
 fn commands_of_github_name_the_file() {
     let folder = cell();
     let output = folder.val3(&["check", &evil_folder(), "--format", "github"]);
-    // After the commands comes one line of the command's own.
+    // After the service commands, `val3` writes one line about the limit.
     let is_known = |line: &str| line.starts_with("::") || line.starts_with("GitHub shows 10 of ");
     assert!(output.stdout.lines().all(is_known), "{output:?}");
     let path =

@@ -1,4 +1,4 @@
-//! A folder with an application, and runs of the command in it.
+//! Runs the command in a folder with an application.
 
 use std::fs;
 use std::io::Write as _;
@@ -8,17 +8,17 @@ use std::process::{Command, Stdio};
 use tempfile::TempDir;
 use val3_test::Fixture;
 
-/// A program without a fault.
+/// A program without faults.
 pub(crate) const CLEAN: &str = "num nCount\nnCount=nCount+1\n";
 /// A program with an unknown name in line 2 of its code.
 pub(crate) const FAULTY: &str = "num nCount\nnCuont=1\n";
-/// A program whose only fault is a keyword in an unusual spelling.
+/// A program whose only fault is the unusual spelling of a keyword.
 pub(crate) const UNUSUAL: &str = "num nCount\nIF nCount==1\nnCount=2\nendIf\n";
 
-/// A temporary folder with the files of a listing. It is deleted when the value is dropped.
+/// A temporary folder with the files of a listing, deleted on drop.
 pub(crate) struct Folder(TempDir);
 
-/// The result of a run of the command.
+/// Output and exit code of a command.
 #[derive(Debug)]
 pub(crate) struct CommandOutput {
     pub(crate) code: i32,
@@ -58,7 +58,7 @@ impl Folder {
         run(self.command(args))
     }
 
-    /// A `val3` that would run in the folder, without colours from the environment.
+    /// Prepares a `val3` command in the folder, without colours from the environment.
     ///
     /// Applications that are run get the program `stop`, which a listing may omit.
     pub(crate) fn command(&self, args: &[&str]) -> Command {
@@ -68,23 +68,23 @@ impl Folder {
         self.exact_command(args)
     }
 
-    /// As [`command`](Self::command), without a change of the files.
+    /// As [`command`](Self::command), without changes to the files.
     pub(crate) fn exact_command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
         command.args(args).current_dir(self.path());
         ["NO_COLOR", "FORCE_COLOR", "CLICOLOR_FORCE"].iter().for_each(|name| _ = command.env_remove(name));
-        // The list of trusted folders is that of the test.
+        // The test has its own list of trusted folders.
         command.env("XDG_CONFIG_HOME", self.path().join(".config")).env_remove("VAL3_TRUST").env_remove("CI");
         command
     }
 
-    /// The path of the folder.
+    /// Path of the folder.
     pub(crate) fn path(&self) -> &Path {
         self.0.path()
     }
 }
 
-/// Adds an empty program `stop` to each application below a folder that has only `start`.
+/// Adds an empty program `stop` to each application in a folder that has only `start`.
 pub(crate) fn add_stops(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for path in entries.map(|entry| entry.unwrap().path()) {
@@ -108,7 +108,7 @@ pub(crate) fn add_stops(folder: &Path) {
 const EMPTY_STOP: &str = "<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"stop\"><Code>\
                           <![CDATA[begin\nend]]></Code></Program></Programs>";
 
-/// Copies a folder with all in it.
+/// Copies a folder with its content.
 pub(crate) fn copy_folder(from: &Path, to: &Path) {
     fs::create_dir_all(to).unwrap();
     for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
@@ -131,12 +131,12 @@ pub(crate) fn run(mut command: Command) -> CommandOutput {
     }
 }
 
-/// The notes of a run without the time that it has taken, which differs from run to run.
+/// Removes the duration, which differs from run to run, from the notes of a run.
 fn without_wall_time(notes: &str) -> String {
     notes.split_inclusive('\n').filter(|line| !line.starts_with("finished in ")).collect()
 }
 
-/// Runs `val3` in a folder with this standard input; each byte of its output is one character.
+/// Runs `val3` in a folder with this standard input; each byte of the output becomes one character.
 pub(crate) fn piped(folder: &Folder, args: &[&str], input: &[u8]) -> CommandOutput {
     let mut command = folder.command(args);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());

@@ -1,4 +1,4 @@
-//! Pseudo terminals, and commands in them.
+//! Pseudo terminals and commands in them.
 
 use std::fs::{File, OpenOptions};
 use std::io::{Read, Write};
@@ -9,15 +9,15 @@ use std::time::Duration;
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
 
-/// Maximum time for a picture, after which the test fails.
+/// Timeout for expected output, after which the test fails.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// A terminal with a command in it.
+/// A terminal with a running command.
 pub(crate) struct Terminal {
     keyboard: File,
-    /// The output on the screen. Another thread reads it, because a read blocks while the line is open.
+    /// Screen output. Another thread reads it, because reading blocks while the line is open.
     picture: Receiver<String>,
-    /// The end of the command, kept to check its modes.
+    /// The command's end of the terminal, kept to check its modes.
     pub(crate) line: File,
     pub(crate) child: Child,
     seen: String,
@@ -35,7 +35,7 @@ impl Terminal {
         Self { keyboard, picture, line, child, seen: String::new() }
     }
 
-    /// Reads until the picture holds a text after the one of the previous call.
+    /// Reads until the output contains a text after the text of the previous call.
     pub(crate) fn wait_for(&mut self, text: &str) {
         while !self.seen.contains(text) {
             match self.picture.recv_timeout(PATIENCE) {
@@ -52,19 +52,19 @@ impl Terminal {
 }
 
 impl Drop for Terminal {
-    /// A failed test must not leave its command running.
+    /// Kills the command, also if the test has failed.
     fn drop(&mut self) {
         let _ = self.child.kill();
     }
 }
 
-/// Runs a command to its end with both outputs on a terminal, and returns what the terminal received.
+/// Runs a command to its end with both outputs on a terminal, and returns the terminal's output.
 pub(crate) fn output_on_terminal(mut command: Command) -> String {
     let (mut screen, name) = pair();
     let line = OpenOptions::new().read(true).write(true).open(name).unwrap();
     command.stdin(Stdio::null()).stdout(line.try_clone().unwrap()).stderr(line).env("TERM", "xterm");
     let mut child = command.spawn().unwrap();
-    // The command has handles of the terminal, whose other end is closed with the last of them.
+    // The command holds handles of the terminal, whose other end is closed with the last handle.
     drop(command);
     let mut received = Vec::new();
     let mut bytes = [0; 4096];
@@ -75,7 +75,7 @@ pub(crate) fn output_on_terminal(mut command: Command) -> String {
     String::from_utf8_lossy(&received).into_owned()
 }
 
-/// The output on a terminal, in pieces.
+/// Terminal output in parts.
 fn pictures(mut terminal: File) -> Receiver<String> {
     let (to, pictures) = channel();
     std::thread::spawn(move || {
@@ -89,7 +89,7 @@ fn pictures(mut terminal: File) -> Receiver<String> {
     pictures
 }
 
-/// A new pseudo terminal: the user's end, and the name of the other end.
+/// Opens a pseudo terminal: the user's end, and the name of the command's end.
 pub(crate) fn pair() -> (File, String) {
     let other = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
     grantpt(&other).unwrap();

@@ -1,4 +1,4 @@
-//! `val3 test` with a simulated cell: reactions of scripts, and `[test]` of `val3.toml`.
+//! `val3 test` with a simulated cell: script reactions, and `[test]` of `val3.toml`.
 
 use std::fs::{self, File};
 
@@ -49,14 +49,14 @@ end
 
 const REPLACED: &str = "[test]\nreplace = { feeder = \"usrapp/stubs/feeder\" }\n";
 
-/// The files of a listing with a `val3.toml`.
+/// Files of a listing with a `val3.toml`.
 fn cell(listing: &str, settings: &str) -> Folder {
     let folder = Folder::with(listing);
     folder.write("val3.toml", settings);
     folder
 }
 
-/// The output of each test, after its name.
+/// All tests' outputs, each after the test name.
 fn prints(run: &CommandOutput) -> String {
     let report: Value = serde_json::from_str(&run.stdout).unwrap_or_else(|_| panic!("{run:?}"));
     let tests = report["tests"].as_array().unwrap();
@@ -116,7 +116,7 @@ fn reactions_of_the_cell_lead_a_test_to_its_end() {
     let run = folder.val3(&["test", "usrapp"]);
     let message = "  [[when]] in line 1: there is no variable `nStat`; did you mean `nState`?";
     assert_eq!((run.code, run.stdout.contains(message)), (2, true), "{run:?}");
-    // Without the second reaction nothing lets the test continue.
+    // Without the second reaction, the test cannot continue.
     folder.write("usrapp/gripTest/testGrip.toml", script.split("[[when]]\ndata = { nState = {").next().unwrap());
     let run = folder.val3(&["test", "usrapp"]);
     assert!(run.stdout.contains("it waits for a condition"), "{run:?}");

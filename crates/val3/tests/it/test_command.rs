@@ -1,4 +1,4 @@
-//! `val3 test`: whole applications with tests.
+//! `val3 test`: complete applications with tests.
 
 use std::fs::{self, File};
 use std::io::{BufRead as _, BufReader};
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use crate::support::{CommandOutput, Folder};
 use crate::watch::Watching;
 
-/// An application `main`, its tests `mainTest`, and the programs of the tests with their code.
+/// An application `main`, its tests `mainTest`, and the test programs with their code.
 pub(crate) fn cell(programs: &[(&str, &str)]) -> Folder {
     let folder = Folder::with("num nCount\nnCount=1\n");
     let written = folder.val3(&["test", "--init", "usrapp/main"]);
@@ -18,7 +18,7 @@ pub(crate) fn cell(programs: &[(&str, &str)]) -> Folder {
     let project = folder.read("usrapp/mainTest/mainTest.pjx");
     let names = programs.iter().map(|(name, _)| format!("    <Program file=\"{name}.pgx\" />\n")).collect::<String>();
     let project = project.replace("  </Programs>", &(names + "  </Programs>"));
-    // `testFirst` is a test of its own in these tests.
+    // `testFirst` belongs to the template and is removed.
     folder.write("usrapp/mainTest/mainTest.pjx", &project.replace("    <Program file=\"testFirst.pgx\" />\n", ""));
     fs::remove_file(folder.path().join("usrapp/mainTest/testFirst.pgx")).unwrap();
     folder.write("usrapp/mainTest/start.pgx", &program("start", ""));
@@ -134,7 +134,7 @@ fn every_assertion_passes_and_fails() {
     let report: Value = serde_json::from_str(&run.stdout).unwrap();
     assert_eq!((&report["passed"], &report["failed"]), (&json!(pass.len()), &json!(fail.len())), "{}", run.stdout);
     let tests = report["tests"].as_array().unwrap();
-    // Further lines show both sides.
+    // Only the first line; further lines show both values.
     let messages = tests.iter().filter_map(|test| test["failure"]["message"].as_str()?.lines().next());
     assert_eq!(messages.collect::<Vec<_>>(), fail.map(|(_, message)| message));
 }
@@ -186,7 +186,7 @@ fn each_test_begins_in_the_initial_state_between_setup_and_teardown() {
     let prints = |test: usize| report["tests"][test]["prints"].clone();
     assert_eq!(prints(0), json!(["setup", "true", "teardown"]), "{}", run.stdout);
     assert_eq!(prints(1), json!(["setup", "true", "-1", "teardown"]), "{}", run.stdout);
-    // Tests change files in memory alone.
+    // Tests change files only in memory.
     assert_eq!(folder.read("usrapp/gone/gone.pjx"), "<Project />");
 }
 
@@ -219,12 +219,12 @@ fn tests_are_chosen_by_their_whole_name() {
     assert_eq!((unknown.code, unknown.stderr.contains("did you mean `mainTest:testA`")), (2, true), "{unknown:?}");
 }
 
-/// Each line of an output as an object.
+/// Parses each output line as an object.
 fn lines(output: &str) -> Vec<Value> {
     output.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
 }
 
-/// The object without the times of the clock on the wall.
+/// Removes real times from an object.
 pub(crate) fn without_times(mut object: Value) -> Value {
     match &mut object {
         Value::Object(keys) => {
@@ -237,7 +237,7 @@ pub(crate) fn without_times(mut object: Value) -> Value {
     object
 }
 
-/// A report without the times of the clock on the wall.
+/// Removes real times from a report.
 pub(crate) fn timeless(report: &str) -> String {
     let line = |line: &str| match (line.split_once(" time=\""), line.split_once("\"wallSeconds\"")) {
         (Some((before, after)), _) => {
@@ -265,7 +265,7 @@ fn programs_follow_the_execution_line_by_line() {
         ["summary", null],
     ]);
     assert_eq!(json!(kinds), expected);
-    // The object of a test is that of the format `json`.
+    // A test object equals the object of the format `json`.
     let whole = tested(&[("testA", ""), ("testB", "call assert:equalNum(1,2,0)")], &["--format", "json"]);
     let whole: Value = serde_json::from_str(&whole.stdout).unwrap();
     let lines: Vec<Value> = lines.into_iter().map(without_times).collect();

@@ -1,11 +1,11 @@
-//! `val3 test --coverage`: whole cells, their reports, and what they leave out.
+//! `val3 test --coverage`: complete cells, their reports, and what the reports omit.
 
 use expect_test::expect;
 use serde_json::{Value, json};
 
 use crate::support::{CommandOutput, Folder};
 
-/// An application of tests, which loads the library `pal`. That one loads `tool`, and in one mode `spare`.
+/// A test application that loads the library `pal`. This library loads `tool`, and in one mode `spare`.
 const CELL: &str = r#"
 --- palTest
 library pal "Disk://pal/pal.pjx"
@@ -126,14 +126,14 @@ fn tested(options: &[&str]) -> CommandOutput {
     cell().val3(&[&["test", "usrapp"], options].concat())
 }
 
-/// The JSON report of a cell.
+/// JSON report of a cell.
 fn report(folder: &Folder, options: &[&str]) -> Value {
     let run = folder.val3(&[&["test", "usrapp", "--coverage-output", "json=report.json"], options].concat());
     assert_eq!(run.code, 0, "{run:?}");
     serde_json::from_str(&folder.read("report.json")).unwrap()
 }
 
-/// The file of a program in a report.
+/// File of a program in a report.
 fn file<'r>(report: &'r Value, path: &str) -> Option<&'r Value> {
     report["files"].as_array().unwrap().iter().find(|file| file["file"] == path)
 }
@@ -177,7 +177,7 @@ fn other_formats_have_the_table_beside_their_results() {
     assert!(!plain.stdout.contains("missing lines") && plain.stderr.is_empty(), "{plain:?}");
 }
 
-/// The sides of each construct with their counts.
+/// Counts for both sides of every construct.
 #[test]
 fn each_side_of_each_construct_is_counted() {
     let folder = cell();
@@ -248,7 +248,7 @@ fn the_comment_is_known_and_a_misspelt_one_is_not() {
     assert!(check.stdout.contains("V0703"), "{check:?}");
 }
 
-/// Programs without an execution are listed; tests, `val3assert` and what nothing has loaded are not.
+/// Loaded programs without an execution are listed; tests, `val3assert` and unloaded programs are not.
 #[test]
 fn what_is_loaded_is_reported() {
     let report = report(&cell(), &["--filter", "testTwo"]);
@@ -263,7 +263,7 @@ fn what_is_loaded_is_reported() {
     assert_eq!(open["lines"][0]["hits"], 0, "{open}");
 }
 
-/// A stand-in is a part of the tests, and the library whose place it takes is not loaded.
+/// A stand-in belongs to the tests, and the library that it replaces is not loaded.
 #[test]
 fn stand_ins_are_left_out() {
     let folder = cell();
@@ -302,7 +302,7 @@ fn counts_are_those_of_all_repetitions() {
     assert_eq!(hits(&report(&folder, &["--repeat", "5", "--jobs", "2"])), 15);
 }
 
-/// Executed tests have the same results and times.
+/// Counting changes neither results nor times.
 #[test]
 fn results_do_not_depend_on_counting() {
     let result = |run: CommandOutput| run.stdout.split_once("failed\n").unwrap().0.to_owned();
@@ -359,7 +359,7 @@ fn reports_are_written_to_files() {
     }
 }
 
-/// A part of the tests would give the coverage of other tests each time.
+/// With a subset of the tests, the coverage would differ from run to run.
 #[test]
 fn coverage_needs_all_tests() {
     for option in ["--coverage", "--coverage-output=json=c.json", "--fail-under=1"] {

@@ -1,4 +1,4 @@
-//! `val3 test`: the tests of the example palletiser.
+//! `val3 test`: tests of the example palletiser.
 
 use std::path::Path;
 use std::process::Command;
@@ -14,7 +14,7 @@ fn tested(options: &[&str]) -> CommandOutput {
     run(command)
 }
 
-/// The host of the cell is another machine, and the scenarios have limits of cycle times.
+/// The cell's host is another machine, and the scenarios limit cycle times.
 const NOTE: &str = "note: sockets are not connected in tests: `Socket\\host`\n  help: let the script of the test be the \
                     other end, or name the connection with --line 'Socket\\host=server:PORT'\nnote: times of a model arm: the speeds and accelerations of the TX90L are not measured; `val3 arm \
                     measure` measures yours\n";
@@ -39,7 +39,7 @@ fn the_tests_of_the_palletiser_are_programs_tables_and_scenarios() {
     }
 }
 
-/// An unpacked archive is in no repository, and its user has trusted no folder.
+/// An unpacked archive is not in a repository, and its user has trusted no folder.
 #[test]
 fn a_copy_of_the_palletiser_needs_nothing_outside_of_it() {
     let folder = Folder::empty();

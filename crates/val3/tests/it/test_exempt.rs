@@ -1,4 +1,4 @@
-//! `val3 test`: skipped tests, known failures, and the controller that a test asks for.
+//! `val3 test`: skipped tests, known failures, and controller properties of a test.
 
 use expect_test::expect;
 use serde_json::{Value, json};
@@ -141,7 +141,7 @@ fn a_scenario_chooses_arm_start_power_and_limit() {
     assert_eq!(prints(0), json!(["{10,0,90,0,90,0}", "true", "40"]));
     assert_eq!(prints(1), json!(["{0,0,0,0,0,0}", "false", "100"]));
     assert!(run.stdout.contains("not ended after 3 s"), "{run:?}");
-    // The file of a scenario is a script of a run.
+    // A scenario file is also a run script.
     let run = folder.val3(&["run", "usrapp/main", "--script", "tests/cell.toml", "--until", "1", "--until-ok"]);
     assert!(run.stdout.contains("{10,0,90,0,90,0}") && run.stdout.contains("true"), "{run:?}");
     for (key, message) in [

@@ -1,11 +1,11 @@
-//! `val3 test`: a failure shows the fault.
+//! `val3 test`: reports of failures.
 
 use expect_test::{Expect, expect};
 
 use crate::support::Folder;
 use crate::test_command::cell;
 
-/// Checks the output of tests of which one fails at least.
+/// Checks the output of tests with at least one failure.
 #[track_caller]
 fn check(folder: &Folder, options: &[&str], expected: Expect) {
     let run = folder.val3(&[&["test", "usrapp"], options].concat());

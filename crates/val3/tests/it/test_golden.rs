@@ -71,18 +71,18 @@ fn screens_and_prints_are_recorded_and_compared() {
 
 #[test]
 fn nothing_else_is_recorded() {
-    // An empty page proves nothing.
+    // An empty page would prove nothing.
     let folder = cell("program start()\nbegin\n  ? \"one\"\nend\nprogram stop()\nbegin\nend\n");
     let run = tested(&folder, &["--update"]);
     assert!(run.code == 1 && run.stdout.contains("the screen is empty, so there is nothing to compare"), "{run:?}");
     assert!(!folder.path().join("tests/golden/end.txt").exists());
-    // A file of another kind stays.
+    // A file of another kind is not replaced.
     let folder = cell(CODE);
     folder.write("tests/golden/end.txt", "mine\n");
     let run = tested(&folder, &["--update"]);
     assert!(run.code == 2 && run.stderr.contains("it exists and is no recorded text"), "{run:?}");
     assert_eq!(folder.read("tests/golden/end.txt"), "mine\n");
-    // Nor is a file outside of the cell written.
+    // A file outside of the cell is not written.
     let folder = cell(CODE);
     let outside = FILES.replace("golden/end.txt", "../../../end.txt");
     folder.write("tests/cell.toml", &format!("application = \"../usrapp/main\"\n{outside}"));

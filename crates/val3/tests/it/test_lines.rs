@@ -2,7 +2,7 @@
 
 use crate::support::{CommandOutput, Folder};
 
-/// An application that reads a message of two numbers, and answers with the double of the first and a magic number.
+/// An application that reads a message of two numbers, and responds with twice the first number and a magic number.
 const SERVER: &str = r#"
 program start()
   num l_nCount

@@ -13,7 +13,7 @@ pub(crate) const CODE: &str = "mdesc mLine\njoint jReady\npoint pCorner\npoint p
 
 const TRACE: &str = "[expect]\ntrace = \"golden/cycle.csv\"\n";
 
-/// A scenario of an application with this code.
+/// An application with this code and a scenario.
 pub(crate) fn cell(code: &str, expectations: &str) -> Folder {
     let folder = Folder::with(code);
     expecting(&folder, expectations);
@@ -28,7 +28,7 @@ pub(crate) fn tested(folder: &Folder, options: &[&str]) -> CommandOutput {
     folder.val3(&[&["test", "tests", "--arm", "TX2-90"], options].concat())
 }
 
-/// A cell whose motion is recorded.
+/// A cell with recorded motion.
 fn recorded() -> Folder {
     let folder = cell(CODE, TRACE);
     let update = tested(&folder, &["--update"]);
@@ -36,7 +36,7 @@ fn recorded() -> Folder {
     folder
 }
 
-/// Gives the application other code, and the results of its test.
+/// Changes the code of the application, and checks the test result.
 #[track_caller]
 fn check_change(from: &str, to: &str, expected: Expect) {
     let folder = recorded();
@@ -66,7 +66,7 @@ fn the_recorded_motion_is_the_same_again() {
         # arm: TX2-90
         t,id,phase,j1,j2,j3,j4,j5,j6,x,y,z,rx,ry,rz,v"#]]
     .assert_eq(&head.join("\n"));
-    // With each cycle of the 4.4 s there would be 1,103 rows.
+    // With every cycle of the 4.4 s, there would be 1,103 rows.
     assert!((50..300).contains(&text.lines().count()), "{}", text.lines().count());
     let again = tested(&folder, &["--update"]);
     assert_eq!((again.code, again.stderr.as_str()), (0, "unchanged: tests/golden/cycle.csv\n"));
@@ -326,7 +326,7 @@ fn a_test_with_another_failure_is_not_recorded() {
     assert!(!folder.path().join("tests/golden").exists());
 }
 
-/// The message of the failure of a file with this text.
+/// Checks the failure message for a file with this text.
 #[track_caller]
 fn check_file(text: Option<&str>, expected: Expect) {
     let folder = cell(CODE, TRACE);
@@ -421,7 +421,7 @@ fn another_arm_is_a_failure() {
     "#]].assert_eq(&run.stdout);
 }
 
-/// Several tests may be recorded on any number of threads.
+/// Several tests may be recorded with any number of threads.
 #[test]
 fn every_test_has_its_file() {
     let folder = cell(CODE, TRACE);

@@ -1,10 +1,10 @@
-//! `val3 test`: limits of the tool centre point and of the cycle time.
+//! `val3 test`: limits for the tool centre point and the cycle time.
 
 use expect_test::{Expect, expect};
 
 use crate::test_motion::{CODE, cell, tested};
 
-/// The failures of expectations, without their places in the file.
+/// Checks the failures of expectations, without their file locations.
 #[track_caller]
 fn check_limits(expectations: &str, expected: Expect) {
     let folder = cell(&format!("num nStep\nframe fTable\n  fTable.trsf.y=50\n{CODE}"), expectations);
@@ -183,7 +183,7 @@ fn limits_of_the_cycle_time() {
     );
 }
 
-/// The note appears once for all tests of an arm, and only if a limit was compared with times of its motion.
+/// The note appears once for all tests of an arm, and only if a limit was compared with motion times.
 #[test]
 fn limits_of_times_of_a_model_arm_are_noted_once() {
     let limited = cell(CODE, "[[expect.time]]\nbelow = 10\n");
@@ -196,7 +196,7 @@ fn limits_of_times_of_a_model_arm_are_noted_once() {
     assert_eq!((idle.stderr.as_str(), unlimited.stderr.as_str()), ("", ""));
 }
 
-/// A cycle of 0.2 s and one of 0.5 s, of which the data `nStep` is 1 at the beginning and 2 at the end.
+/// Checks a cycle of 0.2 s and a cycle of 0.5 s. At their start, `nStep` is 1, and at their end, 2.
 #[track_caller]
 fn check_cycles(expectations: &str, expected: Expect) {
     let code = "num nStep\n  nStep=0\n  delay(1)\n  nStep=1\n  delay(0.2)\n  nStep=2\n  delay(1)\n  nStep=1\n  delay(0.5)\n  \
@@ -211,7 +211,7 @@ fn check_cycles(expectations: &str, expected: Expect) {
 fn cycles_between_two_occurrences() {
     let time = |keys: &str| format!("[[expect.time]]\n{keys}\n");
     let (from, to) = ("from = { data = { nStep = 1 } }", "to = { data = { nStep = 2 } }");
-    // The last cycle is not over.
+    // The last cycle has no end.
     check_cycles(
         &time(&format!("below = 0.5\n{from}\n{to}")),
         expect![[r#"

@@ -77,7 +77,7 @@ fn a_test_has_an_assertion_for_each_output() {
     .assert_eq(&folder.read("usrapp/palTest/start.pgx"));
     let checked = folder.val3(&["check", "usrapp/palTest"]);
     assert_eq!(checked.code, 0, "{checked:?}");
-    // It fails until it is filled in.
+    // The skeleton fails until it is completed.
     let text = folder.read("usrapp/palTest/testTotal.pgx").replace("l_nParts=0", "l_nParts=3");
     folder.write("usrapp/palTest/testTotal.pgx", &text);
     let run = folder.val3(&["test", "usrapp/palTest/testTotal.pgx"]);

@@ -1,4 +1,4 @@
-//! `val3 test`: fields of data in scripts and expectations.
+//! `val3 test`: data fields in scripts and expectations.
 
 use crate::support::{CommandOutput, Folder};
 

@@ -36,7 +36,7 @@ fn a_test_application_uses_private_items_of_what_it_tests() {
     assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
     let report: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
     assert_eq!(report["tests"][0]["prints"], serde_json::json!(["1", "21"]));
-    // The debugger and `val3 run` execute the same.
+    // The debugger and `val3 run` execute the same code.
     let run = folder.val3(&["eval", "--app", "usrapp/palTest", "call pal:next(nUnused)"]);
     assert!(!run.stderr.contains("private"), "{run:?}");
 }

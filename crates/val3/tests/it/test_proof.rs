@@ -1,11 +1,11 @@
-//! `val3 test` is green only if something was proved.
+//! `val3 test` only passes if something was proved.
 
 use expect_test::expect;
 
 use crate::support::Folder;
 use crate::test_command::{cell, program, timeless};
 
-/// The output of tests that fail.
+/// Output of failing tests.
 #[track_caller]
 fn failed(folder: &Folder) -> String {
     let run = folder.val3(&["test", "usrapp"]);
@@ -118,7 +118,7 @@ fn what_is_no_number_equals_nothing() {
     .assert_eq(&failed(&folder));
 }
 
-/// A scenario of the application `main`.
+/// Result of a scenario for the application `main`.
 fn scenario(code: &str, expectations: &str) -> (i32, String) {
     let folder = Folder::with(code);
     folder.write("tests/day.toml", &format!("application = \"../usrapp/main\"\n{expectations}"));
@@ -372,14 +372,14 @@ fn a_folder_above_the_cell_says_nothing_about_tests() {
     cell.write("tests/job/cycle/day.toml", "application = \"../app\"\n");
     cell.write("tests/job/checks/day.toml", "application = \"../app\"\n[expect]\nprint = [\"on\"]\n");
     let list = || cell.val3(&["test", "tests/job", "--list"]).stdout;
-    // Without a mark of its root, the folder around the applications is the cell.
+    // The cell is `tests/job`: it is a repository, or, without one, the folder above its applications.
     for mark in ["tests/job/.git/HEAD", "tests/job/val3.toml"] {
         cell.write(mark, "");
         assert_eq!(list(), "", "{mark}");
         std::fs::remove_file(cell.path().join(mark)).unwrap();
         let _ = std::fs::remove_dir(cell.path().join("tests/job/.git"));
     }
-    // In the repository of the cell it does.
+    // In a repository that contains `tests`, this folder counts.
     cell.write(".git/HEAD", "");
     assert_eq!(list(), "app:testGrip\napp:tests/job/checks/day\napp:tests/job/cycle/day\n");
     let covered = cell.val3(&["test", "tests/job", "--filter", "app:day", "--coverage"]);

@@ -1,4 +1,4 @@
-//! `val3 test`: reports that are complete, also of runs that end early.
+//! `val3 test`: reports are complete even if a run ends early.
 
 use std::io::{BufRead as _, BufReader};
 use std::process::{Command, Stdio};
@@ -70,7 +70,7 @@ fn services_get_what_a_test_has_printed() {
     assert_eq!(files, ["usrapp/mainTest/testB.pgx"], "{json}");
 }
 
-/// The tests of a folder of which the second one never ends, and a signal after the first one.
+/// Runs tests of which the second never ends, and sends a signal after the first test.
 #[cfg(unix)]
 fn interrupted(signal: &str, options: &[&str]) -> (i32, String, crate::support::Folder) {
     let folder = cell(&[("testA", "? \"a\""), ("testB", "while true\nendWhile"), ("testC", "")]);
@@ -78,7 +78,7 @@ fn interrupted(signal: &str, options: &[&str]) -> (i32, String, crate::support::
     let mut child = folder.command(&arguments).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
     let mut output = BufReader::new(child.stdout.take().unwrap());
     let mut text = String::new();
-    // The lines appear in a pipe while the tests are executed.
+    // The output is written during the execution.
     while !text.contains("testA") {
         assert_ne!(output.read_line(&mut text).unwrap(), 0, "{text}");
     }

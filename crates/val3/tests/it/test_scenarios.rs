@@ -1,4 +1,4 @@
-//! `val3 test`: scenarios, which run whole applications, and their expectations.
+//! `val3 test`: scenarios, which run complete applications, and their expectations.
 
 use std::fs::File;
 
@@ -286,7 +286,7 @@ fn a_script_is_the_other_end_of_sockets() {
         1 passed, 0 failed
     "#]],
     );
-    // The outputs of a test say nothing about those of another one.
+    // A test's outputs do not satisfy another test.
     let folder = cell(code, scenario);
     folder.write("tests/other.toml", &format!("application = \"../usrapp/main\"\n{}", scenario.replace("one", "ONE")));
     let run = folder.val3(&["test", ".", "--repeat", "2", "--jobs", "1"]);
@@ -350,7 +350,7 @@ fn a_cyclic_application_ends_at_its_time() {
         0 passed, 1 failed
     "#]]
     .assert_eq(&run.stdout);
-    // A state in time that nothing fills is judged at its time.
+    // An expectation with a time is checked at its time.
     let waiting = "wait(diGo)\nnState=1";
     let run = tested(
         waiting,
@@ -407,7 +407,7 @@ fn scenarios_are_tests_like_others() {
     folder.write("val3.toml", "exclude = [\"tests/more\"]\n");
     assert_eq!(folder.val3(&["test", ".", "--list"]).stdout, "main:cell\n");
     assert_eq!(folder.val3(&["test", "tests/more", "--list"]).stdout, "main:failing\n");
-    // A run follows the script of a scenario.
+    // A scenario is also a run script.
     assert_eq!(folder.val3(&["run", "usrapp/main", "--script", "tests/cell.toml"]).code, 0);
 }
 

@@ -1,4 +1,4 @@
-//! `val3 test`: tests that the arguments select, and names that tell tests apart.
+//! `val3 test`: selection of tests by arguments, and unique test names.
 
 use expect_test::expect;
 use serde_json::Value;
@@ -6,7 +6,7 @@ use serde_json::Value;
 use crate::support::{CommandOutput, Folder, copy_folder};
 use crate::test_command::{cell, program, timeless};
 
-/// The names of the tests that the arguments select.
+/// Names of the tests that the arguments select.
 #[track_caller]
 fn listed(folder: &Folder, arguments: &[&str]) -> Vec<String> {
     let run = folder.val3(&[&["test", "--list"], arguments].concat());
@@ -21,7 +21,7 @@ fn a_file_selects_its_test() {
     assert_eq!(listed(&folder, &[&file("testA.pgx")]), ["mainTest:testA"]);
     assert_eq!(listed(&folder, &[&file("testA.pgx:5"), &file("testC.pgx")]), ["mainTest:testA", "mainTest:testC"]);
     assert_eq!(listed(&folder, &[&file("testA.pgx"), "usrapp"]).len(), 3);
-    // A script belongs to the test beside it.
+    // A script belongs to the test next to it.
     folder.write(&file("testB.toml"), "[expect]\nprint = [\"1\"]\n");
     assert_eq!(listed(&folder, &[&file("testB.toml:2")]), ["mainTest:testB"]);
     let scenario = "application = \"../usrapp/main\"\nuntil = 1\n";
@@ -44,7 +44,7 @@ fn a_file_that_is_no_test_is_an_error() {
         assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
         assert!(run.stderr.contains(file.split(':').next().unwrap()), "{run:?}");
     }
-    // An application that does not compile fails as far as its file is named.
+    // If an application does not compile, its tests fail even if an argument names only one file.
     folder.write("usrapp/mainTest/testA.pgx", &program("testA", "nUnknown=1"));
     let run = folder.val3(&["test", "usrapp/mainTest/testA.pgx"]);
     assert_eq!((run.code, run.stdout.contains("(all tests)")), (2, true), "{run:?}");
@@ -62,7 +62,7 @@ fn several_filters_select_and_exclude() {
     assert!(none.stderr.contains("no test whose name contains `A` or `B` without `test`"), "{none:?}");
 }
 
-/// Two cells with applications of one name.
+/// Two cells with applications of the same name.
 fn twins() -> Folder {
     let folder = cell(&[("testA", ""), ("testB", "call assert:equalNum(1,2,0)")]);
     let copy = Folder::empty();
@@ -119,7 +119,7 @@ fn applications_of_one_name_are_told_apart_by_their_paths() {
     let json: Value = serde_json::from_str(&folder.val3(&["test", ".", "--format", "json"]).stdout).unwrap();
     let ids: Vec<&str> = json["tests"].as_array().unwrap().iter().filter_map(|test| test["id"].as_str()).collect();
     assert_eq!((ids.len(), ids[3]), (4, names[1]));
-    // Without the other one, the name is enough.
+    // Without the second cell, the name is unique.
     assert_eq!(listed(&folder, &["left", "--filter", "testA"]), ["mainTest:testA"]);
 }
 

@@ -1,4 +1,4 @@
-//! `val3 test`: tests that are executed once for each row of a table.
+//! `val3 test`: tests that are executed once for each table row.
 
 use expect_test::expect;
 use serde_json::Value;
@@ -6,7 +6,7 @@ use serde_json::Value;
 use crate::support::{CommandOutput, Folder};
 use crate::test_command::cell;
 
-/// The application of tests with `testSum` and its table: numbers and their squares, of which the last is wrong.
+/// A test application with `testSum` and its table: numbers and their squares; the last square is wrong.
 pub(crate) fn squares(parameter: &str, code: &str) -> Folder {
     let folder = cell(&[]);
     let project = folder.read("usrapp/mainTest/mainTest.pjx");

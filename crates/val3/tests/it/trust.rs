@@ -1,4 +1,4 @@
-//! A cell that somebody else wrote: its files steer the command inside the cell only.
+//! An untrusted cell: its files control the command only inside the cell.
 
 use std::fs;
 use std::net::TcpListener;
@@ -202,7 +202,7 @@ fn programs_cannot_use_names_that_steer_tools() {
     assert_eq!(folder.read("cell/usrapp/sub/deep/.git/config"), "[core]\n");
 }
 
-/// The data of an application with a line.
+/// Application data with a line.
 const HOST: &str = r#"
 === main/main.dtx
 <?xml version="1.0" encoding="utf-8"?>
@@ -212,7 +212,7 @@ const HOST: &str = r#"
   </Datas>
 </Database>"#;
 
-/// A cell whose program connects to `port` of this machine, because `sio.cfx` says so.
+/// A cell whose program connects to `port` of this machine, because of `sio.cfx`.
 fn calling(port: u16, program: &str) -> Folder {
     let code = "  sioCtrl(siHost,\"timeout\",0.1)\n  siHost=\"hello\"";
     let folder = Folder::with(&format!("program {program}()\nbegin\n{code}\nend\n{HOST}"));

@@ -1,6 +1,6 @@
-//! Files that exist but cannot be read: no command waits for them, fills the memory, or reports success without them.
+//! Files that exist but cannot be read: no command blocks on them, fills the memory, or reports success without them.
 //!
-//! The tests may run as root, whom missing permissions do not stop. Folders, pipes and sockets stand for them.
+//! The tests may run as root, for whom missing permissions have no effect. Folders, pipes and sockets are used instead.
 
 use std::fs;
 use std::os::unix::net::UnixListener;
@@ -16,11 +16,11 @@ const TWO: &str =
 /// Creates an entry at a path.
 type Create = fn(&str);
 
-/// Unreadable entries, with the reasons.
+/// Unreadable entries and their reasons.
 const UNREADABLE: [(Create, &str); 3] =
     [(pipe, "it is a pipe"), (socket, "it is a socket"), (folder, "it is a folder")];
 
-/// The application of [`TWO`], in which an unreadable entry takes the place of `helper.pgx`.
+/// Application of [`TWO`], with an unreadable entry in place of `helper.pgx`.
 fn with_helper(replace: impl FnOnce(&str)) -> Folder {
     let folder = Folder::with(TWO);
     replace_entry(&folder, "usrapp/main/helper.pgx", replace);

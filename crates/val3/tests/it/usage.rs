@@ -1,4 +1,4 @@
-//! Wrong usage ends with exit code 2 and names the remedy.
+//! Wrong usage ends with exit code 2 and a remedy.
 
 use crate::support::{CLEAN, Folder};
 

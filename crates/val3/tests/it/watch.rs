@@ -1,4 +1,4 @@
-//! `--watch` checks again when a file is changed.
+//! `--watch` repeats the check when a file changes.
 
 use std::io::{BufRead, BufReader};
 use std::process::{Child, ChildStderr, Command, Stdio};
@@ -9,10 +9,10 @@ use crate::support::{CLEAN, FAULTY, Folder};
 #[cfg(unix)]
 use crate::terminal::Terminal;
 
-/// Far more than any machine needs.
+/// Timeout far above the duration on any machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A command with `--watch` that ends with the value.
+/// A command with `--watch`, killed on drop.
 pub(crate) struct Watching {
     child: Child,
     lines: Receiver<String>,
@@ -25,7 +25,7 @@ impl Watching {
         Self::of(command)
     }
 
-    /// A command whose error output is read.
+    /// Starts a command whose error output is read.
     pub(crate) fn of(mut command: Command) -> Self {
         let mut child = command.stdin(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
         let lines = lines(child.stderr.take().unwrap());
@@ -59,7 +59,7 @@ impl Drop for Watching {
     }
 }
 
-/// The lines as they come.
+/// Lines as they arrive.
 fn lines(stderr: ChildStderr) -> Receiver<String> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {

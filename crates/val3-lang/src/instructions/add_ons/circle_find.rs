@@ -1,4 +1,4 @@
-//! `$circleFind`: finds the circle that passes best through measured positions.
+//! `$circleFind`: finds the circle that best fits measured positions.
 
 use crate::declare::instruction;
 

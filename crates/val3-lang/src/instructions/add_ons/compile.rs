@@ -1,4 +1,4 @@
-//! `$compile`: checks a line of code that is put together at run time, without executing it.
+//! `$compile`: checks a line of code that the program has composed, without executing it.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `$exec`: executes a line of code that is put together at run time.
+//! `$exec`: executes a line of code that the program has composed.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `$externalForce`: estimates the force from outside on the arm, as if it acted at the tool centre point.
+//! `$externalForce`: estimates the external force on the arm, as if it acted on the tool centre point.
 
 use crate::declare::instruction;
 

@@ -48,8 +48,8 @@ fn bytes(call: &mut Call<'_>, file: f64, bytes: Arr<f64>, count: f64) -> Result<
     Ok(read.len() as f64)
 }
 
-/// So many values as are wanted, and no more than the array has: a count beyond it is no error.
+/// Limits a requested count to the array size; a larger count is no error.
 pub(super) fn at_most(count: f64, len: usize) -> usize {
-    // The cast ends at both bounds of the range, and makes 0 of what is no number.
+    // The cast saturates, and converts NaN to 0.
     len.min(round(count) as usize)
 }

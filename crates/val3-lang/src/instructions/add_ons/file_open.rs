@@ -27,7 +27,7 @@ instruction! {
     function (string sPath, string sMode) -> num = open;
 }
 
-/// -1 where the file cannot be opened: every number from 0 on is one of an open file.
+/// Returns -1 if the file cannot be opened; open files have numbers from 0.
 fn open(call: &mut Call<'_>, path: Text, mode: Text) -> f64 {
     let from = call.tasks.path(None);
     call.ports.open_file(&from, &path, &mode).map_or(-1.0, f64::from)

@@ -1,4 +1,4 @@
-//! `$getBoxcarDelay`: gives the delay that the smoothing filter of the motion brings about.
+//! `$getBoxcarDelay`: returns the delay caused by the smoothing filter of the motion.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `$getCycleTime`: gives the cycle time of the controller.
+//! `$getCycleTime`: returns the cycle time of the controller.
 
 use crate::declare::instruction;
 

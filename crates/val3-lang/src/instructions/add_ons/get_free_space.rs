@@ -1,4 +1,4 @@
-//! `$getFreeSpace`: gives the free space of a disk partition.
+//! `$getFreeSpace`: returns the free space of a disk partition.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `$getJntFbk`: gives the position of each axis as the encoders measure it.
+//! `$getJntFbk`: returns the position of each axis as measured by the encoders.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `$getJntSpeedCmd`: gives the speed that each axis is commanded to have.
+//! `$getJntSpeedCmd`: returns the commanded speed of each axis.
 
 use crate::declare::instruction;
 

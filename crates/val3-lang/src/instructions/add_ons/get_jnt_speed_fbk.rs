@@ -1,4 +1,4 @@
-//! `$getJntSpeedFbk`: gives the speed that each axis has, as the encoders measure it.
+//! `$getJntSpeedFbk`: returns the speed of each axis as measured by the encoders.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `$getName`: gives the name of a variable.
+//! `$getName`: returns the name of a variable.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `$getPosFbk`: gives the position of a tool as the encoders measure it.
+//! `$getPosFbk`: returns the position of a tool as measured by the encoders.
 
 use crate::call::{Call, FrameRef, PointValue, ToolRef, Var};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `$getPowerCount`: gives for how long the arm has had power in its life.
+//! `$getPowerCount`: returns the total time for which the arm has had power.
 
 use crate::declare::instruction;
 

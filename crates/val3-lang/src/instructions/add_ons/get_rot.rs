@@ -1,4 +1,4 @@
-//! `$getRot`: gives axis and angle of the one rotation that turns as a transformation does.
+//! `$getRot`: returns the axis and the angle of a transformation's rotation.
 
 use crate::declare::instruction;
 

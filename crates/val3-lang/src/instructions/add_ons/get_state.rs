@@ -1,4 +1,4 @@
-//! `$getState`: gives the system state that the display on the controller's board shows.
+//! `$getState`: returns the system state that the display on the controller's board shows.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `$jogContext`: chooses the tool, the frame and the mode in which the operator jogs the arm.
+//! `$jogContext`: selects the tool, the frame and the mode in which the operator jogs the arm.
 
 use crate::declare::instruction;
 

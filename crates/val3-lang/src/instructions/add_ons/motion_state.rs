@@ -1,4 +1,4 @@
-//! `$motionState`: gives the state of the motion.
+//! `$motionState`: returns the state of the motion.
 
 use crate::declare::instruction;
 

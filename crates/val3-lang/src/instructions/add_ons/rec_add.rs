@@ -1,4 +1,4 @@
-//! `$recAdd`: adds a value to those that a recorder records.
+//! `$recAdd`: adds a value to the recorded values of a recorder.
 
 use crate::declare::instruction;
 

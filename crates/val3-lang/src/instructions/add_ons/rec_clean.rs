@@ -1,4 +1,4 @@
-//! `$recClean`: makes a recorder forget what it has to record.
+//! `$recClean`: removes all values from a recorder.
 
 use crate::declare::instruction;
 

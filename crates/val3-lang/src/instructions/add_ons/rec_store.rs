@@ -1,4 +1,4 @@
-//! `$recStore`: saves what a recorder has recorded.
+//! `$recStore`: saves the recorded values of a recorder.
 
 use crate::declare::instruction;
 

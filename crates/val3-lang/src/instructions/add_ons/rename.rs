@@ -1,4 +1,4 @@
-//! `$rename`: moves a file or a folder, or gives it another name.
+//! `$rename`: moves or renames a file or a folder.
 
 use crate::call::Call;
 use crate::declare::instruction;

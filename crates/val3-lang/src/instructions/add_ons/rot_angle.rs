@@ -1,4 +1,4 @@
-//! `$rotAngle`: gives the angle of the one rotation that turns as a transformation does.
+//! `$rotAngle`: returns the angle of a transformation's rotation.
 
 use crate::declare::instruction;
 

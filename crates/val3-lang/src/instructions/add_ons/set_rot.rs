@@ -1,4 +1,4 @@
-//! `$setRot`: gives the transformation that turns about an axis.
+//! `$setRot`: returns the transformation that rotates about an axis.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `$setVelCmd`: gives the speed of a motion that `$velFrame`, `$velTool` or `$velJoint` has started.
+//! `$setVelCmd`: sets the speed of a motion that `$velFrame`, `$velTool` or `$velJoint` has started.
 
 use crate::declare::instruction;
 

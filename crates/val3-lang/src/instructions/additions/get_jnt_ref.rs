@@ -1,4 +1,4 @@
-//! `getJntRef`: gives a reference position of the arm by its name.
+//! `getJntRef`: returns a reference position of the arm by name.
 
 use crate::call::Call;
 use crate::declare::instruction;

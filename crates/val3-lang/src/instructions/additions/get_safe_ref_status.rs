@@ -1,4 +1,4 @@
-//! `getSafeRefStatus`: gives the state of the safety referencing of the arm.
+//! `getSafeRefStatus`: returns the state of the safety referencing of the arm.
 
 use crate::call::Call;
 use crate::declare::instruction;

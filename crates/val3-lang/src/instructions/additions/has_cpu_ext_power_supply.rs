@@ -1,4 +1,4 @@
-//! `hasCpuExtPowerSupply`: returns whether the processor of the controller has a power supply of its own.
+//! `hasCpuExtPowerSupply`: returns whether the processor of the controller has a separate power supply.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -22,5 +22,5 @@ instruction! {
     modifier (any& variable, bool bWritable) = export;
 }
 
-/// The virtual controller has no clients: publishing the variable has no effect.
+/// Has no effect, because the virtual controller has no OPC UA clients.
 fn export(_: &mut Call<'_>, _: View, _: bool) {}

@@ -1,4 +1,4 @@
-//! `setSafetyRestart`: asks the safety controller to restart after a safety stop.
+//! `setSafetyRestart`: requests a restart of the safety controller after a safety stop.
 
 use crate::call::Call;
 use crate::declare::instruction;

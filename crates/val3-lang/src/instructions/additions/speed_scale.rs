@@ -1,4 +1,4 @@
-//! `speedScale`: gives the speed by which every move is scaled, before s7.
+//! `speedScale`: returns the speed percentage that scales every move, before s7.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `userPageConfirm`: asks the operator a question on the user page.
+//! `userPageConfirm`: shows a question to the operator on the user page.
 
 use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;

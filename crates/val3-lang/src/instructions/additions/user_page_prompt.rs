@@ -1,4 +1,4 @@
-//! `userPagePrompt`: asks the operator for a text on the user page.
+//! `userPagePrompt`: requests a text from the operator on the user page.
 
 use crate::call::{Call, Flow, Var, Wait};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `wakeUpRobot`: wakes up an arm that has gone to rest.
+//! `wakeUpRobot`: wakes up an arm in sleep mode.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `bAnd` (3.3.3): gives the bits that are set in both of two 32-bit fields.
+//! `bAnd` (3.3.3): returns the bits that are set in both 32-bit fields.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `bOr` (3.3.3): gives the bits that are set in at least one of two 32-bit fields.
+//! `bOr` (3.3.3): returns the bits that are set in at least one of two 32-bit fields.
 
 use crate::call::Call;
 use crate::declare::instruction;

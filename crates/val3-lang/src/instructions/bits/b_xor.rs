@@ -1,4 +1,4 @@
-//! `bXor` (3.3.3): gives the bits in which two 32-bit fields differ.
+//! `bXor` (3.3.3): returns the bits in which two 32-bit fields differ.
 
 use crate::call::Call;
 use crate::declare::instruction;

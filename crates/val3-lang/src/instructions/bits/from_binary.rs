@@ -39,7 +39,7 @@ fn from_binary(call: &mut Call<'_>, bytes: Arr<f64>, size: f64, format: Text, va
 mod tests {
     use crate::testing::Bench;
 
-    /// The two programs of the manual: a trsf, sent and received.
+    /// Both programs of the manual: a trsf is sent and received.
     #[test]
     fn a_transformation_comes_back() {
         let mut bench = Bench::default().global("num nTrsfOut[6]; num nByteOut[48]; num nTrsfIn[6]");

@@ -1,4 +1,4 @@
-//! `enablePower` (8.1): switches the power of the arm on, in remote mode.
+//! `enablePower` (8.1): switches on the power of the arm, in remote mode.
 
 use crate::call::Call;
 use crate::declare::instruction;

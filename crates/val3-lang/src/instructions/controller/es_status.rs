@@ -1,4 +1,4 @@
-//! `esStatus` (8.1): gives the state of the emergency stop circuit.
+//! `esStatus` (8.1): returns the state of the emergency stop circuit.
 
 use crate::call::Call;
 use crate::declare::instruction;

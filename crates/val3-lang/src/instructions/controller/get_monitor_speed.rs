@@ -1,4 +1,4 @@
-//! `getMonitorSpeed` (8.1): gives the monitor speed, by which every move is scaled.
+//! `getMonitorSpeed` (8.1): returns the monitor speed, which scales every move.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `getVersion` (8.1): gives the version or the state of a part of the controller.
+//! `getVersion` (8.1): returns the version or the state of a controller part.
 
 use crate::call::Call;
 use crate::declare::instruction;

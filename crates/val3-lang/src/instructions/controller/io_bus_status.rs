@@ -24,8 +24,8 @@ instruction! {
     modifier (string& sErrorDescription[]) -> num = bus_status;
 }
 
-/// Texts fill the array from its first value on; values after the last text are kept. A local array does not grow and
-/// holds as many texts as it has values.
+/// Fills the array from its first element; elements after the last text are unchanged. A local array does not grow, so
+/// further texts are omitted.
 fn bus_status(call: &mut Call<'_>, texts: Arr<Text>) -> Result<f64> {
     let faults = call.ports.failed_devices();
     if !call.memory.is_local(texts.view.store) {

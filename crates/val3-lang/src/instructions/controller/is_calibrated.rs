@@ -1,4 +1,4 @@
-//! `isCalibrated` (8.1): returns whether every axis of the arm knows its position.
+//! `isCalibrated` (8.1): returns whether every axis of the arm is calibrated.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `setMonitorSpeed` (8.1): changes the monitor speed, by which every move is scaled.
+//! `setMonitorSpeed` (8.1): changes the monitor speed, which scales every move.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `workingMode` (8.1): gives the working mode of the robot.
+//! `workingMode` (8.1): returns the working mode of the robot.
 
 use crate::call::{Call, Var};
 use crate::declare::instruction;

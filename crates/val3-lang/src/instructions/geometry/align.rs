@@ -1,4 +1,4 @@
-//! `align` (9.3.4): turns a position so that its z axis is parallel to an axis of a reference.
+//! `align` (9.3.4): rotates a position so that its z axis is parallel to an axis of a reference.
 
 use val3_geometry::Trsf;
 

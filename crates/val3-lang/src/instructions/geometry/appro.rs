@@ -1,4 +1,4 @@
-//! `appro` (9.6.3): gives a point near another one, along the axes of that point.
+//! `appro` (9.6.3): returns a point near another point, along that point's axes.
 
 use val3_geometry::Trsf;
 
@@ -49,7 +49,7 @@ mod tests {
         bench
     }
 
-    /// The example of the manual: 100 mm above a point at which the tool points down.
+    /// Example of the manual: 100 mm above a point at which the tool points down.
     #[test]
     fn goes_along_the_axes_of_the_point() {
         let mut bench = bench();

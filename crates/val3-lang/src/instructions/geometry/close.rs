@@ -1,4 +1,4 @@
-//! `close` (9.5.4): closes a tool once the arm has arrived.
+//! `close` (9.5.4): closes a tool when the arm has arrived.
 
 use crate::call::{Call, Flow, ToolRef};
 use crate::declare::instruction;

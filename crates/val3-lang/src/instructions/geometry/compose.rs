@@ -1,4 +1,4 @@
-//! `compose` (9.6.3): moves a point by a transformation that is given in any frame.
+//! `compose` (9.6.3): moves a point by a transformation in any frame.
 
 use val3_geometry::{Trsf, chain};
 

@@ -1,4 +1,4 @@
-//! `config` (9.7.6): gives the configuration in which the arm is at a joint position.
+//! `config` (9.7.6): returns the arm configuration at a joint position.
 
 use crate::call::Call;
 use crate::declare::instruction;

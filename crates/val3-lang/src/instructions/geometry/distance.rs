@@ -1,4 +1,4 @@
-//! `distance`: gives the distance between two positions.
+//! `distance`: returns the distance between two positions.
 
 use val3_geometry::{Trsf, chain};
 
@@ -44,7 +44,7 @@ mod tests {
         check("distance({1,2,3,0,0,0},{4,6,15,10,20,30})", "13");
     }
 
-    /// The first example of the manual.
+    /// First example of the manual.
     #[test]
     fn of_two_tools() {
         let mut bench = Bench::default().global("tool tTool1; tool tTool2; trsf tr1; trsf tr2");
@@ -58,7 +58,7 @@ mod tests {
         assert_eq!(bench.run("distance(tr1,tr2)"), "111.80339887499");
     }
 
-    /// Only the positions are composed: an orientation that no number describes does not spoil the distance.
+    /// Only positions are composed, so that an orientation with invalid numbers does not affect the distance.
     #[test]
     fn the_orientation_of_points_does_not_count() {
         let mut bench = Bench::default().global("frame fTable; point pA; point pB");

@@ -1,4 +1,4 @@
-//! `getLatch` (9.2.3): reads the position that the latch has frozen.
+//! `getLatch` (9.2.3): reads the latched position.
 
 use crate::call::{Call, Var};
 use crate::declare::instruction;

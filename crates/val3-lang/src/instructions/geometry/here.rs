@@ -1,4 +1,4 @@
-//! `here` (9.6.3): gives the position of a tool as a point.
+//! `here` (9.6.3): returns the position of a tool as a point.
 
 use crate::call::{Call, FrameRef, PointValue, ToolRef};
 use crate::declare::instruction;

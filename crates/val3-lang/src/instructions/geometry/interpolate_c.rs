@@ -1,4 +1,4 @@
-//! `interpolateC` (9.3.4): gives a position on the arc through three positions.
+//! `interpolateC` (9.3.4): returns a position on the arc through three positions.
 
 use val3_geometry::Trsf;
 

@@ -1,4 +1,4 @@
-//! `interpolateL` (9.3.4): gives a position on the straight line between two positions.
+//! `interpolateL` (9.3.4): returns a position on the straight line between two positions.
 
 use val3_geometry::Trsf;
 

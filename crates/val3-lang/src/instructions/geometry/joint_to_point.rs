@@ -1,4 +1,4 @@
-//! `jointToPoint` (9.6.3): gives where a tool is when the axes are at a given position.
+//! `jointToPoint` (9.6.3): returns the position of a tool for a joint position.
 
 use crate::call::{Call, FrameRef, PointValue, ToolRef};
 use crate::declare::instruction;

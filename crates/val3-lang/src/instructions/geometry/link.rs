@@ -1,4 +1,4 @@
-//! `link`: gives a frame, a tool or a point another reference.
+//! `link`: changes the father of a frame, a tool or a point.
 
 use crate::call::{Call, FrameRef, PointRef, ToolRef};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `open` (9.5.4): opens a tool once the arm has arrived.
+//! `open` (9.5.4): opens a tool when the arm has arrived.
 
 use crate::call::{Call, Flow, ToolRef};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `pointToJoint` (9.6.3): finds the position of each axis with which a tool reaches a point.
+//! `pointToJoint` (9.6.3): finds the joint position with which a tool reaches a point.
 
 use crate::call::{Call, PointRef, PointValue, StoredValue, ToolRef, Var};
 use crate::declare::instruction;

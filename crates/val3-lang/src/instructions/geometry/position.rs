@@ -1,4 +1,4 @@
-//! `position`: gives where a frame, a tool or a point lies, seen from another frame or tool.
+//! `position`: returns the position of a frame, a tool or a point relative to another frame or tool.
 
 use val3_geometry::{Trsf, chain};
 
@@ -85,7 +85,8 @@ mod tests {
         assert_eq!(bench.run("position(flange,tTip)"), "{-10,0,-150,0,0,-90}");
     }
 
-    /// In its own frame a point is what it says, and the distance of two points is that of their positions.
+    /// Relative to its father, a point has its own values, and the distance of two points is the distance of their
+    /// positions.
     #[test]
     fn of_points() {
         let mut bench = linked();

@@ -30,7 +30,8 @@ instruction! {
     modifier (point pOrigin, point pAxisOx, point pPlaneOxy, frame& fResult) -> num = set_frame;
 }
 
-/// A frame without reference is given in `world` from then on: `setFrame` is one of the ways to initialize it (9.4.1).
+/// A frame without a father gets the father `world`, because `setFrame` is one of the ways to initialize a frame
+/// (9.4.1).
 fn set_frame(
     call: &mut Call<'_>,
     origin: PointRef,
@@ -57,7 +58,7 @@ fn set_frame(
 mod tests {
     use crate::testing::Bench;
 
-    /// Three points in `world`, and a frame that is not linked.
+    /// Three points in `world`, and an unlinked frame.
     fn bench() -> Bench {
         let mut bench = Bench::default().global("point pTaught[3]; frame fCell").local("frame l_fTable");
         let [origin, on_x, on_plane] = [[100.0, 50.0, 10.0], [100.0, 80.0, 10.0], [60.0, 500.0, 10.0]];

@@ -1,4 +1,4 @@
-//! `setLatch` (9.2.3): arms the position latch: the next rising edge of a fast input freezes the position.
+//! `setLatch` (9.2.3): arms the position latch, so that the next rising edge of a fast input stores the position.
 
 use crate::call::{Call, IoRef};
 use crate::declare::instruction;

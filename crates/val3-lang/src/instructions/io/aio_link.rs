@@ -1,4 +1,4 @@
-//! `aioLink` (3.6.2): links a numerical signal to the input or output that another one is linked to.
+//! `aioLink` (3.6.2): links a numerical signal to the input or output of another signal.
 
 use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `dioLink` (3.5.3): links a digital signal to the input or output that another one is linked to.
+//! `dioLink` (3.5.3): links a digital signal to the input or output of another signal.
 
 use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;

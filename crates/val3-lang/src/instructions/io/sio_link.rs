@@ -1,4 +1,4 @@
-//! `sioLink` (3.7.3): links a serial channel to the line or socket that another one is linked to.
+//! `sioLink` (3.7.3): links a serial channel to the line or socket of another channel.
 
 use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;
@@ -20,7 +20,7 @@ instruction! {
     modifier (sio& siVariable, sio siSource) = link;
 }
 
-/// A source without a link takes the link of the variable away.
+/// A source without a link removes the variable's link.
 fn link(call: &mut Call<'_>, variable: Var<IoRef>, source: IoRef) -> Result<()> {
     variable.set(call, source)
 }

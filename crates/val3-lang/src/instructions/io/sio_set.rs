@@ -34,9 +34,9 @@ fn set(call: &mut Call<'_>, line: IoRef, data: Arr<f64>) -> Result<Flow<f64>> {
     set_some(call, line, data, f64::INFINITY)
 }
 
-/// A length beyond the array means all of it.
+/// A length beyond the array size is limited to the array size.
 fn set_some(call: &mut Call<'_>, line: IoRef, data: Arr<f64>, length: f64) -> Result<Flow<f64>> {
-    // The cast ends at both bounds of the range, and makes 0 of what is no number.
+    // The cast saturates, and converts NaN to 0.
     let count = data.len(call)?.min(round(length) as usize);
     let numbers = (0..count).map(|index| data.get(call, index)).collect::<Result<Vec<_>>>()?;
     send(call, line, &numbers)

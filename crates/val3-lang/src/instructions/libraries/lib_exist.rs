@@ -27,7 +27,7 @@ instruction! {
     function (string sSymbolName) -> bool on library = exists;
 }
 
-/// `false` too where nothing is loaded under the identifier.
+/// Returns `false` if no library is loaded under the identifier.
 fn exists(call: &mut Call<'_>, library: LibraryRef, symbol: Text) -> bool {
     call.tasks.exports(library.0, &symbol)
 }

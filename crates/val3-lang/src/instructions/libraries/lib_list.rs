@@ -1,4 +1,4 @@
-//! `libList` (6.7): lists what a folder contains.
+//! `libList` (6.7): lists the content of a folder.
 
 use crate::call::{Arr, Call, Flow};
 use crate::declare::instruction;
@@ -26,7 +26,7 @@ instruction! {
     modifier (string sPath, string& sContents[]) -> bool = list;
 }
 
-/// `false` with an empty list where the folder cannot be read: no instruction for libraries raises an error (6.6).
+/// Returns `false` with an empty list if the folder cannot be read: library instructions raise no errors (6.6).
 fn list(call: &mut Call<'_>, path: Text, contents: Arr<Text>) -> Result<Flow<bool>> {
     if call.is_first() {
         return Ok(call.sleep(0));
@@ -44,7 +44,7 @@ fn list(call: &mut Call<'_>, path: Text, contents: Arr<Text>) -> Result<Flow<boo
     Ok(Flow::Done(names.len() <= room))
 }
 
-/// Enlarges the array if it can grow. If it cannot, the result of the instruction shows it.
+/// Enlarges the array if possible. Otherwise, the result of the instruction reports it.
 fn grow(call: &mut Call<'_>, contents: &Arr<Text>, wanted: usize) {
     let limit = call.version.container_limit();
     while contents.len(call).is_ok_and(|len| len < wanted) {

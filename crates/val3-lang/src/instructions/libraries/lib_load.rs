@@ -42,7 +42,7 @@ fn load_encrypted(call: &mut Call<'_>, library: LibraryRef, path: Text, password
     request(call, Request::Load { library: library.0, path, password })
 }
 
-/// Lets the other tasks have their turn, then asks for what the run time gives the code of.
+/// Gives the other tasks their turn, then sends a request, whose result code the runtime returns.
 pub(super) fn request(call: &mut Call<'_>, request: Request) -> Flow {
     if call.is_first() {
         return call.sleep(0);

@@ -1,4 +1,4 @@
-//! `libPath` (6.7): gives the path of a library, or of the program's own application.
+//! `libPath` (6.7): returns the path of a library, or of the program's own application.
 
 use crate::call::{Call, LibraryRef};
 use crate::declare::instruction;
@@ -20,7 +20,7 @@ instruction! {
     function () -> string = own;
 }
 
-/// Empty where nothing is loaded under the identifier.
+/// Empty if no library is loaded under the identifier.
 fn of_library(call: &mut Call<'_>, library: LibraryRef) -> Text {
     Text::from(call.tasks.path(Some(library.0)).as_str())
 }

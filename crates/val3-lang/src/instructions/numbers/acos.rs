@@ -1,4 +1,4 @@
-//! `acos` (3.2.3): gives the angle that has a given cosine.
+//! `acos` (3.2.3): returns the angle with this cosine.
 
 use val3_geometry::degrees;
 

@@ -1,4 +1,4 @@
-//! `asin` (3.2.3): gives the angle that has a given sine.
+//! `asin` (3.2.3): returns the angle with this sine.
 
 use val3_geometry::degrees;
 

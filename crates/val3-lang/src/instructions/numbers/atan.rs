@@ -1,4 +1,4 @@
-//! `atan` (3.2.3): gives the angle that has a given tangent.
+//! `atan` (3.2.3): returns the angle with this tangent.
 
 use val3_geometry::degrees;
 

@@ -1,4 +1,4 @@
-//! `cos` (3.2.3): gives the cosine of an angle.
+//! `cos` (3.2.3): returns the cosine of an angle.
 
 use val3_geometry::degrees;
 

@@ -1,4 +1,4 @@
-//! `exp` (3.2.3): gives the power of e, the base of the natural logarithm.
+//! `exp` (3.2.3): returns the power of e, the base of the natural logarithm.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `limit` (3.2.3): keeps a number within two bounds.
+//! `limit` (3.2.3): limits a number to a range.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `ln` (3.2.3): gives the natural logarithm of a number.
+//! `ln` (3.2.3): returns the natural logarithm of a number.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `log` (3.2.3): gives the decimal logarithm of a number.
+//! `log` (3.2.3): returns the decimal logarithm of a number.
 
 use crate::call::Call;
 use crate::declare::instruction;

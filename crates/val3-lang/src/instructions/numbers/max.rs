@@ -1,4 +1,4 @@
-//! `max` (3.2.3): gives the larger of two numbers.
+//! `max` (3.2.3): returns the larger of two numbers.
 
 use crate::call::Call;
 use crate::declare::instruction;

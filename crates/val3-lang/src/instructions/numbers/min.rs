@@ -1,4 +1,4 @@
-//! `min` (3.2.3): gives the smaller of two numbers.
+//! `min` (3.2.3): returns the smaller of two numbers.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `power` (3.2.3): gives a number raised to a power.
+//! `power` (3.2.3): returns a number raised to a power.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `round` (3.2.3): gives the whole number nearest to a number.
+//! `round` (3.2.3): returns the whole number nearest to a number.
 
 use crate::call::Call;
 use crate::declare::instruction;

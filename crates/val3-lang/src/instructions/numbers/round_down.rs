@@ -1,4 +1,4 @@
-//! `roundDown` (3.2.3): gives the largest whole number that is not above a number.
+//! `roundDown` (3.2.3): returns the largest whole number that is at most a number.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `roundUp` (3.2.3): gives the smallest whole number that is not below a number.
+//! `roundUp` (3.2.3): returns the smallest whole number that is at least a number.
 
 use crate::call::Call;
 use crate::declare::instruction;

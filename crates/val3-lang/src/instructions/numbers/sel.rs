@@ -1,4 +1,4 @@
-//! `sel` (3.2.3): gives one of two numbers by a condition.
+//! `sel` (3.2.3): returns one of two numbers, depending on a condition.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `sin` (3.2.3): gives the sine of an angle.
+//! `sin` (3.2.3): returns the sine of an angle.
 
 use val3_geometry::degrees;
 

@@ -1,4 +1,4 @@
-//! `sqrt` (3.2.3): gives the square root of a number.
+//! `sqrt` (3.2.3): returns the square root of a number.
 
 use crate::call::Call;
 use crate::declare::instruction;

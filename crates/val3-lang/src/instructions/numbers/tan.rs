@@ -1,4 +1,4 @@
-//! `tan` (3.2.3): gives the tangent of an angle.
+//! `tan` (3.2.3): returns the tangent of an angle.
 
 use val3_geometry::degrees;
 

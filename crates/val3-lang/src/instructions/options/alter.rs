@@ -1,4 +1,4 @@
-//! `alter` (11.2.6): deviates the path from now on.
+//! `alter` (11.2.6): changes the deviation of the path.
 
 use val3_geometry::Trsf;
 

@@ -1,4 +1,4 @@
-//! `alterBegin` (11.2.6): starts the deviation of the alterable path that the arm is on.
+//! `alterBegin` (11.2.6): starts the deviation of the current alterable path.
 
 use crate::call::{Call, FrameRef, ToolRef};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `alterStopTime` (11.2.6): gives the time until the deviation is frozen by a stop.
+//! `alterStopTime` (11.2.6): returns the time until a stop freezes the deviation.
 
 use crate::call::Call;
 use crate::declare::instruction;

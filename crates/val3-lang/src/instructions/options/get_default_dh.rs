@@ -1,4 +1,4 @@
-//! `getDefaultDH` (11.4.4): gives the geometrical parameters that an arm of this type has by design.
+//! `getDefaultDH` (11.4.4): returns the nominal geometric parameters of this type of arm.
 
 use crate::call::{Arr, Call};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `getDH` (11.4.4): gives the geometrical parameters of the arm that is connected.
+//! `getDH` (11.4.4): returns the geometric parameters of the connected arm.
 
 use crate::call::{Arr, Call};
 use crate::declare::instruction;

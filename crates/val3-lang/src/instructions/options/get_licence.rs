@@ -1,4 +1,4 @@
-//! `getLicence` (11.3.2): gives the state of a licence of the machine builder.
+//! `getLicence` (11.3.2): returns the state of a machine builder's licence.
 
 use crate::call::Call;
 use crate::declare::instruction;

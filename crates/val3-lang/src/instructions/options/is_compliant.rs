@@ -1,4 +1,4 @@
-//! `isCompliant` (11.1.5): returns whether the arm yields to forces from outside.
+//! `isCompliant` (11.1.5): returns whether the arm yields to external forces.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,5 +1,4 @@
-//! `movejf` (11.1.5): records a compliant joint move: the arm pushes with a given force and yields to forces from
-//! outside.
+//! `movejf` (11.1.5): records a compliant joint move: the arm pushes with a given force and yields to external forces.
 
 use crate::call::{Call, Flow, ToolRef};
 use crate::declare::instruction;

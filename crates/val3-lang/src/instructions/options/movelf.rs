@@ -1,5 +1,5 @@
-//! `movelf` (11.1.5): records a compliant straight move: the arm pushes with a given force and yields to forces from
-//! outside.
+//! `movelf` (11.1.5): records a compliant straight move: the arm pushes with a given force and yields to external
+//! forces.
 
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `resetTurn` (11.5.2): forgets the turns of a continuous axis, after the arm has stopped and its moves are cancelled.
+//! `resetTurn` (11.5.2): resets the turns of a continuous axis, after the arm has stopped and its moves are cancelled.
 
 use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
@@ -25,11 +25,11 @@ instruction! {
     modifier (joint jReference) -> joint = reset;
 }
 
-/// The parts of the instruction: the arm stops, its axis is changed.
+/// Parts of the instruction: the arm stops, then its axis is changed.
 const STOPPING: u8 = 0;
 const CHANGING: u8 = 1;
 
-/// The time that the change takes.
+/// Duration of the change.
 const CHANGE: Time = SECOND / 20;
 
 fn reset(call: &mut Call<'_>, reference: [f64; 6]) -> Result<Flow<[f64; 6]>> {

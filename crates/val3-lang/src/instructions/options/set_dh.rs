@@ -1,4 +1,4 @@
-//! `setDH` (11.4.4): changes the geometrical parameters of the arm, now and in its configuration.
+//! `setDH` (11.4.4): changes the geometric parameters of the arm, immediately and in its configuration.
 
 use crate::call::{Arr, Call, Flow, Wait};
 use crate::declare::instruction;
@@ -51,5 +51,5 @@ fn change(
     call.ports.set_dh(&dh).map(Flow::Done)
 }
 
-/// The kind of message that `logMsg` counts as an error.
+/// Message level of an error in `logMsg`.
 const ERROR_LEVEL: f64 = 3.0;

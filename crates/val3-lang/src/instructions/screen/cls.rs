@@ -1,4 +1,4 @@
-//! `cls` (4.3): clears a user page and puts its cursor into the upper left corner.
+//! `cls` (4.3): clears a user page and moves its cursor to the upper left corner.
 
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;

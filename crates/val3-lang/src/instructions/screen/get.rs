@@ -89,7 +89,7 @@ fn read_key(call: &mut Call<'_>, page: u32) -> Flow<f64> {
 
 const WAITS: Flow<f64> = Flow::Wait(Wait::FOR_OTHERS);
 
-/// Asks at the first call of the instruction. Returns the answer once there is one.
+/// Requests input at the first call of the instruction. Returns the input when it is available.
 fn read(call: &mut Call<'_>, page: u32, asked: InputKind) -> Option<InputResult> {
     if call.is_first() {
         call.ports.begin_reading(page, asked);

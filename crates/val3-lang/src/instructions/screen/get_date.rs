@@ -1,4 +1,4 @@
-//! `getDate` (4.3): gives date and time of the controller as text.
+//! `getDate` (4.3): returns the date and time of the controller as a string.
 
 use crate::call::Call;
 use crate::declare::instruction;

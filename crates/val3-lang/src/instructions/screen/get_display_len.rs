@@ -1,4 +1,4 @@
-//! `getDisplayLen` (4.3): counts the columns that a text takes on the pendant.
+//! `getDisplayLen` (4.3): returns the number of columns that a string occupies on the pendant.
 
 use crate::call::Call;
 use crate::declare::instruction;

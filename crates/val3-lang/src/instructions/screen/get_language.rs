@@ -1,4 +1,4 @@
-//! `getLanguage` (4.3): gives the language in which the controller speaks.
+//! `getLanguage` (4.3): returns the language of the controller.
 
 use crate::call::Call;
 use crate::declare::instruction;

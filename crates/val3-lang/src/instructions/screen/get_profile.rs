@@ -1,4 +1,4 @@
-//! `getProfile` (4.3): gives the name of the user profile that is active.
+//! `getProfile` (4.3): returns the name of the active user profile.
 
 use crate::call::Call;
 use crate::declare::instruction;

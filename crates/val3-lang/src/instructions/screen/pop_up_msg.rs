@@ -1,4 +1,4 @@
-//! `popUpMsg` (4.3): shows a message in a window above whatever the pendant shows.
+//! `popUpMsg` (4.3): shows a message in a window above the pendant's content.
 
 use crate::call::Call;
 use crate::declare::instruction;

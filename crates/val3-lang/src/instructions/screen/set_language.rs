@@ -1,4 +1,4 @@
-//! `setLanguage` (4.3): changes the language in which the controller speaks.
+//! `setLanguage` (4.3): changes the language of the controller.
 
 use crate::call::Call;
 use crate::declare::instruction;

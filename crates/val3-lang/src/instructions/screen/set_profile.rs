@@ -1,4 +1,4 @@
-//! `setProfile` (4.3): makes another user profile active.
+//! `setProfile` (4.3): activates another user profile.
 
 use crate::call::{Call, Flow};
 use crate::declare::instruction;
@@ -23,7 +23,7 @@ instruction! {
     modifier (string sUserLogin, string sUserPassword) -> num = set_profile;
 }
 
-/// The other tasks have their turn first: profiles are files of the controller (5.4).
+/// Gives the other tasks their turn first, because profiles are files of the controller (5.4).
 fn set_profile(call: &mut Call<'_>, login: Text, password: Text) -> Flow<f64> {
     if call.is_first() {
         return call.sleep(0);

@@ -1,4 +1,4 @@
-//! `setTextMode` (4.3): chooses how text that is written from now on looks.
+//! `setTextMode` (4.3): sets the display mode of text that is written later.
 
 use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `asc` (3.4.3): gives the Unicode code point of a character of a text.
+//! `asc` (3.4.3): returns the Unicode code point of a character in a string.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `chr` (3.4.3): gives the character with a Unicode code point.
+//! `chr` (3.4.3): returns the character with a Unicode code point.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `find` (3.4.3): looks for a text in another one.
+//! `find` (3.4.3): searches for a string in another string.
 
 use crate::call::Call;
 use crate::declare::instruction;

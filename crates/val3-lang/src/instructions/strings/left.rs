@@ -1,4 +1,4 @@
-//! `left` (3.4.3): gives the first characters of a text.
+//! `left` (3.4.3): returns the first characters of a string.
 
 use crate::call::Call;
 use crate::declare::instruction;

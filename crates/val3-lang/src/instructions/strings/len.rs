@@ -1,4 +1,4 @@
-//! `len` (3.4.3): counts the characters of a text.
+//! `len` (3.4.3): returns the number of characters in a string.
 
 use crate::call::Call;
 use crate::declare::instruction;

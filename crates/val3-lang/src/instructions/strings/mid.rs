@@ -1,4 +1,4 @@
-//! `mid` (3.4.3): gives characters from the middle of a text.
+//! `mid` (3.4.3): returns characters from the middle of a string.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `replace` (3.4.3): puts other text in the place of characters of a text.
+//! `replace` (3.4.3): replaces characters of a string by another string.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `right` (3.4.3): gives the last characters of a text.
+//! `right` (3.4.3): returns the last characters of a string.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `toNum` (3.4.3): reads the number at the start of a text and yields the rest.
+//! `toNum` (3.4.3): parses the number at the start of a string, and returns the remaining string.
 
 use crate::call::{Call, Var};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `toString` (3.4.3): writes a number as text.
+//! `toString` (3.4.3): formats a number as a string.
 
 use crate::call::Call;
 use crate::declare::instruction;

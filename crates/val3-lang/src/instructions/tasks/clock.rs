@@ -1,4 +1,4 @@
-//! `clock` (5.10): gives the time since the controller was started.
+//! `clock` (5.10): returns the time since the start of the controller.
 
 use crate::call::Call;
 use crate::declare::instruction;
@@ -20,7 +20,7 @@ instruction! {
     function () -> num = clock;
 }
 
-/// Whole milliseconds: what has passed of the next one does not count.
+/// Returns completed milliseconds.
 fn clock(call: &mut Call<'_>) -> f64 {
     let milliseconds = call.now() / (SECOND / 1000);
     milliseconds as f64 / 1000.0

@@ -22,7 +22,7 @@ instruction! {
     modifier (num nSeconds) = delay;
 }
 
-/// Even without a time to wait, the other tasks have their turn.
+/// Gives the other tasks their turn, even if the time is 0.
 fn delay(call: &mut Call<'_>, seconds: f64) -> Flow {
     let time = nanoseconds(seconds);
     if call.is_first() || call.waited() < time { call.sleep(time) } else { Flow::Done(()) }

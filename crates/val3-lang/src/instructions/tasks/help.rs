@@ -24,7 +24,7 @@ instruction! {
     function (num nErrorCode) -> string = help;
 }
 
-/// In English, the only language in which the virtual controller explains; empty for a number that is not in 12.1.
+/// Returns the text in English, the only language of the virtual controller; empty for a number that is not in 12.1.
 fn help(_: &mut Call<'_>, number: f64) -> Text {
     let number = numbers::round(number) as i64;
     let states = [TaskState::Absent, TaskState::Halted, TaskState::Running];

@@ -1,4 +1,4 @@
-//! `taskCreate` (5.10): starts a program as a task of its own.
+//! `taskCreate` (5.10): starts a program as a new task.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `taskCreateSync` (5.10): starts a program as a synchronous task, which has its turn at fixed times.
+//! `taskCreateSync` (5.10): starts a program as a synchronous task, which has its turns at fixed times.
 
 use crate::declare::instruction;
 

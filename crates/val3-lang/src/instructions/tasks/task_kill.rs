@@ -20,7 +20,7 @@ instruction! {
     modifier (string sName) = task_kill;
 }
 
-/// It passes the turn, at whose end the task is gone (5.4).
+/// Passes the turn; the task is removed at the end of the turn (5.4).
 fn task_kill(call: &mut Call<'_>, name: Text) -> Flow {
     if !call.is_first() {
         return Flow::Done(());

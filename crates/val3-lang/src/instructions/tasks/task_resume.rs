@@ -1,4 +1,4 @@
-//! `taskResume` (5.10): lets a halted task continue.
+//! `taskResume` (5.10): resumes a halted task.
 
 use crate::call::{Call, Flow};
 use crate::declare::instruction;
@@ -24,7 +24,7 @@ instruction! {
     modifier (string sName, num nSkip) = task_resume;
 }
 
-/// It passes the turn, so that the task can be ready when the next line begins (5.4).
+/// Passes the turn, so that the task can be ready when the next line begins (5.4).
 fn task_resume(call: &mut Call<'_>, name: Text, skip: f64) -> Result<Flow> {
     if !call.is_first() {
         return Ok(Flow::Done(()));

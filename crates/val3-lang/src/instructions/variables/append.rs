@@ -1,4 +1,4 @@
-//! `append` (2.5.5): adds one value at the end of a one-dimensional array.
+//! `append` (2.5.5): appends an element to a one-dimensional array.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `delete`: takes a value out of an array or a collection, or characters out of a string.
+//! `delete`: removes an element from an array or a collection, or characters from a string.
 
 use crate::call::Call;
 use crate::declare::instruction;
@@ -37,7 +37,7 @@ instruction! {
     function (string sText, num nSize, num nPosition) -> string = from_text;
 }
 
-/// A variable without index is its first value.
+/// A variable without an index means its first element.
 fn from_container(call: &mut Call<'_>, variable: Slot) -> Result<bool> {
     let view = variable.container()?;
     match variable.at {

@@ -1,4 +1,4 @@
-//! `first` (2.5.6): gives the first key of a collection, in alphabetical order.
+//! `first` (2.5.6): returns the first key of a collection, in alphabetical order.
 
 use std::ops::Bound;
 

@@ -1,4 +1,4 @@
-//! `getData` (2.5.4): copies the value of a variable that is known by its name only.
+//! `getData` (2.5.4): copies the value of a variable whose name is a string.
 
 use std::sync::Arc;
 
@@ -37,7 +37,8 @@ const NO_DATA: f64 = -1.0;
 const NO_INDEX: f64 = -3.0;
 const OTHER_TYPE: f64 = -4.0;
 
-/// Both sides count from their index on, and data of a grid or a collection are of another type than any variable.
+/// Copies elements from the index of each side on. Data with several dimensions or keys never match the type of the
+/// variable.
 fn get_data(call: &mut Call<'_>, name: Text, variable: View) -> Result<f64> {
     let source = match find(call, &name) {
         Ok(source) => source,
@@ -55,7 +56,7 @@ fn is_row(store: &Store) -> bool {
     matches!(store.shape, Shape::Array { dims: 1, .. })
 }
 
-/// The data that a name means, from its index on. A name that cannot be one means none.
+/// Finds the data with this name, from its index on. An invalid name means that there are no such data.
 fn find(call: &Call<'_>, name: &str) -> std::result::Result<View, f64> {
     let (name, index) = match name.split_once('[') {
         None => (name, 0.0),
@@ -73,7 +74,8 @@ fn find(call: &Call<'_>, name: &str) -> std::result::Result<View, f64> {
     Ok(View { start, ..view })
 }
 
-/// As many values as both hold. Where an array is moved up within itself, the last value goes first.
+/// Copies as many elements as both containers have. If elements move upwards within one array, the last element is
+/// copied first.
 fn copy(call: &mut Call<'_>, kind: &Kind, source: View, target: View) -> Result<f64> {
     let count = call.memory.len(source)?.min(call.memory.len(target)?);
     let upwards = source.store == target.store && source.start < target.start;
@@ -89,7 +91,7 @@ fn copy(call: &mut Call<'_>, kind: &Kind, source: View, target: View) -> Result<
 mod tests {
     use crate::testing::Bench;
 
-    /// The variables of the library `part` are those of the bench.
+    /// A test bench with the variables of the library `part`.
     fn bench() -> Bench {
         let declared = r#"num nTrack[3]; num nCount; num nGrid[2,2]; num nColl[""]; string sName"#;
         let mut bench =
@@ -116,7 +118,7 @@ mod tests {
         check(r#"getData("part:sName",l_sText)"#, "1", "l_sText", r#""bolt""#);
     }
 
-    /// The example of the manual: two arrays, one after the other.
+    /// Example of the manual: two arrays, one after the other.
     #[test]
     fn an_array_gets_the_values_that_both_have() {
         let mut bench = bench();

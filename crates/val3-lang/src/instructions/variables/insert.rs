@@ -1,4 +1,4 @@
-//! `insert`: adds a value to an array or a collection, or a text to a string.
+//! `insert`: inserts an element into an array or a collection, or a string into a string.
 
 use crate::call::Call;
 use crate::declare::instruction;
@@ -49,7 +49,7 @@ instruction! {
     function (string sText, string sInsertion, num nPosition) -> string = into_text;
 }
 
-/// A variable without index is its first value, before which one is put.
+/// A variable without an index means its first element, before which an element is inserted.
 fn into_container(call: &mut Call<'_>, variable: Slot) -> Result<bool> {
     let (view, limit) = (variable.container()?, call.version.container_limit());
     let index = match variable.at {

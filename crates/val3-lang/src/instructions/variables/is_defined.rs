@@ -1,4 +1,4 @@
-//! `isDefined` (2.5.4): returns whether a value exists in an array or a collection, or a variable in a library.
+//! `isDefined` (2.5.4): returns whether an element exists in an array or a collection, or a variable in a library.
 
 use crate::call::Call;
 use crate::declare::instruction;
@@ -25,7 +25,7 @@ instruction! {
     function (Item variable) -> bool = is_defined;
 }
 
-/// A variable without index or key is there even if it is an empty collection.
+/// A variable without an index or key exists even if it is an empty collection.
 fn is_defined(call: &mut Call<'_>, variable: Slot) -> bool {
     variable.view.is_some() && (variable.at == Subscript::Whole || call.memory.locate(&variable).is_ok())
 }

@@ -1,4 +1,4 @@
-//! `last` (2.5.6): gives the last key of a collection, in alphabetical order.
+//! `last` (2.5.6): returns the last key of a collection, in alphabetical order.
 
 use std::ops::Bound;
 

@@ -1,4 +1,4 @@
-//! `prev` (2.5.6): gives the key that precedes another one in a collection, in alphabetical order.
+//! `prev` (2.5.6): returns the key before a key in a collection, in alphabetical order.
 
 use std::ops::Bound;
 
@@ -27,7 +27,7 @@ instruction! {
     function (Slot variable) -> string = prev;
 }
 
-/// The key need not be in the collection: then the result is the last key before it in the order.
+/// The argument need not exist in the collection: the result is the last key before it in alphabetical order.
 fn prev(call: &mut Call<'_>, variable: Slot) -> Result<Text> {
     let Subscript::Key(key) = variable.at else { return Err(Fault::INVALID_PARAMETER) };
     let store = variable.container()?.store;

@@ -1,4 +1,4 @@
-//! `resize` (2.5.5): gives one dimension of an array another size.
+//! `resize` (2.5.5): changes the size of one dimension of an array.
 
 use crate::call::Call;
 use crate::declare::instruction;
@@ -32,7 +32,7 @@ instruction! {
     modifier (Whole variable, num nDimension, num nSize) = resize;
 }
 
-/// A part of an array that a program got from an index on gets the new size, counted from that index.
+/// If a program received the array from an index on, the new size counts from that index.
 fn resize(call: &mut Call<'_>, variable: View, dimension: f64, size: f64) -> Result<()> {
     call.memory.resize(variable, dimension, size, call.version.container_limit())
 }

@@ -1,4 +1,4 @@
-//! `size`: returns the number of values of a variable.
+//! `size`: returns the number of elements in a variable.
 
 use crate::call::Call;
 use crate::declare::instruction;
@@ -31,7 +31,7 @@ fn size(call: &mut Call<'_>, variable: View) -> Result<f64> {
     size_of_dimension(call, variable, 1.0)
 }
 
-/// A collection has the one dimension of a one-dimensional array; what is below 1 is no dimension either.
+/// A collection has one dimension, like a one-dimensional array. Numbers below 1 are no valid dimension.
 fn size_of_dimension(call: &mut Call<'_>, variable: View, dimension: f64) -> Result<f64> {
     call.memory.dimension(variable, dimension).map(f64::from)
 }

@@ -7,7 +7,7 @@ use super::*;
 const TOO_LARGE: Result<f64> = Err(Fault(INVALID_NUMBER));
 const BY_ZERO: Result<f64> = Err(Fault(DIVISION_BY_ZERO));
 
-/// As the manual prints results.
+/// Formats as the manual prints results.
 fn printed(value: Result<f64>) -> String {
     crate::values::number_text::significant(value.unwrap()).to_string()
 }
@@ -80,7 +80,7 @@ fn powers_of_two_are_exact() {
 
 #[test]
 fn logarithms_want_a_positive_number() {
-    // The page of `ln` prints one 9 too few.
+    // The page of `ln` prints one digit 9 too few.
     assert_eq!(printed(ln(2.718281828)), "0.99999999983113");
     assert_eq!(log(1000.0), Ok(3.0));
     for logarithm in [ln, log] {

@@ -1,11 +1,11 @@
 //! Help texts as Markdown.
 
-/// An item of a list.
+/// Formats a list item.
 pub(super) fn bullet(head: &str, text: &str) -> String {
     format!("- {head}: {text}\n")
 }
 
-/// A text with its options as code, and without what Markdown would read as markup.
+/// Formats options in the text as code, and escapes characters that Markdown would read as markup.
 pub(super) fn prose(text: &str) -> String {
     let mut result = String::new();
     for (place, part) in text.split('`').enumerate() {
@@ -21,7 +21,7 @@ pub(super) fn prose(text: &str) -> String {
     result.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A word outside of code.
+/// Formats a word outside of code spans.
 fn word(word: &str) -> String {
     let is_part = |letter: char| letter.is_alphanumeric() || "-=<>,".contains(letter);
     let start = word.find("--").filter(|start| word[..*start].chars().all(|letter| !letter.is_alphanumeric()));
@@ -35,12 +35,13 @@ fn word(word: &str) -> String {
     word.replace('<', "\\<").replace('*', "\\*").replace('|', "\\|")
 }
 
-/// Whether a line is a heading: a few words and a colon.
+/// Whether the line is a heading: at most three words and a colon.
 fn is_heading(line: &str) -> bool {
     line.ends_with(':') && line.split_whitespace().count() <= 3
 }
 
-/// The text after the options: headings end with a colon, and indented lines below are a list or a paragraph.
+/// Converts the text after the options: headings end with a colon, and the indented lines below are a list or a
+/// paragraph.
 pub(super) fn notes(text: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     for line in text.lines() {

@@ -1,37 +1,37 @@
-//! Speed, acceleration and deceleration of an axis from the times of its moves, by least squares.
+//! Least-squares estimation of axis speed, acceleration and deceleration from move times.
 
 use nalgebra::{Matrix4, Vector4};
 
 use super::log::Move;
 
-/// Standard deviation of a time in seconds that is rounded to cycles of 4 ms. Residuals below it prove nothing.
+/// Standard deviation, in seconds, of a time that is rounded to cycles of 4 ms. Smaller residuals are not significant.
 const CYCLE_DEVIATION: f64 = 0.004 / 3.464;
 
-/// Rounds of least squares with weights, by which interrupted moves lose their influence.
+/// Number of reweighting rounds, in which interrupted moves lose their influence.
 const ROUNDS: usize = 8;
 
-/// Steps of one minimisation.
+/// Maximum number of steps in one minimisation.
 const STEPS: usize = 200;
 
-/// Residuals above this number of standard deviations are rejected.
+/// Number of standard deviations above which a residual is rejected.
 const OUTLIER: f64 = 5.0;
 
-/// Residuals up to this value in seconds are never rejected.
+/// Residual, in seconds, up to which a move is never rejected.
 const TOLERANCE: f64 = 0.012;
 
-/// Greatest share of rejected moves. With more, the times are not those of one axis in one state.
+/// Maximum share of rejected moves. A larger share means that the times do not belong to one axis in one state.
 const MOST_REJECTED: f64 = 0.25;
 
-/// Greatest relative standard uncertainty of a value that counts as determined.
+/// Maximum relative standard uncertainty of a determined value.
 const DETERMINED: f64 = 0.1;
 
-/// Least part of a move at constant speed that contributes to the nominal speed.
+/// Minimum part of a move at constant speed, for the move to determine the nominal speed.
 const CONSTANT: f64 = 0.3;
 
-/// Fewest moves that contribute to the nominal speed.
+/// Minimum number of moves that determine the nominal speed.
 const FEWEST_CONSTANT: usize = 3;
 
-/// Fewest moves from which four values can be computed.
+/// Minimum number of moves for the computation of four values.
 const FEWEST: usize = 8;
 
 /// A value and its standard uncertainty.
@@ -39,11 +39,11 @@ const FEWEST: usize = 8;
 pub(super) struct Estimate {
     /// The value.
     pub(super) value: f64,
-    /// Its standard uncertainty, in the same unit.
+    /// Standard uncertainty, in the unit of the value.
     pub(super) uncertainty: f64,
 }
 
-/// Times of an axis at 100 %, in degrees or mm, and seconds.
+/// Axis times at 100 %, in degrees or mm, and seconds.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct AxisTimes {
     /// Nominal speed.
@@ -52,31 +52,32 @@ pub(super) struct AxisTimes {
     pub(super) acceleration: Estimate,
     /// Deceleration.
     pub(super) deceleration: Estimate,
-    /// Time between the instruction and its move, and between the end of the move and that of the instruction.
+    /// Delay in seconds: between the instruction and the start of its move, plus between the end of the move and the
+    /// return of the instruction.
     pub(super) delay: f64,
-    /// Root of the mean square of the residuals, in seconds.
+    /// Root mean square of the residuals, in seconds.
     pub(super) residual: f64,
-    /// Number of measurements that were used.
+    /// Number of used measurements.
     pub(super) moves: usize,
-    /// Number of measurements that were rejected.
+    /// Number of rejected measurements.
     pub(super) rejected: usize,
 }
 
-/// A reason why times do not determine an axis.
+/// Reason why the times do not determine the axis values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Undetermined {
-    /// The log contains no or too few moves.
+    /// The log contains no moves or too few moves.
     Few,
-    /// Too many times contradict the others.
+    /// Too many times contradict each other.
     Scattered,
-    /// The moves are alike, or too short, for this value.
+    /// The moves are too similar or too short to determine this value.
     Value(&'static str),
 }
 
 /// Parameters: logarithms of speed, acceleration and deceleration, so that all are positive, and the delay in seconds.
 type Parameters = Vector4<f64>;
 
-/// Computes the times of an axis.
+/// Computes the axis times from measured moves.
 pub(super) fn estimate(moves: &[Move]) -> Result<AxisTimes, Undetermined> {
     let mut parameters = start(moves).ok_or(Undetermined::Few)?;
     for _ in 0..ROUNDS {
@@ -97,13 +98,14 @@ pub(super) fn estimate(moves: &[Move]) -> Result<AxisTimes, Undetermined> {
     if rejected > MOST_REJECTED * (count + rejected) {
         return Err(Undetermined::Scattered);
     }
-    // Without such moves the kink between both laws of the time imitates a speed.
+    // Without moves at constant speed, the transition between the two formulas of the time would be mistaken for a
+    // speed.
     if kept.iter().filter(|one| constant_part(one, &parameters) >= CONSTANT).count() < FEWEST_CONSTANT {
         return Err(Undetermined::Value("nominal speed"));
     }
     let squares: f64 = kept.iter().map(|one| residual(one, &parameters).powi(2)).sum();
     let deviation = (squares / (count - 4.0)).sqrt().max(CYCLE_DEVIATION);
-    // The small addition keeps the matrix regular: a value on which no time depends gets an immense uncertainty.
+    // The small addition keeps the matrix regular: a value without influence on any time gets a huge uncertainty.
     let covariance = (normal(&equal, &parameters).0 + Matrix4::identity() * 1e-12).try_inverse();
     let covariance = covariance.ok_or(Undetermined::Value("nominal speed"))? * deviation.powi(2);
     let value = |index: usize, name| {
@@ -123,8 +125,8 @@ pub(super) fn estimate(moves: &[Move]) -> Result<AxisTimes, Undetermined> {
     })
 }
 
-/// First parameters: a high quantile of the mean speeds, and of the accelerations that moves without constant speed would
-/// have. Both are below the true values, so that all times depend on them.
+/// Initial parameters: a high quantile of the mean speeds, and of the accelerations under the assumption that no move
+/// has constant speed. Both are lower bounds of the true values, so that all times depend on both.
 fn start(moves: &[Move]) -> Option<Parameters> {
     let speed = quantile(moves.iter().map(|one| one.length / one.seconds / one.vel))?;
     let rate = |one: &Move| 2.0 * one.length * (1.0 / one.accel + 1.0 / one.decel) / one.seconds.powi(2);
@@ -138,7 +140,7 @@ fn quantile(values: impl Iterator<Item = f64>) -> Option<f64> {
     values.get(values.len() * 9 / 10).copied()
 }
 
-/// Minimises the weighted squares of the residuals by damped Gauss-Newton steps (Levenberg-Marquardt).
+/// Minimises the weighted sum of squared residuals by damped Gauss-Newton steps (Levenberg-Marquardt).
 fn minimise(moves: &[(Move, f64)], start: Parameters) -> Parameters {
     let cost = |at: &Parameters| moves.iter().map(|(one, weight)| weight * residual(one, at).powi(2)).sum::<f64>();
     let (mut at, mut damping) = (start, 1e-3);
@@ -165,7 +167,7 @@ fn minimise(moves: &[(Move, f64)], start: Parameters) -> Parameters {
     at
 }
 
-/// Matrix and right side of the normal equations of moves with weights.
+/// Matrix and right-hand side of the normal equations for weighted moves.
 fn normal(moves: &[(Move, f64)], at: &Parameters) -> (Matrix4<f64>, Vector4<f64>) {
     moves.iter().fold((Matrix4::zeros(), Vector4::zeros()), |(matrix, gradient), (one, weight)| {
         let (time, slopes) = time(one, at);
@@ -177,7 +179,8 @@ fn residual(one: &Move, at: &Parameters) -> f64 {
     one.seconds - time(one, at).0
 }
 
-/// Time of a move and its derivatives by the parameters: acceleration, constant speed if it is reached, deceleration.
+/// Computes the time of a move and its derivatives with respect to the parameters. The move accelerates, has constant
+/// speed if it reaches it, and decelerates.
 fn time(one: &Move, at: &Parameters) -> (f64, Vector4<f64>) {
     let speed = at.x.exp() * one.vel;
     let gain = 1.0 / (at.y.exp() * one.accel);
@@ -192,13 +195,13 @@ fn time(one: &Move, at: &Parameters) -> (f64, Vector4<f64>) {
     (at.w + time, Vector4::new(0.0, -share * gain, -share * loss, 1.0))
 }
 
-/// Part of the length at constant speed; negative for a move that does not reach it.
+/// Fraction of the length at constant speed; negative for a move that does not reach constant speed.
 fn constant_part(one: &Move, at: &Parameters) -> f64 {
     let gain = 1.0 / (at.y.exp() * one.accel) + 1.0 / (at.z.exp() * one.decel);
     1.0 - (at.x.exp() * one.vel).powi(2) * gain / 2.0 / one.length
 }
 
-/// Standard deviation of the residuals, from their median, so that outliers do not count.
+/// Robust standard deviation of the residuals, computed from the median so that outliers have no influence.
 fn spread(moves: &[Move], at: &Parameters) -> f64 {
     let mut residuals: Vec<_> = moves.iter().map(|one| residual(one, at).abs()).collect();
     residuals.sort_by(f64::total_cmp);
@@ -209,7 +212,7 @@ fn spread(moves: &[Move], at: &Parameters) -> f64 {
 mod tests {
     use super::*;
 
-    /// Moves of an axis with these values, rounded up to cycles of 4 ms.
+    /// Moves with these axis values; times are rounded up to cycles of 4 ms.
     fn moves(speed: f64, acceleration: f64, deceleration: f64, delay: f64) -> Vec<Move> {
         let at = Vector4::new(speed.ln(), acceleration.ln(), deceleration.ln(), delay);
         let mut moves = Vec::new();

@@ -1,4 +1,4 @@
-//! An arm file with measured times, from the file of the arm without them.
+//! Arm file with measured times, created from an arm file without them.
 
 use toml_edit::{Array, DocumentMut, Item, TableLike, Value};
 use val3_kinematics::{Arm, Axis};
@@ -9,14 +9,14 @@ use crate::user_error::UserError;
 use super::estimate::AxisTimes;
 use super::words::{described, rounded};
 
-/// The columns of the file that are measured.
+/// Columns of the file with measured values.
 const COLUMNS: [&str; 3] = ["nominal_speed", "acceleration", "deceleration"];
 
 /// Source of the measured values.
 const SOURCE: &str = "measured with the application of `val3 arm measure`";
 
-/// Text of the file: all values of `base`, and the times of the measured axes. If an axis is not measured, the times stay
-/// those of a model.
+/// Returns the text of the file: all values of `base`, with the times of the measured axes. The times of other axes are
+/// copied from `base`.
 pub(super) fn text(base: &ArmFile, measured: &[Option<&AxisTimes>]) -> Result<String, UserError> {
     let failed = |reason: String| UserError::new(format!("the arm file cannot be written: {reason}"));
     let (notes, values) = split_notes(&base.text);
@@ -36,7 +36,7 @@ pub(super) fn text(base: &ArmFile, measured: &[Option<&AxisTimes>]) -> Result<St
     Ok(text)
 }
 
-/// The axes with their measured times. A maximum speed is at least the nominal one.
+/// Returns the axes with their measured times. A maximum speed below the nominal speed is raised to it.
 fn axes(model: &[Axis], measured: &[Option<&AxisTimes>]) -> Vec<Axis> {
     let with_times = |(axis, times): (&Axis, &Option<&AxisTimes>)| {
         times.map_or(*axis, |times| {
@@ -71,7 +71,7 @@ fn add_source(document: &mut DocumentMut) {
         && !sources.iter().any(|source| source.as_str() == Some(SOURCE))
     {
         let mut source = Value::from(SOURCE);
-        // In a line of its own, if each source has one.
+        // Placed on its own line if each source has its own line.
         if let Some(last) = sources.iter().last() {
             *source.decor_mut() = last.decor().clone();
         }
@@ -79,13 +79,13 @@ fn add_source(document: &mut DocumentMut) {
     }
 }
 
-/// The comments at the beginning of a file, as notes of the file to be written, and the rest of the file.
+/// Splits a file into the comments at its beginning, formatted as notes for the new file, and the remaining text.
 fn split_notes(text: &str) -> (String, &str) {
     let length = text.split_inclusive('\n').take_while(|line| line.starts_with('#')).map(str::len).sum();
     let (comments, values) = text.split_at(length);
     let notes = match comments.split_once(NOTES) {
         Some((_, notes)) => notes.to_owned(),
-        // Comments of an earlier measurement without notes.
+        // An earlier measurement's comments that contain no notes.
         None if comments.starts_with(HEAD) => String::new(),
         None => comments.lines().map(|line| format!("#   {}\n", line.trim_start_matches(['#', ' ']))).collect(),
     };
@@ -93,13 +93,13 @@ fn split_notes(text: &str) -> (String, &str) {
     (notes, values)
 }
 
-/// Beginning of the comment with the results.
+/// First words of the comment with the results.
 const HEAD: &str = "# Times of a ";
 
-/// Line before the comments that the file had without the measurement.
+/// Line above the comments that the file had before the measurement.
 const NOTES: &str = "# Comments before the measurement:\n";
 
-/// The comment with the results.
+/// Comment with the results.
 fn head(arm: &Arm, measured: &[Option<&AxisTimes>]) -> String {
     let mut head = format!("{HEAD}{}, {SOURCE}, with their standard uncertainties.\n", arm.name());
     for (index, times) in measured.iter().enumerate() {
@@ -127,7 +127,7 @@ mod tests {
         }
     }
 
-    /// A file whose optional parts are missing, and whose maximum speed is below the measured one.
+    /// The file also has a maximum speed below the measured speed.
     #[test]
     fn a_file_without_optional_parts_gets_them() {
         let text = "name = \"mine\"\nkind = \"scara\"\ngeometry = { l1 = 300, l2 = 200, z0 = 0 }\n\

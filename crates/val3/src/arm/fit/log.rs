@@ -1,18 +1,18 @@
 //! Measured moves in an event log.
 //!
-//! The measuring application writes lines such as
-//! `val3arm times axis=1 length=30.000 vel=5 accel=100 decel=100 ms=2140,2140,2144,2140;`, which the controller puts
-//! after date and origin. All other lines belong to other programs.
+//! The measuring application logs lines such as
+//! `val3arm times axis=1 length=30.000 vel=5 accel=100 decel=100 ms=2140,2140,2144,2140;`, which the controller
+//! prefixes with date and origin. Other lines are ignored.
 
 use std::fmt;
 
-/// Beginning of each message of the measuring application.
+/// Prefix of all messages from the measuring application.
 const MARK: &str = "val3arm ";
 
-/// Greatest percentage of a motion descriptor.
+/// Maximum percentage in a motion descriptor.
 const GREATEST_PERCENTAGE: f64 = 1000.0;
 
-/// Longest time of a move, in ms.
+/// Maximum time of a move, in ms.
 const LONGEST: f64 = 1e6;
 
 /// A move of one axis, measured several times.
@@ -20,50 +20,50 @@ const LONGEST: f64 = 1e6;
 pub(super) struct Move {
     /// Length, in degrees or mm.
     pub(super) length: f64,
-    /// Speed in relation to the nominal speed.
+    /// Speed as a fraction of the nominal speed.
     pub(super) vel: f64,
-    /// Acceleration in relation to the nominal one.
+    /// Acceleration as a fraction of the nominal acceleration.
     pub(super) accel: f64,
-    /// Deceleration in relation to the nominal one.
+    /// Deceleration as a fraction of the nominal deceleration.
     pub(super) decel: f64,
-    /// Median of the measured times, in seconds. Equal moves are rounded alike to cycles of 4 ms, so that they count as
-    /// one measurement.
+    /// Median of the measured times, in seconds. The times of equal moves are rounded to cycles of 4 ms in the same
+    /// way, so they count as one measurement.
     pub(super) seconds: f64,
 }
 
-/// Measurements of one axis.
+/// Axis measurements.
 #[derive(Debug, Default, Clone, PartialEq)]
 pub(super) struct AxisLog {
     /// Moves in the order of the log.
     pub(super) moves: Vec<Move>,
-    /// Lines with moves that the application has written, from each of its end marks.
+    /// Number of move lines that the application has written, according to its end marks.
     announced: usize,
-    /// Whether lines follow the last end mark.
+    /// Whether move lines follow the last end mark.
     is_open: bool,
 }
 
-/// A part of the log that could not be used.
+/// An unused part of the log.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum LogFault {
-    /// A line of the application that cannot be read.
+    /// A line of the application that cannot be parsed.
     Line {
-        /// File, as named by the user.
+        /// File as the user named it.
         file: String,
-        /// The line, counted from 1.
+        /// Line number, from 1.
         line: usize,
-        /// The reason.
+        /// Reason.
         reason: String,
     },
-    /// The application has not measured moves of an axis.
+    /// The application has measured no moves of this axis.
     Unmeasured {
-        /// The axis, counted from 1.
+        /// Axis number, from 1.
         axis: usize,
-        /// The reason.
+        /// Reason.
         reason: &'static str,
     },
-    /// Lines of an axis are missing.
+    /// Lines of this axis are missing.
     Incomplete {
-        /// The axis, counted from 1.
+        /// Axis number, from 1.
         axis: usize,
     },
 }
@@ -83,14 +83,14 @@ impl fmt::Display for LogFault {
     }
 }
 
-/// Measurements of one arm.
+/// Arm measurements.
 #[derive(Debug, Default)]
 pub(super) struct Log {
-    /// Names of the measured arms, each once.
+    /// Names of the measured arms, without duplicates.
     pub(super) arms: Vec<String>,
-    /// One entry an axis.
+    /// One entry for each axis.
     pub(super) axes: Vec<AxisLog>,
-    /// Parts that could not be used.
+    /// Unused parts of the log.
     pub(super) faults: Vec<LogFault>,
 }
 
@@ -104,7 +104,7 @@ enum Message<'a> {
 }
 
 impl Log {
-    /// An empty log of an arm with this number of axes.
+    /// Creates an empty log for an arm with this number of axes.
     pub(super) fn new(axes: usize) -> Self {
         Self { axes: vec![AxisLog::default(); axes], ..Self::default() }
     }
@@ -119,7 +119,7 @@ impl Log {
         }
     }
 
-    /// Reports axes whose measurement is incomplete.
+    /// Adds faults for axes whose measurement is incomplete.
     pub(super) fn finish(&mut self) {
         for (index, axis) in self.axes.iter().enumerate() {
             if !axis.moves.is_empty() && (axis.is_open || axis.moves.len() < axis.announced) {
@@ -165,7 +165,7 @@ fn parse(message: &str) -> Result<Message<'_>, String> {
     let (keyword, fields) = message.split_once(' ').unwrap_or((message, ""));
     let mut fields = Fields(fields);
     match keyword {
-        // The name of an arm may contain blanks, and is followed by the number of axes.
+        // The arm's name may contain blanks; the number of axes follows it.
         "begin" => {
             let name = message.strip_prefix("begin arm=").and_then(|rest| rest.rsplit_once(" axes="));
             let (arm, _) = name.ok_or("`arm` or `axes` is missing")?;
@@ -197,10 +197,10 @@ fn parse(message: &str) -> Result<Message<'_>, String> {
     }
 }
 
-/// Greatest length of a move, in degrees or mm.
+/// Maximum length of a move, in degrees or mm.
 const GREATEST_LENGTH: f64 = 1e5;
 
-/// The fields of a message, in their order. Blanks may surround a value, because controllers pad numbers.
+/// Fields of a message, in order. Blanks may surround a value, because controllers pad numbers.
 struct Fields<'a>(&'a str);
 
 impl<'a> Fields<'a> {
@@ -226,14 +226,14 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// The median; 0 without values.
+/// Returns the median, or 0 without values.
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let at = |index: usize| values.get(index).copied().unwrap_or_default();
     (at(values.len() / 2) + at(values.len().saturating_sub(1) / 2)) / 2.0
 }
 
-/// Reads a number above 0.
+/// Parses a number above 0 and up to `greatest`.
 fn number(name: &str, text: &str, greatest: f64) -> Result<f64, String> {
     let number = text.parse().ok().filter(|number: &f64| *number > 0.0 && *number <= greatest);
     number.ok_or_else(|| format!("`{name}={text}` is impossible, it must be above 0 and at most {greatest}"))

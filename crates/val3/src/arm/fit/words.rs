@@ -1,8 +1,8 @@
-//! Measured times in words.
+//! Measured times in words, for reports and comments.
 
 use super::estimate::{AxisTimes, Estimate};
 
-/// The times of an axis in words.
+/// Describes axis times.
 pub(super) fn described(unit: &str, times: &AxisTimes) -> String {
     let AxisTimes { speed, acceleration, deceleration, delay, residual, moves, .. } = times;
     format!(
@@ -19,7 +19,7 @@ fn with_uncertainty(estimate: &Estimate, unit: &str) -> String {
     format!("{} {unit} ± {:.2} %", rounded(estimate.value), 100.0 * estimate.uncertainty / estimate.value)
 }
 
-/// The value with five significant digits.
+/// Rounds the value to five significant digits.
 pub(super) fn rounded(value: f64) -> f64 {
     format!("{value:.4e}").parse().unwrap_or(value)
 }

@@ -8,7 +8,7 @@ use crate::args::AxisRange;
 
 use super::data;
 
-/// Programs that are the same for every arm and range.
+/// Programs that are independent of the arm and the ranges.
 const PROGRAMS: &[(&str, &str)] = &[
     ("ask.pgx", include_str!("application/ask.pgx")),
     ("measure.pgx", include_str!("application/measure.pgx")),
@@ -18,7 +18,7 @@ const PROGRAMS: &[(&str, &str)] = &[
     ("write.pgx", include_str!("application/write.pgx")),
 ];
 
-/// Name and text of each file of the application `name`.
+/// Returns names and texts of all files in the application `name`.
 pub(super) fn files(name: &str, arm: &Arm, ranges: &[AxisRange]) -> Vec<(String, String)> {
     let mut files: Vec<_> = PROGRAMS.iter().map(|(file, text)| ((*file).to_owned(), (*text).to_owned())).collect();
     files.push(("start.pgx".to_owned(), include_str!("application/start.pgx").replace("READ_AXES", &read_axes(arm))));
@@ -36,7 +36,7 @@ fn read_axes(arm: &Arm) -> String {
     })
 }
 
-/// Cases that set one axis of the target.
+/// Cases that assign one axis of the target.
 fn set_axis(arm: &Arm) -> String {
     (0..arm.axes()).fold(String::new(), |mut lines, axis| {
         let _ = writeln!(lines, "    case {axis}\n      l_jTarget.j{}=x_nTarget\n    break", axis + 1);

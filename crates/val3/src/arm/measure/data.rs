@@ -4,20 +4,20 @@ use val3_kinematics::Arm;
 
 use crate::args::AxisRange;
 
-/// Half of the default range of a rotating axis, in degrees.
+/// Half of a rotating axis' default range, in degrees.
 const AROUND: f64 = 15.0;
 
-/// Half of the default range of a stroke, in mm.
+/// Half of a stroke's default range, in mm.
 const AROUND_STROKE: f64 = 40.0;
 
-/// Moves there and back with each descriptor and length.
+/// Number of moves in each direction, with each descriptor and length.
 const TIMES: u8 = 2;
 
-/// Codes of the menu keys F1, F2 and F8.
+/// Key codes of the menu keys F1, F2 and F8.
 const KEYS: [(&str, u16); 3] = [("nGo", 271), ("nSkip", 272), ("nEnd", 278)];
 
-/// Speed, acceleration and deceleration of the measured moves in per cent, slow ones first. A low percentage makes one
-/// value decide the time: `vel` that of moves with constant speed, `accel` and `decel` that of moves without.
+/// Speed, acceleration and deceleration of the measured moves in per cent, slow moves first. The low percentage
+/// determines the time: a low `vel` in moves with constant speed, a low `accel` or `decel` in moves without.
 const DESCRIPTORS: &[[f64; 3]] = &[
     [2.0, 100.0, 100.0],
     [5.0, 100.0, 100.0],
@@ -34,8 +34,8 @@ const DESCRIPTORS: &[[f64; 3]] = &[
     [100.0, 100.0, 100.0],
 ];
 
-/// Lengths of the moves with each descriptor, as parts of the range. Several lengths spread the times over the 4 ms of a
-/// cycle.
+/// Lengths of the moves with each descriptor, as fractions of the range. Several lengths distribute the times over the
+/// 4 ms of a cycle.
 const PARTS: &[f64] = &[1.0, 0.77, 0.53];
 
 /// Text of the data file.
@@ -94,7 +94,7 @@ fn texts(name: &str, values: impl IntoIterator<Item = String>) -> String {
     item(name, "string", values.len(), &values)
 }
 
-/// An array with the attributes of its first values.
+/// Formats an array with the first values' attributes.
 fn item(name: &str, ty: &str, size: usize, values: &[String]) -> String {
     let head = format!("    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\"");
     if values.is_empty() {

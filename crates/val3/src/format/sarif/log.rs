@@ -1,10 +1,10 @@
-//! The parts of a SARIF log that are written, under the names of the standard.
+//! Written parts of a SARIF log, with the standard's names.
 
 use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-/// Where the schema is published.
+/// URL of the published schema.
 pub(super) const SCHEMA: &str =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
 
@@ -85,7 +85,7 @@ pub(super) struct Notification {
     pub(super) message: Message,
 }
 
-/// A text; the standard has several objects of this shape.
+/// A text; several objects of the standard have this schema.
 #[derive(Serialize)]
 pub(super) struct Message {
     pub(super) text: String,
@@ -145,7 +145,7 @@ pub(super) struct ArtifactLocation {
     pub(super) uri_base_id: &'static str,
 }
 
-/// The URI of a named folder. It ends with a slash.
+/// URI of a named folder, with a final slash.
 #[derive(Serialize)]
 pub(super) struct BaseUri {
     pub(super) uri: String,

@@ -1,4 +1,4 @@
-//! The rule table of a SARIF log.
+//! Rule table of a SARIF log.
 
 use std::collections::BTreeSet;
 
@@ -8,22 +8,22 @@ use val3_lang::page;
 use super::log::{Help, Message, ReportingConfiguration, ReportingDescriptor};
 use crate::report::Report;
 
-/// The rules that have findings, sorted by code.
+/// Rules with findings, sorted by code.
 pub(super) struct Rules(Vec<&'static Rule>);
 
 impl Rules {
-    /// Gathers the rules of a report.
+    /// Collects the rules of a report.
     pub(super) fn of(report: &Report) -> Self {
         let codes: BTreeSet<_> = report.findings.iter().map(|finding| finding.code).collect();
         Self(val3_check::rules::all().iter().copied().filter(|rule| codes.contains(rule.code)).collect())
     }
 
-    /// The place of a rule in the table.
+    /// Index of a rule in the table.
     pub(super) fn index(&self, code: &str) -> Option<usize> {
         self.0.iter().position(|rule| rule.code == code)
     }
 
-    /// The table.
+    /// Converts the rules to the table.
     pub(super) fn descriptors(&self) -> Vec<ReportingDescriptor> {
         self.0.iter().map(|rule| descriptor(rule)).collect()
     }

@@ -1,21 +1,21 @@
-//! The text below the user page.
+//! Text below the user page.
 
 use std::collections::VecDeque;
 
 use val3_lang::runtime_errors;
 use val3_machine::event::{Event, EventKind};
 
-/// Maximum number of lines that are kept, similar to the history of a terminal.
+/// Maximum number of stored lines, similar to the history of a terminal.
 const KEPT: usize = 1000;
 
-/// The last lines that `?` has printed, and the last messages and errors.
+/// Last lines printed by `?`, and last messages and errors.
 #[derive(Debug, Default)]
 pub(super) struct Journal {
     lines: VecDeque<String>,
 }
 
 impl Journal {
-    /// Keeps the text of an event that people want to read.
+    /// Records an event's text, if it is relevant for the user.
     pub(super) fn record_event(&mut self, event: &Event) {
         if let Some(line) = line(event) {
             self.lines.extend(line.lines().map(str::to_owned));
@@ -23,12 +23,12 @@ impl Journal {
         }
     }
 
-    /// The last lines, `count` at most.
+    /// Last lines, at most `count`.
     pub(super) fn last(&self, count: usize) -> impl Iterator<Item = &str> {
         self.lines.iter().skip(self.lines.len().saturating_sub(count)).map(String::as_str)
     }
 
-    /// All lines that were kept.
+    /// Removes and returns all stored lines.
     pub(super) fn take(&mut self) -> Vec<String> {
         std::mem::take(&mut self.lines).into()
     }

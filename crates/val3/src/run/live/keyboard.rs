@@ -1,12 +1,12 @@
-//! The keys of the pendant for the keys of the keyboard (12.2).
+//! Maps keyboard keys to pendant keys (12.2).
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use val3_lang::keys::{KEYS, character};
 
-/// The effect of a key of the keyboard.
+/// Effect of a keyboard key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Command {
-    /// The key of the pendant with this code is tapped, because terminals do not report the release of keys.
+    /// Presses and releases the pendant key with this code, because terminals do not report the release of keys.
     Tap(u16),
     /// User-Down.
     NextPage,
@@ -16,7 +16,7 @@ pub(super) enum Command {
     Interrupt,
 }
 
-/// The effect of a key, if it has one.
+/// Effect of a key, if it has one.
 pub(super) fn command(key: KeyEvent) -> Option<Command> {
     if key.kind == KeyEventKind::Release {
         return None;
@@ -31,8 +31,8 @@ pub(super) fn command(key: KeyEvent) -> Option<Command> {
     }
 }
 
-/// The key that writes a character; with Alt, 1 to 3 are the keys of the pendant that write none. Control and Alt
-/// together are the AltGr of some terminals.
+/// Pendant key for a typed character. With Alt, 1 to 3 are the pendant keys without a character. Control and Alt
+/// together are AltGr in some terminals.
 fn typed(written: char, modifiers: KeyModifiers) -> Option<u16> {
     let held = modifiers & (KeyModifiers::CONTROL | KeyModifiers::ALT);
     if held == KeyModifiers::ALT {
@@ -42,7 +42,7 @@ fn typed(written: char, modifiers: KeyModifiers) -> Option<u16> {
     (held != KeyModifiers::CONTROL && character(code).is_some()).then_some(code)
 }
 
-/// The label of the key of the pendant.
+/// Label of the pendant key.
 fn name(code: KeyCode) -> Option<&'static str> {
     Some(match code {
         KeyCode::Enter => "Return",

@@ -1,4 +1,4 @@
-//! The picture in the terminal: the pendant, the journal, and the state of the controller.
+//! Layout of the terminal: the pendant, the journal, and the state of the controller.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -12,26 +12,26 @@ use val3_machine::screen::{COLUMNS, Cell, Pendant, ROWS};
 
 use super::journal::Journal;
 
-/// The duration of each phase of flashing text, visible and hidden.
+/// Duration of the visible and of the hidden phase of flashing text.
 const FLASH: Time = SECOND / 2;
 
-/// The page with its border.
+/// Size of the page with its border.
 #[allow(clippy::cast_possible_truncation, reason = "42 and 16")]
 const SIZE: (u16, u16) = (COLUMNS as u16 + 2, ROWS as u16 + 2);
 
-/// The objects in the picture.
+/// Displayed objects.
 pub(super) struct View<'a> {
     pub(super) pendant: &'a Pendant,
     pub(super) robot: &'a Robot,
     pub(super) journal: &'a Journal,
-    /// The controller's clock.
+    /// Controller's clock.
     pub(super) now: Time,
-    /// Whether the application was ordered to stop.
+    /// Whether the application was requested to stop.
     pub(super) stopping: bool,
 }
 
 impl View<'_> {
-    /// Draws the picture. A terminal that is too small lacks the right and the lower part.
+    /// Draws the terminal. If it is too small, the right and the lower part are cut off.
     pub(super) fn draw(&self, frame: &mut Frame<'_>) {
         let (width, height) = SIZE;
         let parts = [Constraint::Length(height), Constraint::Min(0), Constraint::Length(1)];
@@ -59,7 +59,7 @@ impl View<'_> {
         Span::styled(if seen { cell.text.as_str() } else { gone }, style)
     }
 
-    /// The message, or the question, above the page.
+    /// Draws the message or the question on top of the page.
     fn draw_pop_up(&self, frame: &mut Frame<'_>, page: Rect) {
         let question = self.pendant.question().map(|(text, entry)| {
             let entry = entry.map(|entry| format!("\n> {entry}")).unwrap_or_default();

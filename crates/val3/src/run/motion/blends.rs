@@ -1,4 +1,4 @@
-//! Blends that are shorter than their motion descriptors ask for, by program line (`--times`).
+//! Blends that are shorter than requested by their motion descriptors, by program line (`--times`).
 
 use std::collections::BTreeMap;
 
@@ -6,24 +6,24 @@ use serde::Serialize;
 use val3_machine::blend_ends::BlendEnds;
 use val3_machine::event::{Event, EventKind};
 
-/// The shortened blends of a run, by program and line of their moves.
+/// A run's shortened blends, by the moves' program and line.
 #[derive(Debug, Default)]
 pub(super) struct CutBlends(BTreeMap<(String, u32), CutBlend>);
 
-/// Shortened blends of one line.
+/// A line's shortened blends.
 #[derive(Debug, Serialize)]
 pub(super) struct CutBlend {
     program: String,
     line: u32,
     /// Number of moves with a shortened blend.
     moves: u32,
-    /// The shortest blend of the line.
+    /// Shortest blend of the line.
     #[serde(flatten)]
     shortest: BlendEnds,
 }
 
 impl CutBlends {
-    /// Adds the blends of events.
+    /// Adds the blends in the events.
     pub(super) fn follow(&mut self, events: &[Event]) {
         for event in events {
             let EventKind::Move { phase: "blend" | "done", program, line, blend, .. } = &event.kind else { continue };
@@ -48,12 +48,12 @@ impl CutBlends {
     }
 }
 
-/// Sum of the effective distances of a blend, in mm.
+/// Sum of a blend's effective distances, in mm.
 fn effective(blend: &BlendEnds) -> f64 {
     [&blend.leave, &blend.reach].into_iter().flatten().map(|end| end.effective).sum()
 }
 
-/// The part of the table of times; empty if no blend is shortened.
+/// Section of the times table; empty if no blend is shortened.
 pub(super) fn table(lines: &[CutBlend]) -> String {
     if lines.is_empty() {
         return String::new();

@@ -1,4 +1,4 @@
-//! The picture of a run (`--plot`).
+//! Picture of a run (`--plot`).
 
 use std::fmt::Display;
 use std::io::Write as _;
@@ -12,7 +12,7 @@ use crate::output::file;
 use crate::output::file_kind::FileKind;
 use crate::user_error::UserError;
 
-/// A picture and its file.
+/// A picture and its output file.
 pub(super) struct PictureFile {
     file: OutputFile,
     path: Utf8PathBuf,
@@ -27,7 +27,7 @@ impl PictureFile {
         Ok(Self { file, path: path.to_owned(), observer: PictureObserver::new(controller), has_accelerations })
     }
 
-    /// Adds what is new.
+    /// Adds the current state.
     pub(super) fn see(&mut self, t: f64, controller: &Controller) {
         self.observer.see(t, controller);
     }

@@ -1,4 +1,4 @@
-//! Where the time of a run went, by program line (`--times`), to a cycle of 4 ms; and the limits of the arm's speed.
+//! Time of a run by program line (`--times`), in cycles of 4 ms, and the limits of the arm's speed.
 
 mod limits;
 
@@ -22,12 +22,12 @@ use crate::output::to_stderr;
 use crate::user_error::UserError;
 use limits::{LimitShare, LimitTimes, cell};
 
-/// What the arm does while nothing is recorded.
+/// Activity of the arm while no move is recorded.
 const NO_MOVE: &str = "no move";
 
-/// The times of a run.
+/// Times of a run.
 pub(super) struct Times {
-    /// The file for the times as JSON; a table without one.
+    /// Output file for the times as JSON; `None` for a table on the console.
     file: Option<(OutputFile, Utf8PathBuf)>,
     /// Origin of the arm's times: `measured` or `model`.
     origin: &'static str,
@@ -37,14 +37,14 @@ pub(super) struct Times {
     last: Time,
     arm_before: Option<(Entry, SpeedLimit)>,
     tasks_before: Vec<Entry>,
-    /// The line of the present move, or of the last one.
+    /// Line of the current move, or of the last move.
     present: Option<CodePlace>,
 }
 
-/// A line, and what the time there went to.
+/// A line and an activity.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Entry {
-    /// The task; empty for the arm.
+    /// Task name; empty for the arm.
     task: String,
     program: String,
     line: u32,
@@ -68,13 +68,13 @@ impl Entry {
 /// The times as JSON.
 #[derive(Serialize)]
 struct Report {
-    /// Seconds.
+    /// Duration in seconds.
     duration: f64,
     /// Origin of the arm's times: `measured` or `model`.
     times: &'static str,
     arm: Vec<Row>,
     tasks: Vec<Row>,
-    /// The limit of most of the time in which the arm had a move, and what would help.
+    /// Limit that applied for most of the time with a move, and a suggestion.
     #[serde(skip_serializing_if = "Option::is_none")]
     advice: Option<String>,
     /// Blends that are shorter than requested, by line.
@@ -89,7 +89,7 @@ struct Row {
     line: u32,
     what: String,
     seconds: f64,
-    /// Limits of the arm's speed, the longest time first; empty for a task.
+    /// Limits of the arm's speed, longest time first; empty for a task.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     limits: Vec<LimitShare>,
 }
@@ -111,7 +111,8 @@ impl Times {
         })
     }
 
-    /// Counts the time since the last call. Tasks were where they were then; the arm has moved in the last cycle.
+    /// Adds the time since the last call. Tasks are counted at their last lines; the arm's motion belongs to the last
+    /// cycle.
     pub(super) fn see(&mut self, start: Time, controller: &Controller) {
         let passed = start.saturating_sub(self.last);
         self.last = start;
@@ -127,12 +128,12 @@ impl Times {
         self.tasks_before = controller.task_positions().into_iter().map(Entry::of_task).collect();
     }
 
-    /// Events have been recorded.
+    /// Adds the blends in the events.
     pub(super) fn follow(&mut self, events: &[Event]) {
         self.blends.follow(events);
     }
 
-    /// The move that the arm executes, and how.
+    /// Current move of the arm, and its activity.
     fn of_arm(&mut self, controller: &Controller) -> Entry {
         let arm = &controller.devices.state.arm;
         let present = arm.moves().filter(|(queued, _)| queued.progress >= Progress::Started).last();
@@ -181,7 +182,7 @@ impl Times {
     }
 }
 
-/// The rows of a table, the longest times first.
+/// Rows of a table, longest times first.
 fn rows(table: impl Iterator<Item = (Entry, Time, Vec<LimitShare>)>) -> Vec<Row> {
     let mut rows: Vec<_> = table.filter(|(_, time, _)| *time > 0).collect();
     rows.sort_by(|(left, left_time, _), (right, right_time, _)| {

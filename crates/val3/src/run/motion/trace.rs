@@ -1,4 +1,4 @@
-//! The trace of a run: the arm every 4 ms as a table (`--trace`).
+//! Trace of a run: the arm's state every 4 ms as a table (`--trace`).
 
 use std::io::{self, BufWriter, Write};
 
@@ -13,12 +13,12 @@ use crate::output::file;
 use crate::output::file_kind::FileKind;
 use crate::user_error::UserError;
 
-/// A table with commas between its columns.
+/// Output in comma-separated columns.
 pub(super) struct Trace {
     out: BufWriter<OutputFile>,
     path: Utf8PathBuf,
     axes: usize,
-    /// Rows are also written while the arm is at rest.
+    /// Whether rows are also written while the arm is stopped.
     at_rest: bool,
     selection: Selection,
 }
@@ -32,7 +32,7 @@ impl Trace {
         Ok(trace)
     }
 
-    /// The rows of the cycles that the run has skipped between two others.
+    /// Writes rows for cycles that the run has skipped.
     pub(super) fn rest(
         &mut self,
         last: Time,
@@ -48,7 +48,7 @@ impl Trace {
         Ok(())
     }
 
-    /// The row of a cycle. The first row at rest ends a motion.
+    /// Writes the row of a cycle. The first row at rest ends a motion.
     pub(super) fn write(&mut self, time: Time, sample: &Sample, limit: SpeedLimit) -> Result<(), UserError> {
         if !self.selection.takes(sample.phase) && !self.at_rest {
             return Ok(());

@@ -3,16 +3,16 @@
 /// A fenced block.
 #[derive(Debug, PartialEq)]
 pub(super) struct Block<'a> {
-    /// What stands behind the fence: language and attributes.
+    /// Text after the opening fence: language and attributes.
     pub(super) info: &'a str,
-    /// Number of its first line, from 1.
+    /// Number of the first line, from 1.
     pub(super) line: usize,
-    /// Its lines, without the indentation of the fence.
+    /// Lines without the indentation of the fence.
     pub(super) lines: Vec<&'a str>,
 }
 
 impl<'a> Block<'a> {
-    /// The value of an attribute such as `file=name`.
+    /// Value of an attribute such as `file=name`.
     pub(super) fn attribute(&self, name: &str) -> Option<&'a str> {
         self.info.split_whitespace().find_map(|word| word.strip_prefix(name)?.strip_prefix('='))
     }
@@ -22,17 +22,17 @@ impl<'a> Block<'a> {
     }
 }
 
-/// A line of a shell, and what its comment says.
+/// A shell command with the expectations in its comment.
 #[derive(Debug, PartialEq)]
 pub(super) struct Command {
-    /// Number of the line, from 1.
+    /// Line number, from 1.
     pub(super) line: usize,
     pub(super) text: String,
-    /// Exit code.
+    /// Expected exit code.
     pub(super) code: i32,
 }
 
-/// The fenced blocks of a document.
+/// Fenced blocks of a document.
 pub(super) fn blocks(document: &str) -> Vec<Block<'_>> {
     let mut blocks: Vec<Block<'_>> = Vec::new();
     let mut open: Option<(usize, Block<'_>)> = None;
@@ -52,7 +52,7 @@ pub(super) fn blocks(document: &str) -> Vec<Block<'_>> {
     blocks
 }
 
-/// The commands of a block; those that are not executed are left out.
+/// Commands of a block, without commands that are not executed.
 pub(super) fn commands(block: &Block<'_>) -> Vec<Command> {
     let mut commands = Vec::new();
     let mut text = String::new();
@@ -76,7 +76,7 @@ pub(super) fn commands(block: &Block<'_>) -> Vec<Command> {
     commands
 }
 
-/// The commands of `val3` in a recipe.
+/// `val3` commands in a recipe for a service.
 pub(super) fn recipe(block: &Block<'_>) -> Vec<Command> {
     let commands = block.lines.iter().zip(block.line..).filter_map(|(line, number)| {
         let start = line.find("val3 check ").or_else(|| line.find("val3 test "))?;

@@ -1,4 +1,4 @@
-//! The commands of one document, executed one after the other.
+//! Executes one document's commands in order.
 
 use std::os::unix::process::CommandExt as _;
 use std::path::{Path, PathBuf};
@@ -10,22 +10,22 @@ use crate::support::{Folder, copy_folder};
 
 use super::block::{self, Block, commands, recipe};
 
-/// A command that takes longer waits for something that does not come.
+/// Timeout of a command.
 const LONGEST: Duration = Duration::from_secs(60);
 
-/// Begin of every session: a repository of git with two commits, and `val3` and `cargo run` as commands.
+/// Setup of every session: a git repository with two commits, and `val3` and `cargo run` as commands.
 const BEGIN: &str = r#"
 git init -q -b main .
 git config --global user.name Reader; git config --global user.email reader@example.com
 git add . && git commit -qm "The examples" && git commit -qm "No change" --allow-empty
 "#;
 
-/// Functions that every command can use: the binary of this build, also where the documents build it.
+/// Shell functions for every command: they replace commands that build `val3` by the binary of this build.
 const FUNCTIONS: &str = r#"
 cargo() { [ "$1 $2 $3" = "run --release --" ] && shift 3 && val3 "$@"; }
 "#;
 
-/// A shell's folders and the output of its last block.
+/// A shell's folders, and the last block's output.
 pub(super) struct Session {
     folder: Folder,
     place: PathBuf,
@@ -33,7 +33,7 @@ pub(super) struct Session {
 }
 
 impl Session {
-    /// A session in a folder of a copy of the examples, below `root`.
+    /// Starts a session in a folder within a copy of the examples in `root`.
     pub(super) fn start(root: &Path, start: &str) -> Self {
         let folder = Folder::empty();
         let copy = folder.path().join("val3");
@@ -44,11 +44,11 @@ impl Session {
         session
     }
 
-    /// Executes a block. Returns the lines that are wrong, each with its number.
+    /// Executes a block. Returns the wrong lines with their numbers.
     pub(super) fn execute(&mut self, block: &Block<'_>) -> Vec<String> {
         match block.info {
             "sh" => self.execute_all(commands(block)),
-            // Recipes of services, whose steps are lines of a shell.
+            // Recipes for services, whose steps are shell lines.
             "yaml" | "groovy" => self.execute_all(recipe(block)),
             "text output" => self.compare(block),
             _ if hides_commands(block) => {
@@ -83,7 +83,7 @@ impl Session {
         faults
     }
 
-    /// Executes a line, and keeps its output and the folder in which it ends. `None` if it does not end.
+    /// Executes a line, and stores its output and its final working folder. `None` if it does not terminate.
     fn shell(&mut self, line: &str) -> Option<i32> {
         let [output, place] = ["output", "place"].map(|name| self.folder.path().join(name));
         fs::write(&place, self.place.to_str().unwrap()).unwrap();
@@ -102,7 +102,7 @@ impl Session {
             match shell.try_wait().unwrap() {
                 Some(status) => break status.code(),
                 None if left.is_zero() => {
-                    // With the commands that it has started.
+                    // Kills the process group, which includes the commands that the shell has started.
                     let group = format!("-{}", shell.id());
                     assert!(Command::new("kill").args(["-KILL", "--", &group]).status().unwrap().success());
                     shell.wait().unwrap();
@@ -120,7 +120,7 @@ impl Session {
         code
     }
 
-    /// Compares the output of the commands before with what a document shows.
+    /// Compares the output of the preceding commands with the document.
     fn compare(&self, block: &Block<'_>) -> Vec<String> {
         let printed: Vec<&str> = self.output.lines().map(str::trim_end).collect();
         if is_shown(&block.lines, &printed) {
@@ -140,21 +140,21 @@ impl Session {
     }
 }
 
-/// Whether a block shows commands that are not executed.
+/// Whether the block shows commands that are not executed.
 fn hides_commands(block: &Block<'_>) -> bool {
     let is_shell = ["console", "shell", "bash", "powershell"].contains(&block.info);
     let has_reason = block.lines.iter().any(|line| line.contains("not executed: "));
     is_shell && !has_reason || block.lines.iter().any(|line| line.starts_with("$ "))
 }
 
-/// The text of a program with other code.
+/// Replaces the code of a program.
 fn with_code(program: &str, code: &str) -> String {
     let (before, rest) = program.split_once("<![CDATA[").unwrap();
     let (_, after) = rest.split_once("]]>").unwrap();
     format!("{before}<![CDATA[{}]]>{after}", code.trim_end())
 }
 
-/// Whether lines are those of an output. The line `…` is any number of lines.
+/// Whether the lines match an output. The line `…` matches any number of lines.
 fn is_shown(shown: &[&str], printed: &[&str]) -> bool {
     match (shown, printed) {
         ([], printed) => printed.is_empty(),
@@ -166,7 +166,7 @@ fn is_shown(shown: &[&str], printed: &[&str]) -> bool {
     }
 }
 
-/// Whether a line is that of an output. `…` is any text.
+/// Whether a line matches an output line. `…` matches any text.
 fn is_line(shown: &str, printed: &str) -> bool {
     match shown.split_once('…') {
         None => shown == printed,

@@ -10,7 +10,7 @@ use super::*;
 
 const PAGE: PageId = PageId::DEFAULT;
 
-/// The picture of a pendant at a time, in a terminal of 64 columns and 20 lines.
+/// Screen of a pendant at a time, in a terminal with 64 columns and 20 lines.
 fn picture(pendant: &Pendant, now: Time) -> Buffer {
     let mut journal = Journal::default();
     for number in 1..=5 {

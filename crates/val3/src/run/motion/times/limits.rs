@@ -1,4 +1,4 @@
-//! The limits of the arm's speed by time, and the advice that follows from them.
+//! Times by limit of the arm's speed, and the resulting advice.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use val3_lang::ports::Time;
 use val3_machine::event::seconds;
 use val3_motion::SpeedLimit;
 
-/// Limits that only repeat how the arm moves, so that the table omits them.
+/// Limits that the table omits, because they only repeat the activity of the arm.
 const REPEATED: [SpeedLimit; 6] = [
     SpeedLimit::Stop,
     SpeedLimit::Connection,
@@ -17,23 +17,23 @@ const REPEATED: [SpeedLimit; 6] = [
     SpeedLimit::End,
 ];
 
-/// Limits of an arm at rest.
+/// Limits of a stopped arm.
 const AT_REST: [SpeedLimit; 4] = [SpeedLimit::NextMove, SpeedLimit::Fault, SpeedLimit::Held, SpeedLimit::End];
 
-/// Smallest share of a line's time in the table, in per cent.
+/// Minimum share of a line's time for a limit in the table, in per cent.
 const LEAST: f64 = 1.0;
 
-/// Nanoseconds by limit.
+/// Time by limit, in nanoseconds.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct LimitTimes(BTreeMap<SpeedLimit, Time>);
 
-/// The time of a limit as JSON.
+/// Time share of a limit as JSON.
 #[derive(Serialize)]
 pub(super) struct LimitShare {
     #[serde(serialize_with = "name")]
     limit: SpeedLimit,
     seconds: f64,
-    /// Per cent of the line's time.
+    /// Percentage of the line's time.
     share: f64,
 }
 
@@ -54,7 +54,7 @@ impl LimitTimes {
         self.0.values().sum()
     }
 
-    /// The limits with their times, the longest time first.
+    /// Limits with their times, longest time first.
     pub(super) fn shares(&self) -> Vec<LimitShare> {
         let total = self.total() as f64;
         let mut times: Vec<_> = self.0.iter().filter(|(_, time)| **time > 0).collect();
@@ -67,7 +67,7 @@ impl LimitTimes {
         times.into_iter().map(share).collect()
     }
 
-    /// The limit of most of the time in which the arm has a move, and what would help: `None` if the arm never had one.
+    /// Limit that applied for most of the time with a move, and a suggestion; `None` if the arm never had a move.
     pub(super) fn advice(&self) -> Option<String> {
         let with_move = self.0.iter().filter(|(limit, _)| **limit != SpeedLimit::End);
         let (limit, time) = with_move.max_by_key(|(_, time)| **time).filter(|(_, time)| **time > 0)?;
@@ -80,7 +80,7 @@ impl LimitTimes {
     }
 }
 
-/// The end of a sentence about the limit: its name, and what would help.
+/// End of a sentence about the limit: its name and a suggestion.
 fn remedy(limit: SpeedLimit) -> String {
     let of_axis = |axis: usize| format!("shorten the way of axis {}", axis + 1);
     match limit {
@@ -103,7 +103,7 @@ fn remedy(limit: SpeedLimit) -> String {
     }
 }
 
-/// The cell of the table.
+/// Cell of the table.
 pub(super) fn cell(shares: &[LimitShare]) -> String {
     let shown = shares.iter().filter(|one| one.share >= LEAST && !REPEATED.contains(&one.limit));
     shown.map(|one| format!("{:.0} % {}", one.share, one.limit)).collect::<Vec<_>>().join(", ")
