@@ -1,4 +1,5 @@
-//! Results as JUnit XML: each application is a suite. Times are real times, which dashboards compare.
+//! Results as JUnit XML, valid in the schema of Jenkins (`tests/tools/reports`): each application is a suite. Times are real
+//! times, which dashboards compare.
 
 use std::io;
 use std::time::Duration;
@@ -57,7 +58,6 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
             ("name", "val3 test"),
             ("tests", all.len().to_string().as_str()),
             ("failures", results.failed().to_string().as_str()),
-            ("skipped", all.iter().filter(|entry| entry.omission().is_some()).count().to_string().as_str()),
             ("time", wall(results.wall).as_str()),
         ]);
         let suites = all.chunk_by(|one, other| one.case().shown_application() == other.case().shown_application());
@@ -78,7 +78,26 @@ fn suite(tests: &[Entry<'_>], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::
         ("skipped", tests.iter().filter(|entry| entry.omission().is_some()).count().to_string().as_str()),
         ("time", wall(run().map(|test| test.wall).sum()).as_str()),
     ]);
-    suite.write_inner_content(|writer| tests.iter().try_for_each(|entry| test(*entry, paths, writer))).map(drop)
+    suite
+        .write_inner_content(|writer| {
+            controller_times(run(), writer)?;
+            tests.iter().try_for_each(|entry| test(*entry, paths, writer))
+        })
+        .map(drop)
+}
+
+/// Writes the controller time of each test in seconds. The schema has properties only in a suite.
+fn controller_times<'t>(mut run: impl Iterator<Item = &'t Tested>, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let properties = writer.create_element("properties");
+    let write = |writer: &mut XmlWriter<'_>| {
+        run.try_for_each(|test| {
+            let name = allowed_name(&format!("controllerSeconds.{}", test.case.shown_title()));
+            let seconds = format!("{:.3}", seconds(test.result.duration));
+            let property = writer.create_element("property");
+            property.with_attributes([("name", name.as_str()), ("value", seconds.as_str())]).write_empty().map(drop)
+        })
+    };
+    properties.write_inner_content(write).map(drop)
 }
 
 fn test(entry: Entry<'_>, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
@@ -87,8 +106,6 @@ fn test(entry: Entry<'_>, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Resu
     let test = writer.create_element("testcase").with_attributes([
         ("name", allowed_name(&case.shown_title()).as_str()),
         ("classname", allowed_name(case.shown_application()).as_str()),
-        ("file", allowed_name(&paths.to_open(case.file.as_str().into())).as_str()),
-        ("line", case.line.to_string().as_str()),
         ("time", wall(time).as_str()),
     ]);
     test.write_inner_content(|writer| match entry {
@@ -101,11 +118,6 @@ fn test(entry: Entry<'_>, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Resu
 }
 
 fn result(result: &TestResult, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
-    writer.create_element("properties").write_inner_content(|writer| {
-        let seconds = format!("{:.3}", seconds(result.duration));
-        let property = writer.create_element("property");
-        property.with_attributes([("name", "controllerSeconds"), ("value", seconds.as_str())]).write_empty().map(drop)
-    })?;
     if let Some(exemption) = &result.exemption {
         let message = allowed(&exemption.label());
         writer.create_element("skipped").with_attribute(("message", message.as_str())).write_empty()?;

@@ -361,17 +361,15 @@ fn ci_services_read_the_results() {
     let run = |format| folder.val3(&["test", "usrapp", "--format", format]).stdout;
     expect![[r#"
         <?xml version="1.0" encoding="UTF-8"?>
-        <testsuites name="val3 test" tests="2" failures="1" skipped="0" time="…">
+        <testsuites name="val3 test" tests="2" failures="1" time="…">
           <testsuite name="mainTest" tests="2" failures="1" errors="0" skipped="0" time="…">
-            <testcase name="testA" classname="mainTest" file="usrapp/mainTest/testA.pgx" line="1" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <properties>
+              <property name="controllerSeconds.testA" value="0.004"/>
+              <property name="controllerSeconds.testB" value="0.004"/>
+            </properties>
+            <testcase name="testA" classname="mainTest" time="…">
             </testcase>
-            <testcase name="testB" classname="mainTest" file="usrapp/mainTest/testB.pgx" line="5" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <testcase name="testB" classname="mainTest" time="…">
               <failure message="&lt;b&gt; &amp; 50 %">&lt;b&gt; &amp; 50 %
         at mainTest:testB (usrapp/mainTest/testB.pgx:5)
             5 │ call assert:fail(&quot;&lt;b&gt; &amp; 50 %&quot;)</failure>

@@ -295,17 +295,15 @@ fn an_application_that_does_not_compile_stops_no_other() {
     .assert_eq(&run.stdout);
     expect![[r#"
         <?xml version="1.0" encoding="UTF-8"?>
-        <testsuites name="val3 test" tests="5" failures="2" skipped="0" time="…">
+        <testsuites name="val3 test" tests="5" failures="2" time="…">
           <testsuite name="main" tests="2" failures="1" errors="0" skipped="0" time="…">
-            <testcase name="good" classname="main" file="tests/good.toml" line="1" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <properties>
+              <property name="controllerSeconds.good" value="0.004"/>
+              <property name="controllerSeconds.wrong" value="0.000"/>
+            </properties>
+            <testcase name="good" classname="main" time="…">
             </testcase>
-            <testcase name="wrong" classname="main" file="tests/wrong.toml" line="1" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.000"/>
-              </properties>
+            <testcase name="wrong" classname="main" time="…">
               <failure message="the script `tests/wrong.toml` cannot be used">the script `tests/wrong.toml` cannot be used
           line 3: no input or output is called `nothing`
         at main:wrong (tests/wrong.toml:1)
@@ -313,23 +311,21 @@ fn an_application_that_does_not_compile_stops_no_other() {
             </testcase>
           </testsuite>
           <testsuite name="mainTest" tests="2" failures="0" errors="0" skipped="0" time="…">
-            <testcase name="testOther" classname="mainTest" file="usrapp/mainTest/testOther.pgx" line="1" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <properties>
+              <property name="controllerSeconds.testOther" value="0.004"/>
+              <property name="controllerSeconds.testSum" value="0.004"/>
+            </properties>
+            <testcase name="testOther" classname="mainTest" time="…">
             </testcase>
-            <testcase name="testSum" classname="mainTest" file="usrapp/mainTest/testSum.pgx" line="5" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <testcase name="testSum" classname="mainTest" time="…">
               <system-out>| sum</system-out>
             </testcase>
           </testsuite>
           <testsuite name="bad" tests="1" failures="1" errors="0" skipped="0" time="…">
-            <testcase name="(all tests)" classname="bad" file="tests/bad/bad.pjx" line="1" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.000"/>
-              </properties>
+            <properties>
+              <property name="controllerSeconds.(all tests)" value="0.000"/>
+            </properties>
+            <testcase name="(all tests)" classname="bad" time="…">
               <failure message="the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application">the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
           help: val3 check tests/bad
         at (all tests) (tests/bad/bad.pjx:1)

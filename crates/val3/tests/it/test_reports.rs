@@ -38,18 +38,16 @@ fn services_get_what_a_test_has_printed() {
     let folder = cell(&[("testA", "? \"fine\""), ("testB", "? \"<b>\"\nputln(\"page\")\n? sqrt(-1)")]);
     expect![[r#"
         <?xml version="1.0" encoding="UTF-8"?>
-        <testsuites name="val3 test" tests="2" failures="1" skipped="0" time="…">
+        <testsuites name="val3 test" tests="2" failures="1" time="…">
           <testsuite name="mainTest" tests="2" failures="1" errors="0" skipped="0" time="…">
-            <testcase name="testA" classname="mainTest" file="usrapp/mainTest/testA.pgx" line="5" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <properties>
+              <property name="controllerSeconds.testA" value="0.004"/>
+              <property name="controllerSeconds.testB" value="0.004"/>
+            </properties>
+            <testcase name="testA" classname="mainTest" time="…">
               <system-out>| fine</system-out>
             </testcase>
-            <testcase name="testB" classname="mainTest" file="usrapp/mainTest/testB.pgx" line="5" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <testcase name="testB" classname="mainTest" time="…">
               <failure message="error 11: invalid numeric value">error 11: invalid numeric value
         at mainTest:testB (usrapp/mainTest/testB.pgx:7)
             7 │ ? sqrt(-1)</failure>
@@ -104,18 +102,18 @@ fn an_interrupted_run_writes_all_reports() {
     .assert_eq(&text);
     expect![[r#"
         <?xml version="1.0" encoding="UTF-8"?>
-        <testsuites name="val3 test" tests="3" failures="0" skipped="2" time="…">
+        <testsuites name="val3 test" tests="3" failures="0" time="…">
           <testsuite name="mainTest" tests="3" failures="0" errors="0" skipped="2" time="…">
-            <testcase name="testA" classname="mainTest" file="usrapp/mainTest/testA.pgx" line="5" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <properties>
+              <property name="controllerSeconds.testA" value="0.004"/>
+            </properties>
+            <testcase name="testA" classname="mainTest" time="…">
               <system-out>| a</system-out>
             </testcase>
-            <testcase name="testB" classname="mainTest" file="usrapp/mainTest/testB.pgx" line="5" time="…">
+            <testcase name="testB" classname="mainTest" time="…">
               <skipped message="not run, because the run was interrupted"/>
             </testcase>
-            <testcase name="testC" classname="mainTest" file="usrapp/mainTest/testC.pgx" line="1" time="…">
+            <testcase name="testC" classname="mainTest" time="…">
               <skipped message="not run, because the run was interrupted"/>
             </testcase>
           </testsuite>

@@ -96,19 +96,19 @@ fn applications_of_one_name_are_told_apart_by_their_paths() {
     let junit = folder.val3(&["test", ".", "--format", "junit", "--filter", "testA"]).stdout;
     expect![[r#"
         <?xml version="1.0" encoding="UTF-8"?>
-        <testsuites name="val3 test" tests="2" failures="0" skipped="0" time="…">
+        <testsuites name="val3 test" tests="2" failures="0" time="…">
           <testsuite name="left/usrapp/mainTest" tests="1" failures="0" errors="0" skipped="0" time="…">
-            <testcase name="testA" classname="left/usrapp/mainTest" file="left/usrapp/mainTest/testA.pgx" line="1" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <properties>
+              <property name="controllerSeconds.testA" value="0.004"/>
+            </properties>
+            <testcase name="testA" classname="left/usrapp/mainTest" time="…">
             </testcase>
           </testsuite>
           <testsuite name="right/usrapp/mainTest" tests="1" failures="0" errors="0" skipped="0" time="…">
-            <testcase name="testA" classname="right/usrapp/mainTest" file="right/usrapp/mainTest/testA.pgx" line="1" time="…">
-              <properties>
-                <property name="controllerSeconds" value="0.004"/>
-              </properties>
+            <properties>
+              <property name="controllerSeconds.testA" value="0.004"/>
+            </properties>
+            <testcase name="testA" classname="right/usrapp/mainTest" time="…">
             </testcase>
           </testsuite>
         </testsuites>
