@@ -20,7 +20,7 @@ static HOOK: OnceLock<BugHook> = OnceLock::new();
 /// A state that only a bug can reach.
 #[derive(Debug)]
 pub struct Bug<'m> {
-    /// Place in the source code of the tools.
+    /// Location in the source code of the tools.
     pub location: &'static Location<'static>,
     /// Description of the state.
     pub message: fmt::Arguments<'m>,

@@ -80,7 +80,7 @@ fn main() -> ExitCode {
         Ok(args) => args,
         Err(error) => refuse(&error),
     };
-    run(&args).unwrap_or_else(|error| {
+    run(&args).map(internal_error::exit_code).unwrap_or_else(|error| {
         to_stderr(|out| writeln!(out, "{error}"));
         ExitCode::from(EXIT_USAGE)
     })

@@ -28,7 +28,7 @@ fn is_empty(db: &dyn Db, library: Project) -> bool {
 }
 
 /// Whether the folder contains more unlisted programs than the project lists, so that the `.pjx` does not belong to the
-/// files. A newly created `.pjx` lists `start`, `stop` and data of its own.
+/// files. A newly created `.pjx` lists `start`, `stop` and its own data.
 fn lists_few(db: &dyn Db, library: Project) -> bool {
     let stem = |file: &str| Utf8Path::new(file).file_stem().unwrap_or("").to_ascii_lowercase();
     let listed = manifest(db, library.manifest(db)).programs.iter();
