@@ -112,7 +112,8 @@ fn applications_of_one_name_are_told_apart_by_their_paths() {
             </testcase>
           </testsuite>
         </testsuites>
-    "#]].assert_eq(&timeless(&junit));
+    "#]]
+    .assert_eq(&timeless(&junit));
     let names = ["left/usrapp/mainTest:testA", "right/usrapp/mainTest:testB"];
     assert_eq!(listed(&folder, &[".", "--exact", names[0], "--exact", names[1]]), names);
     assert_eq!(listed(&folder, &[".", "--exact", "mainTest:testA"]).len(), 2);
