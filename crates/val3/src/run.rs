@@ -17,6 +17,7 @@ mod opening;
 mod outside;
 mod patience;
 mod record;
+mod recorder;
 mod replay;
 mod source_line;
 mod tempo;

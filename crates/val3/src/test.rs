@@ -61,6 +61,7 @@ pub(crate) use debugging::{open_test, report};
 use discovery::{Listed, Suite, Suites, TestFile, chosen, suites};
 use human::Listing;
 pub(crate) use order::Shard;
+pub(crate) use record::{ServedRun, record_served};
 use refused::RefusedTests;
 use results::{EarlyEnd, Results};
 use tested::Tested;

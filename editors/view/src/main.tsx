@@ -10,6 +10,7 @@ import { Tabs } from "./panels/shared/Tabs";
 import { TasksPanel } from "./panels/tasks/TasksPanel";
 import { SceneView } from "./scene/SceneView";
 import { Store } from "./store";
+import { RecordScenario } from "./scenario/RecordScenario";
 import { TimeBar } from "./timeline/TimeBar";
 import "./view.css";
 import "./panels/panels.css";
@@ -25,6 +26,7 @@ function Page({ store }: { store: Store }): JSX.Element {
         {scene?.arm.timesNote == null ? undefined : <span title={scene.arm.timesNote}>times of a model arm</span>}
         <span class="lost" role="status">{store.lost.value ?? (store.end.value === undefined ? "" : `The run has ended: ${store.end.value}.`)}</span>
         <span class="space" />
+        <RecordScenario store={store} />
         <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>
       </header>
       <main>

@@ -1,5 +1,6 @@
 // The palletiser is operated in a browser: keys, signals, points, and the recording of a run.
 const assert = require("node:assert/strict");
+const { spawnSync } = require("node:child_process");
 const { readFileSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
@@ -112,4 +113,25 @@ test("an exported run plays from the disk with the poses of its trace", () => se
   await page.evaluate(() => (window.val3View.store.chosen.value = 0));
   await page.getByRole("button", { name: /play/i }).first().click();
   await page.waitForFunction(() => window.val3View.store.time.value > 0.3);
+}));
+
+test("a scenario of the run is recorded, and passes", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await until(page, 3);
+  await page.getByRole("button", { name: "Record scenario…" }).click();
+  const dialog = page.getByRole("dialog", { name: "Record scenario" });
+  await dialog.getByLabel("Name").fill("two boxes");
+  await page.keyboard.press("Enter");
+  await dialog.getByText("The name has 1 to 64 letters").waitFor();
+  await dialog.getByLabel("Name").fill("twoBoxes");
+  await page.keyboard.press("Enter");
+  await dialog.getByText("Wrote tests/twoBoxes.toml.").waitFor();
+  const text = await dialog.getByLabel("Text of the scenario").innerText();
+  assert.equal(text.trim(), readFileSync(join(run.folder, "tests/twoBoxes.toml"), "utf8").trim());
+  assert.match(text, /\[expect\]/);
+  await dialog.getByRole("button", { name: "Close" }).click();
+  const tested = spawnSync(process.env.VAL3_SERVER, ["test", "tests/twoBoxes.toml"], { cwd: run.folder, encoding: "utf8" });
+  assert.equal(tested.status, 0, tested.stdout + tested.stderr);
+  const guest = await run.open(1);
+  assert.equal(await guest.getByRole("button", { name: "Record scenario…" }).count(), 0);
 }));

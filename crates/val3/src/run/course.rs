@@ -318,7 +318,7 @@ impl<'a> Course<'a> {
 
     /// Writes the reports at the end of a run, explains the end, and serves viewers until a signal arrives.
     pub(super) fn close(self, end: End, signals: &Signals) -> Result<(), UserError> {
-        let (args, mut controller) = (self.args, self.debugger.controller);
+        let (args, controller) = (self.args, self.debugger.controller);
         let console = self.observers.close()?;
         let pendant = &controller.devices.state.pendant;
         match args.screen {
@@ -331,7 +331,7 @@ impl<'a> Course<'a> {
         self.motion.close()?;
         self.export.map_or(Ok(()), Export::close)?;
         if let Some(viewers) = self.viewers.filter(|_| !matches!(end, End::BrokenOff(_) | End::Left)) {
-            viewers.linger(&mut controller, signals);
+            viewers.linger(&controller, signals);
         }
         Ok(())
     }

@@ -10,6 +10,7 @@ use val3_machine::event::{EndReason, Event, seconds};
 use val3_view::{Feed, Operator};
 
 use super::guide::ATTENTION;
+use super::recorder::Recorder;
 use super::tempo::Tempo;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
@@ -19,6 +20,9 @@ use crate::user_error::UserError;
 
 /// The messages that later ones refer to.
 const LASTING: [&str; 3] = ["scene", "source", "tool"];
+
+/// Command that writes a scenario of the run.
+const RECORD: &str = "record";
 
 /// Commands that are executed between two cycles. The others wait for the next one.
 const COMMANDS_PER_CYCLE: usize = 64;
@@ -31,6 +35,7 @@ pub(super) struct Viewers {
     server: Server,
     feed: Feed,
     operator: Operator,
+    recorder: Recorder,
     /// The bytes since the whole state was sent.
     sent: usize,
     /// Commands that have arrived during a wait.
@@ -41,7 +46,7 @@ impl Viewers {
     /// Serves a run that has not begun.
     ///
     /// # Errors
-    /// The address is not free.
+    /// The address is not free, or the current folder cannot be read.
     pub(super) fn open(address: ServeAddress, args: &RunArgs, controller: &Controller) -> Result<Self, UserError> {
         let server = Server::start(address)?;
         let page = server.operator_page();
@@ -53,7 +58,9 @@ impl Viewers {
             to_stderr(|out| writeln!(out, "note: no browser could be opened"));
         }
         let feed = Feed::new(controller, "operator");
-        let mut viewers = Self { server, feed, operator: Operator::default(), sent: 0, arrived: VecDeque::new() };
+        let recorder = Recorder::new(args)?;
+        let (operator, arrived) = (Operator::default(), VecDeque::new());
+        let mut viewers = Self { server, feed, operator, recorder, sent: 0, arrived };
         viewers.publish();
         Ok(viewers)
     }
@@ -61,6 +68,7 @@ impl Viewers {
     /// A cycle that began at `start` is over.
     pub(super) fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
         self.feed.see(start, events, controller);
+        self.recorder.add_events(start, events);
         if self.sent > REPETITION {
             self.sent = 0;
             self.feed.repeat(controller);
@@ -72,6 +80,7 @@ impl Viewers {
     /// The run has ended.
     pub(super) fn see_end(&mut self, events: &[Event], reason: EndReason, exit_code: u8, controller: &Controller) {
         self.feed.see_events(events, controller);
+        self.recorder.add_events(controller.now(), events);
         self.feed.end(reason, exit_code, controller);
         self.publish();
     }
@@ -79,6 +88,10 @@ impl Viewers {
     /// Executes commands that have arrived.
     pub(super) fn attend(&mut self, controller: &mut Controller, tempo: &mut Tempo) {
         for command in self.take_commands() {
+            if command.name == RECORD {
+                self.recorder.record(command, controller.now());
+                continue;
+            }
             let (now, arguments) = (controller.now(), &command.message);
             let result = match command.name.as_str() {
                 "pace" => tempo.change(arguments, now).map(|()| {
@@ -114,12 +127,15 @@ impl Viewers {
     }
 
     /// Lets viewers look at the end of the run until a signal arrives.
-    pub(super) fn linger(mut self, _controller: &mut Controller, signals: &Signals) {
+    pub(super) fn linger(mut self, controller: &Controller, signals: &Signals) {
         to_stderr(|out| writeln!(out, "note: the run has ended; Ctrl-C ends the server"));
         while signals.exit_code().is_none() {
             self.wait(ATTENTION);
             for command in self.take_commands() {
-                command.answer(Err("the run has ended".to_owned()));
+                match command.name.as_str() {
+                    RECORD => self.recorder.record(command, controller.now()),
+                    _ => command.answer(Err("the run has ended".to_owned())),
+                }
             }
         }
     }

@@ -25,7 +25,7 @@ impl Listing {
     /// Writes the line of a test, and its failures.
     pub(super) fn add(&mut self, tested: &Tested, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
         let Tested { case, result, .. } = tested;
-        if self.is_quiet && result.has_passed() && result.exemption.is_none() {
+        if self.is_quiet && result.has_passed() && result.exemption.is_none() && !tested.is_flaky() {
             return Ok(());
         }
         if self.application != case.shown_application() {
@@ -42,10 +42,14 @@ impl Listing {
         write!(out, "  {word}")?;
         out.reset()?;
         write!(out, "  {} ({:.3} s)", one_line(&case.shown_title()), seconds(result.duration))?;
-        match tested.attempts {
+        match tested.attempts() {
             1 => writeln!(out)?,
-            attempts if tested.is_flaky() => writeln!(out, ", flaky: it has passed at attempt {attempts}")?,
+            attempts if tested.is_flaky() => writeln!(out, ", flaky: {} of {attempts} failed", tested.earlier.len())?,
             attempts => writeln!(out, ", at each of {attempts} attempts")?,
+        }
+        let flaky = tested.earlier.first().filter(|_| tested.is_flaky());
+        for line in flaky.into_iter().flat_map(|failed| described(failed, paths)) {
+            writeln!(out, "        {line}")?;
         }
         for line in described(result, paths) {
             writeln!(out, "        {line}")?;
@@ -124,4 +128,21 @@ fn circumstances(result: &TestResult, out: &mut dyn WriteColor) -> io::Result<()
         writeln!(out, "        last events:")?;
     }
     result.events.iter().try_for_each(|event| writeln!(out, "          {}", one_line(&events::line(event))))
+}
+
+#[cfg(test)]
+mod tests {
+    use codespan_reporting::term::termcolor::NoColor;
+
+    use super::super::tested::examples::flaky;
+    use super::*;
+
+    #[test]
+    fn a_flaky_test_shows_its_first_failure_in_quiet_output_as_well() {
+        let mut listing = Listing { is_quiet: true, ..Listing::default() };
+        let mut out = NoColor::new(Vec::new());
+        listing.add(&flaky(), &Paths::new(&[], "/".into()), &mut out).unwrap();
+        let text = String::from_utf8(out.into_inner()).unwrap();
+        assert_eq!(text, "pal\n  ok    testHost (0.000 s), flaky: 2 of 3 failed\n        no <answer>\n");
+    }
 }

@@ -68,7 +68,7 @@ pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
 }
 
 /// A test with its result.
-pub(super) fn described(Tested { case, result, wall, attempts, .. }: &Tested, paths: &Paths) -> Value {
+pub(super) fn described(Tested { case, result, wall, earlier, .. }: &Tested, paths: &Paths) -> Value {
     let failure = result.failures.split_first().map(|(first, others)| {
         let others: Vec<Value> =
             others.iter().map(|other| json!({ "message": other.message, "places": places(other, paths) })).collect();
@@ -94,7 +94,7 @@ pub(super) fn described(Tested { case, result, wall, attempts, .. }: &Tested, pa
         "events": events,
         "rowValues": row,
         "failure": failure,
-        "attempts": attempts,
+        "attempts": earlier.len() + 1,
         "exemption": result.exemption.as_ref().map(|exemption| exempt(exemption, paths)),
     })
 }

@@ -109,7 +109,10 @@ fn test(entry: Entry<'_>, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Resu
         ("time", wall(time).as_str()),
     ]);
     test.write_inner_content(|writer| match entry {
-        Entry::Run(tested) => result(&tested.result, paths, writer),
+        Entry::Run(tested) => {
+            result(&tested.result, paths, writer)?;
+            flaky_failures(tested, paths, writer)
+        }
         Entry::NotRun(_, reason) => {
             writer.create_element("skipped").with_attribute(("message", reason)).write_empty().map(drop)
         }
@@ -135,6 +138,22 @@ fn result(result: &TestResult, paths: &Paths, writer: &mut XmlWriter<'_>) -> io:
     writer.create_element("system-out").write_text_content(BytesText::new(&allowed(&output))).map(drop)
 }
 
+/// Writes the failures of attempts before the one that has passed.
+fn flaky_failures(tested: &Tested, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    tested.earlier.iter().filter(|_| tested.is_flaky()).try_for_each(|failed| {
+        let message = failed.failures.first().and_then(|failure| failure.message.lines().next());
+        let message = allowed(message.unwrap_or_default());
+        let element = writer.create_element("flakyFailure");
+        let element = element.with_attributes([("message", message.as_str()), ("type", "failure")]);
+        let lines = allowed(&described(failed, paths).join("\n"));
+        element
+            .write_inner_content(|writer| {
+                writer.create_element("stackTrace").write_text_content(BytesText::new(&lines)).map(drop)
+            })
+            .map(drop)
+    })
+}
+
 /// Printed lines, each with a prefix; for a failed test also the user page and the last events.
 fn output(result: &TestResult) -> String {
     let printed = result.prints.iter().flat_map(|print| print.split('\n'));
@@ -151,4 +170,25 @@ fn output(result: &TestResult) -> String {
 
 fn wall(time: Duration) -> String {
     format!("{:.3}", time.as_secs_f64())
+}
+
+#[cfg(test)]
+mod tests {
+    use codespan_reporting::term::termcolor::NoColor;
+
+    use super::super::tested::examples::flaky;
+    use super::*;
+
+    #[test]
+    fn failed_attempts_of_a_flaky_test_are_no_failures() {
+        let (tested, paths) = (flaky(), Paths::new(&[], "/".into()));
+        let mut out = NoColor::new(Vec::new());
+        document(&mut out, |writer| suite(&[Entry::Run(&tested)], &paths, writer)).unwrap();
+        let text = String::from_utf8(out.into_inner()).unwrap();
+        assert!(text.contains(r#"tests="1" failures="0""#), "{text}");
+        assert_eq!(text.matches("<flakyFailure").count(), 2, "{text}");
+        for part in [r#"message="it was late" type="failure""#, "<stackTrace>no &lt;answer&gt;</stackTrace>"] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
 }

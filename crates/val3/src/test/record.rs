@@ -5,6 +5,7 @@
 
 mod draft;
 mod run_record;
+mod served;
 mod toml_text;
 mod trial;
 
@@ -20,15 +21,37 @@ use val3_session::Application;
 
 use self::draft::Draft;
 use self::run_record::RunRecord;
+pub(crate) use self::served::{ServedRun, record_served};
 use self::trial::Trial;
 use super::cell::check_project;
-use crate::args::TestArgs;
+use crate::args::{ControllerArgs, TestArgs};
 use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder, relative};
 use crate::user_error::UserError;
 
 /// How often a scenario is executed at most until it passes.
 const TRIALS: usize = 4;
+
+/// Scenario to be written.
+struct NewScenario<'r> {
+    run: &'r RunRecord,
+    /// First line of the file, a comment.
+    heading: String,
+    manifest: &'r Utf8Path,
+    /// Absolute path of the scenario.
+    path: &'r Utf8Path,
+    /// Path of the scenario in messages.
+    shown: &'r Utf8Path,
+    controller: ControllerArgs,
+}
+
+/// Scenario that was written.
+#[derive(Debug)]
+struct WrittenScenario {
+    text: String,
+    /// What the scenario does not repeat.
+    remarks: Vec<String>,
+}
 
 /// Writes the scenario of the run whose events the file `record` has.
 ///
@@ -47,15 +70,10 @@ pub(super) fn run(args: &TestArgs, record: &Utf8Path, to: Option<&Utf8Path>) -> 
         val3_files::read_text(record, FileClass::Record).map_err(|error| unusable(record, &error.to_string()))?;
     let run = RunRecord::read(&text).map_err(|reason| unusable(record, &reason))?;
     let manifest = manifest(&current.join(application))?;
-    let folder = path.parent().unwrap_or(&current);
-    check_project(folder, &manifest, "application")?;
-    let name = relative(folder, manifest.parent().unwrap_or(&manifest));
     let heading = format!("Recorded from {}", record.file_name().unwrap_or_default());
-    let draft = Draft::new(&heading, &name, &run, args.controller.with(&run.controller_keys()));
-    let draft = tried(draft, &Trial { manifest: &manifest, path: &path })?;
-    fs::create_dir_all(folder).map_err(|error| refused(to, &error.to_string()))?;
-    replace(&path, draft.text().as_bytes()).map_err(|error| refused(to, &error.to_string()))?;
-    for remark in draft.remarks() {
+    let controller = args.controller.clone();
+    let new = NewScenario { run: &run, heading, manifest: &manifest, path: &path, shown: to, controller };
+    for remark in new.write()?.remarks {
         to_stderr(|out| writeln!(out, "note: {remark}; the scenario has a comment about it"));
     }
     if !path.ancestors().skip(1).any(|folder| folder.file_name() == Some(TESTS)) {
@@ -66,6 +84,25 @@ pub(super) fn run(args: &TestArgs, record: &Utf8Path, to: Option<&Utf8Path>) -> 
     to_stderr(|out| writeln!(out, "wrote {}", shown.shown(&path)));
     to_stderr(|out| writeln!(out, "execute it: val3 test {}", shown.shown(&path)));
     Ok(ExitCode::SUCCESS)
+}
+
+impl NewScenario<'_> {
+    /// Writes the scenario after an execution in which it has passed.
+    ///
+    /// # Errors
+    /// The application is outside of the cell, the scenario cannot repeat the run, or the file cannot be written.
+    fn write(self) -> Result<WrittenScenario, UserError> {
+        let Self { run, heading, manifest, path, shown, controller } = self;
+        let folder = path.parent().unwrap_or(path);
+        check_project(folder, manifest, "application")?;
+        let application = relative(folder, manifest.parent().unwrap_or(manifest));
+        let draft = Draft::new(&heading, &application, run, controller.with(&run.controller_keys()));
+        let draft = tried(draft, &Trial { manifest, path })?;
+        let text = draft.text();
+        fs::create_dir_all(folder).map_err(|error| refused(shown, &error.to_string()))?;
+        replace(path, text.as_bytes()).map_err(|error| refused(shown, &error.to_string()))?;
+        Ok(WrittenScenario { text, remarks: draft.remarks().to_vec() })
+    }
 }
 
 /// Executes the scenario until it passes. What the execution does not repeat becomes a comment.

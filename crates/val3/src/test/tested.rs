@@ -18,21 +18,25 @@ pub(super) struct Tested {
     pub(super) is_executed: bool,
     /// Real duration of the test.
     pub(super) wall: Duration,
-    /// Number of executions; above 1 only with `--retries`.
-    pub(super) attempts: u32,
+    /// Results of earlier attempts, all failed; only with `--retries`.
+    pub(super) earlier: Vec<TestResult>,
 }
 
 impl Tested {
     /// Creates an executed test with its result.
     pub(super) fn of(case: &TestCase, result: TestResult) -> Self {
-        Self { case: case.clone(), result, recorded: Vec::new(), is_executed: true, wall: Duration::ZERO, attempts: 1 }
+        let (recorded, earlier) = (Vec::new(), Vec::new());
+        Self { case: case.clone(), result, recorded, is_executed: true, wall: Duration::ZERO, earlier }
     }
-}
 
-impl Tested {
+    /// Number of executions.
+    pub(super) fn attempts(&self) -> usize {
+        self.earlier.len() + 1
+    }
+
     /// Whether the test has only passed in a retry.
     pub(super) fn is_flaky(&self) -> bool {
-        self.attempts > 1 && self.result.has_passed()
+        !self.earlier.is_empty() && self.result.has_passed()
     }
 }
 
@@ -70,4 +74,33 @@ pub(super) fn lines(failure: &Failure, paths: &Paths) -> Vec<String> {
 fn row(result: &TestResult) -> Option<String> {
     let values: Vec<String> = result.row.iter().map(|(column, value)| format!("{column} = {value}")).collect();
     (!values.is_empty()).then(|| format!("row: {}", values.join(", ")))
+}
+
+#[cfg(test)]
+pub(super) mod examples {
+    use val3_suite::{TestKind, TestResult};
+
+    use super::*;
+
+    /// A test of which two attempts have failed and the third has passed.
+    pub(crate) fn flaky() -> Tested {
+        let case = TestCase {
+            kind: TestKind::Program,
+            application: "pal".to_owned(),
+            program: "testHost".to_owned(),
+            file: String::new(),
+            line: 3,
+            row: None,
+            application_path: None,
+            scenario_path: None,
+            columns: Vec::new(),
+            refusal: None,
+        };
+        let failed = |message: &str| {
+            let failure = Failure { message: message.to_owned(), places: Vec::new() };
+            TestResult { failures: vec![failure], ..TestResult::default() }
+        };
+        let earlier = vec![failed("no <answer>"), failed("it was late")];
+        Tested { earlier, ..Tested::of(&case, TestResult::default()) }
+    }
 }

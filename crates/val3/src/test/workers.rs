@@ -343,14 +343,14 @@ impl<'a> Worker<'a> {
 
     /// Executes a test, and repeats it after a failure within the retry limit. `None` if the run was interrupted.
     fn attempts(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<Tested>, UserError> {
-        let mut attempts = 1;
+        let mut earlier = Vec::new();
         loop {
             let Some(tested) = self.execute(test, queue)? else { return Ok(None) };
-            let is_over = tested.result.has_passed() || !tested.is_executed || attempts > self.args.retries;
-            if is_over {
-                return Ok(Some(Tested { attempts, ..tested }));
+            let is_last = earlier.len() >= self.args.retries as usize;
+            if tested.result.has_passed() || !tested.is_executed || is_last {
+                return Ok(Some(Tested { earlier, ..tested }));
             }
-            attempts += 1;
+            earlier.push(tested.result);
         }
     }
 

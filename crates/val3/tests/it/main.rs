@@ -75,6 +75,7 @@ mod script_names;
 mod serial;
 #[cfg(unix)]
 mod serve;
+mod serve_record;
 mod silencing;
 mod statistics;
 #[cfg(unix)]

@@ -21,7 +21,7 @@ pub(crate) struct ServedRun {
     stderr: BufReader<ChildStderr>,
     pub(crate) operator: String,
     pub(crate) guest: String,
-    folder: Folder,
+    pub(crate) folder: Folder,
 }
 
 impl ServedRun {
@@ -58,7 +58,7 @@ impl ServedRun {
     }
 
     /// The exit code and the rest of the error output.
-    fn ending(&mut self) -> (i32, String) {
+    pub(crate) fn ending(&mut self) -> (i32, String) {
         let code = self.process.wait().unwrap().code().unwrap();
         let mut text = String::new();
         self.stderr.read_to_string(&mut text).unwrap();
@@ -119,7 +119,7 @@ impl Viewer {
     }
 
     /// The next printed text and its time.
-    fn next_print(&mut self) -> (f64, String) {
+    pub(crate) fn next_print(&mut self) -> (f64, String) {
         loop {
             let events = self.next_of("events");
             let print = events["events"].as_array().unwrap().iter().find(|event| event["kind"] == "print");

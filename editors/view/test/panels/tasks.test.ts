@@ -85,4 +85,5 @@ test("the log is filtered by group and words", () => {
   assert.equal(shownEvents(events, { groups: all, text: "" }).length, 3);
   assert.deepEqual(shownEvents(events, { groups: all, text: "hello <B>" }).map(({ t }) => t), [0]);
   assert.deepEqual(shownEvents(events, { groups: new Set(["errors"]), text: "" }).map(({ t }) => t), [2]);
+  assert.equal(textOf({ t: 1, kind: "act", keys: { key: "F1" } }), `from outside: {"key":"F1"}`);
 });

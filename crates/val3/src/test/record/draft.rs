@@ -59,7 +59,7 @@ impl<'r> Draft<'r> {
             .iter()
             .map(|link| format!("`{link}` was closed or failed during the run, which no script repeats"));
         draft.remarks.extend(unusual);
-        if run.reason.is_none() {
+        if run.reason.is_none() && !run.continues {
             draft.remark(format!("the record breaks off at {} s", number(run.end)));
         }
         draft

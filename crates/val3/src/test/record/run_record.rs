@@ -19,8 +19,10 @@ pub(super) struct RunRecord {
     pub(super) program: Option<String>,
     /// The last time of the record.
     pub(super) end: f64,
-    /// Why the run has ended; none if the record breaks off.
+    /// Why the run has ended; none if it continues, or if the record breaks off.
     pub(super) reason: Option<EndReason>,
+    /// The run continues after the record.
+    pub(super) continues: bool,
     pub(super) prints: Vec<String>,
     pub(super) logs: Vec<String>,
     pub(super) popups: Vec<String>,
@@ -139,6 +141,12 @@ impl RunRecord {
         let received: BTreeSet<String> = run.given.iter().flat_map(receives).map(|(link, _)| link).collect();
         run.silent = run.sent.keys().filter(|link| !received.contains(*link)).cloned().collect();
         Ok(run)
+    }
+
+    /// Marks the run as still running at the time `now` in seconds.
+    pub(super) fn continue_at(&mut self, now: f64) {
+        self.end = self.end.max(now);
+        self.continues = self.reason.is_none();
     }
 
     /// The controller at the start.

@@ -8,18 +8,18 @@ export interface RunEvent {
   [field: string]: unknown;
 }
 
-export type Group = "errors" | "messages" | "tasks" | "moves" | "signals" | "lines" | "page" | "robot";
+export type Group = "errors" | "messages" | "tasks" | "moves" | "signals" | "lines" | "page" | "robot" | "operations";
 
 /** Groups with their check box labels. */
 export const GROUPS: readonly (readonly [Group, string])[] = [
   ["errors", "Errors"], ["messages", "Messages"], ["tasks", "Tasks"], ["robot", "Robot"], ["moves", "Moves"],
-  ["signals", "Inputs and outputs"], ["lines", "Lines"], ["page", "User page"],
+  ["signals", "Inputs and outputs"], ["lines", "Lines"], ["page", "User page"], ["operations", "Operations"],
 ];
 
 const GROUP_OF: Partial<Record<string, Group>> = {
   error: "errors", fault: "errors", lacking: "errors", stuck: "errors", print: "messages", popup: "messages", notice: "messages", log: "messages",
   task: "tasks", move: "moves", io: "signals", sio: "lines", line: "lines", put: "page", title: "page", cls: "page", html: "page",
-  power: "robot", mode: "robot", clock: "robot", lib: "robot", end: "robot",
+  power: "robot", mode: "robot", clock: "robot", lib: "robot", end: "robot", act: "operations",
 };
 
 const MODES = ["changing", "manual", "test", "local", "remote"];
@@ -64,6 +64,7 @@ const TEXTS: Partial<Record<string, (field: Fields) => string>> = {
   html: (field) => `${field("page")}, ${field("id")}: ${field("attribute")} = ${field("value")}`,
   stuck: (field) => `${field("name")} is ${field("state")} at ${at(field)}${field("awaits") === "" ? "" : `: ${field("awaits")}`}`,
   end: (field) => `end: ${field("reason")}`,
+  act: (field) => `from outside: ${field("keys")}`,
 };
 
 function byteCount(list: string): string {

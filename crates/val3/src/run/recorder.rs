@@ -1,0 +1,95 @@
+//! `record` command of pages: scenarios of a served run.
+
+use std::thread::{self, JoinHandle};
+
+use serde_json::{Map, Value};
+use val3_lang::ports::Time;
+use val3_machine::event::{Event, EventKind, seconds};
+
+use crate::args::{ControllerArgs, RunArgs};
+use crate::paths::current_folder;
+use crate::serve::Command;
+use crate::test::{ServedRun, record_served};
+use crate::user_error::UserError;
+use camino::Utf8PathBuf;
+
+/// Maximum number of events of a run that can be recorded: several hours of a usual cell, about 100 MB.
+const MAX_EVENTS: usize = 500_000;
+
+/// Events of a served run, and the scenario that is being written from them.
+pub(super) struct Recorder {
+    application: Utf8PathBuf,
+    controller: ControllerArgs,
+    events: Vec<Event>,
+    /// There were more than `MAX_EVENTS` events.
+    is_full: bool,
+    writer: Option<JoinHandle<()>>,
+}
+
+impl Recorder {
+    /// Records the run with these arguments from its start.
+    ///
+    /// # Errors
+    /// The current folder cannot be read.
+    pub(super) fn new(args: &RunArgs) -> Result<Self, UserError> {
+        let application = current_folder()?.join(&args.application);
+        let controller = args.controller.clone();
+        Ok(Self { application, controller, events: Vec::new(), is_full: false, writer: None })
+    }
+
+    /// Adds events of a cycle that began at `start`. Later events, from which a debugger has gone back, are discarded.
+    pub(super) fn add_events(&mut self, start: Time, events: &[Event]) {
+        let start = seconds(start);
+        while self.events.pop_if(|event| event.t > start).is_some() {}
+        let recorded = events.iter().filter(|event| is_recorded(&event.kind));
+        let room = MAX_EVENTS.saturating_sub(self.events.len());
+        let before = self.events.len();
+        self.events.extend(recorded.clone().take(room).cloned());
+        self.is_full |= self.events.len() - before < recorded.count();
+    }
+
+    /// Writes the scenario that a command names in a thread, which responds to the command.
+    pub(super) fn record(&mut self, command: Command, now: Time) {
+        let Some(name) = command.message.get("name").and_then(Value::as_str).map(str::to_owned) else {
+            return command.answer(Err("`name` is the name of the scenario".to_owned()));
+        };
+        if self.is_full {
+            let reason = format!(
+                "the run has had more than {MAX_EVENTS} events; start it with --events run.jsonl, and use `val3 test --record run.jsonl`"
+            );
+            return command.answer(Err(reason));
+        }
+        if self.writer.as_ref().is_some_and(|writer| !writer.is_finished()) {
+            return command.answer(Err("a scenario is being recorded; wait until it is written".to_owned()));
+        }
+        let run = ServedRun {
+            application: self.application.clone(),
+            controller: self.controller.clone(),
+            events: self.events.clone(),
+            now: seconds(now),
+        };
+        self.writer = Some(thread::spawn(move || command.answer(recorded(&run, &name))));
+    }
+}
+
+fn recorded(run: &ServedRun, name: &str) -> Result<Map<String, Value>, String> {
+    record_served(run, name).map_err(|error| error.lines())
+}
+
+/// Whether a scenario repeats or expects such an event.
+fn is_recorded(kind: &EventKind) -> bool {
+    match kind {
+        EventKind::Task { state, .. } => *state == "created",
+        EventKind::Act { .. }
+        | EventKind::Sio { .. }
+        | EventKind::Line { .. }
+        | EventKind::Power { .. }
+        | EventKind::Print { .. }
+        | EventKind::Log { .. }
+        | EventKind::Popup { .. }
+        | EventKind::Error { .. }
+        | EventKind::Io { .. }
+        | EventKind::End { .. } => true,
+        _ => false,
+    }
+}
