@@ -10,7 +10,6 @@ pub mod dist;
 pub mod format;
 pub mod install;
 pub mod metrics;
-pub mod mutations;
 pub mod node;
 pub mod notices;
 pub mod packaging_tools;

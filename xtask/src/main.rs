@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use xtask::{build, dap, dist, format, install, metrics, mutations, setup, test, tidy, vsix, workspace};
+use xtask::{build, dap, dist, format, install, metrics, setup, test, tidy, vsix, workspace};
 
 /// The project's own tasks.
 #[derive(Parser)]
@@ -35,8 +35,6 @@ enum Task {
     Dap,
     /// Count the code and measure `val3 check` on a generated workspace
     Metrics(metrics::Arguments),
-    /// Make mistakes in the example application, and count those that its tests find
-    Mutations(mutations::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -60,6 +58,5 @@ fn run(task: Task) -> anyhow::Result<()> {
         Task::Workspace(arguments) => workspace::run(&arguments),
         Task::Dap => dap::run(),
         Task::Metrics(arguments) => metrics::run(&arguments),
-        Task::Mutations(arguments) => mutations::run(&arguments),
     }
 }

@@ -14,6 +14,7 @@ mod rewrite;
 mod saved_data;
 mod tag;
 mod values;
+mod written;
 
 pub use declarations::{after, duplicate, in_style, remove, rename_key};
 pub use edits::{apply, compose};
@@ -21,3 +22,4 @@ pub use read::{read, type_name};
 pub use reference::is_old_reference;
 pub use rewrite::{edits, rewrite};
 pub use saved_data::{Content, SavedData, SavedField, SavedValue, Shape, default_of, is_same, number_text, same_text};
+pub use written::{WrittenAttribute, WrittenVariable, written};

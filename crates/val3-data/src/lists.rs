@@ -115,12 +115,12 @@ fn output(value: Element<'_>) -> Option<Element<'_>> {
 }
 
 /// Attributes of a value and its child elements.
-fn leaves<'g>(found: Element<'g>) -> impl Iterator<Item = Attribute<'g>> {
+pub(crate) fn leaves<'g>(found: Element<'g>) -> impl Iterator<Item = Attribute<'g>> {
     found.attributes().chain(found.elements().flat_map(Element::attributes))
 }
 
 /// s7 name of a value's attribute.
-fn name_of<'g>(attribute: Attribute<'g>) -> Option<&'g str> {
+pub(crate) fn name_of<'g>(attribute: Attribute<'g>) -> Option<&'g str> {
     match attribute.name {
         "open" => Some("ioOpen"),
         "close" => Some("ioClose"),
@@ -145,6 +145,12 @@ fn copy(
     }
     change(&mut edits, copied, data, value);
     apply(text, &edits.sorted())
+}
+
+/// Name of the variable to which a variable is relative.
+pub(crate) fn father_name(element: Element<'_>) -> Option<String> {
+    let name = father_element(element)?.value("name")?;
+    (!name.is_empty()).then(|| name.into_owned())
 }
 
 fn father_element(element: Element<'_>) -> Option<Element<'_>> {

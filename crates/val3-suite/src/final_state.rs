@@ -1,4 +1,4 @@
-//! Final state of a test: outputs, variables, the screen, printed lines. The states of two runs can be compared.
+//! Final state of a test: outputs, variables, the screen, texts, the arm. The states of two runs can be compared.
 
 use std::fmt;
 
@@ -6,9 +6,10 @@ use val3_bytecode::Image;
 use val3_debug::subscript;
 use val3_lang::memory::{StoreId, View};
 use val3_machine::controller::Controller;
-use val3_machine::event::shown_seconds;
+use val3_machine::event::{EventKind, shown_seconds};
 
 use crate::expect::shown_page;
+use crate::journal::RepeatedEvent;
 use crate::library::NAME;
 use crate::result::TestResult;
 
@@ -53,8 +54,21 @@ impl FinalState {
         }
         let prints = result.prints.iter().zip(1u32..);
         values.extend(prints.map(|(text, number)| (format!("printed line {number}"), quoted(text))));
+        values.extend(texts(result));
+        let sample = controller.devices.state.arm.sample();
+        let axes = controller.devices.state.arm.model().axes();
+        let joints = sample.joints.iter().take(axes).zip(1u32..);
+        values.extend(joints.map(|(joint, axis)| (format!("joint {axis} of the arm"), format!("{joint:.3}"))));
         values.push(("the time of the test".to_owned(), format!("{} s", shown_seconds(result.duration))));
         Self { values }
+    }
+
+    /// State without the elements of a variable such as `pal:nCount`.
+    #[must_use]
+    pub fn without(&self, variable: &str) -> Self {
+        let is_element =
+            |name: &str| name.strip_prefix(variable).is_some_and(|rest| rest.is_empty() || rest.starts_with('['));
+        Self { values: self.values.iter().filter(|(name, _)| !is_element(name)).cloned().collect() }
     }
 
     /// First value that differs from another run.
@@ -73,6 +87,20 @@ impl FinalState {
         };
         Some(Difference { value: of(self, &name), instead_of: of(other, &name), name })
     }
+}
+
+/// Last lines of the event log, and last messages.
+fn texts(result: &TestResult) -> impl Iterator<Item = (String, String)> {
+    let (mut lines, mut messages) = (0, 0);
+    result.events.iter().filter_map(move |RepeatedEvent { event, .. }| {
+        let (what, number, text) = match &event.kind {
+            EventKind::Log { text, .. } => ("log line", &mut lines, text),
+            EventKind::Popup { text } => ("message", &mut messages, text),
+            _ => return None,
+        };
+        *number += 1;
+        Some((format!("{what} {number}"), quoted(text)))
+    })
 }
 
 /// Values of all inputs and outputs, as programs read them.
@@ -109,6 +137,12 @@ mod tests {
     fn state(values: &[(&str, &str)]) -> FinalState {
         let owned = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
         FinalState { values: values.iter().map(owned).collect() }
+    }
+
+    #[test]
+    fn the_elements_of_a_variable_are_left_out() {
+        let all = state(&[("a:n", "1"), ("a:nTo", "2"), ("a:n[0]", "3"), ("b:n", "4")]);
+        assert_eq!(all.without("a:n"), state(&[("a:nTo", "2"), ("b:n", "4")]));
     }
 
     #[test]

@@ -118,7 +118,7 @@ pub(crate) struct TestArgs {
     /// Record the motion and the texts of tests again, for `expect.trace`, `screen_file` and `print_file`
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
-    /// Seed mistakes into the tested programs, in memory, and report those that no test finds
+    /// Seed mistakes into the tested programs and their data, in memory, and report those that no test finds
     #[arg(help_heading = "Mistakes", long, conflicts_with_all = ["list", "init", "new", "update", "fail_fast", "retries", "repeat", "output", "coverage", "coverage_output", "fail_under"])]
     pub(crate) mutate: bool,
 

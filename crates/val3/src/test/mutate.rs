@@ -1,14 +1,17 @@
-//! `--mutate`: mistakes that are seeded into the tested programs, and those among them that no test finds.
+//! `--mutate`: mistakes that are seeded into the tested programs and their data, and those among them that no test finds.
 //!
-//! A mistake exists in memory alone. It is tried with the tests that execute its line.
+//! A mistake exists in memory alone. It is tried with the tests that execute its line, or lines that name its variable.
 
+mod code_sites;
 mod conditions;
+mod data_sites;
 mod executor;
 mod mutant;
 mod original;
 mod report;
-mod sites;
+mod site;
 mod trial;
+mod used_names;
 
 use std::process::ExitCode;
 
@@ -51,12 +54,13 @@ pub(super) fn run(
         return unmutated(&results, args, paths, color);
     }
     let mutants = mutants(&originals);
-    if mutants.is_empty() {
+    if mutants.all.is_empty() {
         return Err(UserError::new("the tests execute no line of a tested program in which a mistake can be made")
             .with_help("`val3 test --coverage` shows the lines that tests execute"));
     }
-    let trials = trial::all(conditions, &originals, &mutants)?;
-    let report = Report { originals: &originals, trials: &trials, paths, seed: args.seed.unwrap_or(SEED) };
+    let trials = trial::all(conditions, &originals, &mutants.all)?;
+    let seed = args.seed.unwrap_or(SEED);
+    let report = Report { originals: &originals, trials: &trials, unused: &mutants.unused, paths, seed };
     to_stdout_as(args.format.content(), color, |out| match args.format {
         TestFormat::Json => report.json(out),
         _ => report.human(out),

@@ -102,11 +102,11 @@ fn surviving_mistakes_name_what_no_assertion_looks_at() {
         usrapp/pal/total.pgx:12: survived: `x_nSum=0` is removed
            12 │ x_nSum=0
                 executed by palTest:testTotal
-                no variable, signal, printed line or screen differs at the end of a test
+                nothing that can be asserted differs at the end of a test
         usrapp/pal/total.pgx:13: survived: `l_i=1` is removed
            13 │ l_i=1
                 executed by palTest:testTotal
-                no variable, signal, printed line or screen differs at the end of a test
+                nothing that can be asserted differs at the end of a test
         usrapp/pal/total.pgx:18: survived: `nState=2` is removed
            18 │ nState=2
                 executed by palTest:testTotal
@@ -122,11 +122,11 @@ fn surviving_mistakes_name_what_no_assertion_looks_at() {
         usrapp/pal/total.pgx:19: survived: `>` becomes `>=`
            19 │ if x_nCount>100
                 executed by palTest:testTotal
-                no variable, signal, printed line or screen differs at the end of a test
+                nothing that can be asserted differs at the end of a test
         usrapp/pal/total.pgx:19: survived: `100` becomes `101`
            19 │ if x_nCount>100
                 executed by palTest:testTotal
-                no variable, signal, printed line or screen differs at the end of a test
+                nothing that can be asserted differs at the end of a test
         mutants: 16, found 9, survived 7, not compiled 0
         not covered: 2 lines, which got no mistakes (`val3 test --coverage` shows them)
     "#]]
@@ -168,6 +168,7 @@ fn each_mistake_has_its_verdict() {
           "found": "100",
           "foundBy": null,
           "line": 19,
+          "path": null,
           "replacement": "101",
           "source": "if x_nCount>100",
           "tests": [
@@ -247,4 +248,63 @@ fn tests_that_execute_no_tested_line_prove_nothing() {
     let folder = Folder::with("num nUnused\n--- palTest\nnum nSum\nprogram testNothing()\nbegin\n  nSum=1\nend\n");
     let run = folder.val3(&["test", ".", "--mutate"]);
     assert!(run.code == 2 && run.stderr.contains("the tests execute no line of a tested program"), "{run:?}");
+}
+
+/// The point is in a frame, and `nUnused` is named by nobody.
+const DATA: &str = r#"
+--- palTest
+library pal "Disk://pal/pal.pjx"
+library assert "Disk://val3assert/val3assert.pjx"
+num nHeight
+program testHeight()
+begin
+  call pal:height(nHeight)
+  call assert:equalNum(nHeight,530,0)
+end
+
+--- pal
+public program height(num& x_nHeight)
+begin
+  x_nHeight=position(pPick,world).z
+  sState="done "+sName
+  popUpMsg(sName)
+end
+=== pal/pal.dtx
+<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="fTray" access="private" xsi:type="array" type="frame" size="1"><Value key="0" z="500" fatherId="world[0]" /></Data>
+    <Data name="nUnused" access="private" xsi:type="array" type="num" size="1"><Value key="0" value="3" /></Data>
+    <Data name="pPick" access="private" xsi:type="array" type="pointRx" size="1"><Value key="0" z="30" wrist="wpositive" fatherId="fTray[0]" /></Data>
+    <Data name="sName" access="private" xsi:type="array" type="string" size="1"><Value key="0" value="box" /></Data>
+    <Data name="sState" access="private" xsi:type="array" type="string" size="1" />
+  </Datas>
+</Database>
+"#;
+
+#[test]
+fn values_of_data_files_get_mistakes() {
+    let folder = cell(DATA);
+    let run = folder.val3(&["test", "--mutate", "usrapp/palTest/testHeight.pgx"]);
+    assert_eq!((run.code, run.stderr.as_str()), (1, ""), "{run:?}");
+    expect![[r#"
+        usrapp/pal/height.pgx:9: survived: `sState="done "+sName` is removed
+            9 │ sState="done "+sName
+                executed by palTest:testHeight
+                pal:sState is "" instead of "done box" at the end of palTest:testHeight: no assertion looks at it
+        usrapp/pal/height.pgx:10: survived: `popUpMsg(sName)` is removed
+           10 │ popUpMsg(sName)
+                executed by palTest:testHeight
+                message 1 is missing instead of "box" at the end of palTest:testHeight: no assertion looks at it
+        usrapp/pal/pal.dtx:6: survived: pPick.config.wrist: `wpositive` becomes `wsame`
+            6 │ <Data name="pPick" access="private" xsi:type="array" type="pointRx" size="1"><Value key="0" z="30" wrist="wpositive" fatherId="fTray[0]" /></Data>
+                used by palTest:testHeight
+                nothing that can be asserted differs at the end of a test
+        usrapp/pal/pal.dtx:7: survived: sName: `box` becomes `boxx`
+            7 │ <Data name="sName" access="private" xsi:type="array" type="string" size="1"><Value key="0" value="box" /></Data>
+                used by palTest:testHeight
+                pal:sState is "done boxx" instead of "done box" at the end of palTest:testHeight: no assertion looks at it
+        mutants: 7, found 3, survived 4, not compiled 1
+        not used: pal:nUnused, which got no mistakes
+    "#]].assert_eq(&run.stdout);
 }

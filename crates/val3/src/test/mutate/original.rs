@@ -38,7 +38,7 @@ pub(super) struct Original<'t> {
     pub(super) limit: Time,
     pub(super) state: FinalState,
     /// The lines that it executes, by file.
-    lines: BTreeMap<String, BTreeSet<u32>>,
+    pub(super) lines: BTreeMap<String, BTreeSet<u32>>,
 }
 
 impl Original<'_> {

@@ -13,10 +13,15 @@ use crate::printable::one_line;
 /// Tests that the text names; the others are counted.
 const NAMED: usize = 3;
 
+/// Unused variables that the text names; the others are counted.
+const NAMED_VARIABLES: usize = 10;
+
 /// The mistakes that were tried.
 pub(super) struct Report<'r> {
     pub(super) originals: &'r Originals<'r>,
     pub(super) trials: &'r [Trial<'r>],
+    /// Variables that no test uses.
+    pub(super) unused: &'r [String],
     pub(super) paths: &'r Paths,
     pub(super) seed: u64,
 }
@@ -60,7 +65,8 @@ impl Report<'_> {
                 0 => String::new(),
                 more => format!(" and {more} more"),
             };
-            writeln!(out, "        executed by {}{more}", named.join(", "))?;
+            let verb = if mutant.site.path.is_some() { "used" } else { "executed" };
+            writeln!(out, "        {verb} by {}{more}", named.join(", "))?;
             match difference {
                 Some((number, difference)) => writeln!(
                     out,
@@ -68,21 +74,28 @@ impl Report<'_> {
                     one_line(&difference.to_string()),
                     self.name(*number)
                 )?,
-                None => {
-                    writeln!(out, "        no variable, signal, printed line or screen differs at the end of a test")?
-                }
+                None => writeln!(out, "        nothing that can be asserted differs at the end of a test")?,
             }
         }
         let Counts { found, survived, not_compiled } = self.counts();
         let tried = found + survived;
         writeln!(out, "mutants: {tried}, found {found}, survived {survived}, not compiled {not_compiled}")?;
         match self.not_covered() {
-            0 => Ok(()),
-            1 => writeln!(out, "not covered: 1 line, which got no mistakes (`val3 test --coverage` shows it)"),
+            0 => {}
+            1 => writeln!(out, "not covered: 1 line, which got no mistakes (`val3 test --coverage` shows it)")?,
             lines => {
-                writeln!(out, "not covered: {lines} lines, which got no mistakes (`val3 test --coverage` shows them)")
+                writeln!(out, "not covered: {lines} lines, which got no mistakes (`val3 test --coverage` shows them)")?;
             }
         }
+        if !self.unused.is_empty() {
+            let named: Vec<&str> = self.unused.iter().take(NAMED_VARIABLES).map(String::as_str).collect();
+            let more = match self.unused.len().saturating_sub(named.len()) {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            writeln!(out, "not used: {}{more}, which got no mistakes", one_line(&named.join(", ")))?;
+        }
+        Ok(())
     }
 
     /// Writes an object with all mistakes.
@@ -96,6 +109,7 @@ impl Report<'_> {
             "survived": survived,
             "notCompiled": not_compiled,
             "notCovered": self.not_covered(),
+            "notUsed": self.unused,
             "mutants": mutants,
         });
         writeln!(out, "{object:#}")
@@ -119,6 +133,7 @@ impl Report<'_> {
         json!({
             "file": self.paths.to_open(mutant.file.as_str().into()),
             "line": mutant.site.line,
+            "path": mutant.site.path,
             "source": mutant.source,
             "found": mutant.site.found,
             "replacement": mutant.site.replacement,

@@ -116,7 +116,13 @@ fn verdict(conditions: Conditions<'_>, originals: &Originals<'_>, mutant: &Mutan
         let Some(original) = originals.tests.get(*number) else { continue };
         match executor.execute(&original.test, Some(original.limit)) {
             Ok(Some(execution)) if execution.result.has_passed() => {
-                let of_test = || execution.state.first_difference(&original.state);
+                let of_test = || match &mutant.variable {
+                    // The value itself always differs.
+                    Some(variable) => {
+                        execution.state.without(variable).first_difference(&original.state.without(variable))
+                    }
+                    None => execution.state.first_difference(&original.state),
+                };
                 difference = difference.or_else(|| Some((*number, of_test()?)));
             }
             Ok(Some(_)) => return Some(Verdict::Found(*number)),

@@ -6,6 +6,8 @@ use val3_analysis::items::program::code;
 use val3_syntax::view::{TokenView, View};
 use val3_syntax::{SyntaxKind, decode_entities, parse};
 
+use super::site::{Escapes, Site, line_at};
+
 use SyntaxKind::{
     AND_KW, ASSIGN_STMT, BIN_EXPR, BLOCK, CALL_STMT, CASE_CLAUSE, CDATA_OPEN, DO_STMT, ELSE_IF_CLAUSE, EQ2, EXPR_STMT,
     FALSE_KW, GE, GT, IF_STMT, LE, LITERAL, LT, MINUS, NEQ, NUMBER, OR_KW, PLUS, PREFIX_EXPR, SLASH, STAR, TRUE_KW,
@@ -33,54 +35,12 @@ const REPLACEMENTS: [(SyntaxKind, &str); 14] = [
 /// The largest number that a program can count up by 1.
 const LARGEST: f64 = 1e15;
 
-/// A mistake: one small change of a program.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Site {
-    /// The line of the file, from 1.
-    pub(super) line: u32,
-    /// What is replaced, without the escapes of XML.
-    pub(super) found: String,
-    /// What stands there instead; empty for a statement that is removed.
-    pub(super) replacement: String,
-    range: Range<usize>,
-    /// The code is no CDATA section.
-    is_escaped: bool,
-}
-
-impl Site {
-    /// The text of the file with the mistake.
-    pub(super) fn applied(&self, text: &str) -> String {
-        let written = match self.is_escaped {
-            true => self.replacement.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;"),
-            false => self.replacement.clone(),
-        };
-        let before = text.get(..self.range.start).unwrap_or_default();
-        let after = text.get(self.range.end..).unwrap_or_default();
-        format!("{before}{written}{after}")
-    }
-
-    /// The line of the mistake in the text of its file, without the escapes of XML and the blanks around it.
-    pub(super) fn source(&self, text: &str) -> String {
-        let line = text.lines().nth((self.line as usize).saturating_sub(1)).unwrap_or_default();
-        let line = if self.is_escaped { decode_entities(line) } else { line.into() };
-        line.trim().to_owned()
-    }
-
-    /// The change in words: `` `<=` becomes `<` ``.
-    pub(super) fn change(&self) -> String {
-        match self.replacement.as_str() {
-            "" => format!("`{}` is removed", self.found),
-            replacement => format!("`{}` becomes `{replacement}`", self.found),
-        }
-    }
-}
-
 /// The mistakes that can be seeded into the code of a program, in the order of the text.
-pub(super) fn sites(text: &str) -> Vec<Site> {
+pub(super) fn code_sites(text: &str) -> Vec<Site> {
     let parse = parse(text);
     let Some(code) = code(parse.view()) else { return Vec::new() };
-    let is_escaped = parse.view().count(|kind| kind == CDATA_OPEN) == 0;
-    let mut search = Search { text, is_escaped, found: Vec::new() };
+    let escapes = if parse.view().count(|kind| kind == CDATA_OPEN) == 0 { Escapes::Text } else { Escapes::None };
+    let mut search = Search { text, escapes, found: Vec::new() };
     search.node(code);
     search.found
 }
@@ -88,7 +48,7 @@ pub(super) fn sites(text: &str) -> Vec<Site> {
 /// The search for mistakes in a text.
 struct Search<'t> {
     text: &'t str,
-    is_escaped: bool,
+    escapes: Escapes,
     found: Vec<Site>,
 }
 
@@ -136,11 +96,13 @@ impl Search<'_> {
 
     fn replace(&mut self, range: Option<Range<usize>>, replacement: impl FnOnce(&str) -> String) {
         let Some((range, found)) = range.and_then(|range| Some((range.clone(), self.text.get(range)?))) else { return };
-        let found = if self.is_escaped { decode_entities(found).into_owned() } else { found.to_owned() };
-        let before = self.text.bytes().take(range.start).filter(|byte| *byte == b'\n').count();
-        let line = u32::try_from(before).unwrap_or(u32::MAX).saturating_add(1);
+        let found = match self.escapes {
+            Escapes::None => found.to_owned(),
+            _ => decode_entities(found).into_owned(),
+        };
         let replacement = replacement(&found);
-        self.found.push(Site { line, found, replacement, range, is_escaped: self.is_escaped });
+        let line = line_at(self.text, range.start);
+        self.found.push(Site { path: None, line, found, replacement, range, escapes: self.escapes });
     }
 }
 
@@ -190,7 +152,7 @@ end]]></Code>
     fn mistakes_are_seeded_into_code_alone() {
         assert_eq!(parse(PROGRAM).errors(), []);
         let shown = |site: &Site| format!("{}: {}\n", site.line, site.change());
-        let found: String = sites(PROGRAM).iter().map(shown).collect();
+        let found: String = code_sites(PROGRAM).iter().map(shown).collect();
         expect![[r#"
             6: `l_n2<=3 and bOk==true` becomes `!(l_n2<=3 and bOk==true)`
             6: `<=` becomes `<`
@@ -221,8 +183,8 @@ end]]></Code>
         let escaped = PROGRAM.replace("<![CDATA[", "").replace("]]>", "").replace("n2<=3", "n2&lt;=3");
         let escaped = escaped.replace("n>0", "n&gt;0");
         for text in [PROGRAM, &escaped] {
-            let found = sites(text);
-            assert_eq!(found.len(), sites(PROGRAM).len());
+            let found = code_sites(text);
+            assert_eq!(found.len(), code_sites(PROGRAM).len());
             for site in found {
                 let mutant = site.applied(text);
                 assert!(parse(&mutant).errors().is_empty(), "{}", site.change());
@@ -239,6 +201,6 @@ end]]></Code>
 
     #[test]
     fn files_without_code_get_no_mistakes() {
-        assert_eq!(sites("no XML"), []);
+        assert_eq!(code_sites("no XML"), []);
     }
 }

@@ -1,0 +1,145 @@
+//! The values of a data file in which a mistake can be seeded.
+
+use std::borrow::Cow;
+
+use val3_data::{WrittenAttribute, WrittenVariable, number_text, written};
+use val3_lang::enumerations::{find_in_file, values};
+use val3_lang::types::{AttributeValue, BaseType};
+use val3_syntax::{parse, xml};
+
+use super::site::{Escapes, Site, line_at};
+
+/// What is added to a number of a `num`.
+const COUNT: f64 = 1.0;
+
+/// What is added to a coordinate, a joint, a speed or a distance: mm, degrees or per cent.
+const DISTANCE: f64 = 10.0;
+
+/// The largest number that is changed.
+const LARGEST: f64 = 1e15;
+
+/// A variable with the mistakes that can be seeded into its values.
+#[derive(Debug)]
+pub(super) struct DataSites {
+    pub(super) name: String,
+    /// Names of the variables to which its values are relative.
+    pub(super) fathers: Vec<String>,
+    pub(super) sites: Vec<Site>,
+}
+
+/// The variables of a data file with their mistakes, in the order of the file.
+pub(super) fn data_sites(text: &str) -> Vec<DataSites> {
+    let parse = parse(text);
+    let variables = xml::root(parse.view()).map(written).unwrap_or_default();
+    let sites = |WrittenVariable { name, fathers, attributes }| DataSites {
+        name,
+        fathers,
+        sites: attributes.iter().filter_map(|attribute| site(text, attribute)).collect(),
+    };
+    variables.into_iter().map(sites).collect()
+}
+
+fn site(text: &str, attribute: &WrittenAttribute<'_>) -> Option<Site> {
+    let found = attribute.text.text();
+    let range = usize::from(attribute.text.range.start())..usize::from(attribute.text.range.end());
+    Some(Site {
+        path: Some(attribute.path.clone()),
+        line: line_at(text, range.start),
+        replacement: replacement(attribute, &found)?.into_owned(),
+        found: found.into_owned(),
+        range,
+        escapes: Escapes::Attribute,
+    })
+}
+
+/// Another value of the same kind; `None` for links and fathers, and for values that are invalid.
+fn replacement(attribute: &WrittenAttribute<'_>, found: &str) -> Option<Cow<'static, str>> {
+    match attribute.meaning.value {
+        AttributeValue::Truth => match found.trim() {
+            "true" => Some("false".into()),
+            "false" => Some("true".into()),
+            _ => None,
+        },
+        AttributeValue::Number => {
+            let number = found.trim().parse().ok().filter(|number: &f64| number.abs() < LARGEST)?;
+            let step = if attribute.base == BaseType::Num { COUNT } else { DISTANCE };
+            Some(number_text(number + step).into())
+        }
+        AttributeValue::Text => Some(format!("{found}x").into()),
+        AttributeValue::Choice(ty) => {
+            let present = find_in_file(ty, found.trim())?;
+            values(ty).find(|other| other.name != present.name).map(|other| other.file_name.into())
+        }
+        AttributeValue::Link | AttributeValue::Father(_) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    const DATA: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="nCount" access="private" xsi:type="array" type="num" size="2"><Value key="1" value="1e3" /></Data>
+    <Data name="nEmpty" access="private" xsi:type="array" type="num" size="1" />
+    <Data name="bRun" access="private" xsi:type="array" type="bool" size="1"><Value key="0" value="true" /></Data>
+    <Data name="sText" access="private" xsi:type="collection" type="string">
+      <Value key="a" value="" />
+      <Value key="b" value="&lt;b&gt;" />
+    </Data>
+    <Data name="mFast" access="private" xsi:type="array" type="mdesc" size="1">
+      <Value key="0" vel="90" blend="joint" leave="50" />
+    </Data>
+    <Data name="pPick" access="private" xsi:type="array" type="pointRx" size="1">
+      <Value key="0" x="-0.5" wrist="wpositive" fatherId="fTray[0]" />
+    </Data>
+    <Data name="diGo" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Io\%I0" /></Data>
+    <Data name="tSlot" access="private" xsi:type="array" type="Slot" size="1">
+      <Value key="0">
+        <Field name="nKind" xsi:type="array" type="num" size="1"><Value key="0" value="2" /></Field>
+      </Value>
+    </Data>
+  </Datas>
+</Database>
+"#;
+
+    #[test]
+    fn each_kind_of_value_gets_a_mistake() {
+        let lines = data_sites(DATA).into_iter().flat_map(|variable| variable.sites);
+        let shown: String = lines.map(|site| format!("{}: {}\n", site.line, site.change())).collect();
+        expect![[r#"
+            4: nCount[1]: `1e3` becomes `1001`
+            6: bRun: `true` becomes `false`
+            8: sText["a"]: `` becomes `x`
+            9: sText["b"]: `<b>` becomes `<b>x`
+            12: mFast.vel: `90` becomes `100`
+            12: mFast.blend: `joint` becomes `off`
+            12: mFast.leave: `50` becomes `60`
+            15: pPick.trsf.x: `-0.5` becomes `9.5`
+            15: pPick.config.wrist: `wpositive` becomes `wsame`
+            20: tSlot.nKind: `2` becomes `3`
+        "#]]
+        .assert_eq(&shown);
+    }
+
+    #[test]
+    fn a_mistake_changes_its_line_alone() {
+        for site in data_sites(DATA).into_iter().flat_map(|variable| variable.sites) {
+            let mutant = site.applied(DATA);
+            assert!(parse(&mutant).errors().is_empty(), "{}", site.change());
+            let pairs = DATA.lines().zip(mutant.lines());
+            let changed: Vec<usize> = (1..).zip(pairs).filter(|(_, (a, b))| a != b).map(|(line, _)| line).collect();
+            assert_eq!(changed, [site.line as usize], "{}", site.change());
+        }
+    }
+
+    #[test]
+    fn fathers_are_named() {
+        let fathers: Vec<String> = data_sites(DATA).into_iter().flat_map(|variable| variable.fathers).collect();
+        assert_eq!(fathers, ["fTray"]);
+        assert!(data_sites("no XML").is_empty());
+    }
+}
