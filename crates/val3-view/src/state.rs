@@ -1,6 +1,7 @@
 //! Message `state`: tasks and robot.
 
 use serde_json::{Value, json};
+use val3_machine::arm::ArmHold;
 use val3_machine::controller::{Activity, Controller, TaskPosition};
 use val3_machine::event::seconds;
 use val3_vm::{Rate, Task, TaskState};
@@ -10,7 +11,9 @@ pub(crate) fn message(controller: &Controller) -> Value {
     let state = &controller.devices.state;
     let (arm, robot) = (&state.arm, &state.robot);
     let hold = arm.hold(robot.drive());
-    let tasks = controller.vm.tasks().iter().zip(controller.task_positions());
+    let positions = controller.task_positions();
+    let awaited_hold = positions.iter().find_map(|position| position.activity.hold());
+    let tasks = controller.vm.tasks().iter().zip(positions);
     json!({
         "kind": "state",
         "tasks": tasks.map(|(task, position)| described(task, &position)).collect::<Vec<_>>(),
@@ -19,6 +22,7 @@ pub(crate) fn message(controller: &Controller) -> Value {
         "emergencyStop": match robot.es_status() as u8 { 0 => "none", 1 => "released", _ => "open" },
         "isHeld": hold.is_some(),
         "heldBecause": hold.map(|hold| hold.text()),
+        "awaitedHold": awaited_hold.map(ArmHold::operator_text),
         "monitorSpeed": robot.monitor_speed(),
     })
 }
@@ -42,6 +46,7 @@ fn described(task: &Task, position: &TaskPosition) -> Value {
         "period": period,
         "overruns": overruns,
         "waits": position.activity.awaited(),
+        "awaits": position.activity.awaited_thing(),
         "error": error,
     })
 }

@@ -8,7 +8,10 @@ import { PendantPanel } from "./panels/pendant/PendantPanel";
 import { PointsPanel } from "./panels/points/PointsPanel";
 import { Tabs } from "./panels/shared/Tabs";
 import { TasksPanel } from "./panels/tasks/TasksPanel";
+import { countUpTo } from "./panels/tasks/upTo";
 import { SceneView } from "./scene/SceneView";
+import { faultsOf } from "./status/status";
+import { StatusLine } from "./status/StatusLine";
 import { Store } from "./store";
 import { RecordScenario } from "./scenario/RecordScenario";
 import { TimeBar } from "./timeline/TimeBar";
@@ -18,16 +21,17 @@ import "./panels/panels.css";
 function Page({ store }: { store: Store }): JSX.Element {
   const scene = store.scene.value;
   const { cell } = store.panels;
+  const faults = faultsOf(cell.history.events.slice(0, countUpTo(cell.history.events, cell.slowTime.value))).length;
   return (
     <div class="page">
       <header>
         <h1>{scene?.application ?? "VAL 3"}</h1>
         <span>{scene?.arm.name ?? ""}</span>
         {scene?.arm.timesNote == null ? undefined : <span title={scene.arm.timesNote}>times of a model arm</span>}
-        <span class="lost" role="status">{store.lost.value ?? (store.end.value === undefined ? "" : `The run has ended: ${store.end.value}.`)}</span>
         <span class="space" />
         <RecordScenario store={store} />
         <button type="button" onClick={toggleLook}>{isDark.value ? "Light" : "Dark"}</button>
+        <StatusLine store={store} />
       </header>
       <main>
         <SceneView store={store} />
@@ -37,7 +41,7 @@ function Page({ store }: { store: Store }): JSX.Element {
             tabs={[
               { id: "pendant", label: "Pendant", content: () => <PendantPanel cell={cell} /> },
               { id: "io", label: "Inputs and outputs", content: () => <IoPanel cell={cell} /> },
-              { id: "tasks", label: "Tasks", content: () => <TasksPanel cell={cell} /> },
+              { id: "tasks", label: "Tasks", faults, content: () => <TasksPanel cell={cell} /> },
               { id: "points", label: "Points", content: () => <PointsPanel cell={cell} /> },
             ]}
           />

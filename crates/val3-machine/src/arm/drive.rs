@@ -37,6 +37,21 @@ pub enum ArmHold {
 }
 
 impl ArmHold {
+    /// Sentences for an operator: why the arm rests, and what moves it.
+    #[must_use]
+    pub const fn operator_text(self) -> &'static str {
+        match self {
+            Self::NoPower => "The arm has no power. Press Power to switch it on.",
+            Self::Held => "The arm is held. Press Move, or choose the remote mode.",
+            Self::NoSpeed => "The monitor speed is 0 %. Increase it.",
+            Self::Stopped => "The program has stopped the motion with stopMove, and has not restarted it.",
+            Self::Away => "The arm is away from its path. Press Move to connect it.",
+            Self::Step => "The motion is stepped. Step it, or choose the continuous mode.",
+            Self::NoForce => "The force of the compliant move does not move the arm.",
+            Self::Fault => "The arm rests before a path that it cannot follow.",
+        }
+    }
+
     /// The rest of a sentence about the arm.
     #[must_use]
     pub const fn text(self) -> &'static str {

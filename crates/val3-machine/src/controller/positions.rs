@@ -84,13 +84,29 @@ impl Activity {
     /// The thing that the task waits for; `None` where it does not wait.
     #[must_use]
     pub fn awaited(&self) -> Option<String> {
+        let awaited = self.awaited_thing()?;
+        Some(self.hold().map_or_else(|| awaited.clone(), |hold| format!("{awaited}, {}", hold.text())))
+    }
+
+    /// The thing that the task waits for, without the reason why the arm does not move.
+    #[must_use]
+    pub fn awaited_thing(&self) -> Option<String> {
         match self {
             Self::AwaitsCondition => Some("a condition".to_owned()),
-            Self::AwaitsArmCondition(hold) => Some(format!("a condition of the arm, {}", hold.text())),
+            Self::AwaitsArmCondition(_) => Some("a condition of the arm".to_owned()),
             Self::Awaits(instruction) => Some(awaited_in(instruction)),
-            Self::AwaitsArm(instruction, hold) => Some(format!("the arm (`{instruction}`), {}", hold.text())),
+            Self::AwaitsArm(instruction, _) => Some(format!("the arm (`{instruction}`)")),
             Self::AwaitsMedium => Some("a file".to_owned()),
             Self::Running | Self::Suspended | Self::Failed(_) => None,
+        }
+    }
+
+    /// Why the arm that the task waits for does not move.
+    #[must_use]
+    pub fn hold(&self) -> Option<ArmHold> {
+        match self {
+            Self::AwaitsArmCondition(hold) | Self::AwaitsArm(_, hold) => Some(*hold),
+            _ => None,
         }
     }
 }

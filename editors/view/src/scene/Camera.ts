@@ -10,11 +10,13 @@ export class Camera {
   readonly lens = new PerspectiveCamera(35, 1, 10, 100_000);
   private readonly controls: OrbitControls;
 
-  constructor(element: HTMLElement, onChange: () => void) {
+  /** `onEnd` is called when the user has turned, moved or zoomed the picture. */
+  constructor(element: HTMLElement, onChange: () => void, onEnd: () => void) {
     this.lens.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.lens, element);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", onChange);
+    this.controls.addEventListener("end", onEnd);
   }
 
   /** Shows a sphere from the direction of a view, or from the present direction. */
@@ -24,6 +26,18 @@ export class Camera {
     const distance = sphere.radius / Math.sin(Math.min(half, Math.atan(Math.tan(half) * this.lens.aspect)));
     this.controls.target.copy(sphere.center);
     this.lens.position.copy(sphere.center).addScaledVector(direction.normalize(), distance);
+    this.controls.update();
+  }
+
+  /** Returns the position and the target, in mm. */
+  get view(): readonly number[] {
+    return [...this.lens.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  /** Sets the position and the target. */
+  restore(view: readonly number[]): void {
+    this.lens.position.fromArray(view);
+    this.controls.target.fromArray(view, 3);
     this.controls.update();
   }
 

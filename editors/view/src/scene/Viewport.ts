@@ -3,6 +3,8 @@
 import { signal } from "@preact/signals";
 import { Box3, Color, Group, type Mesh, PCFShadowMap, Scene, Sphere, Vector3, WebGLRenderer } from "three";
 import { armFrames, armLength, floorHeight } from "../kinematics";
+import { remember, remembered } from "../memory";
+import { storedView, viewKey } from "./storedView";
 import { composed, type Frame, frameOf, IDENTITY } from "../panels/pendant/pose";
 import type { Scene as Cell } from "../protocol";
 import type { Store } from "../store";
@@ -51,7 +53,7 @@ export class Viewport {
     this.renderer = new WebGLRenderer({ canvas, antialias: !isPlain, alpha: true });
     this.renderer.shadowMap.enabled = !isPlain;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.camera = new Camera(canvas, () => this.request());
+    this.camera = new Camera(canvas, () => this.request(), () => this.rememberView());
     this.labels = new Labels(overlay);
     this.scene.add(...this.trail.objects, ...this.motion.objects, this.triads.object, this.ruler.object, this.points.object);
   }
@@ -88,7 +90,7 @@ export class Viewport {
       this.trail.clear();
       this.cell = cell;
       this.update();
-      this.fit("Iso");
+      this.showFirst(cell);
     }
     this.update();
   }
@@ -117,6 +119,22 @@ export class Viewport {
     this.placeFrames(cell, placed.flange, base);
     this.placeRuler();
     this.request();
+  }
+
+  /** Shows the view of the last visit, otherwise everything. */
+  private showFirst(cell: Cell): void {
+    const view = storedView(remembered(viewKey(cell)));
+    if (view === undefined) {
+      this.fit("Iso");
+    } else {
+      this.camera.restore(view);
+    }
+  }
+
+  private rememberView(): void {
+    if (this.cell !== undefined) {
+      remember(viewKey(this.cell), JSON.stringify(this.camera.view));
+    }
   }
 
   fit(view?: ViewName): void {

@@ -2,22 +2,30 @@
 
 import type { ComponentChildren, JSX, TargetedKeyboardEvent } from "preact";
 import { useRef, useState } from "preact/hooks";
+import { remember, remembered } from "../../memory";
 
 export interface Tab {
   id: string;
   label: string;
+  /** Number of faults, shown in the label. */
+  faults?: number;
   content: () => ComponentChildren;
 }
 
 export function Tabs({ label, tabs }: { label: string; tabs: readonly Tab[] }): JSX.Element {
-  const [shown, setShown] = useState(tabs[0]?.id ?? "");
+  const key = `tab.${label}`;
+  const [shown, setShown] = useState(() => tabs.find(({ id }) => id === remembered(key))?.id ?? tabs[0]?.id ?? "");
+  const show = (id: string): void => {
+    setShown(id);
+    remember(key, id);
+  };
   const list = useRef<HTMLDivElement>(null);
   const move = (event: TargetedKeyboardEvent<HTMLDivElement>): void => {
     const next = nextTab(tabs.findIndex(({ id }) => id === shown), tabs.length, event.key);
     const tab = next === undefined ? undefined : tabs[next];
     if (tab !== undefined) {
       event.preventDefault();
-      setShown(tab.id);
+      show(tab.id);
       list.current?.querySelector<HTMLElement>(`#tab-${tab.id}`)?.focus();
     }
   };
@@ -25,12 +33,12 @@ export function Tabs({ label, tabs }: { label: string; tabs: readonly Tab[] }): 
   return (
     <>
       <div class="tabs" role="tablist" aria-label={label} ref={list} onKeyDown={move}>
-        {tabs.map(({ id, label }) => (
+        {tabs.map(({ id, label, faults = 0 }) => (
           <button
             key={id} type="button" role="tab" id={`tab-${id}`} aria-selected={id === shown} aria-controls={`content-${id}`}
-            tabIndex={id === shown ? 0 : -1} onClick={() => setShown(id)}
+            tabIndex={id === shown ? 0 : -1} onClick={() => show(id)}
           >
-            {label}
+            {label}{faults === 0 ? null : <span class="fault-count" aria-label={`${faults} ${faults === 1 ? "fault" : "faults"}`}>{faults}</span>}
           </button>
         ))}
       </div>

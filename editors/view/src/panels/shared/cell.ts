@@ -54,6 +54,8 @@ export interface CellState {
   mode: string;
   emergencyStop: string;
   isHeld: boolean;
+  /** Why the arm that a task waits for does not move, as sentences for an operator. Absent in runs of earlier versions. */
+  awaitedHold?: string | null | undefined;
   monitorSpeed: number;
 }
 

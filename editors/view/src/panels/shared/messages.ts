@@ -36,6 +36,8 @@ export interface StateMessage {
   mode: string;
   emergencyStop: string;
   isHeld: boolean;
+  /** Why the arm that a task waits for does not move, as sentences for an operator. Absent in runs of earlier versions. */
+  awaitedHold?: string | null | undefined;
   monitorSpeed: number;
 }
 

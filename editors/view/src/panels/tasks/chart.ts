@@ -11,6 +11,8 @@ export interface TaskState {
   overruns: number;
   error: number | string | null;
   waits: string | null;
+  /** What the task waits for, without advice for authors of scripts. Absent in runs of earlier versions. */
+  awaits?: string | null | undefined;
 }
 
 /** Time span in which a task is in one state. */

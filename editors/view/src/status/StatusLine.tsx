@@ -1,0 +1,48 @@
+// Status line of the page, and the bar of a fault.
+
+import type { JSX } from "preact";
+import { useEffect, useMemo, useState } from "preact/hooks";
+import type { Store } from "../store";
+import { countUpTo } from "../panels/tasks/upTo";
+import { faultsOf, type StatusFacts, statusOf } from "./status";
+import "./status.css";
+
+export function StatusLine({ store }: { store: Store }): JSX.Element {
+  const facts: StatusFacts = {
+    lost: store.lost.value, end: store.end.value, role: store.scene.value?.role, isPast: store.chosen.value !== undefined,
+    isPaused: store.isPaused.value, state: store.panels.cell.state.value,
+  };
+  const { kind, text, word } = statusOf(facts);
+  const application = store.scene.value?.application;
+  useEffect(() => {
+    document.title = application === undefined ? "VAL 3" : `${application} – ${word}`;
+  }, [application, word]);
+  return (
+    <div class="status">
+      <FaultBar store={store} />
+      <p class={`status-line ${kind}`} role="status" aria-label="Status">{text}</p>
+    </div>
+  );
+}
+
+function FaultBar({ store }: { store: Store }): JSX.Element | null {
+  const { cell } = store.panels;
+  const count = countUpTo(cell.history.events, cell.slowTime.value);
+  const faults = useMemo(() => faultsOf(cell.history.events.slice(0, count)), [cell, count]);
+  const [hiddenUpTo, setHidden] = useState(-1);
+  const last = faults.at(-1);
+  if (last === undefined || last.t <= hiddenUpTo) {
+    return null;
+  }
+  const { source } = last;
+  const openLine = cell.openLine.value;
+  return (
+    <div class="fault-bar" role="alert" aria-label="Fault">
+      <strong>{last.text}</strong>
+      {faults.length === 1 ? null : <span>{faults.length} faults</span>}
+      <button type="button" onClick={() => cell.seek(last.t)}>Show {last.t.toFixed(3)} s</button>
+      {source !== undefined && openLine !== undefined ? <button type="button" onClick={() => openLine(source)}>Open the line</button> : null}
+      <button type="button" aria-label="Hide this fault" onClick={() => setHidden(last.t)}>×</button>
+    </div>
+  );
+}

@@ -1,0 +1,105 @@
+// What the run does now, and why nothing moves: one sentence for a person at the screen.
+
+import type { CellState } from "../panels/shared/cell";
+import type { TaskState } from "../panels/tasks/chart";
+import type { RunEvent } from "../panels/tasks/eventText";
+
+export interface Status {
+  kind: "fault" | "stopped" | "waiting" | "running";
+  text: string;
+  /** Word for the title of the window. */
+  word: string;
+}
+
+export interface StatusFacts {
+  lost: string | undefined;
+  end: string | undefined;
+  role: string | undefined;
+  isPast: boolean;
+  isPaused: boolean;
+  state: CellState | undefined;
+}
+
+/** Tasks that are named in a sentence. */
+const NAMED = 2;
+
+export function statusOf({ lost, end, role, isPast, isPaused, state }: StatusFacts): Status {
+  if (lost !== undefined) {
+    return { kind: "fault", text: lost, word: "no connection" };
+  }
+  if (role === undefined || role === "preview") {
+    return { kind: "stopped", text: role === undefined ? "The run has not begun." : "The application does not run.", word: "not running" };
+  }
+  if (isPast) {
+    return { kind: "stopped", text: "You are looking at the past.", word: "past" };
+  }
+  if (end !== undefined) {
+    return { kind: "stopped", text: `The run has ended: ${end}.`, word: "ended" };
+  }
+  if (isPaused) {
+    return role === "debugger"
+      ? { kind: "stopped", text: "The debugger has stopped the run.", word: "stopped" }
+      : { kind: "stopped", text: "The run is paused. Press Play to continue.", word: "paused" };
+  }
+  return state === undefined ? { kind: "running", text: "", word: "running" } : (robotStatus(state) ?? taskStatus(state.tasks));
+}
+
+/** Returns why the arm does not move, if a task waits for it. */
+function robotStatus({ emergencyStop, awaitedHold, tasks }: CellState): Status | undefined {
+  if (emergencyStop === "open") {
+    return { kind: "stopped", text: "The E-stop is pressed. Release it, then switch the power on.", word: "E-stop" };
+  }
+  return awaitedHold == null ? undefined : { kind: "stopped", text: `${awaitedHold} ${waitsText(tasks)}`, word: "arm held" };
+}
+
+function taskStatus(tasks: readonly TaskState[]): Status {
+  const failed = tasks.filter(({ error }) => error !== null);
+  if (failed.length > 0 && failed.length === tasks.length) {
+    return { kind: "fault", text: "All tasks have failed.", word: "fault" };
+  }
+  const live = tasks.filter(({ error }) => error === null);
+  if (live.length === 0) {
+    return { kind: "stopped", text: "No task exists.", word: "no task" };
+  }
+  return live.every(({ waits, state }) => waits !== null || state === "suspended")
+    ? { kind: "waiting", text: waitsText(live) || "All tasks are suspended.", word: "waiting" }
+    : { kind: "running", text: "Running.", word: "running" };
+}
+
+/** Returns a sentence about what tasks wait for, with their lines. */
+export function waitsText(tasks: readonly TaskState[]): string {
+  const waiting = tasks.filter(({ waits }) => waits !== null);
+  const named = waiting.slice(0, NAMED).map(({ name, waits, awaits, program, line }) => `${name} waits for ${awaits ?? waits ?? ""} at ${program}:${line}`);
+  const more = waiting.length - named.length;
+  return named.length === 0 ? "" : `${named.join("; ")}${more === 0 ? "" : `; and ${more} more`}.`.replaceAll("`", "");
+}
+
+/** Error that has stopped a task, or a path that the arm cannot follow. */
+export interface Fault {
+  t: number;
+  text: string;
+  source: { program: string; line: number; file: string } | undefined;
+}
+
+const FAULTS: ReadonlySet<string> = new Set(["error", "fault", "lacking"]);
+
+export function faultsOf(events: readonly RunEvent[]): Fault[] {
+  return events.filter(({ kind }) => FAULTS.has(kind)).map(faultFrom);
+}
+
+function faultFrom(event: RunEvent): Fault {
+  const [program, line, file] = [event["program"], event["line"], event["file"]];
+  const source = typeof program === "string" && typeof line === "number" ? { program, line, file: typeof file === "string" ? file : "" } : undefined;
+  const at = source === undefined ? "" : ` at ${source.program}:${source.line}`;
+  const task = event.task === undefined ? "" : ` in task ${event.task}`;
+  return { t: event.t, text: `${causeOf(event)}${task}${at}`, source };
+}
+
+function causeOf(event: RunEvent): string {
+  const word = (name: string): string => { const value = event[name]; return typeof value === "string" || typeof value === "number" ? String(value) : ""; };
+  switch (event.kind) {
+    case "error": return `Error ${word("code")}: ${word("message")}`;
+    case "fault": return `The arm cannot follow the path of ${word("type")}: ${word("text")}`;
+    default: return `${word("instruction")} is not available on this controller`;
+  }
+}

@@ -1,0 +1,55 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { CellState } from "../../src/panels/shared/cell";
+import type { TaskState } from "../../src/panels/tasks/chart";
+import { faultsOf, type StatusFacts, statusOf, waitsText } from "../../src/status/status";
+
+const task = (name: string, fields: Partial<TaskState> = {}): TaskState =>
+  ({ name, state: "running", program: "start", line: 12, priority: 10, period: null, overruns: 0, error: null, waits: null, ...fields });
+const state = (tasks: TaskState[], fields: Partial<CellState> = {}): CellState =>
+  ({ tasks, power: true, mode: "remote", emergencyStop: "none", isHeld: false, awaitedHold: null, monitorSpeed: 100, ...fields });
+const facts = (fields: Partial<StatusFacts>): StatusFacts =>
+  ({ lost: undefined, end: undefined, role: "operator", isPast: false, isPaused: false, state: state([task("start")]), ...fields });
+
+test("the first reason that keeps the run from going on is shown", () => {
+  const waiting = task("pick", { waits: "the arm (`movej`), which has no power: call enablePower()", awaits: "the arm (`movej`)" });
+  const held = state([waiting], { power: false, awaitedHold: "The arm has no power. Press Power to switch it on." });
+  for (const [fields, kind, text] of [
+    [{}, "running", "Running."],
+    [{ lost: "The connection to the run is lost." }, "fault", "The connection to the run is lost."],
+    [{ role: undefined }, "stopped", "The run has not begun."],
+    [{ end: "finished" }, "stopped", "The run has ended: finished."],
+    [{ isPaused: true }, "stopped", "The run is paused. Press Play to continue."],
+    [{ isPaused: true, role: "debugger" }, "stopped", "The debugger has stopped the run."],
+    [{ state: held }, "stopped", "The arm has no power. Press Power to switch it on. pick waits for the arm (movej) at start:12."],
+    [{ state: state([waiting], { emergencyStop: "open" }) }, "stopped", "The E-stop is pressed. Release it, then switch the power on."],
+    [{ state: state([task("a", { waits: "a condition" })]) }, "waiting", "a waits for a condition at start:12."],
+    [{ state: state([task("a", { waits: "a condition" }), task("b")]) }, "running", "Running."],
+    [{ state: state([task("a", { error: 20, state: "error" })]) }, "fault", "All tasks have failed."],
+    [{ state: state([]) }, "stopped", "No task exists."],
+  ] as const) {
+    const status = statusOf(facts(fields as Partial<StatusFacts>));
+    assert.deepEqual([status.kind, status.text], [kind, text]);
+  }
+});
+
+test("two waiting tasks are named, others are counted", () => {
+  const tasks = ["a", "b", "c"].map((name) => task(name, { waits: "time (`delay`)" }));
+  assert.equal(waitsText(tasks), "a waits for time (delay) at start:12; b waits for time (delay) at start:12; and 1 more.");
+  assert.equal(waitsText([task("a")]), "");
+});
+
+test("faults have a cause, a task and a line", () => {
+  const events = [
+    { t: 0, kind: "print", text: "x" },
+    { t: 1, kind: "error", task: "start", code: 20, message: "index out of range", program: "start", line: 11, file: "start.pgx" },
+    { t: 2, kind: "fault", type: "movel", text: "out of reach", program: "pick", line: 3, file: "pick.pgx" },
+    { t: 9, kind: "lacking", instruction: "encOn" },
+  ];
+  assert.deepEqual(faultsOf(events.slice(0, 3)).map(({ text }) => text), [
+    "Error 20: index out of range in task start at start:11",
+    "The arm cannot follow the path of movel: out of reach at pick:3",
+  ]);
+  assert.deepEqual(faultsOf(events)[0]?.source, { program: "start", line: 11, file: "start.pgx" });
+  assert.equal(faultsOf(events)[2]?.source, undefined);
+});
