@@ -11,7 +11,7 @@ pub(crate) fn meant(name: &str, near: Option<&str>, otherwise: &str) -> String {
         _ if remedy(name).is_some() => remedy(name).unwrap_or_default().to_owned(),
         None => otherwise.to_owned(),
         Some(near) if near.eq_ignore_ascii_case(name) => {
-            format!("{} Upper and lower case make a difference", did_you_mean(Some(near)))
+            format!("{} Names are case-sensitive", did_you_mean(Some(near)))
         }
         near => did_you_mean(near),
     }
@@ -100,7 +100,7 @@ mod tests {
     #[test]
     fn a_difference_in_letter_case_is_pointed_out() {
         assert_eq!(meant("nA", Some("nB"), ""), "did you mean `nB`?");
-        assert_eq!(meant("na", Some("nA"), ""), "did you mean `nA`? Upper and lower case make a difference");
+        assert_eq!(meant("na", Some("nA"), ""), "did you mean `nA`? Names are case-sensitive");
         assert_eq!(meant("nA", None, "declare it"), "declare it");
     }
 

@@ -9,7 +9,7 @@ use crate::phrase::{opening_bracket, xml_part};
 pub(crate) fn role(role: Role) -> String {
     match role {
         Role::Declared => "declared here",
-        Role::Parameter => "the parameter that takes it",
+        Role::Parameter => "the parameter that receives it",
         Role::First => "the first one is here",
         Role::Interface => "the interface declares this",
         Role::Implementation => "the library has this instead",

@@ -93,7 +93,7 @@ mod tests {
                        name=\"grip\" access=\"public\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n";
         let listing = format!("{}--- one\n{}{project}", application("grip"), application("open"));
         let found = finished(&listing, "V0601");
-        assert_eq!(found, ["main.pjx: the library `part` lacks `grip`, used in 1 place (3 related)"]);
+        assert_eq!(found, ["main.pjx: the library `part` does not contain `grip`, used in 1 place (3 related)"]);
     }
 
     #[test]

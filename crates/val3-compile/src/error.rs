@@ -72,13 +72,13 @@ pub(crate) type Result<T> = std::result::Result<T, Limit>;
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Registers => "the program holds more than 65,535 values",
+            Self::Registers => "the program has more than 65,535 values",
             Self::Containers => "there are more than 8,191 variables",
             Self::Items => "there are more than 65,535 programs, libraries, texts or fields",
             Self::Counters => "the program has more than 65,536 lines and sides of branches to count",
             Self::Operations => "the program is too long",
             Self::Memory => "the data need more memory than a controller has",
-            Self::Unclear => "the meaning of this code is not known",
+            Self::Unclear => "this code cannot be resolved",
         })
     }
 }
@@ -89,10 +89,10 @@ impl Limit {
     pub fn help(self) -> &'static str {
         match self {
             Self::Registers | Self::Operations => "split the program into several that call one another",
-            Self::Containers => "make one array, collection or user type of variables that belong together",
+            Self::Containers => "combine related variables in an array, a collection or a user type",
             Self::Items => "move programs and data to libraries",
-            Self::Counters => "split the program, or leave it out by `//val3: no-coverage` before its first line",
-            Self::Memory => "make arrays smaller, or read large data from files",
+            Self::Counters => "split the program, or exclude it by `//val3: no-coverage` before its first line",
+            Self::Memory => "reduce array sizes, or read large data from files",
             Self::Unclear => {
                 "run `val3 check`; if it reports nothing here, a comment or `val3.toml` silences the finding"
             }

@@ -30,7 +30,7 @@ pub struct Config {
     /// The folders of other roots of paths: `{ USB0 = "usb" }`.
     #[schemars(with = "BTreeMap<String, String>")]
     pub roots: BTreeMap<String, Utf8PathBuf>,
-    /// Tables of add-on instructions (`val3.<Addon>.<arm>.cfx`), in addition to those in the controller's `usr/app`.
+    /// Tables of add-on instructions (`val3.<Addon>.<arm>.cfx`), in addition to the tables in the controller's `usr/app`.
     #[schemars(with = "Vec<String>")]
     pub add_ons: Vec<Utf8PathBuf>,
     /// Folders and files that a search skips. Applications can still use them as libraries. `*` matches any part of a

@@ -11,7 +11,7 @@ pub struct Format {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "IndentStyle")]
     pub indent_style: Option<IndentStyle>,
-    /// The number of blanks of one level. The default is that of `.editorconfig`, otherwise 2.
+    /// The number of blanks per level. The default is the value in `.editorconfig`, otherwise 2.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "u8")]
     pub indent_size: Option<u8>,

@@ -14,16 +14,16 @@ use crate::version;
 pub struct Options {
     /// The largest number of characters in a line of code.
     pub line_length: usize,
-    /// The largest number of parameters of a program.
+    /// The maximum parameter count of a program.
     pub parameters: usize,
     /// The largest complexity of a program. The complexity is 1 plus 1 for each `if`, `elseIf`, loop, `case`, `and`
     /// and `or`.
     pub complexity: usize,
     /// Programs that are called from outside the code, so that they always count as used.
     pub entry_points: Vec<String>,
-    /// Prefixes of the names of further entry points.
+    /// Name prefixes of further entry points.
     pub entry_prefixes: Vec<String>,
-    /// The prefix of the names of global data, by type: `num = "n"`. The key of a user type is its name. Data of
+    /// Name prefixes of global data, by type: `num = "n"`. The key of a user type is its name. Data of
     /// other types can have any name.
     pub prefixes: BTreeMap<String, String>,
     /// The text before the prefix of the type in names of local variables: with "l_", the name of a local `num` is
@@ -34,7 +34,7 @@ pub struct Options {
     /// Whether points, joints, moves and speeds are compared with the arm, as by `val3 check --motion` (V0411 to V0413,
     /// V0415, V0416).
     pub motion: bool,
-    /// The version of VAL 3 to which the applications are moved: what has to change is reported, as by `val3 check --for`
+    /// The version of VAL 3 to which the applications are moved: required changes are reported, as by `val3 check --for`
     /// (V0540 to V0542).
     #[serde(with = "version", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>")]

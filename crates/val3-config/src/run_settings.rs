@@ -20,7 +20,7 @@ pub struct RunSettings {
     /// Whether sockets can connect to other machines and accept connections from them. If not, every address means
     /// this machine.
     pub network: bool,
-    /// The time that a line of code takes on the controller, in microseconds; the default is 2.
+    /// The time that a line of code needs on the controller, in microseconds; the default is 2.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "f64")]
     pub line_cost: Option<f64>,
@@ -46,7 +46,7 @@ pub struct RunSettings {
     /// both in the frame that the link has in the chain of the arm.
     #[schemars(with = "BTreeMap<String, String>")]
     pub shapes: BTreeMap<String, Utf8PathBuf>,
-    /// Licences that differ from those of a usual controller: `{ alter = "demo", compliance = "missing" }`.
+    /// Licences that differ from the licences of a usual controller: `{ alter = "demo", compliance = "missing" }`.
     pub licences: BTreeMap<String, Licence>,
     /// Values that instructions of add-ons return, and programs that are called in place of them, because a simulated
     /// controller does not have the add-ons: `{ '$isReady' = true, '$velJoint' = { program = "standIns/velJoint.pgx" } }`.
@@ -55,7 +55,7 @@ pub struct RunSettings {
     #[serde(deserialize_with = "add_on_stand_in::read")]
     #[schemars(with = "BTreeMap<String, AddOnStandIn>")]
     pub add_ons: BTreeMap<String, AddOnStandIn>,
-    /// The run of a folder of which no application is named.
+    /// The run for a folder without a named application.
     pub default: DefaultRun,
 }
 

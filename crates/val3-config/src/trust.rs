@@ -153,13 +153,13 @@ replace = { part = "fake/part" }
     fn a_refusal_names_the_setting_and_the_command() {
         let file = file("roots = { X = \"/\" }\n");
         expect![[r#"
-            `roots.X` leads to `/`, outside of the cell
+            `roots.X` resolves to `/`, outside of the cell
              --> /cell/val3.toml:1
               |
             1 | roots = { X = "/" }
               |           ^
               help: files in `/cell` count only inside it, unless you trust their author: val3 trust /cell"#]]
-        .assert_eq(&file.outside("roots.X", "leads to `/`, outside of the cell", "/cell".into()).to_string());
+        .assert_eq(&file.outside("roots.X", "resolves to `/`, outside of the cell", "/cell".into()).to_string());
     }
 
     #[test]

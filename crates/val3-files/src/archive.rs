@@ -122,7 +122,7 @@ impl fmt::Display for ArchiveFault {
             Self::Damaged(reason) => write!(f, "it is no ZIP archive, or a damaged one: {reason}"),
             Self::TooLarge => f.write_str("it has more entries, or unpacks to more bytes, than a backup; unpack it"),
             Self::Encrypted(name) => write!(f, "`{name}` in it is encrypted; unpack it"),
-            Self::Outside(name) => write!(f, "`{name}` leads out of the archive"),
+            Self::Outside(name) => write!(f, "`{name}` resolves to a path outside the archive"),
         }
     }
 }

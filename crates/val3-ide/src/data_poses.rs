@@ -80,7 +80,7 @@ fn pose(db: &dyn Db, project: Project, path: &str) -> Option<DataPose> {
 
 /// Adds a remark if programs change the pose, because then it is only the initial pose.
 fn with_changes(found: DataPose, is_changed: bool) -> DataPose {
-    let changed = is_changed.then(|| "at the start; a program changes it or what it is relative to".to_owned());
+    let changed = is_changed.then(|| "at the start; a program changes it or one of its fathers".to_owned());
     let remarks: Vec<String> = found.remark.into_iter().chain(changed).collect();
     DataPose { remark: (!remarks.is_empty()).then(|| remarks.join("; ")), ..found }
 }

@@ -120,7 +120,7 @@ fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Bod
     if assertions.is_empty() {
         assertions.push(unfinished(assert));
     } else {
-        assertions.insert(0, "  // Fill in what is expected".to_owned());
+        assertions.insert(0, "  // Fill in the expected values".to_owned());
     }
     body.code.push(format!("  call {alias}:{}({})", called.name, arguments.join(",")));
     body.code.extend(assertions);

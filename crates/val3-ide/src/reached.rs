@@ -72,8 +72,10 @@ pub(crate) fn outside(arm: &Arm, joints: &Joints) -> Vec<String> {
 /// Reason why the pose of a position is unknown.
 pub(crate) fn not_placed(reason: &Unplaced) -> String {
     match reason {
-        Unplaced::Unwritten(path) => format!("its place is not known: {} is not in the data files", code(&shown(path))),
-        Unplaced::NoFather(path) => format!("its place is not known: {} has no father", code(&shown(path))),
+        Unplaced::Unwritten(path) => {
+            format!("its placement is unknown: {} is not in the data files", code(&shown(path)))
+        }
+        Unplaced::NoFather(path) => format!("its placement is unknown: {} has no father", code(&shown(path))),
         Unplaced::Loop { first, count } => {
             let quoted = |path: &SmolStr| code(&shown(path));
             let mut names: Vec<String> = first.iter().map(quoted).collect();
@@ -81,7 +83,7 @@ pub(crate) fn not_placed(reason: &Unplaced) -> String {
                 names.push(format!("{others} others"));
             }
             names.extend(first.first().map(quoted));
-            format!("its place is not known: the fathers form a loop, {}", names.join(" on "))
+            format!("its placement is unknown: the fathers form a loop, {}", names.join(" on "))
         }
     }
 }

@@ -112,7 +112,7 @@ impl RobotArm {
     /// The cell names an arm that is not known; the default one stays.
     pub fn miss(&mut self, name: &str) {
         self.notice = Some(format!(
-            "the arm `{name}` of arm.cfx is not known: this run has a {}; describe yours in a file (--arm FILE.toml)",
+            "the arm `{name}` of arm.cfx is unknown: this run has a {}; describe yours in a file (--arm FILE.toml)",
             self.model.name()
         ));
     }

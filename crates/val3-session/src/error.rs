@@ -94,7 +94,7 @@ impl SessionError {
             Self::Line { .. } => "look at its parameters in sio.cfx, at --line and at [run] in val3.toml".to_owned(),
             Self::Device { .. } => "name a serial device that you may read and write".to_owned(),
             Self::Recording { .. } => "name a file that `val3 run --events` has written".to_owned(),
-            Self::Memory => "make arrays smaller, or read large data from files".to_owned(),
+            Self::Memory => "reduce array sizes, or read large data from files".to_owned(),
             Self::Limit(error) => error.limit.help().to_owned(),
         }
     }

@@ -56,7 +56,7 @@ Exit codes:
 const RUN_EXIT_CODES: &str = "\
 Exit codes:
   0  the application has ended, or has reached --until with --until-ok, or the recording has ended
-  1  the compiler refuses the application, a run-time error was not handled, no task can continue,
+  1  the compiler rejects the application, a run-time error was not handled, no task can continue,
      or the replay differs
   2  wrong usage, or a file that cannot be read or written
   3  the run has reached --until";
@@ -65,7 +65,7 @@ const TEST_EXIT_CODES: &str = "\
 Exit codes:
   0  every test has passed
   1  a test has failed
-  2  wrong usage, no tests, or an application that cannot be read or that the compiler refuses";
+  2  wrong usage, no tests, or an application that cannot be read or that the compiler rejects";
 
 const FMT_SETTINGS: &str = "\
 Settings:
@@ -76,12 +76,12 @@ const CONFIGURATION: &str = "\
 Settings:
   An application uses the nearest val3.toml in its folder or above.
   The comment //val3: allow(V0203) silences findings in the next line of code,
-  //val3: allow-program(V0203) before the first line those in the program.";
+  //val3: allow-program(V0203) before the first line silences findings in the entire program.";
 
 const TRUST: &str = "\
-Files that come with a cell (val3.toml, projects, scenarios, links) steer the tools inside the cell
-only: the repository around them, otherwise their folder. Folders, serial devices and other machines
-outside need your word: an argument such as --network or --line, the environment variable VAL3_TRUST
+Files of a cell (val3.toml, projects, scenarios, links) control tools only inside the cell: the
+repository around them, otherwise their folder. Folders, serial devices and other machines outside
+require permission: an argument such as --network or --line, the environment variable VAL3_TRUST
 with folders as in PATH, or this list.";
 
 const STYLES: Styles = Styles::styled()
@@ -98,10 +98,10 @@ pub(crate) struct Args {
     /// The command to run
     #[command(subcommand)]
     pub(crate) command: Command,
-    /// Use this file instead of the nearest val3.toml of each application
+    /// Use this file instead of each application's nearest val3.toml
     #[arg(hide_short_help = true, help_heading = "Global options", long, value_name = "FILE", global = true)]
     pub(crate) config: Option<Utf8PathBuf>,
-    /// Report the version, and the settings and the arm of each application, on the standard error output
+    /// Report the version, and each application's settings and arm, on the standard error output
     #[arg(hide_short_help = true, help_heading = "Global options", long, short, global = true)]
     pub(crate) verbose: bool,
     /// When to colour the output
@@ -145,13 +145,13 @@ pub(crate) enum Command {
     /// Compare two backups of a controller: programs, data, points, inputs and outputs
     #[command(override_usage = diff::USAGE, after_help = diff::EXIT_CODES)]
     Diff(DiffArgs),
-    /// Merge the changes of two versions of a file since their common ancestor, also as the merge driver of git
+    /// Merge two versions of a file by their changes since the common ancestor, also as git's merge driver
     #[command(override_usage = merge::USAGE, after_help = merge::EXIT_CODES)]
     Merge(MergeArgs),
     /// Run an application on the embedded controller
     #[command(after_help = RUN_EXIT_CODES)]
     Run(Box<RunArgs>),
-    /// Execute the tests of applications, each on a controller of its own
+    /// Execute the tests of applications, each test on a separate controller
     #[command(after_help = TEST_EXIT_CODES)]
     Test(Box<TestArgs>),
     /// Print values of expressions, and execute statements
@@ -164,7 +164,7 @@ pub(crate) enum Command {
     Lsp(LspArgs),
     /// Debug applications for an editor with the Debug Adapter Protocol
     Dap(DapArgs),
-    /// Trust the settings in a folder, so that they may reach outside of their cell
+    /// Trust the settings in a folder, so that they may reach outside the cell
     #[command(after_help = TRUST)]
     Trust(TrustArgs),
     /// Print the JSON schema of val3.toml, for completion in editors
@@ -269,7 +269,7 @@ pub(crate) struct DapArgs {
     /// Use standard input and output. This is the default; many clients pass the option
     #[arg(long, conflicts_with = "port")]
     pub(crate) stdio: bool,
-    /// Serve clients on this TCP port of this machine, each with a session of its own; 0 chooses a free one
+    /// Serve clients on this TCP port of this machine, each with a separate session; 0 chooses a free port
     #[arg(long, value_name = "PORT")]
     pub(crate) port: Option<u16>,
 }
@@ -278,7 +278,7 @@ pub(crate) struct DapArgs {
 #[derive(Debug, clap::Args)]
 #[group(required = true, multiple = true)]
 pub(crate) struct TrustArgs {
-    /// A folder whose settings, and those in folders below, may reach outside of their cell
+    /// A folder: its settings, and settings in folders below, may reach outside the cell
     #[arg(value_name = "DIR")]
     pub(crate) folder: Option<Utf8PathBuf>,
     /// Print the trusted folders

@@ -44,7 +44,7 @@ pub(crate) fn notice(
 
 /// Error about the arm in a `val3.toml`, with its line.
 fn fault(file: &ConfigFile, reason: &str) -> UserError {
-    let fault = file.fault("arm", reason.to_owned(), "`val3 arm list` shows the known arms".to_owned());
+    let fault = file.fault("arm", reason.to_owned(), "`val3 arm list` lists the arms".to_owned());
     SessionError::Load(LoadError::Configuration(vec![fault])).into()
 }
 
@@ -67,7 +67,7 @@ fn notice_about(arm: &ProjectArm) -> Option<String> {
              arm.cfx"
         )),
         ArmOrigin::Unknown(unknown) => Some(format!(
-            "the arm `{unknown}` of arm.cfx is not known: positions and moves are compared with a {name}; describe \
+            "the arm `{unknown}` of arm.cfx is unknown: positions and moves are compared with a {name}; describe \
              yours in a file (--arm FILE.toml)"
         )),
     }

@@ -62,8 +62,10 @@ pub(crate) fn encoded(encoding: Encoding, text: &str) -> Option<Vec<u8>> {
 }
 
 pub(crate) fn unencodable(path: &str) -> UserError {
-    UserError::new(format!("cannot write `{path}`: the new text has a character that the encoding of the file lacks"))
-        .with_help("save it as UTF-8")
+    UserError::new(format!(
+        "cannot write `{path}`: the new text contains a character that the encoding of the file does not support"
+    ))
+    .with_help("save it as UTF-8")
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ pub(crate) enum Severity {
     Info,
     /// Nearly always a mistake.
     Warning,
-    /// The controller refuses to load it, or it certainly fails when it runs.
+    /// The controller rejects it, or it certainly fails when it runs.
     Error,
 }
 

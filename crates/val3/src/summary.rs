@@ -12,7 +12,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     }
     writeln!(out, "{}", counts(report))?;
     if let Some(Changes { new, gone }) = report.changes {
-        writeln!(out, "since the last check: {} new, {} gone", grouped(new), grouped(gone))?;
+        writeln!(out, "since the last check: {} new, {} removed", grouped(new), grouped(gone))?;
     }
     left_out(report, out)?;
     fixes(report).map_or(Ok(()), |fixes| writeln!(out, "{fixes}"))
@@ -64,8 +64,8 @@ fn fixes(report: &Report) -> Option<String> {
 fn refused(count: usize) -> String {
     match count {
         0 => String::new(),
-        1 => ", 1 fix left out because it would add an error".to_owned(),
-        _ => format!(", {} fixes left out because they would add errors", grouped(count)),
+        1 => ", 1 fix omitted because it would add an error".to_owned(),
+        _ => format!(", {} fixes omitted because they would add errors", grouped(count)),
     }
 }
 
@@ -158,15 +158,15 @@ mod tests {
     #[test]
     fn fixes_that_are_left_out_are_counted() {
         let report = Report { fixed: Some(2), refused: 1, ..sample::clean() };
-        assert!(summary(&report).ends_with("\n2 of 2 findings fixed, 1 fix left out because it would add an error\n"));
+        assert!(summary(&report).ends_with("\n2 of 2 findings fixed, 1 fix omitted because it would add an error\n"));
         let report = Report { fixed: Some(0), refused: 2, ..sample::clean() };
-        assert!(summary(&report).ends_with(", 2 fixes left out because they would add errors\n"));
+        assert!(summary(&report).ends_with(", 2 fixes omitted because they would add errors\n"));
     }
 
     #[test]
     fn a_repeated_check_names_the_differences() {
         let report = Report { changes: Some(Changes { new: 2, gone: 0 }), ..sample::report() };
-        assert!(summary(&report).contains("\nsince the last check: 2 new, 0 gone\n"));
+        assert!(summary(&report).contains("\nsince the last check: 2 new, 0 removed\n"));
     }
 
     #[test]

@@ -77,7 +77,7 @@ fn list_file() -> Result<Utf8PathBuf, UserError> {
     let system = if cfg!(windows) { variable("APPDATA") } else { home().map(|home| home.join(".config")) };
     let folder = variable("XDG_CONFIG_HOME").filter(|path| path.is_absolute()).or(system);
     folder.map(|folder| folder.join("val3/trust.toml")).ok_or_else(|| {
-        UserError::new("the folder of your settings is not known").with_help("set HOME or XDG_CONFIG_HOME")
+        UserError::new("the folder of your settings is unknown").with_help("set HOME or XDG_CONFIG_HOME")
     })
 }
 

@@ -149,7 +149,7 @@ const STEPS = {
 
   async "an application that the compiler refuses shows the reason"(user) {
     writeProgram("testOffset", "  nUnknown=1");
-    await user.page.waitForSelector('.test-explorer .monaco-list-row:has-text("the compiler refuses the application")');
+    await user.page.waitForSelector('.test-explorer .monaco-list-row:has-text("the compiler rejects the application")');
   },
 };
 

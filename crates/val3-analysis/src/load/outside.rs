@@ -66,7 +66,7 @@ pub(super) fn check(system: &dyn System, file: &ConfigFile) -> Result<(), Config
     };
     match named.into_iter().find(is_outside) {
         Some(named) if !trust::is_trusted(&system.target(file.folder())) => {
-            Err(file.outside(&named.key, &format!("leads to `{}`, outside of the cell", named.path), &cell))
+            Err(file.outside(&named.key, &format!("resolves to `{}`, outside of the cell", named.path), &cell))
         }
         _ => Ok(()),
     }
@@ -153,7 +153,7 @@ mod tests {
         };
         assert_eq!(checked("/w/tests/val3.toml", "disk = \"../usr\""), Ok(()));
         assert_eq!(checked("/x/val3.toml", "roots.A = \"a\"\nbaseline = \"sub/../b.json\""), Ok(()));
-        let outside = |key: &str, path: &str| Err(format!("`{key}` leads to `{path}`, outside of the cell"));
+        let outside = |key: &str, path: &str| Err(format!("`{key}` resolves to `{path}`, outside of the cell"));
         assert_eq!(checked("/x/val3.toml", "disk = \"../w/usr\""), outside("disk", "../w/usr"));
         assert_eq!(checked("/w/tests/val3.toml", "add-ons = [\"/dev/zero\"]"), outside("add-ons", "/dev/zero"));
         assert_eq!(

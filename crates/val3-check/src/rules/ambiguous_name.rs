@@ -89,7 +89,7 @@ fn word(what: &str, name: &str, other: &str, programs: usize) -> Wording {
     Wording::new(
         format!("`{name}` is a {what} here{more}, and also {other} of the project"),
         format!("also {other}"),
-        "give it another name",
+        "rename it",
     )
 }
 
@@ -107,11 +107,11 @@ mod tests {
         expect![[r#"
             p.pgx:5 `p` `p` is a parameter here, and also a program of the project
               | also a program
-              ? give it another name
+              ? rename it
               > p.pgx:3 `p` declared here
             p.pgx:8 `part` `part` is a local variable here, and also a library identifier of the project
               | also a library identifier
-              ? give it another name
+              ? rename it
               > main.pjx:11 `part` declared here
         "#]]
         .assert_eq(&check(&RULE, listing));
@@ -124,13 +124,13 @@ mod tests {
         expect![[r#"
             p.pgx:5 `p` `p` is a parameter here and in 2 other programs, and also a program of the project
               | also a program
-              ? give it another name
+              ? rename it
               > p.pgx:3 `p` declared here
               > q.pgx:5 `p` a variable here too
               > r.pgx:6 `p` a variable here too
             r.pgx:5 `q` `q` is a parameter here, and also a program of the project
               | also a program
-              ? give it another name
+              ? rename it
               > q.pgx:3 `q` declared here
         "#]]
         .assert_eq(&check(&RULE, listing));

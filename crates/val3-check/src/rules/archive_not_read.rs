@@ -6,9 +6,9 @@ rule! {
     /// A checked folder contains a ZIP archive with VAL 3 files, which is not read.
     ///
     /// ## Why
-    /// The archive is probably a backup of a controller. An old one beside the present files would repeat their findings,
-    /// so that archives are only read if they are named: `val3 check backup.zip`. Without this finding, a report without
-    /// findings would seem to cover the archive.
+    /// The archive is probably a backup of a controller. An old backup next to the present files would repeat their
+    /// findings, so that archives are only read if they are named: `val3 check backup.zip`. Without this finding, a
+    /// report without findings would seem to cover the archive.
     ///
     /// Archives without project, program and data files are not reported. An archive whose contents cannot be listed is
     /// reported with the reason. Set the rule to `off` in `[rules]` if backups belong in the folder, or exclude their

@@ -15,8 +15,8 @@ rule! {
     ///
     /// ## Why
     /// Every parameter of a program or instruction needs its argument; none can be left out. Where an instruction has
-    /// several forms, the number of arguments must be that of one of them. The controller does not load an application
-    /// with any other call.
+    /// several forms, the number of arguments must match a form. The controller does not load an application with any
+    /// other call.
     ///
     /// ## Bad
     /// ```val3

@@ -9,7 +9,7 @@ use crate::phrase::runtime_error;
 use crate::rule::rule;
 
 rule! {
-    /// An argument is a constant number that the instruction refuses with a run-time error.
+    /// An argument is a constant number that the instruction rejects with a run-time error.
     ///
     /// ## Why
     /// The line stops its task whenever it runs. Error 11 means that the function is not defined for the number

@@ -77,7 +77,7 @@ mod tests {
         expect![[r#"
             `movej` takes a `joint` or a `point` as `jPosition`, not a `trsf`
             | this is a `trsf`
-            ? the field `.trsf` of a point takes it; `compose(…)` makes a point with it
+            ? assign it to the field `.trsf` of a point; `compose(…)` returns a point with it
         "#]]
         .assert_eq(&word("movej", "jPosition", &types, "trsf").to_string());
     }

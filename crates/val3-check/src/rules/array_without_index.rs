@@ -10,7 +10,7 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// An array of several values is passed to a parameter that takes a single value.
+    /// An array of several values is passed to a parameter that accepts a single value.
     ///
     /// ## Why
     /// A container is never passed by value (2.6). Where a single value is needed, the name of a one-dimensional array
@@ -55,7 +55,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
                 let end = TextRange::empty(program.range(program.body.without_parentheses(argument)).end());
                 found
                     .report(&RULE, program.range(argument), word(name, &param.name))
-                    .related_at(program.parameter(&call, &param.name), "the parameter that takes it")
+                    .related_at(program.parameter(&call, &param.name), "the parameter that receives it")
                     .fix(format!("write `{name}[0]`"), true, [program.write(end, "[0]")]);
             }
         }
@@ -72,7 +72,7 @@ fn is_array(program: &Program<'_>, id: ExprId) -> bool {
 
 fn word(name: &str, parameter: &str) -> Wording {
     Wording::new(
-        format!("`{name}` is an array, but the parameter `{parameter}` takes its first value only"),
+        format!("`{name}` is an array, but the parameter `{parameter}` receives only its first value"),
         format!("means `{name}[0]`"),
         "write the index that is meant",
     )
@@ -88,20 +88,20 @@ mod tests {
     #[test]
     fn arrays_used_as_values_are_reported() {
         expect![[r#"
-            start.pgx:5 `nA` `nA` is an array, but the parameter `x` takes its first value only
+            start.pgx:5 `nA` `nA` is an array, but the parameter `x` receives only its first value
               | means `nA[0]`
               ? write the index that is meant
-              > p.pgx:5 `x` the parameter that takes it
+              > p.pgx:5 `x` the parameter that receives it
               ! write `nA[0]`
-            start.pgx:6 `nA` `nA` is an array, but the parameter `x` takes its first value only
+            start.pgx:6 `nA` `nA` is an array, but the parameter `x` receives only its first value
               | means `nA[0]`
               ? write the index that is meant
-              > q.pgx:5 `x` the parameter that takes it
+              > q.pgx:5 `x` the parameter that receives it
               ! write `nA[0]`
-            start.pgx:7 `nA` `nA` is an array, but the parameter `x` takes its first value only
+            start.pgx:7 `nA` `nA` is an array, but the parameter `x` receives only its first value
               | means `nA[0]`
               ? write the index that is meant
-              > p.pgx:5 `x` the parameter that takes it
+              > p.pgx:5 `x` the parameter that receives it
               ! write `nA[0]`
         "#]]
         .assert_eq(&check(

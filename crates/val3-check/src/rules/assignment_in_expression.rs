@@ -12,9 +12,9 @@ rule! {
     /// `=` is used inside an expression, where only the comparison `==` is possible.
     ///
     /// ## Why
-    /// `=` gives a value to a variable and `==` compares two values. To keep the two apart, VAL 3 allows `=` only as the
-    /// main part of a line (`nA=nB=0` sets both), never in a condition or an argument. Otherwise
-    /// `if bA=bB` would change `bA` instead of testing it.
+    /// `=` sets a variable and `==` compares two values. To keep the two apart, VAL 3 allows `=` only as the main part
+    /// of a line (`nA=nB=0` sets both), never in a condition or an argument. Otherwise `if bA=bB` would change `bA`
+    /// instead of testing it.
     ///
     /// ## Bad
     /// ```val3

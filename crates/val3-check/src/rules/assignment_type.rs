@@ -6,7 +6,7 @@ rule! {
     /// A value is assigned to a variable that has another type.
     ///
     /// ## Why
-    /// `=` takes a value of the type of its variable. The exceptions are inputs and outputs: a `bool` is written to a
+    /// `=` requires a value of the variable's type. The exceptions are inputs and outputs: a `bool` is written to a
     /// `dio` and read from it, and a `string` or `num` is sent to a `sio` and received from it. Since s7 a `dio` is no
     /// longer assigned to another `dio` (3.5.2). The controller does not load an application with any other assignment.
     ///
@@ -60,7 +60,7 @@ mod tests {
         expect![[r#"
             a `trsf` cannot be assigned to a `pointRx`
             | this is a `trsf`
-            ? the field `.trsf` of a point takes it; `compose(…)` makes a point with it
+            ? assign it to the field `.trsf` of a point; `compose(…)` returns a point with it
         "#]]
         .assert_eq(&word("pointRx", "trsf").to_string());
         expect![[r#"

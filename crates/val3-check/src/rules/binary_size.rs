@@ -16,9 +16,9 @@ rule! {
     ///
     /// ## Why
     /// Both instructions check the sizes first. If the source array has fewer values than requested, or the target
-    /// array is too small for the result, they raise run-time error 70 (3.3.3). The format gives the number of bytes
-    /// for each value: `8.0b` needs eight. From s8 on, `toBinary` encodes the values that exist, so a source array that
-    /// is too small is not reported there.
+    /// array is too small for the result, they raise run-time error 70 (3.3.3). The format sets the number of bytes for
+    /// each value: `8.0b` needs eight. From s8 on, `toBinary` encodes the values that exist, so a source array that is
+    /// too small is not reported there.
     ///
     /// ## Bad
     /// ```val3

@@ -8,7 +8,7 @@ use crate::lint::{Findings, Phase, Program};
 use crate::rule::rule;
 
 rule! {
-    /// `open` or `close` follows a move whose descriptor asks for a rounded corner.
+    /// `open` or `close` follows a move whose descriptor requests a blend.
     ///
     /// ## Why
     /// `open` and `close` wait until the arm has arrived, so the arm stops at the target and the corner is not rounded
@@ -55,7 +55,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             let descriptor = program.descriptor(last).unwrap_or(last);
             found
                 .report(&RULE, program.range(step.call.id), word(step.call.instruction.name))
-                .related(program.range(descriptor), "this descriptor asks for a rounded corner");
+                .related(program.range(descriptor), "this descriptor requests a blend");
         }
     }
 }
@@ -88,14 +88,14 @@ mod tests {
             start.pgx:10 `open(tA)` `open` waits for the arm, so the corner of the move before is not rounded
               | the arm stops here
               ? pass that move a descriptor with `blend` off
-              > start.pgx:9 `mA` this descriptor asks for a rounded corner
+              > start.pgx:9 `mA` this descriptor requests a blend
         "#]]
         .assert_eq(&check(&RULE, &program("mA.blend=Cartesian\nmovel(pA,tA,mA)\nopen(tA)")));
         expect![[r#"
             start.pgx:11 `close(tA)` `close` waits for the arm, so the corner of the move before is not rounded
               | the arm stops here
               ? pass that move a descriptor with `blend` off
-              > start.pgx:10 `l_m` this descriptor asks for a rounded corner
+              > start.pgx:10 `l_m` this descriptor requests a blend
         "#]]
         .assert_eq(&check(&RULE, &program("l_m=mA\nl_m.blend=joint\nmovel(pA,tA,l_m)\nclose(tA)")));
     }

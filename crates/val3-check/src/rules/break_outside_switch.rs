@@ -7,7 +7,7 @@ rule! {
     ///
     /// ## Why
     /// `break` closes a branch of `switch` and does nothing else. It does not leave a loop, as it does in other
-    /// languages. A loop ends when its condition says so; `return` leaves the whole program.
+    /// languages. A loop ends by its condition; `return` ends the whole program.
     ///
     /// ## Bad
     /// ```val3

@@ -13,7 +13,7 @@ rule! {
     /// A loop with an empty block repeats its test until something else changes the condition.
     ///
     /// ## Why
-    /// The loop uses up every turn of its task, so that other tasks become slow, including the one it waits for. The
+    /// The loop uses up every turn of its task, so that other tasks become slow, including the task it waits for. The
     /// instruction `wait` tests its condition once per turn and lets the other tasks run.
     ///
     /// ## Bad

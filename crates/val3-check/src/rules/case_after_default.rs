@@ -6,8 +6,8 @@ rule! {
     /// A `case` follows `default`.
     ///
     /// ## Why
-    /// The branches are tested from top to bottom, and `default` takes every remaining value. It must therefore be the
-    /// last branch. The controller refuses a program with a `case` after it.
+    /// The branches are tested from top to bottom, and `default` matches every remaining value. It must therefore be
+    /// the last branch. The controller rejects a program with a `case` after it.
     ///
     /// ## Bad
     /// ```val3

@@ -7,7 +7,7 @@ rule! {
     ///
     /// ## Why
     /// A branch belongs to the `switch` around it. If `endSwitch` comes too early, or the line with `switch` was
-    /// deleted, the branch has nothing to compare with, and the controller refuses the program.
+    /// deleted, the branch has nothing to compare with, and the controller rejects the program.
     ///
     /// ## Bad
     /// ```val3

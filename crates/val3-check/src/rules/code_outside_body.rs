@@ -7,7 +7,7 @@ rule! {
     ///
     /// ## Why
     /// The code of a program is enclosed by `begin` and `end`. Only blank lines are allowed before and after it. The
-    /// controller refuses other text there. If lines follow `end`, that `end` is often a mistake for `endIf` or
+    /// controller rejects other text there. If lines follow `end`, that `end` is often a mistake for `endIf` or
     /// `endFor`.
     ///
     /// ## Bad

@@ -12,7 +12,7 @@ rule! {
     /// A comment follows code on the same line.
     ///
     /// ## Why
-    /// `//` must be the first text on its line. VAL 3 has no comments after an instruction, and the controller refuses
+    /// `//` must be the first text on its line. VAL 3 has no comments after an instruction, and the controller rejects
     /// the program.
     ///
     /// ## Bad

@@ -15,8 +15,8 @@ rule! {
     ///
     /// ## Why
     /// Every decision can double the number of paths that must be understood and tested. Move parts of the program into
-    /// programs of their own. A decision is an `if`, `elseIf`, `while`, `until`, `for` or `case`, and an `and` or `or`
-    /// in a condition.
+    /// separate programs. A decision is an `if`, `elseIf`, `while`, `until`, `for` or `case`, and an `and` or `or` in a
+    /// condition.
     ///
     /// ## Bad
     /// ```val3

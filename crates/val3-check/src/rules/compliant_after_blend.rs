@@ -7,7 +7,7 @@ use crate::lint::{Findings, Phase, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A compliant move follows a move whose descriptor asks for a rounded corner.
+    /// A compliant move follows a move whose descriptor requests a blend.
     ///
     /// ## Why
     /// The arm stops at both ends of a compliant move (11.1.4), so the corner is not rounded. Give the previous move a
@@ -58,7 +58,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let descriptor = program.descriptor(last).unwrap_or(last);
         found
             .report(&RULE, program.range(step.call.callee), word(step.call.instruction.name))
-            .related(program.range(descriptor), "this descriptor asks for a rounded corner");
+            .related(program.range(descriptor), "this descriptor requests a blend");
     }
 }
 
@@ -87,7 +87,7 @@ mod tests {
             start.pgx:8 `movejf` `movejf` starts from a standstill, so the corner of the move before is not rounded
               | the arm stops before this move
               ? pass the move before a descriptor with `blend` off
-              > start.pgx:7 `mA` this descriptor asks for a rounded corner
+              > start.pgx:7 `mA` this descriptor requests a blend
         "#]]
         .assert_eq(&check(&RULE, &program("mA.blend=joint\nmovej(pA,tA,mA)\nmovejf(jA,tA,mA,0)\nmovelf(pA,tA,mA,0)")));
     }

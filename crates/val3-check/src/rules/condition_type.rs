@@ -54,7 +54,7 @@ mod tests {
         expect![[r#"
             `if` needs a `bool` as its condition, not a `num`
             | this is a `num`
-            ? a comparison such as `…!=0` makes a `bool` of a number
+            ? a comparison such as `…!=0` converts a number to a `bool`
         "#]]
         .assert_eq(&word("if", "num").to_string());
         expect![[r#"

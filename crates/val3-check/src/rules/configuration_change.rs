@@ -56,7 +56,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             let before = program.target(last).unwrap_or(last);
             found
                 .report(&RULE, program.range(target), word(step.call.instruction.name, from, to))
-                .related(program.range(before), format!("the arm comes from here with `{}`", from.name));
+                .related(program.range(before), format!("the arm starts here with `{}`", from.name));
         }
     }
 }
@@ -75,7 +75,7 @@ fn other(wanted: &[&'static Enumerator], from: &Enumerator) -> Option<&'static E
 fn word(instruction: &str, from: &Enumerator, to: &Enumerator) -> Wording {
     Wording::new(
         format!("`{instruction}` cannot change the configuration from `{}` to `{}`", from.name, to.name),
-        format!("asks for `{}`", to.name),
+        format!("requires `{}`", to.name),
         "reach the point with a joint move, or teach both points in one configuration",
     )
 }
@@ -97,9 +97,9 @@ mod tests {
     fn a_configuration_set_by_the_program_is_reported() {
         expect![[r#"
             start.pgx:10 `pB` `movec` cannot change the configuration from `epositive` to `enegative`
-              | asks for `enegative`
+              | requires `enegative`
               ? reach the point with a joint move, or teach both points in one configuration
-              > start.pgx:8 `pA` the arm comes from here with `epositive`
+              > start.pgx:8 `pA` the arm starts here with `epositive`
         "#]]
         .assert_eq(&check(&RULE, &program(&format!("{SET}movel(pA,tA,mA)\nwaitEndMove()\nmovec(pA,pB,tA,mA)"))));
     }
@@ -108,9 +108,9 @@ mod tests {
     fn a_computed_point_has_the_configuration_of_its_point() {
         expect![[r#"
             start.pgx:9 `pB` `movel` cannot change the configuration from `epositive` to `enegative`
-              | asks for `enegative`
+              | requires `enegative`
               ? reach the point with a joint move, or teach both points in one configuration
-              > start.pgx:8 `appro(pA,{0,0,1,0,0,0})` the arm comes from here with `epositive`
+              > start.pgx:8 `appro(pA,{0,0,1,0,0,0})` the arm starts here with `epositive`
         "#]]
         .assert_eq(&check(&RULE, &program(&format!("{SET}movej(appro(pA,{{0,0,1,0,0,0}}),tA,mA)\nmovel(pB,tA,mA)"))));
     }
@@ -133,9 +133,9 @@ mod tests {
         let code = "movej(pX[0],tX,mX)\nmovel(pX[1],tX,mX)\n";
         expect![[r#"
             start.pgx:6 `pX[1]` `movel` cannot change the configuration from `epositive` to `enegative`
-              | asks for `enegative`
+              | requires `enegative`
               ? reach the point with a joint move, or teach both points in one configuration
-              > start.pgx:5 `pX[0]` the arm comes from here with `epositive`
+              > start.pgx:5 `pX[0]` the arm starts here with `epositive`
         "#]]
         .assert_eq(&check(&RULE, &format!("{code}\n{}", data("enegative"))));
         assert_eq!(check(&RULE, &format!("{code}\n{}", data("epositive"))), "");

@@ -10,8 +10,8 @@ rule! {
     /// `=======` and `>>>>>>>`. The controller does not know these lines: the file is neither XML nor VAL 3 until one
     /// version is chosen and the marks are removed.
     ///
-    /// `val3 merge` writes a conflict of data as a comment before the element, which begins with `<!-- <<<<<<<` and holds
-    /// the value of the other branch. The file is XML, but nobody has chosen a value yet.
+    /// `val3 merge` writes a conflict of data as a comment before the element, which begins with `<!-- <<<<<<<` and
+    /// holds the value of the other branch. The file is XML, but no value has been chosen yet.
     ///
     /// ## Bad
     /// ```val3

@@ -3,7 +3,7 @@
 use crate::{diagnostic::Wording, english::container, rule::rule};
 
 rule! {
-    /// A parameter that takes an array or collection gets another container.
+    /// A parameter for an array or collection receives a different container.
     ///
     /// ## Why
     /// A parameter `num& x[]` is linked to a whole one-dimensional array of the caller, `num& x[,]` to a

@@ -10,8 +10,8 @@ rule! {
     ///
     /// ## Why
     /// If names show the type (`nCount`, `pPick`, `bReady`), a line of code can be read without its declarations. The
-    /// option `prefixes` gives the letters for each type; the name of data of a type without an entry is not checked. A
-    /// user type has an entry under its own name. The rule is off by default, because it enforces a convention that not
+    /// option `prefixes` sets the letters by type; the name of data of a type without an entry is not checked. A user
+    /// type has an entry under its own name. The rule is off by default, because it enforces a convention that not
     /// every shop has.
     ///
     /// ## Bad

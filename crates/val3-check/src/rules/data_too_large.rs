@@ -9,9 +9,9 @@ rule! {
     /// An array, or all data of a file together, need more memory than a controller has.
     ///
     /// ## Why
-    /// All values of global data exist as soon as the application is in memory. Controllers have some hundred megabytes;
-    /// `val3` assumes 512 MB, of which a number takes 8 bytes and a point 72. With larger data the application cannot be
-    /// loaded, and `val3 run` refuses it.
+    /// All values of global data exist as soon as the application is in memory. Controllers have some hundred
+    /// megabytes; `val3` assumes 512 MB, of which a number needs 8 bytes and a point 72. With larger data the
+    /// application cannot be loaded, and `val3 run` rejects it.
     ///
     /// ## Bad
     /// ```val3
@@ -33,7 +33,7 @@ rule! {
 
 /// Words the finding.
 pub(crate) fn word(DataSize { name, bytes, total }: &DataSize) -> Wording {
-    let (limit, help) = (megabytes(MEMORY), "make arrays smaller, or read large data from files");
+    let (limit, help) = (megabytes(MEMORY), "reduce array sizes, or read large data from files");
     if *bytes > MEMORY {
         let message = format!("`{name}` needs {} MB, and a controller has {limit} MB for all data", megabytes(*bytes));
         return Wording::new(message, "too large for a controller", help);
@@ -65,7 +65,7 @@ mod tests {
         expect![[r#"
             `nSamples` needs 763 MB, and a controller has 512 MB for all data
             | too large for a controller
-            ? make arrays smaller, or read large data from files
+            ? reduce array sizes, or read large data from files
         "#]]
         .assert_eq(&worded("nSamples", 800_000_000, 800_000_000));
     }
@@ -75,7 +75,7 @@ mod tests {
         expect![[r#"
             with `nB` the data of this file need 763 MB, and a controller has 512 MB for all data
             | too large together with the data before it
-            ? make arrays smaller, or read large data from files
+            ? reduce array sizes, or read large data from files
         "#]]
         .assert_eq(&worded("nB", 400_000_000, 800_000_000));
     }

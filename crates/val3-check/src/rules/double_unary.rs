@@ -6,7 +6,7 @@ rule! {
     /// Two unary operators follow each other.
     ///
     /// ## Why
-    /// `-` and `!` before a value cannot follow each other directly, as in `--nA` or `!!bA`. The controller refuses the
+    /// `-` and `!` before a value cannot follow each other directly, as in `--nA` or `!!bA`. The controller rejects the
     /// line. After a binary operator one sign is allowed: `nA*-1`. If both signs are meant, separate them with
     /// brackets.
     ///

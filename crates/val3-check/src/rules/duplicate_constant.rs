@@ -79,7 +79,7 @@ fn word(second: &Constant, first: &Constant) -> Wording {
     Wording::new(
         format!("`{}` has the same value as `{}`", second.0, first.0),
         format!("{} again", second.1),
-        "give it a value of its own",
+        "use a different value",
     )
 }
 
@@ -100,7 +100,7 @@ mod tests {
         expect![[r#"
             main.dtx:13 `nState_3` `nState_3` has the same value as `nState_1`
               | 2 again
-              ? give it a value of its own
+              ? use a different value
               > main.dtx:7 `nState_1` the first one
         "#]]
         .assert_eq(&group_of(&[1, 2, 3, 2]));

@@ -14,7 +14,7 @@ rule! {
     ///
     /// ## Why
     /// A program file listed twice would define its program twice. If a library identifier or a user type is declared
-    /// twice, it is unclear which project it means. The controller refuses both when it loads the project. One library
+    /// twice, it is unclear which project it means. The controller rejects both when it loads the project. One library
     /// may have several identifiers; only the identifiers must be unique.
     ///
     /// ## Bad
@@ -62,7 +62,7 @@ fn declared_twice(what: &str, name: &str) -> Wording {
     Wording::new(
         format!("the {what} `{name}` is declared twice"),
         "the second declaration",
-        "remove one of the two, or give it another name",
+        "remove one of the two, or rename it",
     )
 }
 
@@ -96,7 +96,7 @@ mod tests {
         expect![[r#"
             the library identifier `part` is declared twice
             | the second declaration
-            ? remove one of the two, or give it another name
+            ? remove one of the two, or rename it
         "#]]
         .assert_eq(&word(FileRole::Library, "part").to_string());
     }
@@ -106,7 +106,7 @@ mod tests {
         expect![[r#"
             the user type `Slot` is declared twice
             | the second declaration
-            ? remove one of the two, or give it another name
+            ? remove one of the two, or rename it
         "#]]
         .assert_eq(&word(FileRole::Type, "Slot").to_string());
     }

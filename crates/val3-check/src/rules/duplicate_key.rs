@@ -3,11 +3,11 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A data file gives two values to the same element.
+    /// A data file contains two values for the same element.
     ///
     /// ## Why
-    /// Each element of an array and each key of a collection holds one value. The controller refuses a second value
-    /// for the same key. It often comes from a merge in which both sides changed the value.
+    /// Each element of an array and each key of a collection has one value. The controller rejects a second value for
+    /// the same key. It often comes from a merge in which both sides changed the value.
     ///
     /// ## Bad
     /// ```val3

@@ -8,10 +8,9 @@ rule! {
     /// A name is declared twice in the same scope.
     ///
     /// ## Why
-    /// The controller would not know which of the two is meant, and does not load the application. Data of one
-    /// application have different names, and so have the programs, and the parameters and local variables of one
-    /// program together. A local variable may have the name of data of the application: inside its program it then
-    /// hides that data.
+    /// The name would be ambiguous, and the controller does not load the application. Data of one application have
+    /// different names, and so have the programs, and the parameters and local variables of one program together. A
+    /// local variable may have the name of data of the application: inside its program it then hides that data.
     ///
     /// ## Bad
     /// ```val3

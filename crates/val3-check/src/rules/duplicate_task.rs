@@ -153,7 +153,7 @@ fn word(name: &str, again: bool) -> Wording {
     } else {
         format!("the task `{name}` was created just before and still runs")
     };
-    Wording::new(message, "run-time error 31", "give each task a name of its own")
+    Wording::new(message, "run-time error 31", "use a different name for each task")
 }
 
 #[cfg(test)]
@@ -172,7 +172,7 @@ mod tests {
         expect![[r#"
             start.pgx:7 `"a"` the task `a` was created just before and still runs
               | run-time error 31
-              ? give each task a name of its own
+              ? use a different name for each task
               > start.pgx:5 `"a"` the first one
         "#]]
         .assert_eq(&program("taskCreate \"a\",10,p()\nnA=abs(1)\ntaskCreate \"a\",10,p()"));
@@ -183,7 +183,7 @@ mod tests {
         expect![[r#"
             start.pgx:6 `"a"` the second round creates the task `a` while the first one runs
               | run-time error 31
-              ? give each task a name of its own
+              ? use a different name for each task
         "#]]
         .assert_eq(&program("for nA=0 to 2\ntaskCreate \"a\",10,p()\nendFor"));
     }
@@ -219,7 +219,7 @@ mod tests {
         expect![[r#"
             start.pgx:6 `"w"` the second round creates the task `w` while the first one runs
               | run-time error 31
-              ? give each task a name of its own
+              ? use a different name for each task
         "#]]
         .assert_eq(&program(&format!("while true\n{creation}\ndelay(1)\nendWhile"), endless));
         assert_eq!(program(&format!("while true\n{creation}\ndelay(9)\nendWhile"), "delay(1)"), "");

@@ -5,7 +5,7 @@ use val3_analysis::problem::EncodingFault;
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A file is not in the encoding that it declares, or was opened in another one.
+    /// A file is not in the encoding that it declares, or was opened in a different encoding.
     ///
     /// ## Why
     /// The first line of a file names its encoding. Without a declaration, XML uses UTF-8. A reader must guess the

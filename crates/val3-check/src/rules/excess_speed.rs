@@ -8,14 +8,15 @@ use crate::lint::{Findings, Program, arm_of_project, descriptor_numbers};
 use crate::rule::rule;
 
 rule! {
-    /// The field `vel` of a motion descriptor gets a constant that lets an axis of the cell's arm exceed its maximum speed.
+    /// The field `vel` of a motion descriptor is set to a constant with which an axis of the cell's arm exceeds its
+    /// maximum speed.
     ///
     /// This rule is off unless `val3 check --motion` or `motion = true` in the table `[lint]` of `val3.toml` turns it on.
     ///
     /// ## Why
-    /// `vel` is a percentage of the nominal speed of each axis (10.5.1). Above 100 it is allowed up to the maximum speed,
-    /// which differs from axis to axis. Beyond it, the controller may stop the move with an error (10.3.4). `val3 run` moves
-    /// the axis at the speed that the descriptor asks for, so its times are too short.
+    /// `vel` is a percentage of the nominal speed of each axis (10.5.1). Above 100 it is allowed up to the maximum
+    /// speed, which differs from axis to axis. Beyond it, the controller may stop the move with an error (10.3.4).
+    /// `val3 run` moves the axis at the speed in the descriptor, so its times are too short.
     ///
     /// The arm is that of `--arm`, `val3.toml` or `arm.cfx`. All axes count as moving, and limits by `tvel` and `rvel` are
     /// not considered. Arms whose maximum speeds are choices of the model, because no public source has them, report nothing.
@@ -47,7 +48,11 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 pub(super) fn word(arm: &Arm, vel: f64, excess: &ExcessSpeed) -> Wording {
     Wording::new(
-        format!("`{AXIS_SPEED}` = {vel} takes axis {} of the {} beyond its maximum speed", excess.axis, arm.name()),
+        format!(
+            "`{AXIS_SPEED}` = {vel} moves axis {} of the {} faster than its maximum speed",
+            excess.axis,
+            arm.name()
+        ),
         excess.to_string(),
         format!("write at most {}", excess.greatest_vel),
     )
@@ -63,10 +68,10 @@ mod tests {
     #[test]
     fn speeds_beyond_the_maximum_are_reported() {
         expect![[r#"
-            start.pgx:5 `200` `vel` = 200 takes axis 4 of the TX2-90 beyond its maximum speed
+            start.pgx:5 `200` `vel` = 200 moves axis 4 of the TX2-90 faster than its maximum speed
               | axis 4 may move at 900 degrees/s, its maximum is 540 degrees/s
               ? write at most 120
-            start.pgx:6 `121` `vel` = 121 takes axis 4 of the TX2-90 beyond its maximum speed
+            start.pgx:6 `121` `vel` = 121 moves axis 4 of the TX2-90 faster than its maximum speed
               | axis 4 may move at 544.5 degrees/s, its maximum is 540 degrees/s
               ? write at most 120
         "#]]

@@ -8,7 +8,7 @@ use crate::lint::{DataFile, Findings, arm_of_project};
 use crate::rule::rule;
 
 rule! {
-    /// A motion descriptor in a data file lets an axis of the cell's arm exceed its maximum speed.
+    /// With a motion descriptor in a data file, an axis of the cell's arm exceeds its maximum speed.
     ///
     /// This rule is off unless `val3 check --motion` or `motion = true` in the table `[lint]` of `val3.toml` turns it on.
     ///
@@ -69,7 +69,7 @@ mod tests {
     fn speeds_beyond_the_maximum_are_reported() {
         let descriptors = data("mA", "mdesc", &["vel=\"100\"", "vel=\"300\" tmax=\"50\"", "accel=\"900\""]);
         expect![[r#"
-            main.dtx:6 `300` `vel` = 300 takes axis 4 of the TX2-90 beyond its maximum speed
+            main.dtx:6 `300` `vel` = 300 moves axis 4 of the TX2-90 faster than its maximum speed
               | axis 4 may move at 1350 degrees/s, its maximum is 540 degrees/s
               ? write at most 120
         "#]]

@@ -56,11 +56,7 @@ pub(crate) fn word(chain: &[SmolStr]) -> Wording {
         [only] | [only, _] => format!("{only} is its own father"),
         _ => format!("the fathers form a circle: {}", names.join(" -> ")),
     };
-    Wording::new(
-        message,
-        "leads back to the start",
-        "give one of them the father `world[0]` (frames) or `flange[0]` (tools)",
-    )
+    Wording::new(message, "closes the circle", "set one of the fathers to `world[0]` (frames) or `flange[0]` (tools)")
 }
 
 #[cfg(test)]
@@ -73,8 +69,8 @@ mod tests {
     fn a_circle_of_two_frames_is_reported() {
         expect![[r#"
             the fathers form a circle: `fTray` -> `fRow` -> `fTray`
-            | leads back to the start
-            ? give one of them the father `world[0]` (frames) or `flange[0]` (tools)
+            | closes the circle
+            ? set one of the fathers to `world[0]` (frames) or `flange[0]` (tools)
         "#]]
         .assert_eq(&word(&["fTray".into(), "fRow".into(), "fTray".into()]).to_string());
     }
@@ -83,8 +79,8 @@ mod tests {
     fn a_frame_that_refers_to_itself_is_reported() {
         expect![[r#"
             `fTray` is its own father
-            | leads back to the start
-            ? give one of them the father `world[0]` (frames) or `flange[0]` (tools)
+            | closes the circle
+            ? set one of the fathers to `world[0]` (frames) or `flange[0]` (tools)
         "#]]
         .assert_eq(&word(&["fTray".into(), "fTray".into()]).to_string());
     }

@@ -7,7 +7,7 @@ rule! {
     ///
     /// ## Why
     /// A frame or a point is defined in a reference frame (9.4, 9.6), a tool relative to a base tool (9.5). The
-    /// controller refuses a link to data of another type.
+    /// controller rejects a link to data of another type.
     ///
     /// ## Bad
     /// ```val3
@@ -65,9 +65,9 @@ pub(crate) fn word(father: &str, expected: &str, found: &str) -> Wording {
 pub(crate) fn hidden(name: &str, expected: &str, found: &str, uses: usize) -> Wording {
     let uses = count(uses, "value");
     Wording::new(
-        format!("`{name}` of type `{found}` takes the place of the built-in {expected} `{name}`, the father of {uses}"),
+        format!("`{name}` of type `{found}` replaces the built-in {expected} `{name}`, the father of {uses}"),
         format!("of type `{found}`"),
-        "give this data another name",
+        "rename this data",
     )
 }
 
@@ -80,9 +80,9 @@ mod tests {
     #[test]
     fn data_called_world_hide_the_built_in_frame() {
         expect![[r#"
-            `world` of type `num` takes the place of the built-in frame `world`, the father of 3 values
+            `world` of type `num` replaces the built-in frame `world`, the father of 3 values
             | of type `num`
-            ? give this data another name
+            ? rename this data
         "#]]
         .assert_eq(&hidden("world", "frame", "num", 3).to_string());
     }

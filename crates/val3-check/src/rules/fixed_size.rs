@@ -11,7 +11,7 @@ use crate::lint::{Call, Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// An instruction that changes the size of an array gets a variable that it does not support.
+    /// An instruction that changes an array's size receives a variable that it does not support.
     ///
     /// ## Why
     /// `insert`, `delete`, `append` and `resize` do not support local arrays, and the first three do not support arrays

@@ -56,7 +56,7 @@ mod tests {
         expect![[r#"
             the first value of `for` is a `num`, not a `bool`
             | this is a `bool`
-            ? `sel(…, 1, 0)` makes a number of a `bool`
+            ? `sel(…, 1, 0)` converts a `bool` to a number
         "#]]
         .assert_eq(&word("=", "bool").to_string());
         expect![[r#"

@@ -58,7 +58,7 @@ fn word(counter: &str) -> Wording {
     Wording::new(
         format!("`{counter}` already counts the `for` around this one"),
         "counted twice",
-        "give each loop a counter of its own",
+        "use a different counter for each loop",
     )
 }
 
@@ -74,7 +74,7 @@ mod tests {
         expect![[r#"
             start.pgx:7 `n` `n` already counts the `for` around this one
               | counted twice
-              ? give each loop a counter of its own
+              ? use a different counter for each loop
               > start.pgx:5 `n` the outer `for` counts with it
         "#]]
         .assert_eq(&check(&RULE, "num n\nfor n=0 to 2\nif n==1\nfor n=0 to 3\nput(n)\nendFor\nendIf\nendFor"));

@@ -3,11 +3,11 @@
 use crate::{diagnostic::Wording, phrase::found_text, rule::rule};
 
 rule! {
-    /// A `for` line lacks its `=`, its `to` or the value of its step.
+    /// A `for` line has no `=`, no `to`, or no value after `step`.
     ///
     /// ## Why
     /// A counting loop is written `for counter = first to last`, followed by `step` and a number if the step is not 1.
-    /// A negative step counts down. All parts must be on one line; the controller refuses any other form.
+    /// A negative step counts down. All parts must be on one line; the controller rejects any other form.
     ///
     /// ## Bad
     /// ```val3

@@ -12,9 +12,9 @@ rule! {
     /// A line contains an operator or keyword of another programming language.
     ///
     /// ## Why
-    /// VAL 3 writes `and`, `or`, `!` and `!=` where other languages have `&&`, `||`, `not` and `<>`. A
-    /// condition ends with its line, without `then` or `do`, and an instruction needs no `;`. The controller
-    /// knows none of the other spellings.
+    /// VAL 3 writes `and`, `or`, `!` and `!=` where other languages have `&&`, `||`, `not` and `<>`. A condition ends
+    /// with its line, without `then` or `do`, and an instruction needs no `;`. The controller supports no other
+    /// spelling.
     ///
     /// ## Bad
     /// ```val3

@@ -12,7 +12,7 @@ rule! {
     ///
     /// ## Why
     /// Within the program the name means the local variable. The program cannot access the global data, and readers
-    /// confuse the two. Names with a prefix of their own (`l_` for locals, `x_` for parameters) cannot hide data.
+    /// confuse the two. Names with a distinct prefix (`l_` for locals, `x_` for parameters) cannot hide data.
     ///
     /// ## Bad
     /// ```val3
@@ -65,7 +65,7 @@ fn word(what: &str, name: &str) -> Wording {
     Wording::new(
         format!("the {what} `{name}` hides the global data of the same name"),
         "hides global data",
-        "give it another name",
+        "rename it",
     )
 }
 
@@ -81,11 +81,11 @@ mod tests {
         expect![[r#"
             p.pgx:5 `bB` the parameter `bB` hides the global data of the same name
               | hides global data
-              ? give it another name
+              ? rename it
               > main.dtx:5 `bB` the global data
             p.pgx:8 `nA` the local variable `nA` hides the global data of the same name
               | hides global data
-              ? give it another name
+              ? rename it
               > main.dtx:4 `nA` the global data
         "#]]
         .assert_eq(&check(&RULE, "num nA\nbool bB\nprogram p(bool bB)\n  string nA\nbegin\nend"));

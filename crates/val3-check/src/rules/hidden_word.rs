@@ -63,7 +63,7 @@ fn meaning(name: &str) -> Option<&'static str> {
 }
 
 fn word(what: &str, name: &str, meaning: &str) -> Wording {
-    Wording::new(format!("the {what} `{name}` has the name of {meaning}"), meaning, "give it another name")
+    Wording::new(format!("the {what} `{name}` has the name of {meaning}"), meaning, "rename it")
 }
 
 #[cfg(test)]
@@ -78,16 +78,16 @@ mod tests {
         expect![[r#"
             p.pgx:5 `size` the parameter `size` has the name of an instruction
               | an instruction
-              ? give it another name
+              ? rename it
             p.pgx:6 `off` the parameter `off` has the name of a value of VAL 3 itself
               | a value of VAL 3 itself
-              ? give it another name
+              ? rename it
             p.pgx:9 `world` the local variable `world` has the name of data of VAL 3 itself
               | data of VAL 3 itself
-              ? give it another name
+              ? rename it
             p.pgx:10 `config` the local variable `config` has the name of a type
               | a type
-              ? give it another name
+              ? rename it
         "#]]
         .assert_eq(&check(&RULE, "program p(num size, bool off)\n  frame world\n  num config\nbegin\nend"));
     }

@@ -6,7 +6,7 @@ use val3_analysis::problem::NameKind;
 use crate::{diagnostic::Wording, english::all_of, phrase::name_kind, rule::rule};
 
 rule! {
-    /// A library that is loaded under an identifier lacks a program or data of its interface.
+    /// A library that is loaded under an identifier does not contain a program or data of the interface.
     ///
     /// ## Why
     /// The project that declares the identifier defines the interface. Any library with the same public programs and
@@ -65,7 +65,7 @@ fn one(alias: &str, library: &str, item: &str, what: NameKind) -> Wording {
     let brackets = if what == NameKind::Program { "()" } else { "" };
     let what = name_kind(what);
     Wording::new(
-        format!("the library `{library}` lacks the {what} `{item}` of the interface of `{alias}`"),
+        format!("the library `{library}` does not contain the {what} `{item}` of the interface of `{alias}`"),
         format!("has no {what} `{item}`"),
         format!("add it as public to `{library}`, or test `{alias}:libExist(\"{item}{brackets}\")` before each use"),
     )
@@ -75,7 +75,10 @@ fn several(alias: &str, library: &str, items: &[(NameKind, SmolStr)]) -> Wording
     let names: Vec<&str> = items.iter().map(|(_, item)| item.as_str()).collect();
     let count = items.len();
     Wording::new(
-        format!("the library `{library}` lacks {count} items of the interface of `{alias}`: {}", all_of(&names)),
+        format!(
+            "the library `{library}` does not contain {count} items of the interface of `{alias}`: {}",
+            all_of(&names)
+        ),
         format!("has none of {count} items"),
         format!("load a library with the interface of `{alias}`, or add the items as public to `{library}`"),
     )
@@ -90,7 +93,7 @@ mod tests {
     #[test]
     fn a_missing_program_is_reported() {
         expect![[r#"
-            the library `partBag` lacks the program `pick` of the interface of `part`
+            the library `partBag` does not contain the program `pick` of the interface of `part`
             | has no program `pick`
             ? add it as public to `partBag`, or test `part:libExist("pick()")` before each use
         "#]]
@@ -100,7 +103,7 @@ mod tests {
     #[test]
     fn missing_data_are_reported() {
         expect![[r#"
-            the library `partBag` lacks the data `nWeight` of the interface of `part`
+            the library `partBag` does not contain the data `nWeight` of the interface of `part`
             | has no data `nWeight`
             ? add it as public to `partBag`, or test `part:libExist("nWeight")` before each use
         "#]]
@@ -111,7 +114,7 @@ mod tests {
     fn the_message_names_the_other_library() {
         let items = [(NameKind::Program, "grip".into()), (NameKind::Data, "nWeight".into())];
         expect![[r#"
-            the library `io` lacks 2 items of the interface of `part`: `grip` and `nWeight`
+            the library `io` does not contain 2 items of the interface of `part`: `grip` and `nWeight`
             | has none of 2 items
             ? load a library with the interface of `part`, or add the items as public to `io`
         "#]]

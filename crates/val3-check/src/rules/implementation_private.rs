@@ -8,9 +8,9 @@ rule! {
     /// A library that is loaded under an identifier declares an item of its interface as private.
     ///
     /// ## Why
-    /// Only public programs and data are part of an interface (6.2). A private one counts as missing: `libLoad` returns
-    /// 11, and its first use stops the task with run-time error 80 (6.6). Often a program was first written for the
-    /// library alone and later became part of the interface.
+    /// Only public programs and data are part of an interface (6.2). A private item counts as missing: `libLoad`
+    /// returns 11, and its first use stops the task with run-time error 80 (6.6). Often a program was first written for
+    /// the library alone and later became part of the interface.
     ///
     /// ## Bad
     /// ```val3

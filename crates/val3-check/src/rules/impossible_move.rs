@@ -74,7 +74,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let target = program.range(fault.target);
         let reported = found.report(&RULE, target, word(program, &fault, arm.model.name()));
         if let Some(from) = fault.from {
-            let label = if fault.shape == Shape::Blend { "the corner" } else { "the arm comes from here" };
+            let label = if fault.shape == Shape::Blend { "the corner" } else { "the arm starts here" };
             reported.related(program.range(from), label);
         }
     }
@@ -98,10 +98,8 @@ fn word(program: &Program<'_>, fault: &ImpossibleMove, arm: &str) -> Wording {
         }
         Cause::Configuration => ("another configuration", "reach the point with a joint move"),
         Cause::Arc(_) => ("no circle", "teach three points that are apart and not on a line"),
-        Cause::Singular => {
-            ("through a singularity", "use a joint move, or add a point that leads around the singularity")
-        }
-        _ => ("a part of the path is out of reach", "use a joint move, or add a point that leads around"),
+        Cause::Singular => ("through a singularity", "use a joint move, or add a point to move around the singularity"),
+        _ => ("a part of the path is out of reach", "use a joint move, or add a point to move around it"),
     };
     Wording::new(format!("the {arm} cannot move {path} from `{}` to `{to}`: {cause}", text(from)), label, help)
 }
@@ -146,25 +144,25 @@ mod tests {
             start.pgx:6 `pX[1]` the TX2-90 cannot move straight from `jX` to `pX[1]`: axis 6 would be at 270.045, its limits are -270 and 270
               | an axis leaves its range
               ? use a joint move, or turn the tool to keep away from the limit
-              > start.pgx:5 `jX` the arm comes from here
+              > start.pgx:5 `jX` the arm starts here
         "#]].assert_eq(&found("movej(jX,flange,mX)\nmovel(pX[1],flange,mX)"));
         expect![[r#"
             start.pgx:6 `pX[5]` the TX2-90 cannot move straight from `pX[4]` to `pX[5]`: the path passes a singularity, where an axis would have to jump
               | through a singularity
-              ? use a joint move, or add a point that leads around the singularity
-              > start.pgx:5 `pX[4]` the arm comes from here
+              ? use a joint move, or add a point to move around the singularity
+              > start.pgx:5 `pX[4]` the arm starts here
         "#]].assert_eq(&found("movej(pX[4],flange,mX)\nmovel(pX[5],flange,mX)"));
         expect![[r#"
             start.pgx:6 `pX[3]` the TX2-90 cannot move straight from `jX` to `pX[3]`: a straight line or a circle cannot change the configuration; use a joint move, or `free`
               | another configuration
               ? reach the point with a joint move
-              > start.pgx:5 `jX` the arm comes from here
+              > start.pgx:5 `jX` the arm starts here
         "#]].assert_eq(&found("movej(jX,flange,mX)\nmovel(pX[3],flange,mX)"));
         expect![[r#"
             start.pgx:6 `pX[2]` the TX2-90 cannot move along this circle from `pX[0]` to `pX[2]`: the three positions are on one line
               | no circle
               ? teach three points that are apart and not on a line
-              > start.pgx:5 `pX[0]` the arm comes from here
+              > start.pgx:5 `pX[0]` the arm starts here
         "#]].assert_eq(&found("movej(pX[0],flange,mX)\nmovec(pX[4],pX[2],flange,mX)"));
     }
 

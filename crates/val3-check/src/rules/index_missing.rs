@@ -6,9 +6,9 @@ rule! {
     /// An array with several dimensions, or a collection, is used without its index or key.
     ///
     /// ## Why
-    /// The name of a one-dimensional array may be used alone: it then means the element with index 0 (2.5.3). An array
-    /// of two or three dimensions needs its indexes, and a collection its key. Without them the controller does not
-    /// load the application.
+    /// The name of a one-dimensional array may be used without an index: it then means the element with index 0
+    /// (2.5.3). An array of two or three dimensions needs its indexes, and a collection its key. Without them the
+    /// controller does not load the application.
     ///
     /// ## Bad
     /// ```val3

@@ -6,8 +6,8 @@ rule! {
     /// An index or key is used where none is allowed.
     ///
     /// ## Why
-    /// An instruction or program that works on a whole container takes its name alone; an index or key would select a
-    /// single value. Only a one-dimensional array may have an index there, which gives the start of the part that is
+    /// An instruction or program that works on a whole container expects only its name; an index or key would select a
+    /// single value. Only a one-dimensional array may have an index there, which sets the start of the part that is
     /// passed (2.6.3). After a single value an index has no meaning. In both cases the controller does not load the
     /// application.
     ///
@@ -40,7 +40,7 @@ pub(crate) fn word(name: &str, ty: &str, callee: Option<&str>) -> Wording {
         ),
         None => Wording::new(
             format!("`{name}` is {} (`{ty}`) and takes no index", container(ty)),
-            "no index may stand here",
+            "no index is allowed here",
             String::new(),
         ),
     }
@@ -76,7 +76,7 @@ mod tests {
     fn an_index_of_a_single_value_is_reported() {
         expect![[r#"
             `x_nValue` is a single value (`num`) and takes no index
-            | no index may stand here
+            | no index is allowed here
         "#]]
         .assert_eq(&word("x_nValue", "num", None).to_string());
     }

@@ -56,7 +56,7 @@ mod tests {
         expect![[r#"
             `nList` is an array: its index is a `num`, not a `bool`
             | this is a `bool`
-            ? `sel(…, 1, 0)` makes a number of a `bool`
+            ? `sel(…, 1, 0)` converts a `bool` to a number
         "#]]
         .assert_eq(&word("nList", "num", "bool").to_string());
     }

@@ -20,7 +20,7 @@ rule! {
     ///
     /// The version that a project declares is not always that of the controller: a CS9 (s8) runs projects that declare
     /// s7. So the finding is information, unless the files of the cell (`usr/configs/val3version.xml`) state a version
-    /// without the instruction: then the controller refuses the program, and the finding is an error.
+    /// without the instruction: then the controller rejects the program, and the finding is an error.
     ///
     /// ## Bad
     /// ```val3

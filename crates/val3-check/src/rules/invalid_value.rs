@@ -3,7 +3,7 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A data file gives a variable an initial value that is invalid for its type.
+    /// A data file contains an initial value that is invalid for the variable's type.
     ///
     /// ## Why
     /// The initial values of a data file are read when the application is loaded. A `bool` is `true` or `false`, a

@@ -14,7 +14,7 @@ rule! {
     ///
     /// ## Why
     /// `getKey` returns the last key since its previous call, however long ago the key was pressed (4.3). A key pressed
-    /// minutes ago ends the wait at once. A line with `getKey()` alone clears it.
+    /// minutes ago ends the wait immediately. A line that contains only `getKey()` clears it.
     ///
     /// ## Bad
     /// ```val3
@@ -80,7 +80,7 @@ fn awaited(program: &Program<'_>, condition: ExprId, ends_when: bool) -> Option<
 
 fn word() -> Wording {
     Wording::new(
-        "a key that was pressed earlier ends this wait at once",
+        "a key that was pressed earlier ends this wait immediately",
         "the earlier key is not cleared",
         format!("write `{GET_KEY}()` on a line of its own before the wait"),
     )
@@ -100,7 +100,7 @@ mod tests {
             assert!(check(&RULE, wait).contains("a key that was pressed earlier"), "{wait}");
         }
         expect![[r#"
-            start.pgx:7 `getKey()==270` a key that was pressed earlier ends this wait at once
+            start.pgx:7 `getKey()==270` a key that was pressed earlier ends this wait immediately
               | the earlier key is not cleared
               ? write `getKey()` on a line of its own before the wait
               ! write `getKey()` before (unsafe)

@@ -3,11 +3,11 @@
 use crate::{diagnostic::Wording, phrase::last_key, rule::rule};
 
 rule! {
-    /// A data file gives a value to an element that the array does not have.
+    /// A data file contains a value for an element that the array does not have.
     ///
     /// ## Why
-    /// The `size` of an array gives the number of its elements. Keys count from 0, so the last key is the size less 1.
-    /// The controller reports data with a key beyond it as faulty when it loads the application.
+    /// The `size` of an array is the number of elements. Keys count from 0, so the last key is the size less 1. The
+    /// controller reports data with a key beyond it as faulty when it loads the application.
     ///
     /// ## Bad
     /// ```val3

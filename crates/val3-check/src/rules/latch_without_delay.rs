@@ -78,7 +78,7 @@ fn is_blocking(name: &str) -> bool {
 fn word() -> Wording {
     Wording::new(
         "the latch is read before it can be armed",
-        "may still give the position latched before",
+        "may still return the previously latched position",
         format!("write `{DELAY}(0)` after `{SET_LATCH}`"),
     )
 }
@@ -94,12 +94,12 @@ mod tests {
     fn an_input_read_at_once_is_reported() {
         expect![[r#"
             start.pgx:6 `getLatch(j)` the latch is read before it can be armed
-              | may still give the position latched before
+              | may still return the previously latched position
               ? write `delay(0)` after `setLatch`
               > start.pgx:5 `setLatch(d)` armed here
               ! write `delay(0)` after `setLatch` (unsafe)
             start.pgx:9 `getLatch(j)` the latch is read before it can be armed
-              | may still give the position latched before
+              | may still return the previously latched position
               ? write `delay(0)` after `setLatch`
               > start.pgx:7 `setLatch(d)` armed here
               ! write `delay(0)` after `setLatch` (unsafe)

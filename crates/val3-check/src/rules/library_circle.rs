@@ -49,11 +49,7 @@ pub(crate) fn word(chain: &[SmolStr]) -> Wording {
         [only] | [only, _] => format!("the project {only} uses itself"),
         _ => format!("the projects use each other in a circle: {}", names.join(" -> ")),
     };
-    Wording::new(
-        message,
-        "leads back to the start",
-        "move the shared parts into a project of their own, and use it in both",
-    )
+    Wording::new(message, "closes the circle", "move the shared parts into a project of their own, and use it in both")
 }
 
 #[cfg(test)]
@@ -66,7 +62,7 @@ mod tests {
     fn a_circle_of_two_libraries_is_reported() {
         expect![[r#"
             the projects use each other in a circle: `part` -> `tray` -> `part`
-            | leads back to the start
+            | closes the circle
             ? move the shared parts into a project of their own, and use it in both
         "#]]
         .assert_eq(&word(&["part".into(), "tray".into(), "part".into()]).to_string());
@@ -76,7 +72,7 @@ mod tests {
     fn a_project_that_names_itself_is_reported() {
         expect![[r#"
             the project `part` uses itself
-            | leads back to the start
+            | closes the circle
             ? move the shared parts into a project of their own, and use it in both
         "#]]
         .assert_eq(&word(&["part".into(), "part".into()]).to_string());

@@ -12,7 +12,8 @@ rule! {
     /// only the library's own programs can use the private ones (6.2). A program whose file does not declare its access
     /// is private.
     ///
-    /// A test application may use the private items of what it tests. A controller refuses it then; `val3 test` does not.
+    /// A test application may use the private items of the tested application. A controller rejects the test
+    /// application then; `val3 test` does not.
     ///
     /// ## Bad
     /// ```val3

@@ -65,7 +65,7 @@ pub(crate) fn left_out(alias: &str, missing: &[SmolStr], unlisted: &[SmolStr], u
         ("its project does not list them", format!("list the files next to it: {}", all_of(unlisted)))
     };
     Wording::new(
-        format!("the library `{alias}` lacks {}, used in {}", all_of(missing), count(uses, "place")),
+        format!("the library `{alias}` does not contain {}, used in {}", all_of(missing), count(uses, "place")),
         label,
         help,
     )
@@ -91,13 +91,13 @@ mod tests {
     fn an_empty_library_is_reported() {
         let (missing, files) = (["init".into(), "nA".into()], ["init.pgx".into(), "part.dtx".into()]);
         expect![[r#"
-            the library `part` lacks `init` and `nA`, used in 3 places
+            the library `part` does not contain `init` and `nA`, used in 3 places
             | its project does not list them
             ? list the files next to it: `init.pgx` and `part.dtx`
         "#]]
         .assert_eq(&left_out("part", &missing, &files, 3).to_string());
         expect![[r#"
-            the library `part` lacks `init` and `nA`, used in 1 place
+            the library `part` does not contain `init` and `nA`, used in 1 place
             | its project is empty
             ? list the programs and data of `part` in its project
         "#]]

@@ -6,7 +6,7 @@ rule! {
     /// Values between braces are used where no structured type is expected.
     ///
     /// ## Why
-    /// Values between braces have no type of their own. Their type follows from the context: the variable on the left
+    /// Values between braces have no type by themselves. Their type follows from the context: the variable on the left
     /// of `=`, the other side of a comparison, or the parameter of a program. Values of simple types such as `num` are
     /// written without braces, and an array is filled element by element. The controller does not load an application
     /// with braces anywhere else.
@@ -38,7 +38,7 @@ pub(crate) fn word(expected: Option<&str>) -> Wording {
             "an array is filled element by element; a simple value is written without braces",
         ),
         None => Wording::new(
-            "the type of the values between these braces is not known",
+            "the type of the values between these braces is unknown",
             "no type",
             "assign them to a variable of the type first, and use the variable",
         ),
@@ -60,7 +60,7 @@ mod tests {
         "#]]
         .assert_eq(&word(Some("num")).to_string());
         expect![[r#"
-            the type of the values between these braces is not known
+            the type of the values between these braces is unknown
             | no type
             ? assign them to a variable of the type first, and use the variable
         "#]]

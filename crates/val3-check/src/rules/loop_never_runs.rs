@@ -11,7 +11,7 @@ rule! {
     /// The bounds of a `for`, or the condition of a `while`, prevent the loop from ever running.
     ///
     /// ## Why
-    /// `for` counts upwards unless a negative `step` is given, so `for nI=9 to 0` does nothing at all.
+    /// `for` counts upwards unless a negative `step` is given, so `for nI=9 to 0` does nothing.
     ///
     /// ## Bad
     /// ```val3

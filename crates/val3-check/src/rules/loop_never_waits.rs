@@ -9,7 +9,7 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// In an endless loop no line lets other tasks run before the turn is over.
+    /// An endless loop contains no line that ends the task's turn early.
     ///
     /// ## Why
     /// Such a loop uses up every turn of its task. Other tasks, the pendant and the network become slow, and a

@@ -7,7 +7,7 @@ use crate::{
 };
 
 rule! {
-    /// An element lacks a required attribute.
+    /// A required attribute of an element is missing.
     ///
     /// ## Why
     /// The attributes are the content of a declaration: without `name` a variable has no name, without `file` an entry

@@ -10,7 +10,7 @@ rule! {
     /// A `case` or `default` is not closed with `break`.
     ///
     /// ## Why
-    /// In VAL 3 `break` is not an instruction that leaves the branch early. It is the closing keyword of `case` and
+    /// In VAL 3 `break` is not an instruction that ends the branch early. It is the closing keyword of `case` and
     /// `default`, as `endIf` is of `if`, and each branch has exactly one. Execution never continues into the next
     /// branch: write several values for one branch as a list, `case 1, 2`.
     ///

@@ -12,10 +12,10 @@ rule! {
     /// The application ends after a move that nothing waits for.
     ///
     /// ## Why
-    /// A move instruction only records a move, and the program continues at once (10.2). The application ends with its
-    /// last task (2.1.3), and the arm with it: `start` is over within some milliseconds, and the recorded moves are not
-    /// executed. The rule reports the last move of `start` if no line after it waits, the application has no other task,
-    /// and its program `stop` does not wait either.
+    /// A move instruction only records a move, and the program continues immediately (10.2). The application ends with
+    /// its last task (2.1.3), and the arm with it: `start` is over within some milliseconds, and the recorded moves are
+    /// not executed. The rule reports the last move of `start` if no line after it waits, the application has no other
+    /// task, and its program `stop` does not wait either.
     ///
     /// ## Bad
     /// ```val3

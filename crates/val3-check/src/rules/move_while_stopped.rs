@@ -18,8 +18,8 @@ rule! {
     /// recorded moves, so they never return. The rule is silent where another task may call `restartMove`, and where no
     /// recorded move is left to wait for.
     ///
-    /// `restartMove` lets the arm finish the moves that were recorded, before and after the stop. `resetMotion` cancels
-    /// them, so the next move starts from where the arm is.
+    /// After `restartMove` the arm finishes the recorded moves, before and after the stop. `resetMotion` cancels them,
+    /// so the next move starts from where the arm is.
     ///
     /// ## Bad
     /// ```val3

@@ -9,7 +9,7 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// `setMutex` takes a mutex that no program releases.
+    /// `setMutex` locks a mutex that no program releases.
     ///
     /// ## Why
     /// `setMutex` waits until the variable is `false` and sets it to `true`. The task that has taken the mutex must set

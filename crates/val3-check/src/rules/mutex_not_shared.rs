@@ -8,7 +8,7 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// `setMutex` takes a local variable.
+    /// `setMutex` locks a local variable.
     ///
     /// ## Why
     /// A mutex protects data shared by tasks: each task waits for the same variable (5.9). A local variable belongs to

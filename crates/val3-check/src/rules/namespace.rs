@@ -7,7 +7,7 @@ use crate::{
 };
 
 rule! {
-    /// The namespace of a file is not the one of its kind.
+    /// The namespace of a file does not match its kind.
     ///
     /// ## Why
     /// The namespace identifies the kind of a file and the version of its format. Every controller of s7 and s8 writes

@@ -6,7 +6,7 @@ rule! {
     /// Brackets, blocks or XML elements are nested too deeply to be read.
     ///
     /// ## Why
-    /// The controller's compiler limits the nesting of an expression and refuses a line with more levels. This check
+    /// The controller's compiler limits the nesting of an expression and rejects a line with more levels. This check
     /// reads 200 levels, far more than people write. A file with more levels is damaged, or a generator wrote it
     /// wrongly. Deeper levels are not checked.
     ///

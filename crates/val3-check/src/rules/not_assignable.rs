@@ -7,7 +7,7 @@ rule! {
     ///
     /// ## Why
     /// `=` stores a value in a variable: a local variable, a parameter, data of the application or of a library, or an
-    /// element or field of one. The result of an instruction or of a calculation cannot store a value, and the
+    /// element or field of a variable. The result of an instruction or of a calculation cannot store a value, and the
     /// controller does not load the application.
     ///
     /// ## Bad

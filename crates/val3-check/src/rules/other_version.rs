@@ -13,10 +13,10 @@ rule! {
     /// An instruction does not exist, or has no effect, in the version to which the application is moved.
     ///
     /// ## Why
-    /// `val3 check --for s8.10`, or `target-version` in the table `[lint]` of `val3.toml`, reports what has to change if
-    /// the applications are moved to that version, for example from a CS8 (s5 to s7) to a CS9 (s8). The text page with
-    /// `gotoxy` and `put` is not shown on a CS9: its user pages are HTML pages. Add-ons have to be installed for the new
-    /// version. Each instruction is reported once per program.
+    /// `val3 check --for s8.10`, or `target-version` in the table `[lint]` of `val3.toml`, reports the changes that are
+    /// required if the applications are moved to that version, for example from a CS8 (s5 to s7) to a CS9 (s8). The
+    /// text page with `gotoxy` and `put` is not shown on a CS9: its user pages are HTML pages. Add-ons have to be
+    /// installed for the new version. Each instruction is reported once per program.
     ///
     /// ## Bad
     /// ```val3

@@ -11,11 +11,11 @@ rule! {
     /// A link names an input or output of a CS8, and the application is moved to a CS9.
     ///
     /// ## Why
-    /// `val3 check --for s8.10` reports what has to change if the applications are moved to that version. A CS9 has other
-    /// boards: the built-in inputs and outputs have other paths, and those of a `BasicIO` or `ModuleIO` board belong to a
-    /// fieldbus. Each link that has to change is reported. Which signal of the fieldbus takes its place is decided by the
-    /// wiring and the configuration of the new cell: no file of the old one contains it, so that `val3` does not propose
-    /// one.
+    /// `val3 check --for s8.10` reports the changes that are required if the applications are moved to that version. A
+    /// CS9 has other boards: the built-in inputs and outputs have other paths, and those of a `BasicIO` or `ModuleIO`
+    /// board belong to a fieldbus. Each link that has to change is reported. Which fieldbus signal replaces it is
+    /// decided by the wiring and the configuration of the new cell: no file of the old one contains it, so that `val3`
+    /// does not propose one.
     ///
     /// ## Bad
     /// ```val3

@@ -17,9 +17,9 @@ rule! {
     /// The files of a project do not have the form that the version reads to which the application is moved.
     ///
     /// ## Why
-    /// `val3 check --for s8.10` reports what has to change if the applications are moved to that version. Controllers
-    /// from s7 on read another form of files than those up to s6, which have no user types. Program files in sub-folders
-    /// exist from s8.20 on, and up to s7 a name has at most 15 characters.
+    /// `val3 check --for s8.10` reports the changes that are required if the applications are moved to that version.
+    /// Controllers from s7 on read another form of files than those up to s6, which have no user types. Program files
+    /// in sub-folders exist from s8.20 on, and up to s7 a name has at most 15 characters.
     ///
     /// ## Bad
     /// ```val3

@@ -9,10 +9,11 @@ rule! {
     /// attribute cannot show, or a program shows a page that does not exist.
     ///
     /// ## Why
-    /// `interface/<page>.bindings.json` connects elements of the page to data of the application, and events of elements to
-    /// programs without parameters (s8). A name that leads nowhere shows no value, and a click does nothing. `userPage` returns
+    /// `interface/<page>.bindings.json` connects elements of the page to data of the application, and events of
+    /// elements to programs without parameters (s8). An unresolved name shows no value, and a click does nothing.
+    /// `userPage` returns
     /// -1 for a page without an HTML file. An attribute has one value: a position or an object has several, so that it cannot be
-    /// shown as a whole. Of two elements with one id the page changes one.
+    /// shown completely. If two elements have the same id, the page changes only one.
     ///
     /// ## Bad
     /// ```val3
@@ -81,12 +82,12 @@ pub(crate) fn word(fault: &PageFault) -> Wording {
         PageFault::UnknownElement { id, near } => Wording::new(
             format!("the page has no element with the id `{id}`"),
             "no id of the page",
-            did_you_mean_or(near.as_deref(), "give the element of the HTML file this id, or correct the binding"),
+            did_you_mean_or(near.as_deref(), "set this id in the HTML element, or correct the binding"),
         ),
         PageFault::ElementTwice { id } => Wording::new(
             format!("two elements of the page have the id `{id}`"),
             "the second element with this id",
-            "give each element an id of its own; the bindings name one element",
+            "use a different id for each element; a binding refers to one element",
         ),
         PageFault::UnknownPage { name, near } => Wording::new(
             format!("the application has no page `{name}`"),
@@ -132,7 +133,7 @@ mod tests {
             ? bind a program without parameters
             the page has no element with the id `btn`
             | no id of the page
-            ? give the element of the HTML file this id, or correct the binding
+            ? set this id in the HTML element, or correct the binding
             the type `Slot` has no field `nHigth`
             | no field of the type
             ? did you mean `nHeight`?
@@ -141,7 +142,7 @@ mod tests {
             ? bind data of one of these types, to which a program writes what the page shows
             two elements of the page have the id `btn`
             | the second element with this id
-            ? give each element an id of its own; the bindings name one element
+            ? use a different id for each element; a binding refers to one element
             the application has no page `nopage`
             | no HTML file in the folder `interface`
             ? add the page, or correct the name

@@ -21,10 +21,10 @@ rule! {
     /// A move to the point stops the task with run-time error 154. The point belongs to another cell, its frame has
     /// moved, or it was typed wrongly.
     ///
-    /// The arm is that of `--arm`, `val3.toml` or `arm.cfx`. A point is compared with the tools of the moves to it. If they
-    /// are not known, the point is reported only if no tool of the application makes it reachable. Points with only
-    /// zeros have not been taught and are not reported. Neither are points that a program changes, that have no father,
-    /// or that only serve computations.
+    /// The arm is that of `--arm`, `val3.toml` or `arm.cfx`. A point is compared with the tools of the moves to it. If
+    /// they are unknown, the point is reported only if it is unreachable with every tool of the application. Points
+    /// with only zeros have not been taught and are not reported. Neither are points that a program changes, that have
+    /// no father, or that only serve computations.
     ///
     /// ## Bad
     /// ```val3

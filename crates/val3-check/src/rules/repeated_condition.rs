@@ -51,7 +51,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         for condition in arms.iter().filter_map(|(condition, _)| *condition).filter(is_followed) {
             if let Some(earlier) = asked.covering(program.body, condition) {
                 let word = word(program.body.is_same(condition, earlier));
-                found.report(&RULE, program.range(condition), word).related(program.range(earlier), "asked first");
+                found.report(&RULE, program.range(condition), word).related(program.range(earlier), "first test");
             }
             asked.add(program.body, condition);
         }
@@ -173,7 +173,7 @@ mod tests {
             start.pgx:7 `(b==true)` the same condition was tested before, so this block never runs
               | has no effect
               ? write the condition that was meant
-              > start.pgx:5 `b==true` asked first
+              > start.pgx:5 `b==true` first test
         "#]]
         .assert_eq(&check(&RULE, &chain(["b==true", "(b==true)"])));
     }
@@ -184,7 +184,7 @@ mod tests {
             start.pgx:7 `2<n` an earlier condition holds whenever this one does, so this block never runs
               | has no effect
               ? test the narrower range first
-              > start.pgx:5 `n>1` asked first
+              > start.pgx:5 `n>1` first test
         "#]]
         .assert_eq(&check(&RULE, &chain(["n>1", "2<n"])));
         for pair in [["n>=1", "n==1"], ["n<3", "n<=2.9"], ["n<=3", "n<3"], ["n>1", "n>1.0"]] {

@@ -6,8 +6,8 @@ rule! {
     /// A keyword is used as a name.
     ///
     /// ## Why
-    /// Keywords cannot name data, programs or libraries, in whatever letter case they are written: `default`, `Default` and
-    /// `DEFAULT` all belong to `switch`. The controller reads the keyword and refuses the line.
+    /// Keywords cannot name data, programs or libraries, in any letter case: `default`, `Default` and `DEFAULT` all
+    /// belong to `switch`. The controller reads the keyword and rejects the line.
     ///
     /// ## Bad
     /// ```val3

@@ -33,7 +33,7 @@ pub(crate) fn word() -> Wording {
     Wording::new(
         "a program returns no value",
         "nothing can follow `return`",
-        "give the result back through a parameter by reference, such as `num& x_nResult`",
+        "return the result through a parameter by reference, such as `num& x_nResult`",
     )
 }
 
@@ -48,7 +48,7 @@ mod tests {
         expect![[r#"
             a program returns no value
             | nothing can follow `return`
-            ? give the result back through a parameter by reference, such as `num& x_nResult`
+            ? return the result through a parameter by reference, such as `num& x_nResult`
         "#]]
         .assert_eq(&word().to_string());
     }

@@ -16,7 +16,7 @@ rule! {
     /// A program returns before the line on which it releases a mutex.
     ///
     /// ## Why
-    /// The task that has taken a mutex with `setMutex` must set it back to `false` (5.9). A `return` on the way leaves
+    /// The task that has locked a mutex with `setMutex` must set it back to `false` (5.9). A `return` on the way leaves
     /// it taken, and the next `setMutex` never returns, even in the same task. Programs that never release the mutex
     /// themselves are not reported.
     ///

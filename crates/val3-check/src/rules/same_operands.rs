@@ -77,7 +77,7 @@ fn outcome(op: BinaryOp) -> Option<&'static str> {
     Some(match op {
         BinaryOp::Equal | BinaryOp::GreaterOrEqual | BinaryOp::LessOrEqual => "is always true",
         BinaryOp::NotEqual | BinaryOp::Greater | BinaryOp::Less | BinaryOp::Xor => "is always false",
-        BinaryOp::And | BinaryOp::Or => "asks the same twice",
+        BinaryOp::And | BinaryOp::Or => "tests the same condition twice",
         BinaryOp::Subtract | BinaryOp::Remainder => "is always 0",
         BinaryOp::Divide => "is always 1",
         BinaryOp::Add | BinaryOp::Multiply => return None,
@@ -102,13 +102,13 @@ mod tests {
               | is always true
               > start.pgx:5 `n[0]` the same
             start.pgx:6 `(b)` `(b)` is on both sides of `and`
-              | asks the same twice
+              | tests the same condition twice
               > start.pgx:6 `b` the same
             start.pgx:7 `n[1]` `n[1]` is on both sides of `-`
               | is always 0
               > start.pgx:7 `n[1]` the same
             start.pgx:8 `n[0]<1` `n[0]<1` is on both sides of `or`
-              | asks the same twice
+              | tests the same condition twice
               > start.pgx:8 `n[0]<1` the same
         "#]]
         .assert_eq(&check(

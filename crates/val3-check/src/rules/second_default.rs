@@ -6,8 +6,8 @@ rule! {
     /// A `switch` has two `default` branches.
     ///
     /// ## Why
-    /// `default` takes every value without a `case`. A second one could never run, and the controller refuses the
-    /// program.
+    /// `default` matches every value without a `case`. A second `default` could never run, and the controller rejects
+    /// the program.
     ///
     /// ## Bad
     /// ```val3

@@ -12,7 +12,7 @@ use crate::phrase::did_you_mean;
 use crate::rule::rule;
 
 rule! {
-    /// A program changes an unknown parameter of a serial line or socket, or gives a parameter an invalid value.
+    /// A program changes an unknown parameter of a serial line or socket, or sets a parameter to an invalid value.
     ///
     /// ## Why
     /// `sioCtrl` raises no error. It returns -1 for an unknown parameter, -2 for a value of another type and -3 for a

@@ -124,9 +124,7 @@ fn substitute(character: char) -> &'static str {
         '÷' => "write `/`",
         '（' | '）' | '，' | '：' | '；' | '＝' => "write the sign with the keyboard set to Latin letters",
         '\\' => "an instruction cannot continue on the next line",
-        _ if is_invisible(character) => {
-            "write an ordinary blank, or none; such characters come along when text is copied"
-        }
+        _ if is_invisible(character) => "write an ordinary blank, or none; copied text often contains such characters",
         _ => "",
     }
 }
@@ -201,7 +199,7 @@ mod tests {
         expect![[r#"
             VAL 3 does not use the character U+00A0, which is invisible
             | not part of VAL 3
-            ? write an ordinary blank, or none; such characters come along when text is copied
+            ? write an ordinary blank, or none; copied text often contains such characters
         "#]]
         .assert_eq(&invalid_character('\u{a0}').to_string());
     }

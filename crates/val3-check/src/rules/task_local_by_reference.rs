@@ -55,7 +55,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
                 found
                     .report(&RULE, program.range(argument), word(what, text, &param.name))
                     .related_at(program.declaration(argument), "declared here")
-                    .related_at(program.parameter(&task.call, &param.name), "the parameter that takes it");
+                    .related_at(program.parameter(&task.call, &param.name), "the parameter that receives it");
             }
         }
     }
@@ -99,12 +99,12 @@ mod tests {
               | ends with this program, before the task does
               ? use a global variable, or take `x_n` by value
               > p.pgx:8 `l_n` declared here
-              > count.pgx:5 `x_n` the parameter that takes it
+              > count.pgx:5 `x_n` the parameter that receives it
             p.pgx:12 `x_n` a task cannot get the value parameter `x_n` by reference
               | ends with this program, before the task does
               ? use a global variable, or take `x_n` by value
               > p.pgx:5 `x_n` declared here
-              > count.pgx:5 `x_n` the parameter that takes it
+              > count.pgx:5 `x_n` the parameter that receives it
         "#]]
         .assert_eq(&check(&RULE, &format!("{COUNT}{code}")));
     }

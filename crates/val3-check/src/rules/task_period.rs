@@ -15,7 +15,7 @@ rule! {
     /// The controller rounds a period down to a multiple of 0.004 s (5.10): 0.01 s becomes 8 ms, and times that the
     /// task counts in periods are wrong by a quarter. The unit of a period is the second: 16 is a period of 16 s,
     /// usually meant as 16 ms. A period below 4 ms is rounded down to 0, which is run-time error 70: an error up to s7.
-    /// No public source says whether a CS9 (s8) accepts shorter periods; there it is information.
+    /// No public source states whether a CS9 (s8) accepts shorter periods; there it is information.
     ///
     /// ## Bad
     /// ```val3

@@ -103,7 +103,7 @@ fn word(name: &str, other: &str) -> Wording {
     Wording::new(
         format!("`{other}` creates a task `{name}` as well, and that one never ends"),
         "run-time error 31",
-        "give each task a name of its own, or end the first one with `taskKill` before this line",
+        "use a different name for each task, or end the first one with `taskKill` before this line",
     )
 }
 
@@ -134,14 +134,14 @@ mod tests {
         expect![[r#"
             two.pgx:5 `"io"` `start` creates a task `io` as well, and that one never ends
               | run-time error 31
-              ? give each task a name of its own, or end the first one with `taskKill` before this line
+              ? use a different name for each task, or end the first one with `taskKill` before this line
               > start.pgx:5 `"io"` the first one
         "#]]
         .assert_eq(&two(START, "taskCreate \"io\",10,other()"));
         expect![[r#"
             two.pgx:6 `"io"` `start` creates a task `io` as well, and that one never ends
               | run-time error 31
-              ? give each task a name of its own, or end the first one with `taskKill` before this line
+              ? use a different name for each task, or end the first one with `taskKill` before this line
               > start.pgx:5 `"io"` the first one
         "#]]
         .assert_eq(&two(START, "if bA\n  taskCreate \"io\",20,loop()\nendIf"));
@@ -153,7 +153,7 @@ mod tests {
         expect![[r#"
             start.pgx:7 `"io"` `two` creates a task `io` as well, and that one never ends
               | run-time error 31
-              ? give each task a name of its own, or end the first one with `taskKill` before this line
+              ? use a different name for each task, or end the first one with `taskKill` before this line
               > two.pgx:5 `"io"` the first one
         "#]]
         .assert_eq(&two(start, "taskCreate \"io\",10,other()"));
@@ -165,7 +165,7 @@ mod tests {
         expect![[r#"
             two.pgx:5 `"io"` `start` creates a task `io` as well, and that one never ends
               | run-time error 31
-              ? give each task a name of its own, or end the first one with `taskKill` before this line
+              ? use a different name for each task, or end the first one with `taskKill` before this line
               > start.pgx:5 `"io"` the first one
         "#]]
         .assert_eq(&two(start, "taskCreate \"io\",10,other()"));

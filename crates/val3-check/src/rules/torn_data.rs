@@ -12,7 +12,7 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// One task writes the fields of data on several lines, and another reads the data as a whole.
+    /// One task writes the fields of data on several lines, and another reads the complete data.
     ///
     /// ## Why
     /// Tasks take turns between lines: the reader may get a position with the new x and the old y. Assign the whole

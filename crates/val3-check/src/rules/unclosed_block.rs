@@ -14,7 +14,7 @@ rule! {
     /// ## Why
     /// Every block has its own closing keyword: `endIf`, `endWhile`, `until`, `endFor`, `endSwitch`. An `elseIf` opens
     /// no block of its own, so a chain of conditions needs one `endIf`. A `do` block is repeated until its condition is
-    /// true: there is no `do … while`. The controller refuses a program with an open block. The finding is at the place
+    /// true: there is no `do … while`. The controller rejects a program with an open block. The finding is at the place
     /// where the end is missing according to the indentation.
     ///
     /// ## Bad
@@ -69,7 +69,7 @@ pub(crate) fn end_with_until(site: &Site<'_>) -> Option<Fix> {
 /// Words the fault of a block that ends before its `inner` block.
 pub(crate) fn crossed(inner: &str, early: &str, late: &str) -> Wording {
     Wording::new(
-        format!("`{early}` comes before the `{late}` of the `{inner}` inside its block"),
+        format!("`{early}` is before the `{late}` of the `{inner}` inside its block"),
         format!("the `{inner}` is still open here"),
         format!("close the inner block first: `{late}`, then `{early}`"),
     )
@@ -119,7 +119,7 @@ mod tests {
     #[test]
     fn crossed_blocks_are_reported() {
         expect![[r#"
-            `endWhile` comes before the `endIf` of the `if` inside its block
+            `endWhile` is before the `endIf` of the `if` inside its block
             | the `if` is still open here
             ? close the inner block first: `endIf`, then `endWhile`
         "#]]

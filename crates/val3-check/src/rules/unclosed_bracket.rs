@@ -14,7 +14,7 @@ rule! {
     ///
     /// ## Why
     /// An instruction ends with its line and cannot continue on the next one. Every `(`, `[` and `{` needs its closing
-    /// bracket on the same line. The controller refuses a program without it.
+    /// bracket on the same line. The controller rejects a program without it.
     ///
     /// ## Bad
     /// ```val3

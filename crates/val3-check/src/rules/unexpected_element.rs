@@ -76,7 +76,7 @@ pub(crate) fn word(name: &str, parent: &str) -> Wording {
         return Wording::new(
             "a program file holds one program, and this is the second",
             "nothing can call it",
-            "move it to a file of its own, and list that in the project",
+            "move it to a separate file, and list that in the project",
         );
     }
     Wording::new(
@@ -117,7 +117,7 @@ mod tests {
         let expected = expect![[r#"
             a program file holds one program, and this is the second
             | nothing can call it
-            ? move it to a file of its own, and list that in the project
+            ? move it to a separate file, and list that in the project
         "#]];
         expected.assert_eq(&word("Program", "Programs").to_string());
         expected.assert_eq(&word("program", "programList").to_string());

@@ -8,7 +8,7 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// The format of a date contains a `%` without a known key, or no key at all.
+    /// The format of a date contains a `%` without a known key, or no key.
     ///
     /// ## Why
     /// Only nine keys are replaced: `%y %Y %m %d %H %I %p %M %S`. Their letter case matters (4.3). Any other text is
@@ -40,7 +40,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 fn word(callee: &str, key: &str) -> Wording {
     let (message, label) = match key.starts_with('%') {
-        true => (format!("`{callee}` knows no key `{key}`"), format!("`{key}` is not replaced")),
+        true => (format!("`{callee}` does not support the key `{key}`"), format!("`{key}` is not replaced")),
         false => (format!("`{callee}` gets a format without any key"), "returned unchanged".to_owned()),
     };
     Wording::new(message, label, format!("the keys are {}", one_of(&DATE_KEYS)))
@@ -56,13 +56,13 @@ mod tests {
     #[test]
     fn unknown_keys_are_reported() {
         expect![[r#"
-            start.pgx:5 `"%D"` `getDate` knows no key `%D`
+            start.pgx:5 `"%D"` `getDate` does not support the key `%D`
               | `%D` is not replaced
               ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
             start.pgx:6 `"hh:mm"` `getDate` gets a format without any key
               | returned unchanged
               ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
-            start.pgx:7 `"100%"` `getDate` knows no key `%`
+            start.pgx:7 `"100%"` `getDate` does not support the key `%`
               | `%` is not replaced
               ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
         "#]]

@@ -15,8 +15,8 @@ rule! {
     /// ## Why
     /// The fields of a structured type are fixed: a point has `trsf` and `config`, and its coordinates lie in `trsf`.
     /// The fields of a user type are the public data of the application that defines it; its private data are no fields
-    /// (2.5.3, 7.2). Types such as `num` and `string` have no fields at all. The controller does not load an
-    /// application with an unknown field.
+    /// (2.5.3, 7.2). Types such as `num` and `string` have no fields. The controller does not load an application with
+    /// an unknown field.
     ///
     /// ## Bad
     /// ```val3

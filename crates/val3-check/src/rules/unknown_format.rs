@@ -11,13 +11,13 @@ use crate::phrase::runtime_error;
 use crate::rule::{Severity, rule};
 
 rule! {
-    /// The format of a number is not one that the instruction knows.
+    /// The instruction does not support the format of a number.
     ///
     /// ## Why
-    /// `toBinary` and `fromBinary` know fourteen encodings; those of several bytes include the byte order (3.3.3).
-    /// `toString` takes `size.precision`, two whole numbers that may be omitted (3.4.3). Anything else raises run-time
-    /// error 70. Text after `size.precision` is ignored. It is reported as a warning if it contains digits, as in
-    /// `"8,2"`, and otherwise as information.
+    /// `toBinary` and `fromBinary` support fourteen encodings; the names of multi-byte encodings include the byte order
+    /// (3.3.3). `toString` expects `size.precision`, two whole numbers that may be omitted (3.4.3). Anything else
+    /// raises run-time error 70. Text after `size.precision` is ignored. It is reported as a warning if it contains
+    /// digits, as in `"8,2"`, and otherwise as information.
     ///
     /// ## Bad
     /// ```val3
@@ -72,7 +72,7 @@ fn word(callee: &str, form: TextForm, text: &str) -> Wording {
         TextForm::Binary => format!("write {}", one_of(&BINARY_FORMATS)),
         _ => NUMBER_HELP.to_owned(),
     };
-    Wording::new(format!("`{callee}` knows no format `{text}`"), runtime_error(INVALID_PARAMETER), help)
+    Wording::new(format!("`{callee}` does not support the format `{text}`"), runtime_error(INVALID_PARAMETER), help)
 }
 
 #[cfg(test)]
@@ -85,13 +85,13 @@ mod tests {
     #[test]
     fn invalid_formats_are_reported() {
         expect![[r#"
-            start.pgx:5 `"%8.2f"` `toString` knows no format `%8.2f`
+            start.pgx:5 `"%8.2f"` `toString` does not support the format `%8.2f`
               | run-time error 70: invalid parameter
               ? write `size.precision` such as `8.2`, `.3` or an empty text
-            start.pgx:6 `"4"` `toBinary` knows no format `4`
+            start.pgx:6 `"4"` `toBinary` does not support the format `4`
               | run-time error 70: invalid parameter
               ? write `-1`, `1`, `-2l`, `-2b`, `2l`, `2b`, `-4l`, `-4b`, `4l`, `4b`, `4.0l`, `4.0b`, `8.0l` or `8.0b`
-            start.pgx:7 `"4l "` `fromBinary` knows no format `4l `
+            start.pgx:7 `"4l "` `fromBinary` does not support the format `4l `
               | run-time error 70: invalid parameter
               ? write `-1`, `1`, `-2l`, `-2b`, `2l`, `2b`, `-4l`, `-4b`, `4l`, `4b`, `4.0l`, `4.0b`, `8.0l` or `8.0b`
         "#]]

@@ -85,7 +85,7 @@ mod tests {
         expect![[r#"
             VAL 3 has no instruction `moveJ`
             | no such instruction
-            ? did you mean `movej`? Upper and lower case make a difference
+            ? did you mean `movej`? Names are case-sensitive
         "#]]
         .assert_eq(&word("moveJ", Some("movej"), None).to_string());
         expect![[r#"

@@ -7,9 +7,9 @@ rule! {
     ///
     /// ## Why
     /// The name before a colon is a library identifier. The project file declares it in `<Libraries>` together with the
-    /// library that defines its interface. Without the declaration the controller knows neither the programs nor the
-    /// data of the library and does not load the application. `libLoad` changes the library of an identifier but does
-    /// not declare one (6.3).
+    /// library that defines its interface. Without the declaration the library's programs and data are unknown, and the
+    /// controller does not load the application. `libLoad` changes the library of an identifier but does not declare
+    /// one (6.3).
     ///
     /// ## Bad
     /// ```val3

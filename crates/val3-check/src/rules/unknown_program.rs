@@ -16,9 +16,9 @@ rule! {
     ///
     /// ## Why
     /// `call`, `taskCreate` and `taskCreateSync` start a program of the application. A program belongs to the
-    /// application if the project file lists its file; a file in the folder alone does not count. Letter case matters.
-    /// The name of a program of a library is preceded by its library identifier: `call part:pick()`. Instructions of
-    /// VAL 3 are written without `call`.
+    /// application if the project file lists its file; a file that is only in the folder does not count. Letter case
+    /// matters. The name of a program of a library is preceded by its library identifier: `call part:pick()`.
+    /// Instructions of VAL 3 are written without `call`.
     ///
     /// ## Bad
     /// ```val3

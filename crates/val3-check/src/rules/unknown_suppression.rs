@@ -9,8 +9,8 @@ rule! {
     /// The comment was written to silence a finding but has no effect. There are two forms. `//val3: allow(V0701)`
     /// applies to the next line of code. `//val3: allow-program(V0701)` applies to the whole program and must be before
     /// the first line of code. The brackets contain codes or names of findings, separated by commas. Faults of the
-    /// syntax (`V00…`) cannot be silenced, because the controller refuses the program in any case. A third form,
-    /// `//val3: no-coverage`, silences nothing: it leaves code out of the coverage of `val3 test`.
+    /// syntax (`V00…`) cannot be silenced, because the controller rejects the program in any case. A third form,
+    /// `//val3: no-coverage`, silences nothing: it excludes code from the coverage of `val3 test`.
     ///
     /// ## Bad
     /// ```val3

@@ -20,7 +20,7 @@ rule! {
     /// A task is found by its name, and only by the application or library that created it. Suspending or resuming an
     /// unknown task raises run-time error 30, killing it has no effect, and its status is always -1. Usually the name
     /// is misspelt: letter case matters. Tasks with computed names are taken into account. Each name is reported once
-    /// per program. A comparison of `taskStatus` with -1 asks whether the task exists, and is not reported.
+    /// per program. A comparison of `taskStatus` with -1 tests whether the task exists, and is not reported.
     ///
     /// ## Bad
     /// ```val3

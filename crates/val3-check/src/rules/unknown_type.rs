@@ -6,7 +6,7 @@ rule! {
     /// Data, a local variable or a parameter has a type that does not exist.
     ///
     /// ## Why
-    /// A type is one of those that VAL 3 has, or a user type that the project file names in `<Types>` (7.2). A project
+    /// A type is a built-in type of VAL 3, or a user type that the project file names in `<Types>` (7.2). A project
     /// names every user type that it declares data of, even if a library names the same type. The controller does not
     /// load an application with a type that it does not know.
     ///

@@ -3,7 +3,7 @@
 use crate::{diagnostic::Wording, phrase::did_you_mean_or, rule::rule};
 
 rule! {
-    /// A data file gives a value to a field that the user type does not have.
+    /// A data file contains a value for a field that the user type does not have.
     ///
     /// ## Why
     /// The fields of a user type are the public data of its project (chapter 7). When a field is renamed, removed or

@@ -53,7 +53,7 @@ fn word(name: &str, key: &str) -> Wording {
     Wording::new(
         format!("`{name}[{key}]` has no father"),
         "no father",
-        "give its value a `fatherId`, such as `world[0]` or `flange[0]`",
+        "add a `fatherId` to its value, such as `world[0]` or `flange[0]`",
     )
 }
 
@@ -82,7 +82,7 @@ mod tests {
         expect![[r#"
             a.dtx:2 `xA` `xA[1]` has no father
               | no father
-              ? give its value a `fatherId`, such as `world[0]` or `flange[0]`
+              ? add a `fatherId` to its value, such as `world[0]` or `flange[0]`
         "#]]
         .assert_eq(&data("pointRx", values));
         assert!(!data("tool", "<Value key=\"0\" x=\"1\"/>").is_empty());

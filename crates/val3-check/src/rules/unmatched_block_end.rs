@@ -11,7 +11,7 @@ rule! {
     ///
     /// ## Why
     /// `else`, `elseIf` and the closing keywords belong to the innermost open block. If the block before them is
-    /// already closed, or was never opened, the controller refuses the program. Often the line that opens the block was
+    /// already closed, or was never opened, the controller rejects the program. Often the line that opens the block was
     /// deleted, or its end was written twice. No further branch can follow `else`.
     ///
     /// ## Bad

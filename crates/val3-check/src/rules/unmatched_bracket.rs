@@ -12,7 +12,7 @@ rule! {
     ///
     /// ## Why
     /// Brackets belong together in pairs on one line. A superfluous bracket is often left over from a deleted part of
-    /// an expression. The controller refuses the program, because it does not know which pair was meant.
+    /// an expression. The controller rejects the program, because the intended pair is ambiguous.
     ///
     /// ## Bad
     /// ```val3

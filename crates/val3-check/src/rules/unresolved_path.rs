@@ -11,7 +11,7 @@ use crate::{
 };
 
 rule! {
-    /// The path of a library or user type starts with a root whose folder is not known.
+    /// The path of a library or user type starts with a root without a configured folder.
     ///
     /// ## Why
     /// A library that is not found cannot be checked, so every call and every name with its identifier is accepted.
@@ -56,7 +56,7 @@ pub(crate) fn word(what: FileRole, path: &str, root: &str, near: Option<&str>) -
     let why = if is_disk && near.is_none() {
         format!("the {} `{path}` is not among the checked files", file_role(what))
     } else {
-        format!("the {} `{path}` cannot be found: no folder is known for `{root}://`", file_role(what))
+        format!("the {} `{path}` cannot be found: no folder is configured for `{root}://`", file_role(what))
     };
     let advice = if is_disk {
         "check the whole folder `usrapp`, or name it with `disk` in `val3.toml`".to_owned()
@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn a_misspelt_root_is_reported() {
         expect![[r#"
-            the library `Disc://part` cannot be found: no folder is known for `Disc://`
+            the library `Disc://part` cannot be found: no folder is configured for `Disc://`
             | uses of it are not checked
             ? did you mean `Disk`?
         "#]]
@@ -103,7 +103,7 @@ mod tests {
     #[test]
     fn a_path_on_another_medium_is_reported() {
         expect![[r#"
-            the library `USB0://part` cannot be found: no folder is known for `USB0://`
+            the library `USB0://part` cannot be found: no folder is configured for `USB0://`
             | uses of it are not checked
             ? name the folder of `USB0` with `roots` in `val3.toml`
         "#]]

@@ -15,8 +15,8 @@ rule! {
     /// A local joint starts with every axis at 0, a position that few cells can reach without a collision. A local
     /// transformation changes nothing. A local motion descriptor requests full speed and rounded corners (10.5.1).
     /// Numbers, strings and truth values start with 0, "" and false, on which many programs rely: they are not
-    /// reported. The rule also ignores a local that no line sets and whose name says that it stays empty, such as
-    /// `l_trEmpty` or `l_jZero`, and one that takes the result of the same line.
+    /// reported. The rule also ignores a local that no line sets and whose name states that it stays empty, such as
+    /// `l_trEmpty` or `l_jZero`, and a local that receives the result of the same line.
     ///
     /// ## Bad
     /// ```val3

@@ -7,7 +7,7 @@ rule! {
     ///
     /// ## Why
     /// A string is enclosed by two `"` on one line. There are no escape sequences: `\` is an ordinary character, and
-    /// the next `"` always ends the string. Use `chr(34)` for a quote inside a string. The controller refuses a program
+    /// the next `"` always ends the string. Use `chr(34)` for a quote inside a string. The controller rejects a program
     /// with an open string.
     ///
     /// ## Bad

@@ -14,7 +14,7 @@ rule! {
     /// A project declares a library that none of its programs uses.
     ///
     /// ## Why
-    /// The library is loaded with the application and takes memory and time without being used, or a program uses the
+    /// The library is loaded with the application and needs memory and time without being used, or a program uses the
     /// wrong library.
     ///
     /// Applications with tests are not checked: a library that they load is part of the coverage of their tests.

@@ -10,7 +10,7 @@ rule! {
     /// A program declares a local variable and does not use it.
     ///
     /// ## Why
-    /// The variable is left over, or the program uses the wrong variable. It also takes memory and time at each call,
+    /// The variable is left over, or the program uses the wrong variable. It also needs memory and time at each call,
     /// because locals are created whenever the program starts.
     ///
     /// ## Bad

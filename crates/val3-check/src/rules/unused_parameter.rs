@@ -7,12 +7,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A private program does not use one of its parameters.
+    /// A private program has an unused parameter.
     ///
     /// ## Why
-    /// Every caller passes a value without an effect. Either the parameter is left over or the program forgets it.
-    /// Public programs are not reported, because an interface may require their parameters, nor programs without a line
-    /// of code.
+    /// Every caller passes a value without an effect. Either the parameter is left over or the program does not use it
+    /// by mistake. Public programs are not reported, because an interface may require their parameters, nor programs
+    /// without a line of code.
     ///
     /// ## Bad
     /// ```val3

@@ -3,7 +3,7 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A data file gives a field of a user type a value of another type or container.
+    /// A data file contains a value of the wrong type or container for a field of a user type.
     ///
     /// ## Why
     /// The project of the user type declares what its fields are (chapter 7). A field written with another type or

@@ -8,7 +8,7 @@ rule! {
     /// ## Why
     /// The types end in `Rx` for arms with six axes, in `Rs` for arms with four axes (SCARA), and in `Vrb` for any
     /// other arm. They have different fields, so they cannot be assigned to each other, compared or passed for each
-    /// other, and an arm only moves to positions of its own kind. In code, `joint`, `point` and `config` mean the kind
+    /// other, and an arm only moves to positions of the same kind. In code, `joint`, `point` and `config` mean the kind
     /// of the arm that is installed.
     ///
     /// ## Bad

@@ -8,10 +8,10 @@ rule! {
     /// The root element of a file does not belong to this kind of file.
     ///
     /// ## Why
-    /// A `.pjx` file contains a project, a `.dtx` file data and a `.pgx` file a program, as the root element says. With
-    /// another root the controller does not understand the file and does not load the application. Usually a file was
-    /// overwritten by another one. Projects of s5 and s6 use other roots than those of s7 and s8; each file may have
-    /// either form.
+    /// A `.pjx` file contains a project, a `.dtx` file data and a `.pgx` file a program, as the root element states.
+    /// With another root the controller does not understand the file and does not load the application. Usually a file
+    /// was overwritten by another file. Projects of s5 and s6 use other roots than those of s7 and s8; each file may
+    /// have either form.
     ///
     /// ## Bad
     /// ```val3

@@ -211,14 +211,14 @@ fn evaluated(expr: &Expr) -> Vec<ExprId> {
 /// Checks that a statement evaluates its expression `root` exactly once, when it begins.
 fn once(kind: &StmtKind, root: ExprId) -> Result<(), String> {
     let reason = match kind {
-        StmtKind::While { .. } => "The condition of `while` is evaluated before every round",
-        StmtKind::Do { .. } => "The condition of `until` is evaluated after every round",
-        StmtKind::For { .. } => "The manual leaves open how often `for` evaluates its bounds",
+        StmtKind::While { .. } => "The condition of `while` is evaluated before every pass",
+        StmtKind::Do { .. } => "The condition of `until` is evaluated after every pass",
+        StmtKind::For { .. } => "The manual does not define how often `for` evaluates its bounds",
         StmtKind::If { arms, .. } if arms.first().and_then(|(condition, _)| *condition) != Some(root) => {
-            "The condition of `elseIf` is evaluated only if those before it are false"
+            "The condition of `elseIf` is evaluated only if the conditions before it are false"
         }
         StmtKind::Switch { selector, .. } if *selector != Some(root) => {
-            "The values of a `case` are compared only if those before them differ"
+            "The values of a `case` are compared only if the values before them differ"
         }
         _ => return Ok(()),
     };

@@ -271,8 +271,8 @@ mod tests {
     #[test]
     fn a_value_that_would_be_another_one_is_refused() {
         for (code, reason) in [
-            ("while $0nA<1$0\nendWhile", "every round"),
-            ("do\nuntil $0nA<1$0", "every round"),
+            ("while $0nA<1$0\nendWhile", "every pass"),
+            ("do\nuntil $0nA<1$0", "every pass"),
             ("if bA\nelseIf $0nA<1$0\nendIf", "only if"),
             ("wait($0nA==1$0)", "every cycle"),
             ("wait(bA and ($0nA+1$0)==2)", "right side"),

@@ -54,13 +54,13 @@ impl<'c, 'db> Inlining<'c, 'db> {
         let reads: Vec<ExprId> = reads.filter_map(|id| name_in(evaluation, id)).collect();
         let written: Vec<&&Access> = uses.iter().filter(|access| access.kind != AccessKind::Read).collect();
         let [Access { id: target, kind: AccessKind::Write, .. }] = written.as_slice() else {
-            return Err(format!("`{}` gets its value at {} places, not at one", local.name, written.len()));
+            return Err(format!("`{}` is set at {} places, not at one", local.name, written.len()));
         };
         if reads.is_empty() {
             return Err(format!("`{}` is never read", local.name));
         }
         let (block, at, value) = assignment(evaluation, *target)
-            .ok_or_else(|| format!("`{}` does not get its value in an assignment of its own", local.name))?;
+            .ok_or_else(|| format!("`{}` is not set by a separate assignment", local.name))?;
         let inlining = Self { context, evaluation, name: &local.name, block, at, value, reads };
         inlining.check_type(local)?;
         inlining.check_reads()?;
@@ -130,7 +130,9 @@ impl<'c, 'db> Inlining<'c, 'db> {
         let index = |read: &ExprId| later.iter().position(|it| it.range.contains_range(body.range(*read)));
         let places: Option<Vec<usize>> = self.reads.iter().map(index).collect();
         let last = places.and_then(|places| places.into_iter().max());
-        let last = last.ok_or_else(|| format!("`{}` is read where this assignment need not come before", self.name))?;
+        let last = last.ok_or_else(|| {
+            format!("`{}` is read at a place that this assignment does not always precede", self.name)
+        })?;
         if last == 0 && self.is_only_delayed() {
             return Ok(());
         }
@@ -339,10 +341,10 @@ mod tests {
             ("l$0_n=1\nl_n=2\nputln(l_n)", "at 2 places"),
             ("l$0_n=1", "never read"),
             ("l$0_n=1\ncall by(l_n)\nputln(l_n)", "at 2 places"),
-            ("l$0_n=l_m=1\nputln(l_n)", "of its own"),
-            ("l_m=l$0_n=1\nputln(l_n)", "of its own"),
-            ("if bA\n  l$0_n=1\nendIf\nputln(l_n)", "need not come before"),
-            ("putln(l_n)\nl$0_n=1", "need not come before"),
+            ("l$0_n=l_m=1\nputln(l_n)", "separate assignment"),
+            ("l_m=l$0_n=1\nputln(l_n)", "separate assignment"),
+            ("if bA\n  l$0_n=1\nendIf\nputln(l_n)", "does not always precede"),
+            ("putln(l_n)\nl$0_n=1", "does not always precede"),
             ("l$0_n=nA\nnA=1\nputln(l_n)", "may change"),
             ("l$0_n=nA\ndelay(1)\nputln(l_n)", "may change"),
             ("l$0_n=nA\ncall by(l_m)\nputln(l_n)", "may change"),

@@ -80,7 +80,9 @@ fn has_known_libraries(db: &dyn Db, project: Project, name: &str) -> Result<(), 
             });
             if let Some(library) = unknown.into_iter().next() {
                 let caller = &header(db, *file).name;
-                return Err(format!("`{caller}` calls `{library}:{name}`, and the library `{library}` is not known"));
+                return Err(format!(
+                    "`{caller}` calls `{library}:{name}`, and the library `{library}` cannot be resolved"
+                ));
             }
         }
     }

@@ -106,7 +106,7 @@ pub(super) fn is_readable(db: &dyn Db, program: &Program) -> Result<(), String> 
     if keeps_names(&program.wanted, header) || parse(db, program.file).errors().is_empty() {
         return Ok(());
     }
-    Err(format!("`{path}` has syntax errors, so some uses of its variables may not be known"))
+    Err(format!("`{path}` has syntax errors, so some uses of its variables may be missing"))
 }
 
 /// Whether every variable is kept with its name.

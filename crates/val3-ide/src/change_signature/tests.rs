@@ -460,7 +460,7 @@ fn names_and_types_that_do_not_suit_are_refused() {
         refused: there is already a program called `start`
         refused: `1a` is no name: letters, digits and `_`, no digit first
         refused: `endIf` is a word of the language
-        refused: the program `other` uses the name `z`, which is not declared yet
+        refused: the program `other` uses the name `z`, which is unresolved
         refused: there is no type `number`
         refused: `l_nC` has one to three dimensions, each with at least one value
         refused: `l_nC` has one to three dimensions, each with at least one value
@@ -510,7 +510,7 @@ fn unknown_libraries_are_refused() {
         "library part \"Disk://part/part.pjx\"\ncall part:pick(1)\n--- box\npublic program pick(num x_nA)\nbegin\n  $0put(1)\nend",
         |wanted| wanted.parameters.clear(),
         expect![[r#"
-            refused: `start` calls `part:pick`, and the library `part` is not known
+            refused: `start` calls `part:pick`, and the library `part` cannot be resolved
         "#]],
     );
 }
@@ -551,14 +551,14 @@ fn broken_programs_are_left_alone() {
         broken,
         |wanted| wanted.parameters[0].name = "x_nC".to_owned(),
         expect![[r#"
-        refused: `other.pgx` has syntax errors, so some uses of its variables may not be known
+        refused: `other.pgx` has syntax errors, so some uses of its variables may be missing
     "#]],
     );
     check(
         broken,
         |wanted| wanted.locals.clear(),
         expect![[r#"
-        refused: `other.pgx` has syntax errors, so some uses of its variables may not be known
+        refused: `other.pgx` has syntax errors, so some uses of its variables may be missing
     "#]],
     );
     // A new local does not depend on the code.

@@ -52,7 +52,7 @@ fn paths(found: &mut CompletionList<'_>, alias: Option<&str>) {
         let fit = alias.map(|alias| interfaces::fit(db, project, alias, library.project));
         let (detail, score) = match fit {
             Some(Fit::Whole) => ("library, fits the interface", 2 * FITS),
-            Some(Fit::Used) => ("library, has what is used of the interface", FITS),
+            Some(Fit::Used) => ("library with all used items of the interface", FITS),
             Some(Fit::Lacks) | None => ("library", 0),
         };
         found.add(&library.short, CompletionKind::Path).detail(|| detail.to_owned()).scored(score);

@@ -87,7 +87,7 @@ fn frames_tools_and_joints_have_places() {
         ARM,
         &["fMoved"],
         expect![[r#"
-        fMoved[0] None "" None None Some("its place is not known: `fMoved` has no father")
+        fMoved[0] None "" None None Some("its placement is unknown: `fMoved` has no father")
     "#]],
     );
 }

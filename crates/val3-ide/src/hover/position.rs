@@ -85,7 +85,7 @@ fn about(db: &dyn Db, project: Project, owner: Project, path: &str) -> Option<St
         _ => return None,
     };
     if chain.iter().any(|path| is_changed(db, owner, path)) {
-        text.push_str("\n\nat the start; a program changes it or what it is relative to");
+        text.push_str("\n\nat the start; a program changes it or one of its fathers");
     }
     Some(format!("\n{text}\n"))
 }

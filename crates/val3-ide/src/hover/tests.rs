@@ -292,7 +292,7 @@ fn values_show_units_and_fathers() {
 
             in `world`: x=11.5 y=2 z=0 mm, rx=0 ry=0 rz=90 degrees
 
-            at the start; a program changes it or what it is relative to
+            at the start; a program changes it or one of its fathers
 
         "#]],
     );
@@ -333,7 +333,7 @@ fn values_show_units_and_fathers() {
 
             in `world`: x=11.5 y=2 z=0 mm, rx=0 ry=0 rz=90 degrees
 
-            at the start; a program changes it or what it is relative to
+            at the start; a program changes it or one of its fathers
 
         "#]],
     );

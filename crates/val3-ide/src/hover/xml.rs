@@ -140,7 +140,7 @@ fn value_page(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &st
 /// Description of a version, with the features that it does not have.
 fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
     let Some(version) = Version::parse(text) else {
-        return format!("{} is not a version. A version looks like `s7.11` or `s8.10.2Cs9_BS1991`.", code(text));
+        return format!("{} is not a version. Examples of versions: `s7.11`, `s8.10.2Cs9_BS1991`.", code(text));
     };
     let controllers = if version.language() < 8 { "CS8" } else { "CS9" };
     let mut page = fenced(&format!("VAL 3 {version}")) + &format!("\nfor {controllers} controllers");
@@ -158,7 +158,7 @@ fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
     ];
     let missing: Vec<&str> = missing.iter().filter(|(has, _)| !has).map(|(_, what)| *what).collect();
     if !missing.is_empty() {
-        let _ = write!(page, "\n- It lacks {}.", missing.join(", "));
+        let _ = write!(page, "\n- It does not support {}.", missing.join(", "));
     }
     let lacking: Vec<String> = instructions::all()
         .iter()
@@ -168,7 +168,7 @@ fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
     if !lacking.is_empty() {
         let more = if lacking.len() > SHOWN { format!(" and {} more", lacking.len() - SHOWN) } else { String::new() };
         let shown: Vec<&str> = lacking.iter().take(SHOWN).map(String::as_str).collect();
-        let _ = write!(page, "\n- Instructions that it lacks: {}{more}.", shown.join(", "));
+        let _ = write!(page, "\n- Unsupported instructions: {}{more}.", shown.join(", "));
     }
     page
 }
@@ -176,7 +176,7 @@ fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
 /// Project to which a path resolves, with its interface.
 fn project_page(db: &dyn Db, project: Project, path: &str) -> String {
     let Some(found) = find_project(db, project, path) else {
-        return format!("There is no known project at the path {}.", code(path));
+        return format!("No project exists at the path {}.", code(path));
     };
     let mut page = format!("{}\n\n{}\n", place_of(db, found), code(found.manifest(db).path(db).as_str()));
     let mut lines = interface(db, found);

@@ -181,7 +181,7 @@ pub(crate) fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Resul
     let is_unknown = |expr: &Expr, start| matches!(expr, Expr::Name(name) if name == new_name) && !is_known(start);
     if body(db, file).exprs().any(|(_, expr, range)| is_unknown(expr, range.start())) {
         let program = &header(db, file).name;
-        return refused(format!("the program `{program}` uses the name `{new_name}`, which is not declared yet"));
+        return refused(format!("the program `{program}` uses the name `{new_name}`, which is unresolved"));
     }
     Ok(())
 }

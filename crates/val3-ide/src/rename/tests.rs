@@ -261,7 +261,7 @@ fn a_rename_that_would_break_something_is_refused() {
         "num nA\nn$0A=nB",
         "nB",
         expect![[r#"
-        refused: the program `start` uses the name `nB`, which is not declared yet
+        refused: the program `start` uses the name `nB`, which is unresolved
     "#]],
     );
     check(

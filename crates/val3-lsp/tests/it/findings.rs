@@ -412,7 +412,7 @@ fn settings_that_leave_the_cell_are_reported_and_nothing_outside_is_read() {
     let sent = client.findings(&cell.path("val3.toml"), None);
     assert_eq!(sent[0]["range"]["start"]["line"], 1, "{sent:?}");
     let message = sent[0]["message"].as_str().unwrap();
-    assert!(message.contains("`add-ons` leads to `/dev/zero`, outside of the cell"), "{message}");
+    assert!(message.contains("`add-ons` resolves to `/dev/zero`, outside of the cell"), "{message}");
     assert!(message.contains("val3 trust"), "{message}");
     assert_eq!(client.end(), 0);
 }

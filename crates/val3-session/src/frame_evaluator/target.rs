@@ -63,7 +63,7 @@ impl Targets {
             FragmentContext::Frame(task, depth) => {
                 let found = vm.tasks().iter().find(|known| known.id == task);
                 let frame = found.and_then(|task| task.thread.frames.iter().rev().nth(depth));
-                let frame = frame.ok_or("the frame is no longer there")?;
+                let frame = frame.ok_or("the stack frame no longer exists")?;
                 self.of_program(vm, (frame.instance, Some(frame.program)))
             }
         }

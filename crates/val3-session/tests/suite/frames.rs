@@ -64,13 +64,13 @@ fn expressions_see_all_variables_of_a_frame() {
         diMissing: `diMissing` is not declared: no local variable, parameter or data has this name
         1/0: error 10: division by zero
         sNames[5]: error 20: index too large
-        {1,2,3,0,0,0}: the type of the values between these braces is not known
+        {1,2,3,0,0,0}: the type of the values between these braces is unknown
         clock()>=0: bool true
     "#]]
     .assert_eq(&values.concat());
     assert_eq!(shown(stopped.evaluate(1, "l_nOuter", Purpose::Watch)), "num 4");
     assert!(shown(stopped.evaluate(1, "l_nMany", Purpose::Watch)).contains("not declared"));
-    assert_eq!(shown(stopped.evaluate(2, "nCount", Purpose::Watch)), "the frame is no longer there");
+    assert_eq!(shown(stopped.evaluate(2, "nCount", Purpose::Watch)), "the stack frame no longer exists");
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn the_console_executes_statements() {
         ? nCount+1: 7
         putln("a"): a
         delay(5):
-        wait(nCount==1): it waits for an event that cannot happen while the run stands still
+        wait(nCount==1): it waits for an event that cannot happen while the run is stopped
         watch(nCount==1,2): bool false
         ? 1/0: error 10: division by zero
         call endless(): it was ended because it executes too many lines, probably in an endless loop
@@ -247,7 +247,7 @@ fn an_application_without_tasks_has_its_data() {
         "num nCount\nprogram start()\nbegin\n  nCount=2\n  call show()\nend\nprogram show()\nbegin\n  ? 1\nend\n";
     let mut stopped = Stopped::at(listing);
     stopped.debugger.controller.kill_tasks();
-    assert_eq!(stopped.watch("nCount"), "the frame is no longer there");
+    assert_eq!(stopped.watch("nCount"), "the stack frame no longer exists");
     let (id, _) = stopped.debugger.controller.vm.space.loaded().next().unwrap();
     let context = FragmentContext::Instance(id);
     let how = (Purpose::Execute, Format::default());
@@ -310,7 +310,7 @@ fn statements_may_stop_tasks() {
     let mut stopped = Stopped::at(VARIABLES);
     assert_eq!(stopped.execute("taskSuspend(\"main~\")\n? taskStatus(\"main~\")"), "0");
     assert_eq!(stopped.execute("taskKill(\"main~\")\n? nCount"), "3");
-    assert_eq!(stopped.watch("nCount"), "the frame is no longer there");
+    assert_eq!(stopped.watch("nCount"), "the stack frame no longer exists");
     let outcomes: Vec<_> = (0..5).map(|_| stopped.debugger.advance()).collect();
     assert!(outcomes.contains(&Progress::Ran(Outcome::Finished)), "{outcomes:?}");
 }

@@ -55,7 +55,7 @@ pub(crate) struct ArmMeasureArgs {
     /// The arm (tx2-60l) or a file that describes it
     #[arg(long, value_name = "NAME")]
     pub(crate) arm: String,
-    /// The range of an axis, in degrees (a stroke in mm): 1=-30..30; may be repeated [default: 15 degrees or 40 mm to
+    /// An axis and its range, in degrees (a stroke in mm): 1=-30..30; may be repeated [default: 15 degrees or 40 mm to
     /// both sides of the position at which the application starts]
     #[arg(long, value_name = "AXIS=FROM..TO", allow_hyphen_values = true)]
     pub(crate) range: Vec<AxisRange>,

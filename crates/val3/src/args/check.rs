@@ -25,10 +25,10 @@ pub(crate) struct CheckArgs {
     /// How findings are written to the standard output
     #[arg(help_heading = "Output", long, default_value = "human")]
     pub(crate) format: Format,
-    /// Also write the findings to a file, in a format of its own; may be repeated
+    /// Also write the findings to a file, in a separate format; may be repeated
     #[arg(help_heading = "Output", long, value_name = "FORMAT=FILE")]
     pub(crate) output: Vec<Output>,
-    /// The lowest level that makes the check fail
+    /// The lowest level at which the check fails
     #[arg(help_heading = "Exit code", long, value_name = "LEVEL", default_value = "error")]
     pub(crate) fail_level: Severity,
     /// Exit with 0 even when there are findings
@@ -37,7 +37,7 @@ pub(crate) struct CheckArgs {
     /// Report only these rules: codes (V0203), prefixes of codes (V02) or names, separated by commas
     #[arg(help_heading = "Rules", long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) select: Vec<String>,
-    /// Report these rules as well, even those that are off: codes, prefixes of codes or names
+    /// Report these rules as well, even if they are off: codes, prefixes of codes or names
     #[arg(hide_short_help = true, help_heading = "Rules", long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) extend_select: Vec<String>,
     /// Do not report these rules; takes precedence over --select and --extend-select
@@ -49,7 +49,7 @@ pub(crate) struct CheckArgs {
     /// With --motion: the arm (tx2-60l) or a file that describes it; takes precedence over val3.toml and the cell
     #[arg(hide_short_help = true, help_heading = "Rules", long, value_name = "NAME")]
     pub(crate) arm: Option<String>,
-    /// Also report what has to change if the applications are moved to this version, such as s8.10
+    /// Also report the changes that are necessary for this version, such as s8.10
     #[arg(help_heading = "Rules", long = "for", value_name = "VERSION", value_parser = target_version)]
     pub(crate) target: Option<Version>,
     /// Apply safe fixes, which do not change what the programs do, and report the other findings
@@ -64,7 +64,7 @@ pub(crate) struct CheckArgs {
     /// Add comments to the programs that silence their findings, and report the other findings
     #[arg(hide_short_help = true, help_heading = "Fixes", long, conflicts_with_all = ["fixing", "write_baseline", "prune_baseline", "explain_config"])]
     pub(crate) add_suppressions: bool,
-    /// Count the findings of each rule instead of listing them
+    /// Count the findings by rule instead of listing them
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with = "diff")]
     pub(crate) statistics: bool,
     /// Print only findings and errors: no summary, no hints, no progress
@@ -82,13 +82,13 @@ pub(crate) struct CheckArgs {
     /// Remove findings that no longer occur from the baseline
     #[arg(hide_short_help = true, help_heading = "Known findings", long, conflicts_with = "fixing")]
     pub(crate) prune_baseline: bool,
-    /// Check nothing; print each setting of each application with its source
+    /// Check nothing; print all settings of the applications with their sources
     #[arg(hide_short_help = true, long)]
     pub(crate) explain_config: bool,
     /// Number of threads [default: one per core]
     #[arg(hide_short_help = true, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) jobs: Option<u16>,
-    /// Template of a record of the val3check format: %e level, %f file, %l line, %m message, %c class, %p program,
+    /// Template of a val3check record: %e level, %f file, %l line, %m message, %c class, %p program,
     /// %s section
     #[arg(hide_short_help = true, help_heading = "Output", long, value_name = "TEMPLATE", default_value = DEFAULT_TEMPLATE, hide_default_value = true)]
     pub(crate) val3check_template: Template,

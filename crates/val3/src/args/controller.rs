@@ -13,7 +13,7 @@ use val3_suite::ControllerKeys;
 /// The properties of the virtual controller.
 #[derive(Debug, Clone, Default, clap::Args)]
 pub(crate) struct ControllerArgs {
-    /// The arm (tx2-60l) or a file that describes it, instead of that of val3.toml and the cell
+    /// The arm (tx2-60l) or a file that describes it, instead of the arm in val3.toml and the cell
     #[arg(help_heading = "Controller", long, value_name = "NAME")]
     pub(crate) arm: Option<String>,
     /// Map a root of paths to a folder: USB0=/media/stick; may be repeated
@@ -47,7 +47,7 @@ pub(crate) struct ControllerArgs {
     /// Switch the arm's power on at the start, as an operator does
     #[arg(help_heading = "Controller", long)]
     pub(crate) power: bool,
-    /// The time of a line of code on the controller's clock, in microseconds [default: 2]
+    /// The time that a line needs on the controller's clock, in microseconds [default: 2]
     #[arg(hide_short_help = true, help_heading = "Controller", long, value_name = "US", value_parser = microseconds)]
     pub(crate) line_cost: Option<Time>,
 }

@@ -17,7 +17,7 @@ pub(crate) enum CoverageFormat {
     Json,
 }
 
-/// What is counted, and where it is written.
+/// Coverage and its destinations.
 #[derive(Debug, clap::Args)]
 pub(crate) struct CoverageArgs {
     /// Count how often lines and branches are executed, and print a table of it

@@ -24,7 +24,7 @@ val3 diff [OPTIONS] OLD NEW
 #[derive(Debug, clap::Args)]
 pub(crate) struct DiffArgs {
     /// The old and the new version: application folders, .pjx files, cells, folders that contain them, or two single files;
-    /// /dev/null means that there is none. With --git: the folder to compare
+    /// /dev/null means that the version does not exist. With --git: the folder to compare
     #[arg(value_name = "OLD NEW")]
     pub(crate) paths: Vec<Utf8PathBuf>,
     /// Compare a revision of git with the files of the working tree, or two revisions with each other, also as `OLD..NEW`;
@@ -46,16 +46,16 @@ pub(crate) struct DiffArgs {
     /// Only these parts, separated by commas
     #[arg(long, value_name = "PARTS", value_delimiter = ',')]
     pub(crate) only: Vec<Part>,
-    /// Print a table with the numbers of differences and the greatest movement of each application
+    /// Print a table by application with the numbers of differences and the greatest movement
     #[arg(long, conflicts_with = "textconv")]
     pub(crate) stat: bool,
-    /// Leave out positions that moved by at most this distance and angle, such as `0.01mm,0.01deg`
+    /// Omit positions that moved by at most this distance and angle, such as `0.01mm,0.01deg`
     #[arg(long, value_name = "DISTANCE,ANGLE", conflicts_with = "textconv")]
     pub(crate) tolerance: Option<Tolerance>,
-    /// Leave out data whose names match, such as `n*Count` or `tState.n*`; may be repeated
+    /// Omit data whose names match, such as `n*Count` or `tState.n*`; may be repeated
     #[arg(long, value_name = "PATTERN", conflicts_with = "textconv")]
     pub(crate) ignore_data: Vec<NamePattern>,
-    /// Leave out differences that have no effect
+    /// Omit differences that have no effect
     #[arg(long, value_name = "WHAT", value_delimiter = ',', conflicts_with = "textconv")]
     pub(crate) ignore: Vec<Ignorable>,
     /// The destination of the text

@@ -17,7 +17,7 @@ val3 merge [OPTIONS] BASE OURS THEIRS
 #[derive(Debug, clap::Args)]
 pub(crate) struct MergeArgs {
     /// Three versions of one file: the common ancestor, the version that is replaced by the result, and the version whose
-    /// changes come into it; /dev/null as BASE means that both sides have added the file
+    /// changes are added to it; /dev/null as BASE means that both sides have added the file
     #[arg(value_names = ["BASE", "OURS", "THEIRS"], num_args = 3, required_unless_present = "install")]
     pub(crate) files: Vec<Utf8PathBuf>,
     /// The path of the file in the repository, for its kind and for messages

@@ -10,15 +10,15 @@ pub(crate) struct NewArgs {
     /// The name of the application: letters, digits and `_`, at most 15 for s7
     #[arg(value_name = "NAME")]
     pub(crate) name: String,
-    /// The folder for the application. In a cell, the application is written beside the others of the cell, otherwise
+    /// The folder for the application. In a cell, the application is written next to the cell's other applications, otherwise
     /// into a new cell: NAME/usr/usrapp/NAME
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub(crate) folder: Utf8PathBuf,
-    /// The arm that the point is taught for; `val3 arm list` shows them [default: that of the cell, else tx2-90]
+    /// The arm that the point is taught for; `val3 arm list` shows them [default: the cell's arm, else tx2-90]
     #[arg(long, value_name = "NAME")]
     pub(crate) arm: Option<String>,
-    /// The version of VAL 3 on the controller, such as s7.11 (CS8) or s8.13 (CS9) [default: that of the cell, else the
-    /// newest known one for the controller of the arm]
+    /// The version of VAL 3 on the controller, such as s7.11 (CS8) or s8.13 (CS9) [default: the cell's version, else the
+    /// newest version for the arm's controller]
     #[arg(long, value_name = "VERSION", value_parser = version)]
     pub(crate) version: Option<Version>,
     /// How the written files are listed

@@ -68,7 +68,7 @@ const ENVIRONMENT: &str = "
 | `FORCE_COLOR`, `CLICOLOR_FORCE` | not empty, `0` or `false`: colours also in files and pipes, unless `NO_COLOR` or `--color` forbids them |
 | `TERM` | `dumb`: no colours |
 | `CI` | not empty and not `false`: a port that only a cell names is not connected |
-| `VAL3_TRUST` | folders whose settings may reach outside of their cell, as in `PATH`, besides those of `val3 trust` |
+| `VAL3_TRUST` | folders whose settings may reach outside of their cell, as in `PATH`, in addition to the folders of `val3 trust` |
 | `VAL3_DEBUG_SECRET` | the secret of `val3 dap --port` and `val3 run --debug-port`; a random one otherwise |
 ";
 

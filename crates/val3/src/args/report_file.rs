@@ -32,7 +32,7 @@ impl<F: ValueEnum> FromStr for Output<F> {
 fn unknown_format<F: ValueEnum>(name: &str) -> String {
     let formats = F::value_variants().iter().filter_map(F::to_possible_value);
     let names: Vec<_> = formats.map(|format| format.get_name().to_owned()).collect();
-    format!("`{name}` is not a format; known formats:  {}", names.join(", "))
+    format!("`{name}` is not a format; supported formats:  {}", names.join(", "))
 }
 
 #[cfg(test)]

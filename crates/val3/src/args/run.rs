@@ -48,17 +48,17 @@ pub(crate) struct RunArgs {
     /// Write a page for browsers that plays the run again, without a server
     #[arg(help_heading = "Output", long, value_name = "FILE.html", conflicts_with = "debug_port")]
     pub(crate) export: Option<Utf8PathBuf>,
-    /// Show where the time went, by program line; with a file, as JSON
+    /// List the time by program line; with a file, as JSON
     #[arg(help_heading = "Output", long, value_name = "FILE.json", num_args = 0..=1, require_equals = true)]
     pub(crate) times: Option<Option<Utf8PathBuf>>,
-    /// A TOML file with what happens outside of the application and when; each variable and signal in it must exist
+    /// A TOML file with the events outside the application and their times; each variable and signal in it must exist
     #[arg(help_heading = "Surroundings", long, value_name = "FILE")]
     pub(crate) script: Option<Utf8PathBuf>,
     /// Keys to type whenever a program reads one: codes and names with commas (49,50,Return), or a text with
     /// names in braces (12.5{Return})
     #[arg(help_heading = "Surroundings", long, value_name = "KEYS", value_parser = keys)]
     pub(crate) keys: Vec<Keys>,
-    /// Repeat the run whose --events this file contains: serial lines and sockets answer as recorded, the first
+    /// Repeat the run whose --events this file contains: serial lines and sockets respond as recorded, the first
     /// difference is reported, and the run ends where the recording ends
     #[arg(hide_short_help = true, help_heading = "Surroundings", long, value_name = "FILE")]
     pub(crate) replay: Option<Utf8PathBuf>,

@@ -2,13 +2,13 @@
 
 use camino::Utf8PathBuf;
 
-/// Which tests are executed, beyond their names.
+/// Selection of tests other than by name.
 #[derive(Debug, Default, clap::Args)]
 pub(crate) struct SelectionArgs {
-    /// Only tests with this word in the `tags` of their file; with several, one of them
+    /// Only tests with this word in the file's `tags`; with several words, at least one of them
     #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "WORD")]
     pub(crate) tag: Vec<String>,
-    /// No test with this word in the `tags` of its file; may be repeated
+    /// No test with this word in the file's `tags`; may be repeated
     #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "WORD")]
     pub(crate) tag_out: Vec<String>,
     /// Only tests that have failed in this report of --output json=FILE

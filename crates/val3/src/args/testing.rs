@@ -82,7 +82,7 @@ pub(crate) struct TestArgs {
     /// Execute only one of several equal parts of the tests, such as 2/3
     #[arg(hide_short_help = true, help_heading = "Selection", long, value_name = "I/N")]
     pub(crate) shard: Option<Shard>,
-    /// Which tests are executed, beyond their names
+    /// Selection of tests other than by name
     #[command(flatten)]
     pub(crate) selection: SelectionArgs,
     /// Execute a failed test again, at most this number of times; if it passes then, it is flaky and counts as passed
@@ -106,10 +106,10 @@ pub(crate) struct TestArgs {
     /// Also write results in this format to a file, such as junit=tests.xml; may be repeated
     #[arg(help_heading = "Output", long, value_name = "FORMAT=FILE", conflicts_with_all = ["list", "init"])]
     pub(crate) output: Vec<Output<TestFormat>>,
-    /// The seconds of the controller's clock after which a test has failed [default: 60, or that of val3.toml]
+    /// The seconds of the controller's clock after which a test has failed [default: 60, or the value in val3.toml]
     #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "SECONDS", value_parser = limit)]
     pub(crate) limit: Option<f64>,
-    /// How many of the last events a failure shows, from 0 to 100; repeated ones count once
+    /// Number of last events that a failure shows, from 0 to 100; repeated ones count once
     #[arg(hide_short_help = true, help_heading = "Output", long, value_name = "N", default_value_t = EVENTS, value_parser = clap::value_parser!(u32).range(0..=100))]
     pub(crate) events: u32,
     /// List this number of the slowest tests, in the format `human`
@@ -118,7 +118,7 @@ pub(crate) struct TestArgs {
     /// Record the motion and the texts of tests again, for `expect.trace`, `screen_file` and `print_file`
     #[arg(hide_short_help = true, help_heading = "Output", long, conflicts_with_all = ["list", "init"])]
     pub(crate) update: bool,
-    /// Seed mistakes into the tested programs and their data, in memory, and report those that no test finds
+    /// Seed mistakes into the tested programs and their data, in memory, and report the mistakes that no test finds
     #[arg(help_heading = "Mistakes", long, conflicts_with_all = ["list", "init", "new", "update", "fail_fast", "retries", "repeat", "output", "coverage", "coverage_output", "fail_under"])]
     pub(crate) mutate: bool,
 
@@ -126,7 +126,7 @@ pub(crate) struct TestArgs {
     #[arg(help_heading = "Mistakes", long, value_name = "N", default_value_t = 100, requires = "mutate", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) mutations: u32,
 
-    /// Write the library val3assert and a first test beside the application, and execute nothing
+    /// Write the library val3assert and a first test next to the application, and execute nothing
     #[arg(long, conflicts_with_all = ["filter", "filter_out", "exact", "list", "fail_fast"])]
     pub(crate) init: bool,
     /// Write a test with this name into the test application PATH, and execute nothing
@@ -135,13 +135,13 @@ pub(crate) struct TestArgs {
     /// The program that the test of --new calls, such as `total` or `pal:total`: with an assertion for each output
     #[arg(hide_short_help = true, long = "for", value_name = "PROGRAM", requires = "new")]
     pub(crate) of: Option<String>,
-    /// Write a scenario from the record of a run of the application PATH (`val3 run --events`), and execute no other test
+    /// Write a scenario from a recorded run of the application PATH (`val3 run --events`), and execute no other test
     #[arg(long, value_name = "FILE.jsonl", requires = "to", conflicts_with_all = ["init", "new", "list", "watch", "update", "fail_fast"])]
     pub(crate) record: Option<Utf8PathBuf>,
-    /// The scenario that --record writes, such as tests/twoBoxes.toml; an existing file stays as it is
+    /// The scenario that --record writes, such as tests/twoBoxes.toml; an existing file stays unchanged
     #[arg(hide_short_help = true, long, value_name = "FILE.toml", requires = "record")]
     pub(crate) to: Option<Utf8PathBuf>,
-    /// What is counted, and where it is written
+    /// Coverage and its destinations
     #[command(flatten)]
     pub(crate) coverage: CoverageArgs,
     /// The properties of the controllers

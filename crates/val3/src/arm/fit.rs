@@ -107,7 +107,7 @@ fn axis_report(number: usize, unit: &str, times: &AxisTimes, out: &mut dyn Write
     }
     let is_vague = |estimate: &Estimate| estimate.uncertainty > GOOD * estimate.value;
     if [&times.speed, &times.acceleration, &times.deceleration].into_iter().any(is_vague) {
-        writeln!(out, "note: axis {number}: an uncertainty exceeds 1 %; a wider range (--range) makes it smaller")?;
+        writeln!(out, "note: axis {number}: an uncertainty exceeds 1 %; a wider range (--range) reduces it")?;
     }
     Ok(())
 }

@@ -79,7 +79,7 @@ pub(super) fn test(configuration: &Map<String, Value>) -> Result<Option<String>,
         Some(_) => return Err(format!("`{TEST}` is the name of a test, such as `testTotal`")),
     };
     match UNFIT_FOR_TESTS.iter().find(|key| configuration.contains_key(**key)) {
-        Some(key) => Err(format!("`{key}` is for runs: a test has its own program and the script beside it")),
+        Some(key) => Err(format!("`{key}` is for runs: a test has its own program and the script next to it")),
         None => Ok(Some(name)),
     }
 }

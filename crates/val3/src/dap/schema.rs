@@ -41,7 +41,7 @@ fn launch() -> Map<String, Value> {
 
 /// Keys of both requests.
 fn common() -> Map<String, Value> {
-    let stop = json!({ "type": "boolean", "default": false, "description": "Stop at once, before the first line of a launched run" });
+    let stop = json!({ "type": "boolean", "default": false, "description": "Stop immediately, before the first line of a launched run" });
     let mode = json!({
         "type": "string",
         "enum": ["continuous", "step"],

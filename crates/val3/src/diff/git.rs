@@ -109,7 +109,7 @@ impl Repository {
 
     /// Contents of the objects, in order.
     fn contents<'o>(&self, objects: impl Iterator<Item = &'o str>) -> Result<Vec<Vec<u8>>, UserError> {
-        let failed = |error: std::io::Error| UserError::new(format!("cannot ask git for files: {error}"));
+        let failed = |error: std::io::Error| UserError::new(format!("git cannot list the files: {error}"));
         // The input is a file: git would block on a full output pipe while nothing reads it.
         let mut input = tempfile::tempfile().map_err(failed)?;
         let mut count = 0;

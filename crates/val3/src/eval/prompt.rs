@@ -45,7 +45,7 @@ pub(crate) fn run(evaluator: Evaluator, color: Color) -> Result<ExitCode, UserEr
 }
 
 fn no_terminal(error: &ReadlineError) -> UserError {
-    UserError::new(format!("cannot read from the terminal: {error}")).with_help("give the texts as arguments")
+    UserError::new(format!("cannot read from the terminal: {error}")).with_help("pass the texts as arguments")
 }
 
 /// Completes names at the cursor, and continues an open block on the next line.

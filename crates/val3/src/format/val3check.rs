@@ -43,7 +43,7 @@ impl FromStr for Template {
             match letters.next() {
                 Some('e' | 'f' | 'l' | 'm' | 'c' | 'p' | 's' | '%') => {}
                 Some(other) => {
-                    return Err(format!("`%{other}` is not a placeholder; known: %e %f %l %m %c %p %s %%"));
+                    return Err(format!("`%{other}` is not a placeholder; supported: %e %f %l %m %c %p %s %%"));
                 }
                 None => return Err("`%` at the end; write `%%` for a per cent sign".to_owned()),
             }

@@ -111,7 +111,7 @@ impl Controller {
 }
 
 fn unknown_arm(reason: impl ToString) -> UserError {
-    UserError::new(reason.to_string()).with_help("`val3 arm list` shows the known arms")
+    UserError::new(reason.to_string()).with_help("`val3 arm list` lists the arms")
 }
 
 /// Newest known version of the arm's controller: CS9 for TX2 and TS2 arms, otherwise CS8.

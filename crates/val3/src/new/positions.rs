@@ -50,9 +50,10 @@ impl Positions {
         if positions.is_reached(arm, &near) {
             return Ok(positions);
         }
-        Err(UserError::new(format!("the limits of the cell keep the {} from a usual position", arm.name())).with_help(
-            "correct the limits in arm.cfx and cell.cfx, or name a folder outside of the cell: --folder DIR",
-        ))
+        Err(UserError::new(format!("the limits of the cell exclude the usual positions of the {}", arm.name()))
+            .with_help(
+                "correct the limits in arm.cfx and cell.cfx, or name a folder outside of the cell: --folder DIR",
+            ))
     }
 
     /// Whether the arm reaches home, the point, and the path above the point.

@@ -63,7 +63,7 @@ fn check_links(file: &ConfigFile) -> Result<(), ConfigError> {
     for (key, path) in [("plot", plot), ("export", export)] {
         if path.as_ref().is_some_and(|path| Disk.target(&file.folder().join(path)) != folder.join(path)) {
             let key = format!("run.default.{key}");
-            let message = format!("`{key}` writes through a link, which could lead to another file");
+            let message = format!("`{key}` writes through a link, which could resolve to another file");
             return Err(file.fault(&key, message, "name a file that is not a link".to_owned()));
         }
     }

@@ -18,7 +18,7 @@ const UNSTICK: &str = "Change what a task waits for in a script (--script), type
 
 /// Help for a run that continues.
 const GOES_ON: &str =
-    "Ctrl-C or --until SECONDS ends the run. A script (--script) gives power, inputs, keys and messages.";
+    "Ctrl-C or --until SECONDS ends the run. A script (--script) provides power, inputs, keys and messages.";
 
 /// Help for a cyclic program, whose normal end is the limit.
 const EXPECTED: &str = "With --until-ok the exit code is 0.";

@@ -70,7 +70,7 @@ impl Patience {
         self.noted = Some(lasting);
         self.last_output = now;
         let time = seconds(controller.now() - controller.now() % nanoseconds(0.1));
-        Some(format!("note: the run goes on, after {time} s of the controller's clock"))
+        Some(format!("note: the run continues, after {time} s of the controller's clock"))
     }
 
     fn look(&mut self, now: Instant, positions: &[TaskPosition]) {

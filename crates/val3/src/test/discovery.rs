@@ -292,7 +292,7 @@ pub(super) fn open(opening: Opening<'_>, manifest: &Utf8Path) -> Result<Suite, R
     }
     let refusals = application.refusals();
     if !refusals.is_empty() {
-        let error = faulty("the compiler refuses the application".to_owned());
+        let error = faulty("the compiler rejects the application".to_owned());
         return Err(Refusal::new(error, &refusals, &application));
     }
     application.check_readable().map_err(UserError::from)?;

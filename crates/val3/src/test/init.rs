@@ -88,7 +88,7 @@ fn write(folder: &Utf8Path, files: &[(&str, &str)], paths: &Paths) -> Result<(),
     let shown = paths.shown(folder);
     let refused = |reason: Unwritable| UserError::new(format!("cannot write `{shown}`: {reason}"));
     if folder.exists() {
-        to_stderr(|out| writeln!(out, "note: `{shown}` exists and stays as it is"));
+        to_stderr(|out| writeln!(out, "note: `{shown}` exists and stays unchanged"));
         return Ok(());
     }
     fs::create_dir_all(folder).map_err(|error| refused(error.into()))?;

@@ -281,7 +281,7 @@ fn wrong_settings_are_explained_at_their_place() {
         CELL,
         &with("usrapp/standIns/velJoint", "../outside/velJoint"),
         expect![[r#"
-        error: `run.add-ons.$velJoint` leads to `../outside`, outside of the cell
+        error: `run.add-ons.$velJoint` resolves to `../outside`, outside of the cell
          --> val3.toml:4
           |
         4 | '$velJoint' = { program = "../outside/velJoint.pgx" }

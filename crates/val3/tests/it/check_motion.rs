@@ -119,7 +119,7 @@ fn speeds_beyond_the_maximum_are_findings() {
     assert!(!folder.val3(&["check", "--quiet"]).stdout.contains("V0415"));
     let found = folder.val3(&["check", "--motion", "--arm", "TX2-60L", "--format", "concise", "--quiet"]);
     expect![[r#"
-        usrapp/main/start.pgx:5:13: info[V0415] `vel` = 200 takes axis 1 of the TX2-60L beyond its maximum speed
+        usrapp/main/start.pgx:5:13: info[V0415] `vel` = 200 moves axis 1 of the TX2-60L faster than its maximum speed
     "#]]
     .assert_eq(&found.stdout);
 }

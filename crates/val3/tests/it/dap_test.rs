@@ -206,5 +206,5 @@ fn tests_that_cannot_be_debugged_are_refused() {
     assert!(refused(json!({ "test": "testSum", "script": "x.toml" })).contains("`script` is for runs"));
     folder.write("usrapp/mainTest/start.pgx", "");
     folder.write("usrapp/mainTest/testSum.pgx", &program("testSum", "nUnknown=1"));
-    assert!(refused(json!({ "test": "testSum" })).contains("the compiler refuses the application"));
+    assert!(refused(json!({ "test": "testSum" })).contains("the compiler rejects the application"));
 }

@@ -134,7 +134,7 @@ fn no_fix_adds_an_error() {
     for select in [&[][..], &["--select", "unlisted-file"]] {
         let run = folder.val3(&[&["check", "--fix", "--unsafe-fixes"], select].concat());
         assert_eq!(run.code, 0, "{run:?}");
-        assert!(run.stderr.contains("1 fix left out because it would add an error"), "{run:?}");
+        assert!(run.stderr.contains("1 fix omitted because it would add an error"), "{run:?}");
         assert!(!folder.read("usrapp/main/main.pjx").contains("stray.pgx"));
     }
 }

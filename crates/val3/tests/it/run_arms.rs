@@ -132,7 +132,7 @@ fn an_unknown_arm_of_the_cell_is_replaced_with_a_note() {
     let run = folder.val3(&["run"]);
     assert_eq!((run.stdout.as_str(), run.code), ("tx9000-S1\ntrue\n", 0));
     expect![[r#"
-        note: the arm `tx9000-S1` of arm.cfx is not known: this run has a TX2-90; describe yours in a file (--arm FILE.toml)
+        note: the arm `tx9000-S1` of arm.cfx is unknown: this run has a TX2-90; describe yours in a file (--arm FILE.toml)
     "#]].assert_eq(&run.stderr);
 }
 
@@ -387,9 +387,9 @@ fn a_loop_of_frames_in_the_data_is_found_before_the_run() {
           ┌─ usrapp/main/main.dtx:5:32
           │
         5 │       <Value key="0" fatherId="fB[0]" />
-          │                                ^^^^^ leads back to the start
+          │                                ^^^^^ closes the circle
           │
-          = help: give one of them the father `world[0]` (frames) or `flange[0]` (tools)
+          = help: set one of the fathers to `world[0]` (frames) or `flange[0]` (tools)
 
     "#]]
     .assert_eq(&run.stderr);

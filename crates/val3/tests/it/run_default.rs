@@ -109,7 +109,7 @@ fn a_default_run_writes_through_no_link() {
     let run = folder.val3(&["run"]);
     assert_eq!((run.code, folder.read("precious.txt").as_str()), (2, "kept"), "{run:?}");
     expect![[r#"
-        error: `run.default.export` writes through a link, which could lead to another file
+        error: `run.default.export` writes through a link, which could resolve to another file
          --> val3.toml:8
           |
         8 | export = "run.html"

@@ -64,7 +64,7 @@ fn a_silent_run_names_the_waits_of_its_tasks() {
     ] {
         let folder = waiting(code);
         let told = told(&folder, &["run"], "help: Ctrl-C");
-        assert!(told.contains("note: the run goes on, after ") && told.contains(reason), "{code}: {told}");
+        assert!(told.contains("note: the run continues, after ") && told.contains(reason), "{code}: {told}");
     }
     let folder = Folder::with("delay(3600)\n");
     let told = told(&folder, &["run", "--time", "real"], "help: Ctrl-C");

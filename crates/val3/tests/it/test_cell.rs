@@ -232,7 +232,7 @@ fn a_stand_in_is_held_against_the_interface() {
         expect![[r#"
             palTest
               FAIL  (all tests) (0.000 s)
-                    the tests of `usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the library `feeder` lacks the program `next` of the interface of `feeder`
+                    the tests of `usrapp/palTest/palTest.pjx` cannot be executed: the stand-in `usrapp/stubs/feeder` cannot be used: the library `feeder` does not contain the program `next` of the interface of `feeder`
                       help: add it as public to `feeder`, or test `feeder:libExist("next()")` before each use
                     at (all tests) (usrapp/palTest/palTest.pjx:1)
             0 passed, 1 failed

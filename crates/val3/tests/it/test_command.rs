@@ -52,7 +52,7 @@ fn the_first_test_passes() {
     assert_eq!(check.code, 0, "{check:?}");
     folder.write("usrapp/mainTest/testFirst.pgx", "mine");
     let again = folder.val3(&["test", "--init", "usrapp/main"]);
-    assert!(again.stderr.contains("exists and stays as it is"), "{again:?}");
+    assert!(again.stderr.contains("exists and stays unchanged"), "{again:?}");
     assert_eq!(folder.read("usrapp/mainTest/testFirst.pgx"), "mine");
 }
 
@@ -317,7 +317,7 @@ fn editors_list_the_tests_of_all_applications_that_have_some() {
     let listed = list(&folder);
     let refused = &listed["applications"][0];
     assert_eq!(refused["tests"], Value::Null);
-    assert!(refused["error"].as_str().unwrap().contains("the compiler refuses the application"), "{refused}");
+    assert!(refused["error"].as_str().unwrap().contains("the compiler rejects the application"), "{refused}");
     assert_eq!(list(&Folder::with("num nCount\n")), json!({ "version": 1, "applications": [] }));
 }
 
@@ -352,7 +352,7 @@ fn changed_tests_are_executed_again() {
     assert!(folder.read("results.txt").ends_with("0 passed, 1 failed\n"));
     folder.write("usrapp/mainTest/testA.pgx", &program("testA", "nUnknown=1"));
     watching.wait_for("Waiting for changes");
-    assert!(folder.read("results.txt").contains("the compiler refuses the application"));
+    assert!(folder.read("results.txt").contains("the compiler rejects the application"));
 }
 
 #[test]
@@ -419,5 +419,5 @@ fn wrong_usage_is_explained() {
     }
     let folder = cell(&[("testA", "nUnknown=1")]);
     let run = folder.val3(&["test", "usrapp"]);
-    assert_eq!((run.code, run.stdout.contains("the compiler refuses the application")), (2, true), "{run:?}");
+    assert_eq!((run.code, run.stdout.contains("the compiler rejects the application")), (2, true), "{run:?}");
 }

@@ -350,7 +350,7 @@ fn reports_are_written_to_files() {
     for (option, reason) in [
         ("lcov=none/lcov.info", "cannot write `none/lcov.info`"),
         ("html=c.xml", "cannot create the folder `c.xml`"),
-        ("text=c.txt", "`text` is not a format; known formats:  lcov, cobertura, html, json"),
+        ("text=c.txt", "`text` is not a format; supported formats:  lcov, cobertura, html, json"),
         ("lcov", "write FORMAT=FILE"),
     ] {
         let refused = folder.val3(&["test", "usrapp", "--coverage-output", option]);

@@ -53,7 +53,7 @@ fn a_test_has_an_assertion_for_each_output() {
           l_nParts=0
           l_sUnit=""
           call pal:total(l_nParts,l_sUnit,l_nSum,l_sText)
-          // Fill in what is expected
+          // Fill in the expected values
           call assert:equalNum(l_nSum,0,0.001)
           call assert:equalString(l_sText,"")
         end]]></Code>
@@ -93,7 +93,7 @@ fn outputs_of_all_kinds_have_assertions() {
     expect![[r#"
         [begin
           call pal:poses(l_nIn,l_jOut,l_pOut,l_trOut,l_bOk)
-          // Fill in what is expected
+          // Fill in the expected values
           call assert:equalNums(l_nIn,l_nInExpected,0.001)
           call assert:equalJoint(l_jOut,{0,0,0,0,0,0},0.01)
           call assert:equalPose(l_pOut,l_pOutExpected,0.01,0.01)

@@ -278,7 +278,7 @@ fn an_application_that_does_not_compile_stops_no_other() {
           ok    testSum (0.004 s)
         bad
           FAIL  (all tests) (0.000 s)
-                the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
+                the tests of `tests/bad/bad.pjx` cannot be executed: the compiler rejects the application
                   help: val3 check tests/bad
                 at (all tests) (tests/bad/bad.pjx:1)
                 a value is expected here, but `<` was found
@@ -289,7 +289,7 @@ fn an_application_that_does_not_compile_stops_no_other() {
                     6 │ putln(y)
         failures:
           tests/wrong.toml:1: main:wrong: the script `tests/wrong.toml` cannot be used
-          tests/bad/bad.pjx:1: bad:(all tests): the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application (and 2 more)
+          tests/bad/bad.pjx:1: bad:(all tests): the tests of `tests/bad/bad.pjx` cannot be executed: the compiler rejects the application (and 2 more)
         3 passed, 2 failed
     "#]]
     .assert_eq(&run.stdout);
@@ -326,7 +326,7 @@ fn an_application_that_does_not_compile_stops_no_other() {
               <property name="controllerSeconds.(all tests)" value="0.000"/>
             </properties>
             <testcase name="(all tests)" classname="bad" time="…">
-              <failure message="the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application">the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
+              <failure message="the tests of `tests/bad/bad.pjx` cannot be executed: the compiler rejects the application">the tests of `tests/bad/bad.pjx` cannot be executed: the compiler rejects the application
           help: val3 check tests/bad
         at (all tests) (tests/bad/bad.pjx:1)
         a value is expected here, but `&lt;` was found
@@ -348,7 +348,7 @@ fn an_application_that_does_not_compile_stops_no_other() {
         main:wrong
         mainTest:testOther
         mainTest:testSum
-        error: the tests of `tests/bad/bad.pjx` cannot be executed: the compiler refuses the application
+        error: the tests of `tests/bad/bad.pjx` cannot be executed: the compiler rejects the application
           help: val3 check tests/bad
     "#]]
     .assert_eq(&format!("{}{}", listed.stdout, listed.stderr));

@@ -460,7 +460,7 @@ fn files_that_cannot_be_used_are_explained() {
     let run = folder.val3(&["test", "tests/cell.toml"]);
     assert_eq!((run.code, run.stdout.contains("it names no application")), (2, true), "{run:?}");
     let run = cell("nUnknown=1", "").val3(&["test", "tests"]);
-    assert_eq!((run.code, run.stdout.contains("the compiler refuses the application")), (2, true), "{run:?}");
+    assert_eq!((run.code, run.stdout.contains("the compiler rejects the application")), (2, true), "{run:?}");
 }
 
 #[test]

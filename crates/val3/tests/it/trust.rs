@@ -46,7 +46,7 @@ fn a_root_outside_of_the_cell_needs_the_users_trust() {
     let real = folder.path().canonicalize().unwrap().join("cell");
     for command in [["run", "cell/usrapp/main"], ["check", "cell"], ["fmt", "cell"], ["test", "cell"]] {
         let refused = folder.val3(&command);
-        refuses(&refused, &["`roots.X` leads to `../home`, outside of the cell", "cell/val3.toml:1", "val3 trust "]);
+        refuses(&refused, &["`roots.X` resolves to `../home`, outside of the cell", "cell/val3.toml:1", "val3 trust "]);
     }
     let mut by_variable = folder.command(&["run", "cell/usrapp/main"]);
     by_variable.env("VAL3_TRUST", &real);
@@ -164,7 +164,10 @@ fn shapes_are_no_other_files() {
     let folder = cell(CLEAN);
     folder.write("cell/val3.toml", "run.shapes.base = \"base.stl\"\n");
     std::os::unix::fs::symlink("../home/secret.txt", folder.path().join("cell/base.stl")).unwrap();
-    refuses(&folder.val3(&["run", "cell", "--scene"]), &["`run.shapes.base` leads to `base.stl`, outside of the cell"]);
+    refuses(
+        &folder.val3(&["run", "cell", "--scene"]),
+        &["`run.shapes.base` resolves to `base.stl`, outside of the cell"],
+    );
     fs::remove_file(folder.path().join("cell/base.stl")).unwrap();
     folder.write("cell/base.stl", "TOPSECRET");
     refuses(&folder.val3(&["run", "cell", "--scene"]), &["base.stl` is no STL file"]);
@@ -299,7 +302,7 @@ fn a_debugged_run_names_what_it_gets_and_refuses_the_rest() {
     session.ask("initialize", json!({ "adapterID": "val3" }));
     let reason = session.refused("launch", json!({ "program": application }));
     assert!(
-        reason.contains("`roots.X` leads to `/`, outside of the cell") && reason.contains("val3 trust"),
+        reason.contains("`roots.X` resolves to `/`, outside of the cell") && reason.contains("val3 trust"),
         "{reason}"
     );
     session.end();

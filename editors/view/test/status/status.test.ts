@@ -28,7 +28,7 @@ test("the first reason that keeps the run from going on is shown", () => {
     [{ state: state([task("a", { error: 20, state: "error" })]) }, "fault", "All tasks have failed."],
     [{ state: state([]) }, "stopped", "No task exists."],
   ] as const) {
-    const status = statusOf(facts(fields as Partial<StatusFacts>));
+    const status = statusOf(facts(fields));
     assert.deepEqual([status.kind, status.text], [kind, text]);
   }
 });

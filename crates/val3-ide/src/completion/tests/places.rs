@@ -94,7 +94,7 @@ fn suitable_libraries_of_the_cell_come_first() {
         expect![[r#"
             Disk://part Path library, fits the interface
             Disk://whole Path library, fits the interface
-            Disk://zused Path library, has what is used of the interface
+            Disk://zused Path library with all used items of the interface
             Disk://_odd/odd.pjx Path library
             Disk://apart Path library
         "#]],

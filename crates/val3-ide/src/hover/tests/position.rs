@@ -43,7 +43,7 @@ fn a_frame_and_a_tool_show_their_pose() {
 
         in `world`: x=500 y=0 z=0 mm, rx=0 ry=0 rz=90 degrees
 
-        at the start; a program changes it or what it is relative to
+        at the start; a program changes it or one of its fathers
     "#]],
     );
     check(
@@ -151,7 +151,7 @@ fn a_changed_point_says_so() {
 
         in `world`: x=500 y=100 z=300 mm, rx=180 ry=0 rz=-90 degrees
 
-        at the start; a program changes it or what it is relative to
+        at the start; a program changes it or one of its fathers
     "#]],
     );
 }
@@ -240,7 +240,7 @@ fn a_loop_of_fathers_is_shown() {
         expect![[r#"
         father: `fA`, on `fB`
 
-        its place is not known: the fathers form a loop, `fA` on `fB` on `fA`
+        its placement is unknown: the fathers form a loop, `fA` on `fB` on `fA`
     "#]],
     );
     check(
@@ -248,7 +248,7 @@ fn a_loop_of_fathers_is_shown() {
         values,
         "",
         expect![[r#"
-        its place is not known: `fD` has no father
+        its placement is unknown: `fD` has no father
     "#]],
     );
 }

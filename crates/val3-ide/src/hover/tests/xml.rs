@@ -225,7 +225,7 @@ fn paths_show_their_target() {
     check(
         &at("Disk://part/part").replace("Disk://part/part", "Disk://patr/part"),
         expect![[r#"
-            There is no known project at the path `Disk://patr/part.pjx`.
+            No project exists at the path `Disk://patr/part.pjx`.
         "#]],
     );
     check(
@@ -271,8 +271,8 @@ fn versions_show_their_page() {
             for CS8 controllers
 
             - Names have at most 15 characters.
-            - It lacks programs in folders below the application (from s8.20).
-            - Instructions that it lacks: `userPageSet`, `userPageAlert`, `userPageConfirm`, `userPagePrompt`, `opcuaExport`, `setSafetyRestart`, `getJntRef`, `getSafeRefStatus`, `wakeUpRobot`, `hasCpuExtPowerSupply`, `setPayload`, `speedScale`.
+            - It does not support programs in folders below the application (from s8.20).
+            - Unsupported instructions: `userPageSet`, `userPageAlert`, `userPageConfirm`, `userPagePrompt`, `opcuaExport`, `setSafetyRestart`, `getJntRef`, `getSafeRefStatus`, `wakeUpRobot`, `hasCpuExtPowerSupply`, `setPayload`, `speedScale`.
         "#]],
     );
     check(
@@ -284,13 +284,13 @@ fn versions_show_their_page() {
 
             for CS9 controllers
 
-            - Instructions that it lacks: `speedScale`.
+            - Unsupported instructions: `speedScale`.
         "#]],
     );
     check(
         &at("s7.11.3").replace("s7.11.3", "seven"),
         expect![[r#"
-            `seven` is not a version. A version looks like `s7.11` or `s8.10.2Cs9_BS1991`.
+            `seven` is not a version. Examples of versions: `s7.11`, `s8.10.2Cs9_BS1991`.
         "#]],
     );
 }

@@ -77,7 +77,7 @@ impl View<'_> {
         let power = if self.robot.is_powered() { "on" } else { "off" };
         let (mode, speed) = (self.robot.working_mode().name(), self.robot.monitor_speed());
         let keys =
-            if self.stopping { "stopping; press Ctrl-C to end at once" } else { "Ctrl-C stops, F9/F10 turn pages" };
+            if self.stopping { "stopping; press Ctrl-C to end immediately" } else { "Ctrl-C stops, F9/F10 turn pages" };
         format!("power {power} | {mode} | speed {speed} % | {:.1} s | {keys}", seconds(self.now))
     }
 }
