@@ -1,10 +1,11 @@
 //! `movec` (10.6): records a move on an arc, from where the move before ends.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -43,5 +44,6 @@ fn to_point(
     tool: ToolRef,
     mdesc: MdescValue,
 ) -> Result<Flow<f64>> {
-    moves::record(call, "movec", &Target::Circle(intermediate, target), tool, mdesc, Manner::Rigid)
+    let path = moves::circle(call, intermediate, target)?;
+    moves::record(call, "movec", path, tool, mdesc, Manner::Rigid)
 }

@@ -1,10 +1,11 @@
 //! `movej` (10.6): records a joint move: all axes start and arrive together, on the fastest path.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -37,9 +38,11 @@ instruction! {
 }
 
 fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "movej", &Target::Joint(joint), tool, mdesc, Manner::Rigid)
+    let path = moves::joint_path(call, joint)?;
+    moves::record(call, "movej", path, tool, mdesc, Manner::Rigid)
 }
 
 fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "movej", &Target::JointToPoint(point), tool, mdesc, Manner::Rigid)
+    let path = moves::joint_path_to_point(call, point)?;
+    moves::record(call, "movej", path, tool, mdesc, Manner::Rigid)
 }

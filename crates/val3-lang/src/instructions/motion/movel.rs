@@ -1,10 +1,11 @@
 //! `movel` (10.6): records a straight move: the tool centre point runs on a line and turns evenly on the way.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -36,5 +37,6 @@ instruction! {
 }
 
 fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "movel", &Target::Line(point), tool, mdesc, Manner::Rigid)
+    let path = moves::line(call, point)?;
+    moves::record(call, "movel", path, tool, mdesc, Manner::Rigid)
 }

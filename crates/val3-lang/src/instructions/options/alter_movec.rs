@@ -1,10 +1,11 @@
 //! `alterMovec` (11.2.6): records a move on an arc that `alter` can deviate.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -38,5 +39,6 @@ fn to_point(
     tool: ToolRef,
     mdesc: MdescValue,
 ) -> Result<Flow<f64>> {
-    moves::record(call, "alterMovec", &Target::Circle(intermediate, target), tool, mdesc, Manner::Alterable)
+    let path = moves::circle(call, intermediate, target)?;
+    moves::record(call, "alterMovec", path, tool, mdesc, Manner::Alterable)
 }

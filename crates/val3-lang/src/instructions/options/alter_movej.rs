@@ -1,10 +1,11 @@
 //! `alterMovej` (11.2.6): records a joint move that `alter` can deviate.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -31,9 +32,11 @@ instruction! {
 }
 
 fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "alterMovej", &Target::Joint(joint), tool, mdesc, Manner::Alterable)
+    let path = moves::joint_path(call, joint)?;
+    moves::record(call, "alterMovej", path, tool, mdesc, Manner::Alterable)
 }
 
 fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "alterMovej", &Target::JointToPoint(point), tool, mdesc, Manner::Alterable)
+    let path = moves::joint_path_to_point(call, point)?;
+    moves::record(call, "alterMovej", path, tool, mdesc, Manner::Alterable)
 }

@@ -3,7 +3,7 @@
 use crate::call::{Call, Flow, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -33,5 +33,6 @@ instruction! {
 
 fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue, force: f64) -> Result<Flow<f64>> {
     let manner = moves::compliant(force)?;
-    moves::record(call, "movejf", &Target::Joint(joint), tool, mdesc, manner)
+    let path = moves::joint_path(call, joint)?;
+    moves::record(call, "movejf", path, tool, mdesc, manner)
 }

@@ -4,7 +4,7 @@
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -34,5 +34,6 @@ instruction! {
 
 fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue, force: f64) -> Result<Flow<f64>> {
     let manner = moves::compliant(force)?;
-    moves::record(call, "movelf", &Target::Line(point), tool, mdesc, manner)
+    let path = moves::line(call, point)?;
+    moves::record(call, "movelf", path, tool, mdesc, manner)
 }
