@@ -10,7 +10,7 @@ use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_lang::instruction::{Instruction, Overload};
-use val3_lang::motion::{MotionRole, descriptor, role, target};
+use val3_lang::motion::{MotionRole, descriptor, target};
 use val3_lang::types::{BaseType, fields};
 use val3_lang::{instructions, keywords};
 use val3_syntax::{TextRange, TextSize};
@@ -147,7 +147,7 @@ impl<'db> Hints<'db> {
                 self.parameter(param.name, *argument, None);
             }
         }
-        if matches!(role(instruction), Some(MotionRole::Move(_))) {
+        if matches!(instruction.role, Some(MotionRole::Move(_))) {
             if let Some(target) = target(form).and_then(|at| arguments.get(at)).filter(|_| self.settings.point_frames) {
                 self.frame(*target);
             }

@@ -32,7 +32,7 @@ instruction! {
     ///   movec(pArc[1],pArc[2],tTorch,mWeld)
     ///   waitEndMove()
     /// ```
-    "movec": Motion "10.6", blocking,
+    "movec": Motion "10.6", role(Move Cartesian), blocking,
         errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
     modifier (point pIntermediate, point pTarget, tool tTool, mdesc mDesc) -> num = to_point;
 }

@@ -31,7 +31,7 @@ instruction! {
     ///   movej(pPick,tGripper,mFast)
     ///   waitEndMove()
     /// ```
-    "movej": Motion "10.6", blocking,
+    "movej": Motion "10.6", role(Move Joint), blocking,
         errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
     modifier (joint jPosition, tool tTool, mdesc mDesc) -> num = to_joint;
     modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;

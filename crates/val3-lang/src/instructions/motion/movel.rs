@@ -31,7 +31,7 @@ instruction! {
     ///   movel(pPick,tGripper,mSlow)
     ///   waitEndMove()
     /// ```
-    "movel": Motion "10.6", blocking,
+    "movel": Motion "10.6", role(Move Cartesian), blocking,
         errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
     modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
 }

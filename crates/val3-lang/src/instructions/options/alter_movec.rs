@@ -28,7 +28,8 @@ instruction! {
     ///   alterMovec(pArc[1],pArc[2],tTorch,mSlow)
     ///   alterBegin(tTorch,mSlow)
     /// ```
-    "alterMovec": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
+    "alterMovec": Options "11.2.6", role(Move Altered), blocking,
+        errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
     modifier (point pIntermediate, point pTarget, tool tTool, mdesc mDesc) -> num = to_point;
 }
 

@@ -26,7 +26,8 @@ instruction! {
     ///   alterMovej(jEnd,tGripper,mSlow)
     ///   alterBegin(world,mSlow)
     /// ```
-    "alterMovej": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
+    "alterMovej": Options "11.2.6", role(Move Altered), blocking,
+        errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
     modifier (joint jPosition, tool tTool, mdesc mDesc) -> num = to_joint;
     modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
 }

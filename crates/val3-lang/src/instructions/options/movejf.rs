@@ -27,7 +27,8 @@ instruction! {
     ///   movejf(jPress,tGripper,mSlow,20)
     ///   waitEndMove()
     /// ```
-    "movejf": Options "11.1.5", blocking, errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
+    "movejf": Options "11.1.5", role(Move Compliant), blocking,
+        errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
     modifier (joint jPosition, tool tTool, mdesc mDesc, num nForce) -> num = to_joint;
 }
 

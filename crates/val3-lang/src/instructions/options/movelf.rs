@@ -28,7 +28,8 @@ instruction! {
     ///   movelf(pEject,tGripper,mSlow,0)
     ///   wait(isCompliant())
     /// ```
-    "movelf": Options "11.1.5", blocking, errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
+    "movelf": Options "11.1.5", role(Move Compliant), blocking,
+        errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
     modifier (point pPosition, tool tTool, mdesc mDesc, num nForce) -> num = to_point;
 }
 
