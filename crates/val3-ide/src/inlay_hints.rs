@@ -9,6 +9,7 @@ use val3_analysis::infer::{Inference, infer};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
+use val3_lang::data_path::DataPath;
 use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::motion::{MotionRole, descriptor, target};
 use val3_lang::types::{BaseType, fields};
@@ -206,8 +207,8 @@ impl<'db> Hints<'db> {
         }
         if let Some((project, _, Placement { father: Some(father), .. })) = self.placement(target) {
             let tooltip = "the father frame according to the data file".to_owned();
-            let name = father.split(['[', '.']).next().unwrap_or(father);
-            let symbol = Some(Symbol::Data(project, name.into()));
+            let first = DataPath::new(father).steps().next();
+            let symbol = first.map(|step| Symbol::Data(project, step.name.into()));
             let (offset, label) = (self.body.range(target).end(), format!("in {father}"));
             self.found.push(InlayHint { offset, label, kind: InlayHintKind::Frame, tooltip, symbol });
         }
