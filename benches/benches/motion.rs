@@ -12,7 +12,7 @@ use divan::Bencher;
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints, RequestedConfiguration};
 use val3_motion::{
-    Blend, DegreesPerSecond, Destination, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath,
+    Blend, DegreesPerSecond, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, MoveTarget,
     Seconds,
 };
 
@@ -41,7 +41,7 @@ fn line(y: f64, z: f64, blend: Blend) -> Move {
         translation: MillimetresPerSecond(9999.0),
         rotation: DegreesPerSecond(9999.0),
     };
-    let path = MovePath::Line(Destination { pose, configuration: RequestedConfiguration::FREE });
+    let path = MovePath::Line(MoveTarget { pose, configuration: RequestedConfiguration::FREE });
     Move { path, tool: IsometryMatrix3::identity(), limits, blend, id: 0.0, manner: Manner::Rigid }
 }
 

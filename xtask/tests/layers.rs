@@ -91,8 +91,13 @@ fn kinematics_knows_geometry_and_lines() {
 }
 
 #[test]
+fn moves_know_poses_and_configurations_alone() {
+    check_only("val3-moves", &["val3-geometry", "val3-kinematics"], &["salsa", "rowan", "clap", "tokio", "camino"]);
+}
+
+#[test]
 fn lang_knows_no_tree() {
-    check_only("val3-lang", &["val3-geometry", "val3-kinematics"], &["salsa", "rowan", "clap", "tokio"]);
+    check_only("val3-lang", &["val3-geometry", "val3-kinematics", "val3-moves"], &["salsa", "rowan", "clap", "tokio"]);
 }
 
 #[test]
@@ -197,7 +202,7 @@ fn layout_knows_trees_and_settings() {
 #[test]
 fn vm_and_motion_do_not_know_each_other() {
     check_only("val3-vm", &["val3-lang", "val3-bytecode"], &["salsa", "rowan", "tokio"]);
-    check_only("val3-motion", &["val3-geometry", "val3-kinematics"], &["salsa", "rowan", "tokio"]);
+    check_only("val3-motion", &["val3-geometry", "val3-kinematics", "val3-moves"], &["salsa", "rowan", "tokio"]);
 }
 
 #[test]
@@ -264,6 +269,7 @@ fn every_crate_has_its_place() {
     let below = [
         "val3-geometry",
         "val3-kinematics",
+        "val3-moves",
         "val3-motion",
         "val3-plot",
         "val3-coverage",
@@ -327,6 +333,7 @@ fn no_crate_below_the_binaries_touches_the_system() {
     let pure = [
         "val3-geometry",
         "val3-kinematics",
+        "val3-moves",
         "val3-motion",
         "val3-syntax",
         "val3-lang",

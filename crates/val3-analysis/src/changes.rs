@@ -2,6 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
+use val3_lang::data_path::DataPath;
 
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
@@ -16,9 +17,9 @@ const LONGEST: usize = 80;
 
 /// Whether a program of the project may change the value at a path, a value that contains it, or a field in it.
 pub fn is_changed(db: &dyn Db, project: Project, path: &str) -> bool {
-    let name = path.split('[').next().unwrap_or(path);
-    changes(db, project).get(name).is_some_and(|changes| {
-        let fields = without_indexes(path);
+    let path = DataPath::new(path);
+    changes(db, project).get(path.before_index()).is_some_and(|changes| {
+        let fields = path.without_indexes();
         changes.iter().any(|changed| is_part(&fields, changed) || is_part(changed, &fields))
     })
 }
@@ -164,11 +165,6 @@ fn fields(body: &Body, id: ExprId) -> String {
         Expr::Index(base, _) | Expr::Paren(base) => fields(body, *base),
         _ => String::new(),
     }
-}
-
-/// Removes the indexes: `tSlots.pPlace` for `tSlots[1,2].pPlace[0]`.
-fn without_indexes(path: &str) -> String {
-    path.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
 }
 
 /// Whether `part` is equal to `whole` or is a field in it.

@@ -10,7 +10,7 @@ mod xml_names;
 use rustc_hash::FxHashMap;
 use val3_syntax::{TextRange, TextSize};
 
-pub(crate) use self::data_path::{library, path_names};
+pub(crate) use self::data_path::path_names;
 pub use self::occurrence::{Occurrence, Symbol, Usage};
 pub use self::tasks::task_names;
 pub use self::texts::elements as page_elements;

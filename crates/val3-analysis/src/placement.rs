@@ -4,6 +4,7 @@ use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_geometry::{IsometryMatrix3, Trsf, chain};
 use val3_lang::builtins;
+use val3_lang::data_path::DataPath;
 use val3_lang::types::BaseType;
 
 use crate::db::{Db, Project};
@@ -41,8 +42,7 @@ const MOST_OF_LOOP: usize = 20;
 
 /// Returns the value at a data path such as `tSlots[1,2].pPlace[0]` in the data files of a project.
 pub fn position<'db>(db: &'db dyn Db, project: Project, path: &str) -> Option<&'db Position> {
-    let name = path.split('[').next()?;
-    let item = items(db, project).data.get(name)?;
+    let item = items(db, project).data.get(DataPath::new(path).before_index())?;
     positions(db, item.file).get(path)
 }
 
@@ -120,30 +120,5 @@ fn is_built_in(path: &str) -> bool {
 /// Formats a data path as in programs: `tSlots[1,2].pPlace` for `tSlots[1,2].pPlace[0]`, `pPick["near"]` for
 /// `pPick[near]`.
 pub fn shown(path: &str) -> String {
-    let mut shown = String::new();
-    for part in path.split('[') {
-        match part.split_once(']') {
-            None => shown.push_str(part),
-            Some(("0", rest)) => shown.push_str(rest),
-            Some((key, rest)) => {
-                let is_index = key.bytes().all(|byte| byte.is_ascii_digit() || byte == b',');
-                let quote = if is_index { "" } else { "\"" };
-                shown.extend(["[", quote, key, quote, "]", rest]);
-            }
-        }
-    }
-    shown
-}
-
-#[cfg(test)]
-mod tests {
-    use super::shown;
-
-    #[test]
-    fn paths_are_shown_as_programs_write_them() {
-        assert_eq!(shown("pPick[0]"), "pPick");
-        assert_eq!(shown("pPick[10]"), "pPick[10]");
-        assert_eq!(shown("tSlots[1,2].pPlace[0]"), "tSlots[1,2].pPlace");
-        assert_eq!(shown("tSlots[a b].pPlace[near]"), "tSlots[\"a b\"].pPlace[\"near\"]");
-    }
+    DataPath::new(path).in_code()
 }

@@ -2,7 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
-use val3_lang::motion::{self, MotionRole, keeps_configuration, role};
+use val3_lang::motion::{self, MotionRole, keeps_configuration};
 use val3_lang::types::BaseType;
 
 use crate::body::{Body, Constant, Expr, ExprId, body};
@@ -69,7 +69,7 @@ impl Search<'_> {
     /// Adds the targets of a move instruction.
     fn call(&mut self, id: ExprId, args: &[ExprId]) {
         let Some(call) = self.inference.call(id) else { return };
-        let Some(MotionRole::Move(_)) = role(call.instruction) else { return };
+        let Some(MotionRole::Move(_)) = call.instruction.role else { return };
         let tool = call.form.and_then(motion::tool).and_then(|at| args.get(at)).copied();
         let tool = tool.and_then(|tool| path(self.body, tool));
         for target in args {

@@ -1,11 +1,10 @@
 //! The cell for people: inputs and outputs, the robot, the queue of its moves.
 
 use val3_geometry::IsometryMatrix3;
+use val3_lang::enumerations::blend_name;
 use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
 use val3_machine::io::{IoTable, Kind, SignalId};
 use val3_view::{coordinates, direction, level};
-
-use crate::custom::blend_word;
 
 /// A property with the properties inside of it.
 #[derive(Debug, Clone, PartialEq)]
@@ -127,7 +126,7 @@ fn queue(controller: &Controller) -> Vec<Property> {
 }
 
 fn queued(queued: &RecordedMove) -> Property {
-    let phase = queued.phase.word();
+    let phase = queued.stage.word();
     let mut inside = vec![Property::new("phase", phase), pose("target", "", &queued.target)];
     if let Some(mdesc) = &queued.descriptor {
         let number = |name, value: f64| Property::new(name, value.to_string());
@@ -137,11 +136,11 @@ fn queued(queued: &RecordedMove) -> Property {
             number("decel", mdesc.decel),
             number("tvel", mdesc.tvel),
             number("rvel", mdesc.rvel),
-            Property::new("blend", blend_word(mdesc.blend)),
+            Property::new("blend", blend_name(mdesc.blend)),
             number("leave", mdesc.leave),
             number("reach", mdesc.reach),
         ];
-        inside.push(Property::group("mdesc", format!("blend={}", blend_word(mdesc.blend)), parts));
+        inside.push(Property::group("mdesc", format!("blend={}", blend_name(mdesc.blend)), parts));
     }
     let corners = [("leave", &queued.leave), ("reach", &queued.reach)];
     inside.extend(corners.into_iter().filter_map(|(name, corner)| {

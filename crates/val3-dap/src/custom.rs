@@ -3,7 +3,8 @@
 use serde_json::{Map, Value, json};
 use val3_debug::Debugger;
 use val3_geometry::IsometryMatrix3;
-use val3_machine::arm::{MotionMode, Piece};
+use val3_lang::enumerations;
+use val3_machine::arm::{MotionMode, PathPiece};
 use val3_machine::controller::{BlendPoint, CodeSource, Controller, MotionPiece, RecordedMove};
 use val3_machine::io::Kind;
 use val3_machine::script::Action;
@@ -149,7 +150,7 @@ fn pose(position: &IsometryMatrix3<f64>) -> Value {
 
 /// A piece of the motion.
 pub(crate) fn piece(found: &MotionPiece) -> Value {
-    let Piece { id, kind, end, joints, pose: position, .. } = &found.piece;
+    let PathPiece { id, kind, end, joints, pose: position, .. } = &found.piece;
     json!({
         "moveId": id,
         "kind": kind.word(),
@@ -159,15 +160,6 @@ pub(crate) fn piece(found: &MotionPiece) -> Value {
         "position": found.position,
         "source": source(found.source.as_ref()),
     })
-}
-
-/// The word of a motion descriptor's blend.
-pub(crate) fn blend_word(blend: f64) -> &'static str {
-    match blend {
-        1.0 => "off",
-        2.0 => "Cartesian",
-        _ => "joint",
-    }
 }
 
 /// The line that requested a move.
@@ -187,13 +179,13 @@ fn recorded(queued: &RecordedMove) -> Value {
     let descriptor = queued.descriptor.as_ref().map(|found| {
         json!({
             "accel": found.accel, "vel": found.vel, "decel": found.decel, "tvel": found.tvel, "rvel": found.rvel,
-            "blend": blend_word(found.blend), "leave": found.leave, "reach": found.reach,
+            "blend": enumerations::blend_name(found.blend), "leave": found.leave, "reach": found.reach,
         })
     });
     json!({
         "id": queued.id,
         "type": queued.source.as_ref().map(|source| source.instruction),
-        "phase": queued.phase.word(),
+        "phase": queued.stage.word(),
         "joints": queued.joints,
         "target": pose(&queued.target),
         "mdesc": descriptor,

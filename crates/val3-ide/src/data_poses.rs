@@ -8,6 +8,7 @@ use val3_analysis::items::positions::{Position, each};
 use val3_analysis::placement::{joints, placement, position, shown};
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints};
+use val3_lang::data_path::DataPath;
 use val3_lang::types::BaseType;
 
 use crate::data_tables::{DataPlace, place_of_path};
@@ -39,7 +40,7 @@ pub fn data_poses(db: &dyn Db, project: Project, file: File, names: &[String]) -
     let parse = parse(db, file);
     let mut paths = Vec::new();
     each(parse.view(), &mut |value| {
-        if value.path.split('[').next().is_some_and(|name| wanted.contains(name)) {
+        if wanted.contains(DataPath::new(&value.path).before_index()) {
             paths.push(value.path);
         }
     });

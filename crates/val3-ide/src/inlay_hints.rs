@@ -9,8 +9,9 @@ use val3_analysis::infer::{Inference, infer};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
+use val3_lang::data_path::DataPath;
 use val3_lang::instruction::{Instruction, Overload};
-use val3_lang::motion::{MotionRole, descriptor, role, target};
+use val3_lang::motion::{MotionRole, descriptor, target};
 use val3_lang::types::{BaseType, fields};
 use val3_lang::{instructions, keywords};
 use val3_syntax::{TextRange, TextSize};
@@ -147,7 +148,7 @@ impl<'db> Hints<'db> {
                 self.parameter(param.name, *argument, None);
             }
         }
-        if matches!(role(instruction), Some(MotionRole::Move(_))) {
+        if matches!(instruction.role, Some(MotionRole::Move(_))) {
             if let Some(target) = target(form).and_then(|at| arguments.get(at)).filter(|_| self.settings.point_frames) {
                 self.frame(*target);
             }
@@ -206,8 +207,8 @@ impl<'db> Hints<'db> {
         }
         if let Some((project, _, Placement { father: Some(father), .. })) = self.placement(target) {
             let tooltip = "the father frame according to the data file".to_owned();
-            let name = father.split(['[', '.']).next().unwrap_or(father);
-            let symbol = Some(Symbol::Data(project, name.into()));
+            let first = DataPath::new(father).steps().next();
+            let symbol = first.map(|step| Symbol::Data(project, step.name.into()));
             let (offset, label) = (self.body.range(target).end(), format!("in {father}"));
             self.found.push(InlayHint { offset, label, kind: InlayHintKind::Frame, tooltip, symbol });
         }

@@ -9,6 +9,7 @@ use val3_analysis::reach::reach;
 use val3_analysis::targets::targets;
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};
+use val3_lang::data_path::DataPath;
 use val3_lang::types::{self, BaseType};
 
 use crate::markdown::code;
@@ -55,8 +56,9 @@ pub(crate) fn reached_with_tool(
 
 /// Tool of all moves to a point; `None` if they use several tools.
 fn only_tool(db: &dyn Db, owner: Project, path: &str) -> Option<(String, IsometryMatrix3<f64>)> {
-    let name = path.split('[').next()?;
-    let uses = targets(db, owner).get(name).filter(|uses| !uses.is_open && uses.tools.len() == 1)?;
+    let uses = targets(db, owner)
+        .get(DataPath::new(path).before_index())
+        .filter(|uses| !uses.is_open && uses.tools.len() == 1)?;
     let tool = uses.tools.iter().next()?;
     Some((shown(tool), placement(db, owner, tool).ok()?.pose))
 }

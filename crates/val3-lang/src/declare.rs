@@ -3,7 +3,7 @@
 /// Declares the instruction of a file.
 ///
 /// The doc comment is its page. The head line gives name, family and manual section, then the clauses
-/// `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
+/// `blocking`, `role(effect on the recorded moves)`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
 /// a form: `function` (only yields a value) or `modifier` (can be a statement), parameters as in a syntax line, `->
 /// type` for a value, `on library` for a form of a library identifier, `since major` for a younger form, `seen
 /// in_programs` for a form that the manual does not print, `= function` for its handler, whose parameters are those of the line ([`FromArgument`](crate::call::FromArgument)). Instead of a
@@ -13,7 +13,7 @@ macro_rules! instruction {
     (
         $(#[doc = $line:literal])*
         $name:literal: $family:ident $($section:literal)?
-            $(, $clause:ident $($value:literal)? $([$($item:literal),*])?)*;
+            $(, $clause:ident $($value:literal)? $([$($item:literal),*])? $(($($role:ident)+))?)*;
         $(
             $class:ident ($(
                 $ty:ident $($by_value:ident)? $(& $by_reference:ident)? $([$($dims:tt)*])?
@@ -41,10 +41,21 @@ macro_rules! instruction {
                         ),
                     }
                 ),+])
-                $(.$clause($($value)? $(&[$($item),*])?))*;
+                $(.$clause($($value)? $(&[$($item),*])? $($crate::declare::role!($($role)+))?))*;
     };
 }
 pub(crate) use instruction;
+
+/// [`MotionRole`](crate::motion::MotionRole) of an instruction: `Arrive`, or `Move` with its path.
+macro_rules! role {
+    (Move $path:ident) => {
+        $crate::motion::MotionRole::Move($crate::motion::Path::$path)
+    };
+    ($role:ident) => {
+        $crate::motion::MotionRole::$role
+    };
+}
+pub(crate) use role;
 
 macro_rules! param {
     (program $name:ident) => {

@@ -1,5 +1,7 @@
 //! Names of enumeration values: the enumerators of `mdesc.blend` and of the `config` fields (9.7.2, 10.5.1).
 
+use val3_moves::BlendKind;
+
 use crate::types::BaseType;
 
 /// An enumeration value.
@@ -60,15 +62,56 @@ pub fn find_in_file(ty: BaseType, name: &str) -> Option<&'static Enumerator> {
     values(ty).find(|row| row.file_name.eq_ignore_ascii_case(name))
 }
 
+/// Kind of the blend with this number in memory: the position of its enumerator. Other numbers are the default.
+#[must_use]
+pub const fn blend_of(number: f64) -> BlendKind {
+    match number {
+        1.0 => BlendKind::Off,
+        2.0 => BlendKind::Cartesian,
+        _ => BlendKind::Joint,
+    }
+}
+
+/// Number of a blend's kind in memory.
+#[must_use]
+pub const fn blend_number(kind: BlendKind) -> f64 {
+    match kind {
+        BlendKind::Joint => 0.0,
+        BlendKind::Off => 1.0,
+        BlendKind::Cartesian => 2.0,
+    }
+}
+
+/// Name of a blend's kind in code.
+#[must_use]
+pub const fn blend_name(kind: BlendKind) -> &'static str {
+    match kind {
+        BlendKind::Joint => "joint",
+        BlendKind::Off => "off",
+        BlendKind::Cartesian => "Cartesian",
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{BaseType, find, find_in_file, values};
+    use super::{BaseType, BlendKind, blend_name, blend_number, blend_of, find, find_in_file, values};
 
     #[test]
     fn cartesian_has_two_spellings() {
         assert_eq!(find("Cartesian"), find("cartesian"));
         assert_eq!(find_in_file(BaseType::Blend, "cartesian").map(|row| row.name), Some("Cartesian"));
         assert_eq!(find_in_file(BaseType::Blend, "ssame"), None);
+    }
+
+    #[test]
+    fn blends_have_the_numbers_and_names_of_their_enumerators() {
+        let rows: Vec<&str> = values(BaseType::Blend).map(|row| row.name).collect();
+        let kinds = [BlendKind::Joint, BlendKind::Off, BlendKind::Cartesian];
+        assert_eq!(kinds.map(blend_name).to_vec(), rows);
+        for (number, kind) in [0.0, 1.0, 2.0].into_iter().zip(kinds) {
+            assert_eq!((blend_number(kind), blend_of(number)), (number, kind));
+        }
+        assert_eq!([-1.0, 0.5, 3.0, f64::NAN].map(blend_of), [BlendKind::Joint; 4]);
     }
 
     #[test]

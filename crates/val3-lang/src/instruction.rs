@@ -3,6 +3,7 @@
 use std::hash::{Hash, Hasher};
 
 use crate::call::InstructionFn;
+use crate::motion::MotionRole;
 use crate::{types::BaseType, versions::Version};
 
 mod effects;
@@ -25,6 +26,8 @@ pub struct Instruction {
     pub overloads: &'static [Overload],
     /// Whether the scheduler continues with the next task while the instruction waits (5.4).
     pub blocking: bool,
+    /// Effect on the recorded moves; `None` without an effect.
+    pub role: Option<MotionRole>,
     /// Numbers of the run-time errors it can raise (12.1), ascending.
     pub errors: &'static [u16],
     /// Versions and add-ons with the instruction.
@@ -220,6 +223,7 @@ impl Instruction {
             page: "",
             overloads: &[],
             blocking: false,
+            role: None,
             errors: &[],
             availability: Availability::Manual,
         }
@@ -235,6 +239,10 @@ impl Instruction {
 
     pub(crate) const fn blocking(self) -> Self {
         Self { blocking: true, ..self }
+    }
+
+    pub(crate) const fn role(self, role: MotionRole) -> Self {
+        Self { role: Some(role), ..self }
     }
 
     pub(crate) const fn errors(self, errors: &'static [u16]) -> Self {

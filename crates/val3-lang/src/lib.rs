@@ -4,6 +4,7 @@
 //! features and the runtime. No other crate contains an instruction name or a built-in field, or the number of a
 //! run-time error.
 
+pub mod data_path;
 mod declare;
 
 pub mod add_on;

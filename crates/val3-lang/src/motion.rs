@@ -43,38 +43,6 @@ pub enum Path {
     Altered,
 }
 
-/// The roles, sorted by name.
-static ROLES: [(&str, MotionRole); 21] = [
-    ("alterMovec", MotionRole::Move(Path::Altered)),
-    ("alterMovej", MotionRole::Move(Path::Altered)),
-    ("alterMovel", MotionRole::Move(Path::Altered)),
-    ("close", MotionRole::Arrive),
-    ("getMoveId", MotionRole::Progress),
-    ("here", MotionRole::Position),
-    ("herej", MotionRole::Position),
-    ("isCompliant", MotionRole::Progress),
-    ("isEmpty", MotionRole::Progress),
-    ("isSettled", MotionRole::Progress),
-    ("movec", MotionRole::Move(Path::Cartesian)),
-    ("movej", MotionRole::Move(Path::Joint)),
-    ("movejf", MotionRole::Move(Path::Compliant)),
-    ("movel", MotionRole::Move(Path::Cartesian)),
-    ("movelf", MotionRole::Move(Path::Compliant)),
-    ("open", MotionRole::Arrive),
-    ("resetMotion", MotionRole::Reset),
-    ("resetTurn", MotionRole::Reset),
-    ("restartMove", MotionRole::Restart),
-    ("stopMove", MotionRole::Stop),
-    ("waitEndMove", MotionRole::Arrive),
-];
-
-/// The effect of `instruction` on the recorded moves; `None` if it has none.
-#[must_use]
-pub fn role(instruction: &Instruction) -> Option<MotionRole> {
-    let at = ROLES.binary_search_by(|(name, _)| (*name).cmp(instruction.name)).ok()?;
-    ROLES.get(at).map(|(_, role)| *role)
-}
-
 /// The instruction moves the arm or asks how it is built or where it is.
 #[must_use]
 pub fn needs_arm(instruction: &Instruction) -> bool {
@@ -148,37 +116,38 @@ pub fn missing_reference(ty: BaseType) -> Option<u16> {
 #[must_use]
 pub fn needs_reference(instruction: &Instruction, param: &Param) -> bool {
     let Some(error) = param.ty.and_then(missing_reference) else { return false };
-    let is_move = || matches!(role(instruction), Some(MotionRole::Move(_)));
+    let is_move = || matches!(instruction.role, Some(MotionRole::Move(_)));
     param.shape == Shape::Value && (instruction.errors.contains(&error) || is_move())
 }
 
 #[cfg(test)]
 mod tests {
     use super::{
-        Enumerator, MotionRole, Path, ROLES, descriptor, is_blend, is_definite, missing_reference, needs_reference,
-        role, rounds_corner, target,
+        Enumerator, MotionRole, Path, descriptor, is_blend, is_definite, missing_reference, needs_reference,
+        rounds_corner, target,
     };
     use crate::enumerations::ENUMERATORS;
     use crate::types::{BaseType, attributes};
     use crate::{instructions, runtime_errors};
 
     #[test]
-    fn every_role_is_that_of_an_instruction() {
-        for (name, expected) in ROLES {
-            assert_eq!(role(instructions::find(name).unwrap()), Some(expected), "{name}");
-        }
-        assert_eq!(role(instructions::find("appro").unwrap()), None);
+    fn instructions_name_their_roles() {
+        let role = |name| instructions::find(name).unwrap().role;
+        assert_eq!(role("alterMovej"), Some(MotionRole::Move(Path::Altered)));
+        assert_eq!(role("open"), Some(MotionRole::Arrive));
+        assert_eq!(role("appro"), None);
+        assert_eq!(instructions::all().iter().filter(|instruction| instruction.role.is_some()).count(), 21);
     }
 
     #[test]
     fn moves_have_a_target_and_a_descriptor() {
-        for (name, role) in ROLES.iter().filter(|(_, role)| matches!(role, MotionRole::Move(_))) {
-            for form in instructions::find(name).unwrap().overloads {
-                assert!(target(form).is_some() && descriptor(form).is_some(), "{name} {role:?}");
-            }
+        let moves =
+            instructions::all().iter().filter(|instruction| matches!(instruction.role, Some(MotionRole::Move(_))));
+        for form in moves.flat_map(|instruction| instruction.overloads) {
+            assert!(target(form).is_some() && descriptor(form).is_some(), "{form:?}");
         }
         let circle = instructions::find("movec").unwrap();
-        assert_eq!(role(circle), Some(MotionRole::Move(Path::Cartesian)));
+        assert_eq!(circle.role, Some(MotionRole::Move(Path::Cartesian)));
         assert_eq!(circle.overloads.first().and_then(target), Some(1));
     }
 

@@ -1,11 +1,13 @@
-//! Poses of points, frames and tools in millimetres, and the requests of moves with them (9.6.3, 10.6, 11.1, 11.2).
+//! Poses of points, frames and tools in millimetres, and move requests with them (9.6.3, 10.6, 11.1, 11.2).
 
 use val3_geometry::{IsometryMatrix3, Trsf, chain};
+use val3_kinematics::Joints;
+use val3_moves::{Manner, MovePath, MoveTarget, Percent};
 
 use crate::call::{Call, Flow, FrameRef, PointRef, PointValue, StoredValue, ToolRef, Wait};
 use crate::fault::{Fault, Result};
 use crate::memory::Link;
-use crate::ports::{Manner, MoveRequest, PointTarget, RequestedPath};
+use crate::ports::MoveRequest;
 use crate::references;
 use crate::runtime_errors::{ANOTHER_ARM, INVALID_PARAMETER};
 use crate::types::Arm;
@@ -14,39 +16,54 @@ use crate::values::{ConfigValue, MdescValue};
 /// The greatest force of a compliant move, in per cent of the nominal load (11.1.4).
 const GREATEST_FORCE: f64 = 1000.0;
 
-/// Where a move leads, as its arguments say.
-pub(crate) enum Target {
-    /// `movej` to a joint position.
-    Joint([f64; 6]),
-    /// `movej` to a point.
-    JointToPoint(PointRef),
-    /// `movel`.
-    Line(PointRef),
-    /// `movec`: the intermediate point, and the target.
-    Circle(PointRef, PointRef),
-}
-
-/// Records a move and gives its id; the task waits while no more moves can be recorded.
+/// Path of a joint move to a joint position.
 ///
 /// # Errors
-/// 81, 100 to 106, 150, 154, 160 to 164, 250.
+/// 81.
+pub(crate) fn joint_path(call: &mut Call<'_>, joint: Joints) -> Result<MovePath> {
+    check_arm(call)?;
+    Ok(MovePath::Joint(joint))
+}
+
+/// Path of a joint move to a point.
+///
+/// # Errors
+/// 81, 161 to 163.
+pub(crate) fn joint_path_to_point(call: &mut Call<'_>, point: PointRef) -> Result<MovePath> {
+    check_arm(call)?;
+    Ok(MovePath::JointToPoint(move_target(call, point)?))
+}
+
+/// Straight path to a point.
+///
+/// # Errors
+/// 81, 161 to 163.
+pub(crate) fn line(call: &mut Call<'_>, point: PointRef) -> Result<MovePath> {
+    check_arm(call)?;
+    Ok(MovePath::Line(move_target(call, point)?))
+}
+
+/// Circular path through an intermediate point to a point.
+///
+/// # Errors
+/// 81, 161 to 163.
+pub(crate) fn circle(call: &mut Call<'_>, intermediate: PointRef, point: PointRef) -> Result<MovePath> {
+    check_arm(call)?;
+    Ok(MovePath::Circle(pose_of_point(call, intermediate)?, move_target(call, point)?))
+}
+
+/// Records a move and returns its id; the task waits while no more moves can be recorded.
+///
+/// # Errors
+/// 100 to 106, 150, 154, 160, 164, 250.
 pub(crate) fn record(
     call: &mut Call<'_>,
     instruction: &'static str,
-    target: &Target,
+    path: MovePath,
     tool: ToolRef,
     descriptor: MdescValue,
     manner: Manner,
 ) -> Result<Flow<f64>> {
-    check_arm(call)?;
-    let path = match *target {
-        Target::Joint(joint) => RequestedPath::Joint(joint),
-        Target::JointToPoint(point) => RequestedPath::JointToPoint(point_target(call, point)?),
-        Target::Line(point) => RequestedPath::Line(point_target(call, point)?),
-        Target::Circle(intermediate, target) => {
-            RequestedPath::Circle(pose_of_point(call, intermediate)?, point_target(call, target)?)
-        }
-    };
     let tool = pose_of_tool(call, tool)?;
     let descriptor = descriptor.checked(call.unit.millimetres())?;
     let request = MoveRequest { instruction, path, tool, descriptor, manner };
@@ -58,7 +75,7 @@ pub(crate) fn record(
 /// # Errors
 /// 70 beyond 1000 per cent.
 pub(crate) fn compliant(force: f64) -> Result<Manner> {
-    if force.abs() <= GREATEST_FORCE { Ok(Manner::Compliant(force)) } else { Err(Fault(INVALID_PARAMETER)) }
+    if force.abs() <= GREATEST_FORCE { Ok(Manner::Compliant(Percent(force))) } else { Err(Fault(INVALID_PARAMETER)) }
 }
 
 /// The positions of the application are for the kind of arm that the controller has.
@@ -70,9 +87,9 @@ pub(crate) fn check_arm(call: &mut Call<'_>) -> Result<()> {
     if call.arm.is_some_and(|arm| arm != own) { Err(Fault(ANOTHER_ARM)) } else { Ok(()) }
 }
 
-fn point_target(call: &Call<'_>, point: PointRef) -> Result<PointTarget> {
+fn move_target(call: &Call<'_>, point: PointRef) -> Result<MoveTarget> {
     let configuration = PointValue::read(call.memory, point.0)?.config.requested();
-    Ok(PointTarget { pose: pose_of_point(call, point)?, configuration })
+    Ok(MoveTarget { pose: pose_of_point(call, point)?, configuration })
 }
 
 /// A point in `world`.

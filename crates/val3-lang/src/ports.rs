@@ -13,7 +13,7 @@ mod time;
 
 pub use io::{Io, IoDescription};
 pub use media::Media;
-pub use motion::{AlterReference, Manner, Motion, MoveRequest, PointTarget, RequestedPath};
+pub use motion::{Motion, MoveRequest};
 pub use robot::Robot;
 pub use screen::{DEFAULT_PAGE, Entry, InputKind, InputResult, Screen};
 pub use serial::{LineValue, Outgoing, Reply, Serial};

@@ -14,11 +14,11 @@ use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, DEFAULT_SCARA, DEFAULT_SIX_AXIS, Dh, DhError, Joints, Violation};
-use val3_lang::ports::{self, CodePlace, MoveRequest, SECOND, Time};
+use val3_lang::ports::{CodePlace, MoveRequest, SECOND, Time};
 use val3_lang::values::MdescValue;
 use val3_motion::{
-    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, Motion, PathFault, Percent, QueuedMove, Sample,
-    Seconds, SpeedLimit, Step,
+    AlterReference, Cause, Degrees, ExternalForce, Jog, Millimetres, Motion, MotionPhase, MoveEvent, PathFault,
+    Percent, QueuedMove, Sample, Seconds, SpeedLimit,
 };
 use val3_vm::CYCLE;
 
@@ -27,7 +27,7 @@ use crate::event::seconds;
 pub use drive::{ArmHold, Drive};
 pub use latch::Latch;
 pub use origin::MoveOrigin;
-pub use val3_motion::{MotionMode, Piece, PieceEnd, PieceKind};
+pub use val3_motion::{MotionMode, MoveStage, PathPiece, PieceEnd, PieceKind};
 
 use feedback::{Feedback, difference};
 
@@ -316,7 +316,7 @@ impl RobotArm {
     /// It is away from its path, or on its way back.
     #[must_use]
     pub fn is_away(&self) -> bool {
-        self.motion.connection().is_some() || self.sample.phase == val3_motion::Phase::Connection
+        self.motion.connection().is_some() || self.sample.phase == MotionPhase::Connection
     }
 
     /// A cycle with this drive would change its state.
@@ -347,9 +347,7 @@ impl RobotArm {
         let id = self.next_id;
         let origin =
             MoveOrigin { instruction: request.instruction, at, descriptor: request.descriptor, cancelled_by: None };
-        let request = request::to_move(&self.model, request, &self.motion.destination(), id)
-            .map_err(|cause| MoveError::Refused(cause.into()))?;
-        self.motion.record(&request).map_err(MoveError::Refused)?;
+        self.motion.record(&request::to_move(&self.model, request, id)).map_err(MoveError::Refused)?;
         if let Some(last) = self.motion.moves().last() {
             self.origins.insert(last.serial, origin);
         }
@@ -397,11 +395,7 @@ impl RobotArm {
     }
 
     /// `alterBegin`: its result.
-    pub fn begin_alter(&mut self, reference: ports::AlterReference, limits: &MdescValue) -> i8 {
-        let reference = match reference {
-            ports::AlterReference::Frame(pose) => AlterReference::Frame(pose),
-            ports::AlterReference::Tool(pose) => AlterReference::Tool(pose),
-        };
+    pub fn begin_alter(&mut self, reference: AlterReference, limits: &MdescValue) -> i8 {
         self.motion.alter_begin(reference, request::limits(&self.model, limits)).code()
     }
 
@@ -457,10 +451,10 @@ impl RobotArm {
         self.feedback.advance(self.sample.joints);
     }
 
-    /// The steps of the moves since the last call, with their instructions.
-    pub fn take_steps(&mut self) -> Vec<(Step, Option<MoveOrigin>)> {
-        let steps = self.motion.take_steps();
-        steps.into_iter().map(|step| (step, self.origins.get(&step.serial).copied())).collect()
+    /// Events of moves since the last call, with their instructions.
+    pub fn take_events(&mut self) -> Vec<(MoveEvent, Option<MoveOrigin>)> {
+        let events = self.motion.take_events();
+        events.into_iter().map(|event| (event, self.origins.get(&event.serial).copied())).collect()
     }
 
     /// Discards the instructions of moves that are done.

@@ -20,7 +20,7 @@ use crate::script::Script;
 
 pub use val3_vm::Outcome;
 
-pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus, MovePhase, RecordedMove};
+pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus, RecordedMove};
 pub use operator::Operation;
 pub use positions::{Activity, TaskPosition};
 pub use snapshot::Snapshot;

@@ -2,26 +2,17 @@
 
 use val3_geometry::{IsometryMatrix3, rotation};
 use val3_kinematics::Configuration;
+use val3_moves::{AlterReference, Seconds};
 
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::request::Limits;
-use crate::units::Seconds;
 
 /// Speeds may exceed their limits by this factor, which is rounding.
 const ROUNDING: f64 = 1.001;
 
 /// An emergency stop ends the deviation after this time in seconds at the latest (manual 11.2.6).
 const EMERGENCY: f64 = 0.5;
-
-/// The coordinates of deviations.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum AlterReference {
-    /// A frame, by its pose in world: the path is rotated around its origin, then moved.
-    Frame(IsometryMatrix3<f64>),
-    /// A tool, by its pose on the flange: the arm is rotated around the tool centre point and moved along the tool's axes.
-    Tool(IsometryMatrix3<f64>),
-}
 
 /// The answer to an alter request (manual 11.2.6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,12 +1,12 @@
 //! A single blend, without a queue of moves and without times.
 
 use val3_kinematics::{Arm, Joints};
+use val3_moves::Millimetres;
 
 use crate::fault::Cause;
 use crate::model::Model;
 use crate::path::Path;
 use crate::request::Move;
-use crate::units::Millimetres;
 
 /// Why an arm at `start` cannot follow the blend between two moves; `None` if it can, or if there is no blend.
 ///

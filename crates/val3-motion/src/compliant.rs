@@ -1,11 +1,11 @@
 //! Compliant moves: a force moves the arm along its path, forwards or back (manual 11.1, section (i) of the motion model).
 
 use val3_geometry::{Vector3, rotation};
+use val3_moves::{Percent, Seconds};
 
 use crate::bounds::Bounds;
 use crate::model::Model;
 use crate::span::{Reduction, Span};
-use crate::units::{Percent, Seconds};
 
 /// Acceleration of gravity in m/s²: the nominal force lifts the nominal load.
 const GRAVITY: f64 = 9.81;

@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use val3_geometry::{IsometryMatrix3, rotation};
 use val3_kinematics::{Arm, Joints};
+use val3_moves::{Blend, Degrees, DegreesPerSecond, Manner, Millimetres, MillimetresPerSecond, MovePath};
 
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::motion::Motion;
-use crate::request::{Blend, Limits, Manner, Move, MovePath};
-use crate::units::{Degrees, DegreesPerSecond, Millimetres, MillimetresPerSecond};
+use crate::request::{Limits, Move};
 
 /// The arm continues without a connection move if no axis is further away from its path, in degrees or mm.
 const ON_PATH: f64 = 1e-3;
@@ -114,7 +114,7 @@ pub(crate) fn connection(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Phase, Seconds};
+    use crate::{MotionPhase, Seconds};
 
     const START: Joints = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];
     const END: Joints = [60.0, 0.0, 90.0, 0.0, 90.0, 0.0];
@@ -137,7 +137,7 @@ mod tests {
         motion.record(&Move { path, tool, limits, blend: Blend::Off, id: 7.0, manner: Manner::Rigid }).unwrap();
     }
 
-    fn wait(motion: &mut Motion, cycles: usize) -> Vec<Phase> {
+    fn wait(motion: &mut Motion, cycles: usize) -> Vec<MotionPhase> {
         let mut phases: Vec<_> = (0..cycles).map(|_| motion.advance(Seconds(0.004)).phase).collect();
         phases.dedup();
         phases
@@ -158,7 +158,7 @@ mod tests {
         motion.displace(motion.joints());
         assert_eq!(motion.connection(), None);
         motion.resume();
-        assert_eq!(wait(&mut motion, 300), [Phase::Nominal, Phase::Waiting]);
+        assert_eq!(wait(&mut motion, 300), [MotionPhase::Nominal, MotionPhase::Waiting]);
         assert_eq!(motion.joints(), END);
     }
 
@@ -169,7 +169,7 @@ mod tests {
         motion.displace(AWAY);
         assert!(motion.connection().is_some_and(|way| way.distance > Millimetres(50.0) && way.rotation > Degrees(1.0)));
         motion.resume();
-        assert_eq!(wait(&mut motion, 100), [Phase::Waiting]);
+        assert_eq!(wait(&mut motion, 100), [MotionPhase::Waiting]);
         assert_eq!((motion.joints(), motion.is_empty()), (AWAY, false));
 
         motion.connect().unwrap();
@@ -178,8 +178,8 @@ mod tests {
             back.push(motion.advance(Seconds(0.004)));
             assert!(back.len() < 5000, "{:?}", motion.joints());
         }
-        assert!(back.iter().all(|sample| sample.phase == Phase::Connection && sample.speed <= TIP));
-        assert_eq!(wait(&mut motion, 300), [Phase::Nominal, Phase::Waiting]);
+        assert!(back.iter().all(|sample| sample.phase == MotionPhase::Connection && sample.speed <= TIP));
+        assert_eq!(wait(&mut motion, 300), [MotionPhase::Nominal, MotionPhase::Waiting]);
         assert_eq!((motion.joints(), motion.move_id()), (END, 8.0));
     }
 
@@ -207,10 +207,10 @@ mod tests {
         wait(&mut motion, 30);
         motion.reset_to(AWAY);
         record(&mut motion, END);
-        assert_eq!(wait(&mut motion, 100), [Phase::Stopping, Phase::Waiting]);
+        assert_eq!(wait(&mut motion, 100), [MotionPhase::Stopping, MotionPhase::Waiting]);
         assert!(motion.joints()[0] < 30.0 && motion.connection().is_some());
         motion.connect().unwrap();
-        assert_eq!(wait(&mut motion, 5000), [Phase::Connection, Phase::Nominal, Phase::Waiting]);
+        assert_eq!(wait(&mut motion, 5000), [MotionPhase::Connection, MotionPhase::Nominal, MotionPhase::Waiting]);
         assert_eq!(motion.joints(), END);
     }
 

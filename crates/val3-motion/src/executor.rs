@@ -1,8 +1,9 @@
 //! The executor: follows a timeline, never plans.
 
+use val3_moves::{Percent, Seconds};
+
 use crate::span::Span;
 use crate::timeline::{Cursor, Timeline};
-use crate::units::{Percent, Seconds};
 
 /// Seconds in which the monitor speed rises from 0 to 100 % (model choice).
 const RAMP: f64 = 0.25;
@@ -69,21 +70,21 @@ impl Executor {
         let since = |left: f64| Seconds(if whole > 0.0 { duration.0 * (1.0 - left / whole) } else { 0.0 });
         while left > 0.0 {
             match advance_within_interval(timeline, left) {
-                Progress::Within => {
+                IntervalEnd::Within => {
                     (moved, left) = (true, 0.0);
                 }
-                Progress::Passed(seconds) => {
+                IntervalEnd::Passed(seconds) => {
                     moved |= seconds > 0.0;
                     left -= seconds;
                 }
-                Progress::SpanDone => {
+                IntervalEnd::SpanDone => {
                     let done = timeline.spans.pop_front();
                     timeline.cursor = Cursor::default();
                     if let (Some(done), Some(next)) = (done, timeline.spans.front()) {
                         passage(&done.span, &next.span, since(left));
                     }
                 }
-                Progress::Rests => break,
+                IntervalEnd::Rests => break,
             }
         }
         Advance { moved, end: since(left) }
@@ -111,7 +112,7 @@ pub(crate) struct Advance {
 }
 
 /// The result of advancing to the end of an interval at most.
-enum Progress {
+enum IntervalEnd {
     /// The time is used up within the interval.
     Within,
     /// The end of the interval is reached after some seconds.
@@ -122,28 +123,28 @@ enum Progress {
     Rests,
 }
 
-fn advance_within_interval(timeline: &mut Timeline, left: f64) -> Progress {
+fn advance_within_interval(timeline: &mut Timeline, left: f64) -> IntervalEnd {
     let more = timeline.spans.len() > 1;
     let is_held = timeline.compliant().is_some() || timeline.waits_at_gate();
     let Some(front) = timeline.spans.front().filter(|_| !is_held) else {
-        return Progress::Rests;
+        return IntervalEnd::Rests;
     };
     let cursor = &mut timeline.cursor;
     if cursor.elapsed == 0.0 && front.points.get(cursor.point).is_some_and(|point| point.halt) {
-        return Progress::Rests;
+        return IntervalEnd::Rests;
     }
     let Some(interval) = front.interval(cursor.point) else {
-        return if more { Progress::SpanDone } else { Progress::Rests };
+        return if more { IntervalEnd::SpanDone } else { IntervalEnd::Rests };
     };
     let duration = interval.seconds();
     if duration.is_infinite() {
-        return Progress::Rests;
+        return IntervalEnd::Rests;
     }
     if cursor.elapsed + left < duration {
         cursor.elapsed += left;
-        return Progress::Within;
+        return IntervalEnd::Within;
     }
     let used = duration - cursor.elapsed;
     *cursor = Cursor { point: cursor.point + 1, ..Cursor::default() };
-    Progress::Passed(used)
+    IntervalEnd::Passed(used)
 }

@@ -1,4 +1,5 @@
-//! Moves in, samples every 4 ms out: the motion of an arm (chapter 10 of the manual).
+//! Moves in, samples every 4 ms out: the motion of an arm (chapter 10 of the manual). The vocabulary of a move is
+//! defined in `val3-moves` and exported here as well.
 //!
 //! `Move -> Segment -> Span -> Sample` are separate types. The path is geometry alone and is fixed by the moves; speeds
 //! are planned along it afterwards, and an executor follows them.
@@ -56,15 +57,17 @@ mod span;
 mod speed_limit;
 mod speed_limits;
 mod timeline;
-mod units;
 
-pub use self::alteration::{AlterReference, AlterStatus};
+pub use self::alteration::AlterStatus;
 pub use self::blend_fault::blend_fault;
 pub use self::compliant::ExternalForce;
 pub use self::departure::Connection;
 pub use self::fault::{Cause, PathFault};
-pub use self::motion::{Jog, Motion, MotionMode, Phase, Piece, PieceEnd, PieceKind, Sample, Way};
-pub use self::queue::{Corner, Progress, QueuedMove, Shape, Shortening, Step, StepKind};
-pub use self::request::{Blend, Destination, Limits, Manner, Move, MovePath};
+pub use self::motion::{Jog, Motion, MotionMode, PathPiece, PieceEnd, PieceKind, Sample, Way};
+pub use self::queue::{Corner, MoveEvent, MoveEventKind, QueuedMove, Shortening};
+pub use self::request::{Limits, Move};
 pub use self::speed_limit::SpeedLimit;
-pub use self::units::{Degrees, DegreesPerSecond, Millimetres, MillimetresPerSecond, Percent, Seconds};
+pub use val3_moves::{
+    AlterReference, Blend, BlendKind, Degrees, DegreesPerSecond, Manner, Millimetres, MillimetresPerSecond,
+    MotionPhase, MovePath, MoveStage, MoveTarget, PathShape, Percent, Seconds,
+};

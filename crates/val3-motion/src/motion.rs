@@ -9,13 +9,15 @@ mod stepping;
 mod way;
 
 pub use self::jog::Jog;
-pub use self::stepping::{MotionMode, Piece, PieceEnd, PieceKind};
+pub use self::stepping::{MotionMode, PathPiece, PieceEnd, PieceKind};
 pub use self::way::Way;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints};
+use val3_moves::{Manner, MillimetresPerSecond, MotionPhase, MovePath, Percent, Seconds};
 
 use crate::alteration::Alteration;
 use crate::compliant::{ExternalForce, Forces, Glide};
@@ -25,11 +27,10 @@ use crate::executor::{Advance, Executor};
 use crate::fault::{Cause, PathFault};
 use crate::model::{Axes, Model};
 use crate::path::{Determined, Path};
-use crate::queue::{Queue, QueuedMove, Step};
-use crate::request::{Manner, Move};
+use crate::queue::{MoveEvent, Queue, QueuedMove};
+use crate::request::Move;
 use crate::speed_limit::{ActingLimit, SpeedLimit};
 use crate::timeline::Timeline;
-use crate::units::{MillimetresPerSecond, Percent, Seconds};
 
 /// A queue of moves with the state of their execution: plain data, so that a copy is a snapshot.
 #[derive(Clone, Debug)]
@@ -81,46 +82,7 @@ pub struct Sample {
     /// `getMoveId`.
     pub id: f64,
     /// The kind of motion.
-    pub phase: Phase,
-}
-
-/// The kind of motion in a cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Phase {
-    /// It follows the path that a move describes.
-    Nominal,
-    /// It rounds a corner.
-    Blend,
-    /// It deviates from the path that its moves describe.
-    Alter,
-    /// It moves back to where it left its path.
-    Connection,
-    /// A force moves it along its path.
-    Compliant,
-    /// It brakes on its path.
-    Stopping,
-    /// It rests: nothing more is determined, or it is stopped.
-    Waiting,
-}
-
-impl Phase {
-    /// All kinds.
-    pub const ALL: [Self; 7] =
-        [Self::Nominal, Self::Blend, Self::Alter, Self::Connection, Self::Compliant, Self::Stopping, Self::Waiting];
-
-    /// Its name in traces.
-    #[must_use]
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Nominal => "nominal",
-            Self::Blend => "blend",
-            Self::Alter => "alter",
-            Self::Connection => "connection",
-            Self::Compliant => "compliant",
-            Self::Stopping => "stopping",
-            Self::Waiting => "waiting",
-        }
-    }
+    pub phase: MotionPhase,
 }
 
 impl Motion {
@@ -159,6 +121,7 @@ impl Motion {
     /// cannot be followed. Nothing is recorded then.
     pub fn record(&mut self, request: &Move) -> Result<(), Cause> {
         self.check()?;
+        let request = &*self.with_joints(request)?;
         if self.tail().is_open() && matches!(request.manner, Manner::Compliant(_)) {
             return Err(Cause::BlendBeforeCompliant);
         }
@@ -177,6 +140,14 @@ impl Motion {
         self.append(determined, serial);
         self.done_id = request.id + 1.0;
         Ok(())
+    }
+
+    /// The move with a joint position instead of a point as the destination of a joint move. A deferred move keeps this
+    /// joint position, wherever it starts later.
+    fn with_joints<'a>(&self, request: &'a Move) -> Result<Cow<'a, Move>, Cause> {
+        let MovePath::JointToPoint(target) = &request.path else { return Ok(Cow::Borrowed(request)) };
+        let joints = self.tail().joints_at(&Model(&self.arm), target, &request.tool)?;
+        Ok(Cow::Owned(Move { path: MovePath::Joint(joints), ..request.clone() }))
     }
 
     /// The path of a move. Only a fault of the blend before it is left in the result.
@@ -364,7 +335,7 @@ impl Motion {
             Some(motion) => motion.move_on(duration),
             None => self.departure.is_none() && self.move_on(duration),
         };
-        let phase = if moved { self.phase() } else { Phase::Waiting };
+        let phase = if moved { self.phase() } else { MotionPhase::Waiting };
         self.limit(phase);
         self.settle_departure();
         self.commanded = self.axes();
@@ -482,8 +453,8 @@ impl Motion {
     }
 
     /// The steps of the moves since the last call.
-    pub fn take_steps(&mut self) -> Vec<Step> {
-        self.queue.take_steps()
+    pub fn take_events(&mut self) -> Vec<MoveEvent> {
+        self.queue.take_events()
     }
 
     /// Commanded joint position.
@@ -556,16 +527,16 @@ impl Motion {
         }
     }
 
-    fn phase(&self) -> Phase {
+    fn phase(&self) -> MotionPhase {
         match self.timeline.spans.front() {
-            _ if matches!(self.departure, Some(Departure::Connecting(_))) => Phase::Connection,
-            _ if self.departure.is_some() => Phase::Stopping,
-            _ if self.executor.is_halting() => Phase::Stopping,
-            Some(front) if front.is_forgotten => Phase::Stopping,
-            Some(front) if matches!(front.span.manner, Manner::Compliant(_)) => Phase::Compliant,
-            _ if self.alteration.is_some() => Phase::Alter,
-            Some(front) if front.span.is_blend() => Phase::Blend,
-            _ => Phase::Nominal,
+            _ if matches!(self.departure, Some(Departure::Connecting(_))) => MotionPhase::Connection,
+            _ if self.departure.is_some() => MotionPhase::Stopping,
+            _ if self.executor.is_halting() => MotionPhase::Stopping,
+            Some(front) if front.is_forgotten => MotionPhase::Stopping,
+            Some(front) if matches!(front.span.manner, Manner::Compliant(_)) => MotionPhase::Compliant,
+            _ if self.alteration.is_some() => MotionPhase::Alter,
+            Some(front) if front.span.is_blend() => MotionPhase::Blend,
+            _ => MotionPhase::Nominal,
         }
     }
 

@@ -2,18 +2,18 @@
 
 use std::sync::Arc;
 
-use val3_geometry::Line;
-use val3_kinematics::RequestedConfiguration;
+use val3_geometry::{IsometryMatrix3, Line};
+use val3_kinematics::{Joints, RequestedConfiguration};
+use val3_moves::{Blend, Manner, Millimetres, MovePath, MoveTarget};
 
 use crate::alteration::Alteration;
 use crate::blend::{BlendCurve, BlendEnd};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::queue::{Corner, Shortening};
-use crate::request::{Blend, Destination, Limits, Manner, Move, MovePath};
+use crate::request::{Limits, Move};
 use crate::segment::{Corners, PoseCurve, Segment};
 use crate::span::{BlendPart, Curve, Part, Pieces, Span, SpanLimits, SpanRequest};
-use crate::units::Millimetres;
 
 /// An end of a blend is shorter than requested if it is so by more than this, in mm.
 const SHORTER: f64 = 0.1;
@@ -256,12 +256,10 @@ impl Path {
     pub(crate) fn segment(&self, model: &Model<'_>, request: &Move) -> Result<(Segment, Option<Cause>), Cause> {
         let start = self.destination;
         match &request.path {
-            MovePath::Joint(joints) => {
-                let end = model.in_range(joints)?;
-                if request.manner == Manner::Alterable && model.configuration(&end) != model.configuration(&start) {
-                    return Err(Cause::Configuration);
-                }
-                Ok((Segment::joint(model, start, end, request.tool), None))
+            MovePath::Joint(joints) => Ok((self.joint(model, request, joints)?, None)),
+            MovePath::JointToPoint(target) => {
+                let joints = self.joints_at(model, target, &request.tool)?;
+                Ok((self.joint(model, request, &joints)?, None))
             }
             MovePath::Line(destination) => {
                 let line = Line::between(&(model.flange(&start) * request.tool), &destination.pose);
@@ -276,13 +274,36 @@ impl Path {
         }
     }
 
+    /// Joint position with the tool at a point, as a joint move from the end of the path reaches it.
+    ///
+    /// # Errors
+    /// The point cannot be reached in a requested configuration.
+    pub(crate) fn joints_at(
+        &self,
+        model: &Model<'_>,
+        target: &MoveTarget,
+        tool: &IsometryMatrix3<f64>,
+    ) -> Result<Joints, Cause> {
+        let flange = target.pose * tool.inverse();
+        Ok(model.0.solve(&flange.into(), &self.destination.into(), target.configuration)?)
+    }
+
+    /// Nominal path of a joint move.
+    fn joint(&self, model: &Model<'_>, request: &Move, joints: &Joints) -> Result<Segment, Cause> {
+        let (start, end) = (self.destination, model.in_range(joints)?);
+        if request.manner == Manner::Alterable && model.configuration(&end) != model.configuration(&start) {
+            return Err(Cause::Configuration);
+        }
+        Ok(Segment::joint(model, start, end, request.tool))
+    }
+
     /// The nominal path of a Cartesian move whose destination the arm can reach.
     fn cartesian(
         &self,
         model: &Model<'_>,
         request: &Move,
         curve: PoseCurve,
-        destination: &Destination,
+        destination: &MoveTarget,
     ) -> Result<(Segment, Option<Cause>), Cause> {
         let start = self.destination;
         let branch = model.configuration(&start);

@@ -1,13 +1,13 @@
-//! The recorded moves until they are done, and the steps of their execution.
+//! The recorded moves until they are done, and the events of their execution.
 
 use std::collections::VecDeque;
 
 use val3_geometry::{IsometryMatrix3, Vector3};
 use val3_kinematics::Joints;
+use val3_moves::{Millimetres, MoveStage, PathShape, Seconds};
 
-use crate::request::{Move, MovePath};
+use crate::request::Move;
 use crate::span::Part;
-use crate::units::{Millimetres, Seconds};
 
 /// A recorded move that is not done yet.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +17,7 @@ pub struct QueuedMove {
     /// The id that `getMoveId` gives while it is executed.
     pub id: f64,
     /// The shape of its path.
-    pub shape: Shape,
+    pub shape: PathShape,
     /// The tool centre point at its destination, in world.
     pub target: IsometryMatrix3<f64>,
     /// Intermediate point of a circle, in world, in mm; `None` for other shapes.
@@ -30,19 +30,8 @@ pub struct QueuedMove {
     pub reach: Option<Corner>,
     /// Requested leave and reach of a blend that [`Motion::close`](crate::Motion::close) has cancelled.
     pub cancelled: Option<[Millimetres; 2]>,
-    /// How far its execution is.
-    pub progress: Progress,
-}
-
-/// The shape of a move's nominal path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// A straight line in joint space.
-    Joint,
-    /// A straight line of the tool centre point.
-    Line,
-    /// A circle of the tool centre point.
-    Circle,
+    /// Stage of the execution.
+    pub stage: MoveStage,
 }
 
 /// An end of a blend.
@@ -93,26 +82,15 @@ impl Shortening {
     }
 }
 
-/// How far the execution of a move is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Progress {
-    /// It is recorded.
-    Recorded,
-    /// The arm follows its path.
-    Started,
-    /// The arm has left its path to round its corner.
-    Blending,
-}
-
-/// A step of the execution of a move.
+/// Change of the stage of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
+pub struct MoveEvent {
     /// The number of the move.
     pub serial: u64,
     /// Its id.
     pub id: f64,
-    /// The kind of step.
-    pub kind: StepKind,
+    /// Kind of change.
+    pub kind: MoveEventKind,
     /// When, after the beginning of the cycle.
     pub at: Seconds,
     /// Ends of the blend of the move, as in [`QueuedMove`].
@@ -123,17 +101,30 @@ pub struct Step {
     pub cancelled: Option<[Millimetres; 2]>,
 }
 
-/// A kind of step of a move.
+/// Kind of a [`MoveEvent`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StepKind {
-    /// The arm begins to follow its path.
+pub enum MoveEventKind {
+    /// The arm begins to follow the path of the move.
     Started,
-    /// The arm is at its leave point and begins to round its corner.
+    /// The arm is at the leave point and begins the blend.
     Blend,
-    /// The arm is at its reach point, on the path of the next move.
+    /// The arm is at the reach point, on the path of the next move.
     Reached,
-    /// Nothing is left of it.
+    /// The move is executed completely.
     Done,
+}
+
+impl MoveEventKind {
+    /// Name in the event record.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Started => "started",
+            Self::Blend => "blend",
+            Self::Reached => "reached",
+            Self::Done => "done",
+        }
+    }
 }
 
 /// The recorded moves.
@@ -141,7 +132,7 @@ pub enum StepKind {
 pub(crate) struct Queue {
     moves: VecDeque<QueuedMove>,
     recorded: u64,
-    steps: Vec<Step>,
+    events: Vec<MoveEvent>,
 }
 
 impl Queue {
@@ -152,24 +143,19 @@ impl Queue {
 
     /// Adds a move.
     pub(crate) fn record(&mut self, request: &Move, target: IsometryMatrix3<f64>, joints: Joints) {
-        let (shape, intermediate) = match &request.path {
-            MovePath::Joint(_) => (Shape::Joint, None),
-            MovePath::Line(_) => (Shape::Line, None),
-            MovePath::Circle(pose, _) => (Shape::Circle, Some(pose.translation.vector)),
-        };
         let (serial, id) = (self.recorded, request.id);
         self.recorded += 1;
         self.moves.push_back(QueuedMove {
             serial,
             id,
-            shape,
+            shape: request.path.shape(),
             target,
-            intermediate,
+            intermediate: request.path.intermediate().map(|pose| pose.translation.vector),
             joints,
             leave: None,
             reach: None,
             cancelled: None,
-            progress: Progress::Recorded,
+            stage: MoveStage::Recorded,
         });
     }
 
@@ -205,17 +191,17 @@ impl Queue {
         self.moves.clear();
     }
 
-    pub(crate) fn take_steps(&mut self) -> Vec<Step> {
-        std::mem::take(&mut self.steps)
+    pub(crate) fn take_events(&mut self) -> Vec<MoveEvent> {
+        std::mem::take(&mut self.events)
     }
 
     /// The arm begins with a part of the path.
     pub(crate) fn begin(&mut self, part: &Part, at: Seconds) {
         match part {
-            Part::Nominal { serial, .. } => self.advance(*serial, Progress::Started, StepKind::Started, at),
+            Part::Nominal { serial, .. } => self.advance(*serial, MoveStage::Started, MoveEventKind::Started, at),
             Part::Blend { from, .. } => {
-                self.advance(from.serial, Progress::Started, StepKind::Started, at);
-                self.advance(from.serial, Progress::Blending, StepKind::Blend, at);
+                self.advance(from.serial, MoveStage::Started, MoveEventKind::Started, at);
+                self.advance(from.serial, MoveStage::Blending, MoveEventKind::Blend, at);
             }
         }
     }
@@ -225,9 +211,9 @@ impl Queue {
         match part {
             Part::Nominal { serial, .. } => self.finish(*serial, at),
             Part::Blend { from, to } => {
-                self.step(from.serial, StepKind::Reached, at);
+                self.emit(from.serial, MoveEventKind::Reached, at);
                 self.finish(from.serial, at);
-                self.advance(to.serial, Progress::Started, StepKind::Started, at);
+                self.advance(to.serial, MoveStage::Started, MoveEventKind::Started, at);
             }
         }
     }
@@ -240,28 +226,28 @@ impl Queue {
     }
 
     /// A move gets on, so those before it are done.
-    fn advance(&mut self, serial: u64, progress: Progress, kind: StepKind, at: Seconds) {
+    fn advance(&mut self, serial: u64, stage: MoveStage, kind: MoveEventKind, at: Seconds) {
         if let Some(before) = serial.checked_sub(1) {
             self.finish(before, at);
         }
-        if let Some(queued) = self.at(serial).filter(|queued| queued.progress < progress) {
-            queued.progress = progress;
-            self.step(serial, kind, at);
+        if let Some(queued) = self.at(serial).filter(|queued| queued.stage < stage) {
+            queued.stage = stage;
+            self.emit(serial, kind, at);
         }
     }
 
     /// A move is done, and with it those before it.
     fn finish(&mut self, serial: u64, at: Seconds) {
         while let Some(first) = self.moves.front().filter(|first| first.serial <= serial).map(|first| first.serial) {
-            self.advance(first, Progress::Started, StepKind::Started, at);
-            self.step(first, StepKind::Done, at);
+            self.advance(first, MoveStage::Started, MoveEventKind::Started, at);
+            self.emit(first, MoveEventKind::Done, at);
             self.moves.pop_front();
         }
     }
 
-    fn step(&mut self, serial: u64, kind: StepKind, at: Seconds) {
+    fn emit(&mut self, serial: u64, kind: MoveEventKind, at: Seconds) {
         if let Some(&mut QueuedMove { id, leave, reach, cancelled, .. }) = self.at(serial) {
-            self.steps.push(Step { serial, id, kind, at, leave, reach, cancelled });
+            self.events.push(MoveEvent { serial, id, kind, at, leave, reach, cancelled });
         }
     }
 

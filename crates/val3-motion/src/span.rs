@@ -15,13 +15,14 @@ pub(crate) use reduction::Reduction;
 use std::sync::Arc;
 
 use val3_geometry::{IsometryMatrix3, Vector3};
+use val3_moves::Manner;
 
 use self::knots::LimitedKnots;
 use crate::blend::BlendCurve;
 use crate::bounds::{Bounds, BoundsTable, IntervalEnd};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
-use crate::request::{Limits, Manner};
+use crate::request::Limits;
 use crate::segment::Segment;
 
 /// Values of p that differ by less are one, as are places between knots.

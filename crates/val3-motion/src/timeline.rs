@@ -3,11 +3,11 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
+use val3_moves::{Manner, Percent};
+
 use crate::bounds::Bounds;
 use crate::compliant::Glide;
-use crate::request::Manner;
 use crate::span::{Reduction, Span};
-use crate::units::Percent;
 
 /// Spans with their speeds, and how far the arm is. The first span is the one that is executed.
 #[derive(Clone, Debug, Default)]

@@ -1,24 +1,24 @@
 //! Colours of motion.
 
-use val3_motion::{Phase, SpeedLimit};
+use val3_motion::{MotionPhase, SpeedLimit};
 
 /// Phases with their colours, which are distinguishable with any kind of colour vision (Okabe and Ito), and their
 /// names.
-pub(crate) const PHASES: [(Phase, &str, &str); 7] = [
-    (Phase::Nominal, "#0072b2", "path of a move"),
-    (Phase::Blend, "#e69f00", "blend"),
-    (Phase::Connection, "#cc79a7", "connection move"),
-    (Phase::Alter, "#009e73", "altered"),
-    (Phase::Compliant, "#56b4e9", "compliant"),
-    (Phase::Stopping, "#d55e00", "stopping"),
-    (Phase::Waiting, "#999999", "waiting"),
+pub(crate) const PHASES: [(MotionPhase, &str, &str); 7] = [
+    (MotionPhase::Nominal, "#0072b2", "path of a move"),
+    (MotionPhase::Blend, "#e69f00", "blend"),
+    (MotionPhase::Connection, "#cc79a7", "connection move"),
+    (MotionPhase::Alter, "#009e73", "altered"),
+    (MotionPhase::Compliant, "#56b4e9", "compliant"),
+    (MotionPhase::Stopping, "#d55e00", "stopping"),
+    (MotionPhase::Waiting, "#999999", "waiting"),
 ];
 
 /// Style of a recorded motion: a wide band below the present motion, so that both are visible where they are equal.
 pub(crate) const REFERENCE: &str = "stroke:#c9c9c9;stroke-width:7;stroke-linejoin:round;stroke-linecap:round";
 
 /// Returns the colour of a phase.
-pub(crate) fn colour(phase: Phase) -> &'static str {
+pub(crate) fn colour(phase: MotionPhase) -> &'static str {
     PHASES.iter().find(|(known, ..)| *known == phase).map_or("#000000", |(_, colour, _)| colour)
 }
 

@@ -2,7 +2,7 @@
 
 use crate::canvas::Canvas;
 use crate::colours::{PHASES, REFERENCE};
-use crate::{Phase, Picture, Sample, marks};
+use crate::{MotionPhase, Picture, Sample, marks};
 
 /// Function that draws a mark at the coordinates.
 type DrawMark = fn(&mut Canvas, [f64; 2]);
@@ -39,7 +39,9 @@ fn summary(picture: &Picture) -> String {
 
 /// Draws the colours of the paths that occur.
 fn paths(picture: &Picture, canvas: &mut Canvas) {
-    let used = |phase: &Phase| *phase != Phase::Waiting && picture.samples.iter().any(|sample| sample.phase == *phase);
+    let used = |phase: &MotionPhase| {
+        *phase != MotionPhase::Waiting && picture.samples.iter().any(|sample| sample.phase == *phase)
+    };
     let mut x = LEGEND;
     for (_, colour, name) in PHASES.iter().filter(|(phase, ..)| used(phase)) {
         canvas.line([x, 30.0], [x + 26.0, 30.0], &format!("stroke:{colour};stroke-width:3"));

@@ -14,7 +14,7 @@ mod thinning;
 mod ticks;
 mod views;
 
-pub use val3_motion::{Phase, SpeedLimit};
+pub use val3_motion::{MotionPhase, SpeedLimit};
 
 pub use picture::{Axis, Deviation, Mark, MoveLimits, Picture, Sample};
 pub use thinning::significant;

@@ -1,6 +1,6 @@
 //! Data of a picture.
 
-use val3_motion::{Phase, SpeedLimit};
+use val3_motion::{MotionPhase, SpeedLimit};
 
 /// Data of a run's picture.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -69,7 +69,7 @@ pub struct Sample {
     /// Rotation speed of the tool, in degrees per second.
     pub rotation: f64,
     /// Kind of motion.
-    pub phase: Phase,
+    pub phase: MotionPhase,
     /// Limit that determines the speed from this sample to the next; `None` if unknown.
     pub limit: Option<SpeedLimit>,
 }

@@ -25,7 +25,7 @@ fn limits() -> impl Iterator<Item = SpeedLimit> {
 fn line() -> Picture {
     let sample = |index: u32| {
         let x = f64::from(index) * 10.0;
-        let phase = if index > 5 { Phase::Blend } else { Phase::Nominal };
+        let phase = if index > 5 { MotionPhase::Blend } else { MotionPhase::Nominal };
         Sample {
             t: f64::from(index) * 0.004,
             joints: [x / 10.0; 6],
@@ -76,7 +76,7 @@ fn a_line_in_a_plane() {
         <text x="563.0" y="88.0" class="label">front: x, z (mm)</text>"#]]
     .assert_eq(&texts.iter().take(3).copied().collect::<Vec<_>>().join("\n"));
     let drawn = |colour: &str| svg.lines().filter(|line| line.contains("<path") && line.contains(colour)).count();
-    assert!(drawn(colour(Phase::Nominal)) >= 3 && drawn(colour(Phase::Blend)) >= 3);
+    assert!(drawn(colour(MotionPhase::Nominal)) >= 3 && drawn(colour(MotionPhase::Blend)) >= 3);
     assert!(svg.contains("<title>cell &amp; &lt;table&gt;</title>"));
 }
 
@@ -112,7 +112,7 @@ fn an_hour_of_motion_is_a_small_file() {
             position,
             speed: 166.0,
             rotation: 0.0,
-            phase: Phase::Nominal,
+            phase: MotionPhase::Nominal,
             limit: limits().nth(index as usize % 20),
         }
     };

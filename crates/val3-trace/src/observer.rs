@@ -8,7 +8,7 @@ use val3_lang::values::MdescValue;
 use val3_machine::arm::MoveOrigin;
 use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
-use val3_motion::{Phase, Progress, QueuedMove};
+use val3_motion::{MotionPhase, MoveStage, QueuedMove};
 use val3_plot::{Axis, Mark, MoveLimits, Picture, Sample};
 
 use crate::row::Row;
@@ -54,16 +54,16 @@ impl PictureObserver {
         let seen = arm.sample();
         let position = seen.pose.translation.vector.into();
         let (joints, speed, phase) = (seen.joints, seen.speed.0, seen.phase);
-        let rotation = if phase == Phase::Waiting { 0.0 } else { self.rotation(arm.model(), t, &joints) };
+        let rotation = if phase == MotionPhase::Waiting { 0.0 } else { self.rotation(arm.model(), t, &joints) };
         self.last = Some((t, joints));
         let sample = Sample { t, joints, position, speed, rotation, phase, limit: Some(arm.speed_limit()) };
-        if phase != Phase::Waiting {
+        if phase != MotionPhase::Waiting {
             // The pose at rest belongs to the previous tool.
             self.picture
                 .samples
                 .extend(self.resting.take().map(|resting| Sample { position: sample.position, ..resting }));
             self.picture.samples.push(sample);
-        } else if self.picture.samples.last().is_some_and(|last| last.phase != Phase::Waiting) {
+        } else if self.picture.samples.last().is_some_and(|last| last.phase != MotionPhase::Waiting) {
             self.picture.samples.push(sample);
         } else {
             self.resting = Some(sample);
@@ -94,10 +94,10 @@ impl PictureObserver {
             // A cancelled blend is not drawn.
             let blend = queued.leave.map(|_| controller.devices.blend_of(queued, origin)).unwrap_or_default();
             (mark.note, mark.explanation) = (blend.short_note(), blend.note());
-            if queued.progress >= Progress::Started {
+            if queued.stage >= MoveStage::Started {
                 mark.started.get_or_insert(t);
             }
-            if queued.progress >= Progress::Blending {
+            if queued.stage >= MoveStage::Blending {
                 mark.blended.get_or_insert(t);
             }
         }

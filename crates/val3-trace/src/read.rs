@@ -6,7 +6,7 @@ use std::fmt;
 use val3_geometry::Trsf;
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::event::seconds;
-use val3_motion::{Phase, SpeedLimit};
+use val3_motion::{MotionPhase, SpeedLimit};
 
 use crate::row::{Row, Trace};
 use crate::write::{ARM, head, head_with_limit};
@@ -119,10 +119,10 @@ impl<'a, I: Iterator<Item = (&'a str, &'a str)>> Columns<I> {
         SpeedLimit::named(text).map(drop).ok_or_else(|| format!("column {name}: `{text}` is no limit of the speed"))
     }
 
-    fn phase(&mut self) -> Result<Phase, String> {
+    fn phase(&mut self) -> Result<MotionPhase, String> {
         let (name, text) = self.next();
-        let words = Phase::ALL.map(Phase::word);
-        let phase = Phase::ALL.into_iter().find(|phase| phase.word() == text);
+        let words = MotionPhase::ALL.map(MotionPhase::word);
+        let phase = MotionPhase::ALL.into_iter().find(|phase| phase.word() == text);
         phase.ok_or_else(|| format!("column {name}: `{text}` is none of {}", words.join(", ")))
     }
 }

@@ -3,7 +3,7 @@
 use val3_geometry::{IsometryMatrix3, Vector3};
 use val3_kinematics::Joints;
 use val3_lang::ports::Time;
-use val3_motion::{Phase, Sample};
+use val3_motion::{MotionPhase, Sample};
 
 /// A recorded motion.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -24,7 +24,7 @@ pub struct Row {
     /// Move id, as returned by `getMoveId`.
     pub id: f64,
     /// Kind of motion.
-    pub phase: Phase,
+    pub phase: MotionPhase,
     /// Commanded joint position.
     pub joints: Joints,
     /// Pose of the tool centre point in world, in mm.
@@ -53,7 +53,7 @@ impl Row {
     /// Whether the arm has moved in the cycle.
     #[must_use]
     pub fn is_moving(&self) -> bool {
-        self.phase != Phase::Waiting
+        self.phase != MotionPhase::Waiting
     }
 
     /// Returns the integer part of the id during the move: at the end of move 4, `getMoveId` is already 5.

@@ -1,7 +1,7 @@
 //! Small traces for tests.
 
 use val3_geometry::{IsometryMatrix3, Trsf};
-use val3_motion::Phase;
+use val3_motion::MotionPhase;
 
 use crate::row::{Row, Trace};
 
@@ -13,7 +13,7 @@ pub(crate) fn line(count: usize) -> Vec<Row> {
         Row {
             time: index as u64 * 4_000_000,
             id: 1.0 + (x / 10.0).max(0.05),
-            phase: Phase::Nominal,
+            phase: MotionPhase::Nominal,
             joints: [x, 0.0, 0.0, 0.0, 0.0, 0.0],
             pose: Trsf::new([x, 0.0, 0.0], [0.0; 3]).isometry(),
             speed: 250.0,

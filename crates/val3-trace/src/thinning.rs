@@ -45,14 +45,15 @@ fn from_moment(row: &Row, from: &Row, to: &Row) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use val3_motion::Phase;
+    use val3_motion::MotionPhase;
 
     use super::*;
     use crate::testing::{at, line, trace};
 
     #[test]
     fn ends_of_moves_and_rests_stay() {
-        let phases = [Phase::Nominal; 12].into_iter().chain([Phase::Blend; 5]).chain([Phase::Waiting; 2]);
+        let phases =
+            [MotionPhase::Nominal; 12].into_iter().chain([MotionPhase::Blend; 5]).chain([MotionPhase::Waiting; 2]);
         let rows = line(19).into_iter().zip(phases);
         let rows: Vec<Row> = rows.map(|(row, phase)| Row { phase, ..row }).collect();
         let kept: Vec<usize> = trace(&rows).thinned().rows.iter().map(|row| row.time as usize / 4_000_000).collect();

@@ -61,14 +61,14 @@ pub(crate) fn differs(recorded: Time, present: Time, tolerance: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use val3_motion::Phase;
+    use val3_motion::MotionPhase;
 
     use super::*;
     use crate::testing::line;
 
     const MS: Time = 1_000_000;
 
-    fn rows(states: &[(Time, Phase)]) -> Vec<Row> {
+    fn rows(states: &[(Time, MotionPhase)]) -> Vec<Row> {
         let rows = line(states.len()).into_iter().zip(states);
         rows.map(|(row, (ms, phase))| Row { time: ms * MS, phase: *phase, ..row }).collect()
     }
@@ -79,8 +79,8 @@ mod tests {
 
     #[test]
     fn rows_that_were_left_out_count() {
-        let (moves, rests) = (Phase::Nominal, Phase::Waiting);
-        let states = [(100, moves), (120, Phase::Blend), (124, rests), (200, moves), (204, moves), (208, rests)];
+        let (moves, rests) = (MotionPhase::Nominal, MotionPhase::Waiting);
+        let states = [(100, moves), (120, MotionPhase::Blend), (124, rests), (200, moves), (204, moves), (208, rests)];
         let rows = rows(&states);
         assert_eq!(Times::of(&rows, 0..6), times(4 + 20 + 4 + 4, 76));
         assert_eq!(Times::of(&rows, 0..3), times(24, 0));
@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn every_cycle_may_have_a_row() {
-        let (moves, rests) = (Phase::Nominal, Phase::Waiting);
+        let (moves, rests) = (MotionPhase::Nominal, MotionPhase::Waiting);
         let rows = rows(&[(0, rests), (4, rests), (8, moves), (12, moves), (16, rests), (20, rests)]);
         assert_eq!(Times::of(&rows, 0..6), times(8, 12));
     }

@@ -8,7 +8,7 @@ use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
 use val3_machine::controller::{CodeSource, Controller};
 use val3_machine::event::{EndReason, Event, EventKind, seconds};
-use val3_motion::{Phase, Sample, SpeedLimit};
+use val3_motion::{MotionPhase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
 use crate::message::Message;
@@ -222,7 +222,7 @@ impl Feed {
         let tool = controller.devices.state.arm.model().flange(&sample.joints).inverse() * sample.pose;
         let tool = self.tool(&tool, controller);
         let source = match sample.phase {
-            Phase::Waiting => NO_SOURCE,
+            MotionPhase::Waiting => NO_SOURCE,
             _ => {
                 let piece = controller.motion_status().piece;
                 self.number_of(piece.and_then(|piece| piece.source).as_ref())

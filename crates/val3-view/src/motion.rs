@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use val3_geometry::Vector3;
 use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
-use val3_motion::{Progress, Way};
+use val3_motion::{MoveStage, Way};
 
 use crate::coordinates;
 
@@ -21,7 +21,7 @@ const PRECISION: f64 = 0.01;
 pub(crate) struct MotionKey {
     revision: u64,
     moves: usize,
-    present: Option<(u64, Progress)>,
+    present: Option<(u64, MoveStage)>,
     is_away: bool,
 }
 
@@ -32,7 +32,7 @@ impl MotionKey {
         Self {
             revision: arm.motion().revision(),
             moves: moves.len(),
-            present: arm.motion().moves().next().map(|queued| (queued.serial, queued.progress)),
+            present: arm.motion().moves().next().map(|queued| (queued.serial, queued.stage)),
             is_away: arm.is_away(),
         }
     }
@@ -55,7 +55,7 @@ fn recorded(queued: &RecordedMove, source: u16) -> Value {
         "id": queued.id,
         "type": queued.source.as_ref().map(|source| source.instruction),
         "source": source,
-        "phase": queued.phase.word(),
+        "phase": queued.stage.word(),
         "target": coordinates(&queued.target),
         "leave": queued.leave.as_ref().map(pose),
         "reach": queued.reach.as_ref().map(pose),

@@ -75,7 +75,7 @@ fn number_of(limit: SpeedLimit) -> u8 {
 
 #[cfg(test)]
 mod tests {
-    use val3_motion::{MillimetresPerSecond, Phase};
+    use val3_motion::{MillimetresPerSecond, MotionPhase};
 
     use super::*;
 
@@ -87,7 +87,7 @@ mod tests {
             joints: [1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
             id: 7.5,
             speed: MillimetresPerSecond(250.0),
-            phase: Phase::Stopping,
+            phase: MotionPhase::Stopping,
             pose: val3_geometry::IsometryMatrix3::identity(),
         };
         batch.add(4_000_000, &sample, SpeedLimit::Translation, (2, 300));

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
-use val3_motion::Phase;
+use val3_motion::MotionPhase;
 
 use crate::positions::{self, Positions};
 use crate::samples::limit_names;
@@ -13,8 +13,15 @@ use crate::{arm, signals};
 const VERSION: u32 = 1;
 
 /// The phases of motion by their numbers in samples.
-const PHASES: [Phase; 7] =
-    [Phase::Nominal, Phase::Blend, Phase::Alter, Phase::Connection, Phase::Compliant, Phase::Stopping, Phase::Waiting];
+const PHASES: [MotionPhase; 7] = [
+    MotionPhase::Nominal,
+    MotionPhase::Blend,
+    MotionPhase::Alter,
+    MotionPhase::Connection,
+    MotionPhase::Compliant,
+    MotionPhase::Stopping,
+    MotionPhase::Waiting,
+];
 
 /// First message for a page: the application, its arm, positions and signals. `role` is the reader's role.
 #[must_use]
@@ -36,7 +43,7 @@ pub fn scene(controller: &Controller, role: &str) -> Value {
         "joints": of_type(BaseType::Joint),
         "signals": signals::described(&controller.devices.state.io, &names),
         "lines": signals::lines(controller),
-        "phases": PHASES.map(Phase::word),
+        "phases": PHASES.map(MotionPhase::word),
         "limits": limit_names(),
     })
 }

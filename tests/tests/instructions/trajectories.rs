@@ -1,7 +1,7 @@
 //! Programs in 10.1.2 and 10.6 of the manual. The arm is a TX2-90.
 
 use val3_geometry::Vector3;
-use val3_motion::{Phase, Sample};
+use val3_motion::{MotionPhase, Sample};
 use val3_tests::running::Running;
 
 /// The arm is at `pPick`, and `pDepart`, `pAppro` and `pPlace` form a U of 250, 600 and 250 mm.
@@ -62,7 +62,7 @@ fn blends_make_the_cycle_faster() {
     assert!(nearest(&samples, end) < 1e-6);
     let missed = [depart, appro].map(|corner| nearest(&samples, corner));
     assert!(missed.iter().all(|missed| *missed > 5.0), "{missed:?}");
-    let blended = samples.iter().filter(|sample| sample.phase == Phase::Blend);
+    let blended = samples.iter().filter(|sample| sample.phase == MotionPhase::Blend);
     let least = blended.map(|sample| sample.speed.0).fold(f64::INFINITY, f64::min);
     assert!(least > 500.0, "{least}");
     assert_eq!((stops.as_str(), blends.as_str()), ("1.016\n", "0.844\n"));

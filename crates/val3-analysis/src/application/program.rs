@@ -3,7 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 use val3_lang::instructions::{GET_DATA, SET_MUTEX, TASK_KILL, TASK_STATUS, shows_named_page};
-use val3_lang::motion::{MotionRole, role};
+use val3_lang::motion::MotionRole;
 
 use super::task_starts::{TaskStart, never_ends};
 use super::{Callee, locks};
@@ -97,7 +97,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
             && text_faults(db, file).errors.is_empty()
             && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
         libraries: libraries(body),
-        restarts_arm: calls.iter().any(|call| role(call.instruction) == Some(MotionRole::Restart)),
+        restarts_arm: calls.iter().any(|call| call.instruction.role == Some(MotionRole::Restart)),
         takes_mutex: calls_of(SET_MUTEX).next().is_some(),
         shows_page: calls.iter().any(|call| call.form.is_some_and(|form| shows_named_page(call.instruction, form))),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),

@@ -3,6 +3,7 @@
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_lang::builtins::{self, Builtin};
+use val3_lang::data_path::DataPath;
 use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
 
@@ -66,9 +67,10 @@ fn collect(element: Element<'_>, names: &mut FxHashSet<SmolStr>) {
     element.elements().for_each(|inner| collect(inner, names));
 }
 
-/// Returns the name before the first index, field or colon.
+/// Returns the first name of a reference: of the library, or of the data.
 pub(crate) fn root(reference: &str) -> &str {
-    reference.split(['[', '.', ':']).next().unwrap_or(reference).trim()
+    let path = DataPath::new(reference);
+    path.library().unwrap_or(path.root()).trim()
 }
 
 const FATHER: &str = "fatherId";

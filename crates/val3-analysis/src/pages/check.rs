@@ -2,6 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
+use val3_lang::data_path::DataPath;
 use val3_lang::instruction::Instruction;
 use val3_lang::instructions::{self, shows_named_page};
 use val3_lang::suggest::nearest;
@@ -13,7 +14,6 @@ use crate::body::{Expr, ExprId, body};
 use crate::data_check::{ReferencePart, steps};
 use crate::db::{Db, File, FileRange, FileStatus, Project};
 use crate::items::project::{DataItem, Items, fields, items, program_files, signature};
-use crate::occurrences::library;
 use crate::problem::{PageFault, Problem, ProblemKind};
 use crate::resizing::is_resized;
 use crate::ty::Base;
@@ -86,7 +86,9 @@ impl PageCheck<'_> {
     /// Checks the data path of a binding. Library items are not checked, because the page may be used with another
     /// library of the interface.
     fn data(&mut self, bound: &BoundData) {
-        let Some(path) = bound.path.as_ref().filter(|path| library(&path.text).is_none()) else { return };
+        let Some(path) = bound.path.as_ref().filter(|path| DataPath::new(&path.text).library().is_none()) else {
+            return;
+        };
         if let Some(fault) = self.path_fault(&path.text, bound.attribute.as_ref()) {
             self.report(self.file, path.range, fault);
         }

@@ -14,6 +14,7 @@ use val3_analysis::reach::reach;
 use val3_analysis::targets::targets;
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Joints, RequestedConfiguration, Unreachable};
+use val3_lang::data_path::DataPath;
 use val3_lang::types::{self, BaseType};
 
 use super::ProjectView;
@@ -155,5 +156,5 @@ fn constant_placement(view: &ProjectView<'_>, path: &str) -> Option<IsometryMatr
 
 /// The name of the data that a path starts with.
 pub(super) fn root(path: &str) -> &str {
-    path.split('[').next().unwrap_or(path)
+    DataPath::new(path).before_index()
 }

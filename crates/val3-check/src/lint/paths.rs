@@ -16,8 +16,8 @@ use val3_kinematics::{Arm, Joints, Request, RequestedConfiguration};
 use val3_lang::motion::{self, MotionRole, Path, keeps_configuration, moves_along_own_axes};
 use val3_lang::types::BaseType;
 use val3_motion::{
-    Blend, Cause, DegreesPerSecond, Destination, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move,
-    MovePath, blend_fault,
+    Blend, Cause, DegreesPerSecond, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath,
+    MoveTarget, blend_fault,
 };
 
 use super::arm::{is_for, of_project, root};
@@ -206,7 +206,7 @@ impl PathCheck<'_, '_> {
         let flange = target.pose * tool.inverse();
         // Another rule reports a point that the arm cannot reach.
         reach(self.arm, &flange, target.configuration).ok()?;
-        let destination = Destination { pose: target.pose, configuration: target.configuration };
+        let destination = MoveTarget { pose: target.pose, configuration: target.configuration };
         let through = self.intermediate(call)?;
         let shape = if through.is_some() { Shape::Circle } else { Shape::Line };
         let path = match through {

@@ -13,7 +13,6 @@ use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items, resolve_type};
 use val3_analysis::ty::Base;
 use val3_config::Options;
-use val3_lang::motion::role;
 use val3_lang::types::BaseType;
 use val3_syntax::{TextRange, text_at};
 
@@ -124,7 +123,7 @@ impl<'db> Program<'db> {
     fn call(&self, call: &InstructionCall) -> Option<Call<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call.id) else { return None };
         let InstructionCall { id, instruction, form } = *call;
-        Some(Call { id, instruction, form, callee: *callee, args, role: role(instruction) })
+        Some(Call { id, instruction, form, callee: *callee, args, role: instruction.role })
     }
 
     /// Location of the program's name.

@@ -3,6 +3,7 @@
 use rustc_hash::FxHashSet;
 use val3_analysis::items::declarations;
 use val3_lang::builtins;
+use val3_lang::data_path::DataPath;
 use val3_lang::motion::missing_reference;
 use val3_lang::types::BaseType;
 
@@ -57,7 +58,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for call in program.calls() {
         for (arg, ty) in needed(call) {
             let name = program.text(arg);
-            let data = name.split('[').next().unwrap_or(name);
+            let data = DataPath::new(name).before_index();
             let lacks = program.initial(arg).is_some_and(|initial| !initial.has_father);
             if !lacks || is_built_in(data, ty) || !told.insert(name) {
                 continue;

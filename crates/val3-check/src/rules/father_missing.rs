@@ -1,5 +1,7 @@
 //! V0520: a father that does not exist.
 
+use val3_lang::data_path::DataPath;
+
 use crate::{
     diagnostic::{Fix, Wording},
     fix::{Site, rename},
@@ -64,7 +66,7 @@ pub(crate) fn word(father: &str, near: Option<&str>) -> Wording {
 
 /// Replaces the name by the similar name and keeps the index.
 pub(crate) fn fix(site: &Site<'_>, father: &str, near: Option<&str>) -> Option<Fix> {
-    let name = father.split_once('[').map_or(father, |(name, _)| name);
+    let name = DataPath::new(father).before_index();
     // The similar name belongs to one part of a longer reference, and the fault does not include which one.
     let is_one_step = !father.contains('.');
     is_one_step.then(|| rename(site, name, near)).flatten()

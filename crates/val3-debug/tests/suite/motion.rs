@@ -3,8 +3,8 @@
 use expect_test::{Expect, expect};
 use val3_debug::{Breakpoint, BreakpointId, Debugger, MotionStop, PastLimits, Progress, StepKind, Stop, frames};
 use val3_lang::ports::TaskNumber;
-use val3_machine::arm::{ArmHold, MotionMode};
-use val3_machine::controller::{MovePhase, Outcome};
+use val3_machine::arm::{ArmHold, MotionMode, MoveStage};
+use val3_machine::controller::Outcome;
 use val3_session::Pace;
 use val3_tests::running::Running;
 
@@ -403,7 +403,7 @@ fn the_queue_lists_each_move() {
             ("movej", "start", first + 4 + number as u32)
         );
         assert_eq!((queued.serial, queued.id), (number as u64, number as f64));
-        assert_eq!(queued.phase, if number == 0 { MovePhase::Nominal } else { MovePhase::Waiting });
+        assert_eq!(queued.stage, if number == 0 { MoveStage::Started } else { MoveStage::Recorded });
         assert!(queued.descriptor.is_some_and(|mdesc| mdesc.vel == 100.0 && mdesc.leave == 50.0));
         let leave = queued.leave.unwrap();
         let distance = |pose: &val3_geometry::IsometryMatrix3<f64>| {

@@ -5,6 +5,7 @@ use std::marker::PhantomData;
 use val3_geometry::Trsf;
 
 use super::{Argument, Call};
+use crate::enumerations;
 use crate::fault::{Fault, Result};
 use crate::memory::{Link, Memory, Place, Slot, View};
 use crate::types::BaseType;
@@ -162,12 +163,13 @@ impl StoredValue for MdescValue {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         let [accel, vel, decel, tvel, rvel, blend, leave, reach] = memory.nums(at, 0)?;
-        Ok(Self { accel, vel, decel, tvel, rvel, blend, leave, reach })
+        Ok(Self { accel, vel, decel, tvel, rvel, blend: enumerations::blend_of(blend), leave, reach })
     }
 
     #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
         let Self { accel, vel, decel, tvel, rvel, blend, leave, reach } = self;
+        let blend = enumerations::blend_number(blend);
         memory.set_nums(at, 0, [accel, vel, decel, tvel, rvel, blend, leave, reach])
     }
 }

@@ -4,66 +4,25 @@
 //! millimetres; those that the arm lacks are 0.
 
 use val3_geometry::IsometryMatrix3;
-use val3_kinematics::{Arm, Dh, RequestedConfiguration};
+use val3_kinematics::{Arm, Dh};
+use val3_moves::{AlterReference, Manner, MovePath};
 
 use crate::fault::Result;
 use crate::values::MdescValue;
 
-/// A move as an instruction records it.
+/// Move as an instruction requests it.
 #[derive(Debug, Clone)]
 pub struct MoveRequest {
-    /// Its instruction: `movel`.
+    /// Name of the instruction: `movel`.
     pub instruction: &'static str,
-    /// Where to, and on which path.
-    pub path: RequestedPath,
+    /// Path with its destination.
+    pub path: MovePath,
     /// The tool centre point.
     pub tool: IsometryMatrix3<f64>,
     /// Speeds, accelerations and blend; lengths in millimetres.
     pub descriptor: MdescValue,
     /// How the arm follows the path.
     pub manner: Manner,
-}
-
-/// The path of a move, with its target.
-#[derive(Debug, Clone)]
-pub enum RequestedPath {
-    /// A straight line in joint space to a joint position.
-    Joint([f64; 6]),
-    /// A straight line in joint space to a point.
-    JointToPoint(PointTarget),
-    /// A straight line of the tool centre point.
-    Line(PointTarget),
-    /// A circle of the tool centre point through a pose.
-    Circle(IsometryMatrix3<f64>, PointTarget),
-}
-
-/// A point as the target of a move.
-#[derive(Debug, Clone)]
-pub struct PointTarget {
-    /// The tool centre point.
-    pub pose: IsometryMatrix3<f64>,
-    /// The configurations in which the arm may reach it.
-    pub configuration: RequestedConfiguration,
-}
-
-/// How the arm follows the path of a move.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Manner {
-    /// Exactly.
-    Rigid,
-    /// It yields to forces (11.1); the force is per cent of the nominal load.
-    Compliant(f64),
-    /// `alter` may deviate it (11.2).
-    Alterable,
-}
-
-/// What `alter` transformations refer to (11.2.6).
-#[derive(Debug, Clone)]
-pub enum AlterReference {
-    /// A frame, by its pose.
-    Frame(IsometryMatrix3<f64>),
-    /// A tool, by its pose on the flange.
-    Tool(IsometryMatrix3<f64>),
 }
 
 /// The arm.

@@ -2,13 +2,14 @@
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Dh};
+use val3_moves::AlterReference;
 
 use super::outside::NoController;
 use crate::fault::Result;
 use crate::memory::Place;
 use crate::ports::{
-    AlterReference, InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, MoveRequest, Outgoing, Reply,
-    Robot, Screen, Serial, Time,
+    InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, MoveRequest, Outgoing, Reply, Robot, Screen,
+    Serial, Time,
 };
 use crate::types::BaseType;
 use crate::values::date::DateTime;

@@ -1,5 +1,7 @@
 //! Motion descriptors (10.5) as used by moves.
 
+use val3_moves::BlendKind;
+
 use crate::fault::{Fault, Result};
 use crate::runtime_errors::{BAD_ACCEL, BAD_DECEL, BAD_LEAVE, BAD_REACH, BAD_RVEL, BAD_TVEL, BAD_VEL};
 
@@ -23,8 +25,8 @@ pub struct MdescValue {
     pub tvel: f64,
     /// Maximum rotation speed of the tool in degrees/s.
     pub rvel: f64,
-    /// `joint` 0, `off` 1, `Cartesian` 2.
-    pub blend: f64,
+    /// Kind of the blend at the target.
+    pub blend: BlendKind,
     /// Distance before the target at which blending starts, in mm.
     pub leave: f64,
     /// Distance after the target at which blending ends, in mm.
@@ -60,7 +62,7 @@ impl MdescValue {
 
 #[cfg(test)]
 mod tests {
-    use super::MdescValue;
+    use super::{BlendKind, MdescValue};
     use crate::fault::Fault;
 
     const PLAIN: MdescValue = MdescValue {
@@ -69,7 +71,7 @@ mod tests {
         decel: 100.0,
         tvel: 99_999.0,
         rvel: 99_999.0,
-        blend: 0.0,
+        blend: BlendKind::Joint,
         leave: 50.0,
         reach: 50.0,
     };

@@ -1,7 +1,8 @@
 //! Moves whose motion descriptor allows more than the maximum speed of an axis.
 
 use val3_kinematics::{ExcessSpeed, Joints};
-use val3_lang::ports::{CodePlace, MoveRequest, RequestedPath};
+use val3_lang::ports::{CodePlace, MoveRequest};
+use val3_motion::PathShape;
 
 use super::RobotArm;
 
@@ -13,7 +14,7 @@ impl RobotArm {
     /// an earlier move of the line did.
     pub(crate) fn excess_speed(&mut self, request: &MoveRequest, start: &Joints, at: CodePlace) -> Option<ExcessSpeed> {
         let end = self.motion.destination();
-        let is_circle = matches!(request.path, RequestedPath::Circle(..));
+        let is_circle = request.path.shape() == PathShape::Circle;
         let is_moving = |axis: usize| {
             let way = start.get(axis).zip(end.get(axis)).map_or(0.0, |(start, end)| (end - start).abs());
             is_circle || way > MOVES

@@ -4,7 +4,7 @@ use val3_geometry::IsometryMatrix3;
 use val3_kinematics::Joints;
 use val3_lang::ports::CodePlace;
 use val3_lang::values::MdescValue;
-use val3_motion::{Corner, Millimetres, MotionMode, Piece, Progress, QueuedMove, Shape};
+use val3_motion::{Corner, Millimetres, MotionMode, MoveStage, PathPiece, PathShape, QueuedMove};
 
 use super::Controller;
 use crate::arm::{ArmHold, MoveOrigin};
@@ -31,7 +31,7 @@ pub struct MotionStatus {
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionPiece {
     /// The piece: its move, its kind, and where it ends.
-    pub piece: Piece,
+    pub piece: PathPiece,
     /// The position of its move in [`Controller::motion_queue`]; none once the move is done.
     pub position: Option<usize>,
     /// The line that requested its move.
@@ -46,7 +46,7 @@ pub struct RecordedMove {
     /// The id that `getMoveId` gives while it is executed.
     pub id: f64,
     /// The shape of its path.
-    pub shape: Shape,
+    pub shape: PathShape,
     /// Joint position at its destination, in degrees (linear axes: mm).
     pub joints: Joints,
     /// The tool centre point at its destination, in world; lengths in mm.
@@ -54,8 +54,8 @@ pub struct RecordedMove {
     /// Its motion descriptor: speeds and accelerations in per cent of the nominal ones, `tvel` in mm/s, `rvel` in
     /// degrees/s, `leave` and `reach` in mm.
     pub descriptor: Option<MdescValue>,
-    /// The part of it that is executed.
-    pub phase: MovePhase,
+    /// Stage of the execution.
+    pub stage: MoveStage,
     /// Where the blend around its destination begins; none without a blend, or while its path is not determined.
     pub leave: Option<BlendPoint>,
     /// Where that blend ends, once the next move determines it.
@@ -64,29 +64,6 @@ pub struct RecordedMove {
     pub blend: BlendEnds,
     /// The line that requested it.
     pub source: Option<CodeSource>,
-}
-
-/// The part of a move that is executed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MovePhase {
-    /// None: the arm is at moves before it.
-    Waiting,
-    /// Its nominal path, or the arm waits at the end of that.
-    Nominal,
-    /// The blend around its destination.
-    Blend,
-}
-
-impl MovePhase {
-    /// Its name.
-    #[must_use]
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Waiting => "waiting",
-            Self::Nominal => "nominal",
-            Self::Blend => "blend",
-        }
-    }
 }
 
 /// An end of a blend.
@@ -210,11 +187,7 @@ impl Controller {
             joints: queued.joints,
             target: queued.target,
             descriptor: origin.map(|origin| origin.descriptor),
-            phase: match queued.progress {
-                Progress::Recorded => MovePhase::Waiting,
-                Progress::Started => MovePhase::Nominal,
-                Progress::Blending => MovePhase::Blend,
-            },
+            stage: queued.stage,
             leave: point(queued.leave, motion.leave_point(queued.serial)),
             reach: point(queued.reach, motion.reach_point(queued.serial)),
             blend: self.devices.blend_of(queued, origin),
@@ -222,7 +195,7 @@ impl Controller {
         }
     }
 
-    fn motion_piece(&self, piece: Piece) -> MotionPiece {
+    fn motion_piece(&self, piece: PathPiece) -> MotionPiece {
         let arm = &self.devices.state.arm;
         let position = arm.moves().position(|(queued, _)| queued.serial == piece.serial);
         let source = arm.origin(piece.serial).map(|origin| self.source(origin));

@@ -1,7 +1,7 @@
 //! Distances of blends, with the lines that shorten them.
 
 use val3_lang::ports::CodePlace;
-use val3_motion::{Corner, Millimetres, QueuedMove, Shortening, Step};
+use val3_motion::{Corner, Millimetres, MoveEvent, QueuedMove, Shortening};
 
 use super::Devices;
 use crate::arm::MoveOrigin;
@@ -14,9 +14,9 @@ impl Devices {
         self.blend_ends([queued.leave, queued.reach], queued.cancelled, origin)
     }
 
-    /// Requested and effective distances of the blend of a move at a step.
-    pub(super) fn blend_at(&self, step: &Step, origin: Option<&MoveOrigin>) -> BlendEnds {
-        self.blend_ends([step.leave, step.reach], step.cancelled, origin)
+    /// Requested and effective distances of the blend of a move at an event.
+    pub(super) fn blend_at(&self, event: &MoveEvent, origin: Option<&MoveOrigin>) -> BlendEnds {
+        self.blend_ends([event.leave, event.reach], event.cancelled, origin)
     }
 
     fn blend_ends(

@@ -13,7 +13,7 @@ impl Devices {
         let seen = seen(&mut self.state.pendant);
         self.record_all_outside(now, seen);
         self.state.advance_arm(now);
-        self.record_steps(now);
+        self.record_move_events(now);
         self.record_motion_fault(now);
         let switched = switched(&mut self.state.robot);
         self.record_all_outside(now, switched);

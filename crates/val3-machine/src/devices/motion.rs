@@ -5,10 +5,10 @@ use val3_kinematics::{Arm, Dh, Joints};
 use val3_lang::components::{ABSOLUTE_ROBOT, ALTER, COMPLIANCE, CONTINUOUS_AXIS};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::motion::AXIS_SPEED;
-use val3_lang::ports::{AlterReference, CodePlace, Manner, Motion, MoveRequest, Time};
+use val3_lang::ports::{CodePlace, Motion, MoveRequest, Time};
 use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, NO_LICENCE, UNLINKED};
 use val3_lang::values::MdescValue;
-use val3_motion::{PathFault, StepKind};
+use val3_motion::{AlterReference, Manner, MoveEventKind, PathFault};
 
 use super::Devices;
 use crate::arm::{Latch, MoveError, MoveOrigin};
@@ -212,21 +212,17 @@ impl Devices {
         self.record(EventKind::Move { id, phase, instruction, program, line, blend: BlendEnds::default() });
     }
 
-    /// Records what has become of the moves in a cycle.
-    pub(super) fn record_steps(&mut self, now: Time) {
-        for (step, origin) in self.state.arm.take_steps() {
-            let phase = match step.kind {
-                StepKind::Started => "started",
-                StepKind::Blend => "blend",
-                StepKind::Reached => "reached",
-                StepKind::Done => "done",
-            };
-            let shows_blend = step.kind == StepKind::Blend || step.kind == StepKind::Done && step.cancelled.is_some();
+    /// Records the events of moves in a cycle.
+    pub(super) fn record_move_events(&mut self, now: Time) {
+        for (event, origin) in self.state.arm.take_events() {
+            let cancels_blend = event.kind == MoveEventKind::Done && event.cancelled.is_some();
+            let shows_blend = event.kind == MoveEventKind::Blend || cancels_blend;
             if let Some(origin) = origin {
                 let MoveOrigin { instruction, at, .. } = origin;
                 let (program, line, _) = self.place(at);
-                let blend = if shows_blend { self.blend_at(&step, Some(&origin)) } else { BlendEnds::default() };
-                self.record_outside(now, EventKind::Move { id: step.id, phase, instruction, program, line, blend });
+                let blend = if shows_blend { self.blend_at(&event, Some(&origin)) } else { BlendEnds::default() };
+                let (id, phase) = (event.id, event.kind.word());
+                self.record_outside(now, EventKind::Move { id, phase, instruction, program, line, blend });
             }
         }
         self.state.arm.discard_done();

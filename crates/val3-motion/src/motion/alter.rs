@@ -3,16 +3,16 @@
 use std::collections::VecDeque;
 
 use val3_geometry::IsometryMatrix3;
+use val3_moves::{AlterReference, Manner, Seconds};
 
 use super::{Determined, Motion};
-use crate::alteration::{AlterReference, AlterStatus, Alteration};
+use crate::alteration::{AlterStatus, Alteration};
 use crate::deferred::{Deferred, Request};
 use crate::fault::{Cause, PathFault};
 use crate::model::{Axes, Model};
 use crate::path::Path;
-use crate::request::{Limits, Manner, Move};
+use crate::request::{Limits, Move};
 use crate::timeline::Timeline;
-use crate::units::Seconds;
 
 /// Places on each span at which a deviation is followed to the end of its path.
 const PLACES: u32 = 16;

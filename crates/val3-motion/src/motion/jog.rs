@@ -3,11 +3,11 @@
 use nalgebra::Translation3;
 use val3_geometry::{IsometryMatrix3, Rotation3, Vector3, rotation};
 use val3_kinematics::Joints;
+use val3_moves::{MillimetresPerSecond, Seconds};
 
 use super::Motion;
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
-use crate::units::{MillimetresPerSecond, Seconds};
 
 /// Rounds in which a step by hand is shortened to the limit of speed.
 const ROUNDS: usize = 3;

@@ -1,6 +1,6 @@
 //! The limit that determines the speed of the arm.
 
-use super::{Motion, Phase};
+use super::{Motion, MotionPhase};
 use crate::model::Model;
 use crate::speed_limit::{ActingLimit, SpeedLimit};
 
@@ -15,13 +15,13 @@ impl Motion {
     }
 
     /// Stores the limit of a cycle in which the arm has not followed its path as planned.
-    pub(super) fn limit(&mut self, phase: Phase) {
+    pub(super) fn limit(&mut self, phase: MotionPhase) {
         let known = match phase {
-            Phase::Waiting => self.limit_at_rest(),
-            Phase::Connection => SpeedLimit::Connection,
-            Phase::Stopping => SpeedLimit::Stop,
-            Phase::Compliant => SpeedLimit::Force,
-            Phase::Nominal | Phase::Blend | Phase::Alter => return,
+            MotionPhase::Waiting => self.limit_at_rest(),
+            MotionPhase::Connection => SpeedLimit::Connection,
+            MotionPhase::Stopping => SpeedLimit::Stop,
+            MotionPhase::Compliant => SpeedLimit::Force,
+            MotionPhase::Nominal | MotionPhase::Blend | MotionPhase::Alter => return,
         };
         self.acting = ActingLimit::Known(known);
     }

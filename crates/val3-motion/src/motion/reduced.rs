@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use val3_moves::MillimetresPerSecond;
+
 use super::Motion;
 use crate::model::Model;
 use crate::span::Span;
 use crate::timeline::TimedSpan;
-use crate::units::MillimetresPerSecond;
 
 impl Motion {
     /// Limits the speed of the tool centre point and of the flange; `None` removes the limit. The path stays the same.
@@ -48,7 +49,7 @@ mod tests {
 
     use super::super::tests::{CYCLE, START, fast, line, motion, moved, request};
     use super::*;
-    use crate::{Blend, ExternalForce, Jog, Manner, Millimetres, Move, MovePath, Percent, Phase, Seconds};
+    use crate::{Blend, ExternalForce, Jog, Manner, Millimetres, MotionPhase, Move, MovePath, Percent, Seconds};
 
     const LIMIT: Option<MillimetresPerSecond> = Some(MillimetresPerSecond(250.0));
     /// The limit with rounding, in mm/s.
@@ -147,7 +148,7 @@ mod tests {
         let [tip, _] = fastest(&mut motion, 40);
         assert!(tip > 500.0, "{tip}");
         motion.limit_tool_speed(LIMIT);
-        let (mut before, mut phases) = (speeds(&mut motion)[0], vec![Phase::Nominal]);
+        let (mut before, mut phases) = (speeds(&mut motion)[0], vec![MotionPhase::Nominal]);
         while motion.is_moving() {
             phases.push(motion.phase());
             let now = speeds(&mut motion)[0];
@@ -156,7 +157,7 @@ mod tests {
             before = now;
         }
         phases.dedup();
-        assert_eq!(phases, [Phase::Nominal, Phase::Stopping]);
+        assert_eq!(phases, [MotionPhase::Nominal, MotionPhase::Stopping]);
         let rest = fastest(&mut motion, 4_000);
         assert!(rest.iter().all(|speed| (100.0..=MOST).contains(speed)), "{rest:?}");
         assert!(motion.is_empty());

@@ -21,7 +21,7 @@ pub enum MotionMode {
 
 /// A piece of the path: the nominal part of a move, or the blend around its destination.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
+pub struct PathPiece {
     /// The number of its move; that of the move before the corner in a blend.
     pub serial: u64,
     /// The id of that move.
@@ -136,7 +136,7 @@ impl Motion {
     /// The piece that the arm is in, or at whose end it waits. None if it has begun none since it was last reset or put
     /// somewhere.
     #[must_use]
-    pub fn piece(&self) -> Option<Piece> {
+    pub fn piece(&self) -> Option<PathPiece> {
         (self.timeline.next_piece() != Some(0)).then(|| self.piece_from(0)).flatten()
     }
 
@@ -152,12 +152,12 @@ impl Motion {
 
     /// The piece after that; none if it is not determined yet.
     #[must_use]
-    pub fn next_piece(&self) -> Option<Piece> {
+    pub fn next_piece(&self) -> Option<PathPiece> {
         self.piece_from(self.timeline.next_piece()?)
     }
 
     /// The pieces that are determined, from that of the arm on.
-    pub fn pieces(&self) -> impl Iterator<Item = Piece> {
+    pub fn pieces(&self) -> impl Iterator<Item = PathPiece> {
         let mut index = 0;
         std::iter::from_fn(move || {
             let piece = self.piece_from(index)?;
@@ -166,7 +166,7 @@ impl Motion {
         })
     }
 
-    fn piece_from(&self, index: usize) -> Option<Piece> {
+    fn piece_from(&self, index: usize) -> Option<PathPiece> {
         let last = self.timeline.piece(index).last().filter(|last| !last.is_forgotten)?;
         let p = last.points.last()?.p;
         let after = self.timeline.spans.get(index + self.timeline.piece(index).count());
@@ -178,7 +178,7 @@ impl Motion {
             }
         };
         let (joints, pose) = self.place_on(last, p);
-        Some(Piece { serial, id, kind, end, joints, pose })
+        Some(PathPiece { serial, id, kind, end, joints, pose })
     }
 
     fn end_of_nominal(&self, serial: u64, last: &TimedSpan, after: Option<&TimedSpan>) -> PieceEnd {

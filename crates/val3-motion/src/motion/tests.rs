@@ -6,7 +6,7 @@ use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::RequestedConfiguration;
 
 use super::*;
-use crate::{Blend, DegreesPerSecond, Destination, Limits, Millimetres, MovePath};
+use crate::{Blend, DegreesPerSecond, Limits, Millimetres, MovePath, MoveTarget};
 
 pub(super) const CYCLE: Seconds = Seconds(0.004);
 const NOMINAL: [f64; 6] = [265.0, 210.0, 315.0, 450.0, 370.0, 630.0];
@@ -31,7 +31,7 @@ pub(super) fn request(path: MovePath, limits: Limits, blend: Blend, id: f64) -> 
 }
 
 pub(super) fn line(pose: IsometryMatrix3<f64>) -> MovePath {
-    MovePath::Line(Destination { pose, configuration: RequestedConfiguration::FREE })
+    MovePath::Line(MoveTarget { pose, configuration: RequestedConfiguration::FREE })
 }
 
 /// A property test asks for the arm thousands of times, so its file is read once.
@@ -157,7 +157,7 @@ fn a_cartesian_corner_is_a_circle() {
     corner(&mut motion, |leave, reach| Blend::Cartesian { leave, reach }, fast());
     let samples = run(&mut motion, |_, _| ());
     let centre = moved(0.0, 150.0, 50.0).translation.vector;
-    let first: Vec<_> = samples.iter().filter(|sample| sample.phase == Phase::Blend && sample.id < 1.5).collect();
+    let first: Vec<_> = samples.iter().filter(|sample| sample.phase == MotionPhase::Blend && sample.id < 1.5).collect();
     assert!(first.len() > 5);
     for sample in first {
         assert!(((sample.pose.translation.vector - centre).norm() - 50.0).abs() < 1e-6, "{sample:?}");
@@ -280,13 +280,13 @@ mod faults {
     fn a_line_does_not_change_the_configuration() {
         let shoulder = Request::Exactly(Shoulder::Righty);
         let configuration = RequestedConfiguration { shoulder, ..RequestedConfiguration::FREE };
-        let path = MovePath::Line(Destination { pose: moved(0.0, 100.0, 0.0), configuration });
+        let path = MovePath::Line(MoveTarget { pose: moved(0.0, 100.0, 0.0), configuration });
         assert_eq!(refused(path), Cause::Configuration);
     }
 
     #[test]
     fn three_points_on_a_line_make_no_circle() {
-        let destination = Destination { pose: moved(0.0, 200.0, 0.0), configuration: RequestedConfiguration::FREE };
+        let destination = MoveTarget { pose: moved(0.0, 200.0, 0.0), configuration: RequestedConfiguration::FREE };
         assert!(matches!(refused(MovePath::Circle(moved(0.0, 100.0, 0.0), destination)), Cause::Arc(_)));
     }
 
@@ -296,7 +296,7 @@ mod faults {
         let mut motion = Motion::new(Arc::new(arm()), [0.0, 30.0, 100.0, 0.0, 50.0, 0.0]);
         let start = Trsf::from(motion.advance(CYCLE).pose);
         let pose = Trsf { x: -start.x, ..start }.isometry();
-        let path = MovePath::Line(Destination { pose, configuration: RequestedConfiguration::SAME });
+        let path = MovePath::Line(MoveTarget { pose, configuration: RequestedConfiguration::SAME });
         motion.record(&request(path, fast(), Blend::Off, 0.0)).unwrap_err();
         assert!(motion.is_empty() && motion.fault().is_none());
         motion.record(&request(MovePath::Joint(START), fast(), Blend::Off, 1.0)).unwrap();
@@ -331,7 +331,7 @@ mod faults {
 
     #[test]
     fn an_intermediate_point_out_of_reach_is_refused_at_once() {
-        let destination = Destination { pose: moved(0.0, 200.0, 0.0), configuration: RequestedConfiguration::FREE };
+        let destination = MoveTarget { pose: moved(0.0, 200.0, 0.0), configuration: RequestedConfiguration::FREE };
         assert!(matches!(refused(MovePath::Circle(moved(2000.0, 100.0, 0.0), destination)), Cause::Intermediate(_)));
     }
 }

@@ -2,7 +2,7 @@
 
 use val3_geometry::Vector3;
 
-use super::{Departure, Motion, Phase};
+use super::{Departure, Motion, MotionPhase};
 use crate::model::Model;
 
 /// Parts of equal length in p into which a piece of the way is divided.
@@ -11,14 +11,14 @@ const PARTS: u32 = 16;
 /// A piece of the way ahead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Way {
-    /// The kind of motion on it: [`Phase::Nominal`], [`Phase::Blend`] or [`Phase::Connection`].
-    pub phase: Phase,
+    /// The kind of motion on it: [`MotionPhase::Nominal`], [`MotionPhase::Blend`] or [`MotionPhase::Connection`].
+    pub phase: MotionPhase,
     /// Positions of the tool centre point in world, in mm; the last one is the first one of the next piece.
     pub points: Vec<Vector3<f64>>,
 }
 
 impl Way {
-    fn between([from, to]: [f64; 2], phase: Phase, point: impl Fn(f64) -> Vector3<f64>) -> Self {
+    fn between([from, to]: [f64; 2], phase: MotionPhase, point: impl Fn(f64) -> Vector3<f64>) -> Self {
         let at = |part| from + (to - from) * f64::from(part) / f64::from(PARTS);
         Self { phase, points: (0..=PARTS).map(|part| point(at(part))).collect() }
     }
@@ -31,24 +31,24 @@ impl Motion {
     #[must_use]
     pub fn way_ahead(&self, count: usize) -> Vec<Way> {
         let back = match &self.departure {
-            Some(Departure::Connecting(motion)) => motion.pieces_of_timeline(Phase::Connection).collect(),
+            Some(Departure::Connecting(motion)) => motion.pieces_of_timeline(MotionPhase::Connection).collect(),
             _ => Vec::new(),
         };
         let model = Model(&self.arm);
         let open = self.path.open_end().filter(|_| self.fault.is_none() && self.deferred.is_none());
         let open = open.map(|(segment, leave)| {
-            Way::between([leave, 1.0], Phase::Nominal, |sigma| segment.pose_at(&model, sigma).translation.vector)
+            Way::between([leave, 1.0], MotionPhase::Nominal, |sigma| segment.pose_at(&model, sigma).translation.vector)
         });
-        let on_path = self.pieces_of_timeline(Phase::Nominal).filter(|_| !self.is_empty());
+        let on_path = self.pieces_of_timeline(MotionPhase::Nominal).filter(|_| !self.is_empty());
         back.into_iter().chain(on_path).chain(open).take(count).collect()
     }
 
-    fn pieces_of_timeline(&self, nominal: Phase) -> impl Iterator<Item = Way> {
+    fn pieces_of_timeline(&self, nominal: MotionPhase) -> impl Iterator<Item = Way> {
         let present = self.timeline.p().unwrap_or_default();
         self.timeline.spans.iter().enumerate().filter(|(_, timed)| !timed.is_forgotten).map(move |(index, timed)| {
             let [from, to] = timed.span.range();
             let from = if index == 0 { present } else { from };
-            let phase = if timed.span.is_blend() { Phase::Blend } else { nominal };
+            let phase = if timed.span.is_blend() { MotionPhase::Blend } else { nominal };
             Way::between([from, to], phase, |p| timed.span.tip(&Model(&self.arm), p))
         })
     }

@@ -2,12 +2,13 @@
 
 use std::ops::RangeInclusive;
 
+use val3_moves::Manner;
+
 use super::follow::{follow, widest_of, without_jump};
 use super::knots::{LEAST_KNOTS, LimitedKnots};
 use super::{Curve, Span, SpanRequest};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
-use crate::request::Manner;
 
 /// Distances between knots of a nominal path, at least.
 const INTERVALS: usize = 32;

@@ -5,13 +5,13 @@
 use std::sync::Arc;
 
 use val3_geometry::IsometryMatrix3;
+use val3_moves::{DegreesPerSecond, MillimetresPerSecond};
 
 use super::Span;
 use crate::bounds::{AXES, Bounds};
 use crate::model::{Axes, Model};
 use crate::request::Limits;
 use crate::speed_limits::speed_limits;
-use crate::units::{DegreesPerSecond, MillimetresPerSecond};
 
 /// Greatest x = ṗ² at each knot of a span.
 #[derive(Clone, Debug)]

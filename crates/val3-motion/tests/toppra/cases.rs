@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints, RequestedConfiguration};
 use val3_motion::{
-    Blend, DegreesPerSecond, Destination, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath,
+    Blend, DegreesPerSecond, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, MoveTarget,
 };
 
 /// An arm and the moves that it executes.
@@ -93,8 +93,8 @@ impl Case {
         IsometryMatrix3::from_parts(place.into(), turned.rotation)
     }
 
-    fn destination(&self) -> Destination {
-        Destination { pose: self.pose, configuration: RequestedConfiguration::FREE }
+    fn destination(&self) -> MoveTarget {
+        MoveTarget { pose: self.pose, configuration: RequestedConfiguration::FREE }
     }
 
     fn add(mut self, path: MovePath) -> Self {

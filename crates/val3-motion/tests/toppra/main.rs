@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
-use val3_motion::{Limits, Phase, Sample, Seconds};
+use val3_motion::{Limits, MotionPhase, Sample, Seconds};
 
 use cases::Case;
 
@@ -58,14 +58,14 @@ fn export() {
 fn samples(case: &Case, count: f64) -> (f64, Vec<(usize, Sample, Limits)>) {
     let mut motion = case.motion();
     let step = motion.time_left().0 / count;
-    let (mut piece, mut phase, mut last_nominal) = (0, Phase::Nominal, 0);
+    let (mut piece, mut phase, mut last_nominal) = (0, MotionPhase::Nominal, 0);
     let mut samples = Vec::new();
     while !motion.is_empty() {
         let sample = motion.advance(Seconds(step));
         piece += usize::from(sample.phase != phase);
         phase = sample.phase;
         let index = sample.id.floor() as usize;
-        let limits = if phase == Phase::Blend {
+        let limits = if phase == MotionPhase::Blend {
             corner_limits(case, index, if index == last_nominal { index + 1 } else { index - 1 })
         } else {
             last_nominal = index;

@@ -184,7 +184,7 @@ fn rates(picture: &Picture, index: usize) -> Vec<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::{accelerations, speeds};
-    use crate::{Axis, Phase, Picture, Sample};
+    use crate::{Axis, MotionPhase, Picture, Sample};
 
     #[test]
     fn rates_are_shares_of_the_nominal_ones() {
@@ -202,7 +202,7 @@ mod tests {
             position: [0.0; 3],
             speed: 0.0,
             rotation: 0.0,
-            phase: Phase::Nominal,
+            phase: MotionPhase::Nominal,
             limit: None,
         };
         let samples = [0.0, 0.1, 0.3, 0.3].into_iter().enumerate().map(sample).collect();

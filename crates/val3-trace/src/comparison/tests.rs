@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use val3_geometry::Trsf;
-use val3_motion::Phase;
+use val3_motion::MotionPhase;
 
 use super::*;
 use crate::testing::{at, line, trace};
@@ -132,7 +132,7 @@ fn a_longer_rest_counts_in_the_whole_time() {
     let rows: Vec<Row> = line(20)
         .into_iter()
         .zip(0..)
-        .map(|(row, place)| Row { phase: if place == 10 { Phase::Waiting } else { row.phase }, ..row })
+        .map(|(row, place)| Row { phase: if place == 10 { MotionPhase::Waiting } else { row.phase }, ..row })
         .collect();
     let mut present = rows.clone();
     present.iter_mut().skip(11).for_each(|row| row.time += 400_000_000);

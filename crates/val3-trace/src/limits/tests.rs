@@ -1,7 +1,7 @@
 //! Limits of small traces.
 
 use val3_geometry::IsometryMatrix3;
-use val3_motion::Phase;
+use val3_motion::MotionPhase;
 
 use super::*;
 use crate::testing::{at, line};
@@ -100,7 +100,7 @@ fn a_jump_is_no_way() {
 #[test]
 fn rows_at_rest_have_no_speed() {
     let mut rows = line(3);
-    rows[2] = Row { phase: Phase::Waiting, speed: 0.0, pose: rows[1].pose, ..rows[2] };
+    rows[2] = Row { phase: MotionPhase::Waiting, speed: 0.0, pose: rows[1].pose, ..rows[2] };
     let clear = Limit::Clear { zone: zone([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]), least: 1.0 };
     assert_eq!(violation(clear, &rows[1..]).map(|found| (found.value, found.row)), Some((0.0, 0)));
     assert_eq!(violation(clear, &[]), None);

@@ -11,7 +11,7 @@ fn a_trace_is_a_table_that_names_its_arm() {
     let mut rows = line(3);
     rows[1] = at(&rows[1], [0.0, -0.0002, 12.5], [0.0, 0.0, -90.0]);
     rows[1].joints[5] = -12.34567;
-    rows[2].phase = Phase::Waiting;
+    rows[2].phase = MotionPhase::Waiting;
     expect![[r#"
         # Motion of a test, recorded by `val3 test --update`: s, mm, degrees, mm/s
         # arm: TX2-90
@@ -38,7 +38,7 @@ fn comments_and_blank_lines_are_no_rows() {
     let read = Trace::parse(&text).unwrap();
     assert_eq!((read.arm, read.axes, read.rows.len()), (None, 4, 1));
     let row = read.rows[0];
-    assert_eq!((row.time, row.id, row.phase, row.speed), (0, 1.5, Phase::Blend, 5.0));
+    assert_eq!((row.time, row.id, row.phase, row.speed), (0, 1.5, MotionPhase::Blend, 5.0));
     assert_eq!(
         (row.joints, Trsf::from(row.pose)),
         ([1.0, 2.0, 3.0, 4.0, 0.0, 0.0], Trsf::new([10.0, 20.0, 30.0], [0.0, 0.0, 90.0]))
@@ -90,7 +90,7 @@ proptest! {
         places in proptest::collection::vec((any::<bool>(), [-2000.0..2000.0_f64, -2000.0..2000.0, -2000.0..2000.0], [-179.0..179.0_f64, -80.0..80.0, -179.0..179.0]), 0..20),
     ) {
         let rows = line(places.len()).into_iter().zip(&places).map(|(row, (blends, place, turn))| {
-            let phase = if *blends { Phase::Blend } else { Phase::Waiting };
+            let phase = if *blends { MotionPhase::Blend } else { MotionPhase::Waiting };
             Row { phase, pose: Trsf::new(*place, *turn).isometry(), ..row }
         });
         let written = trace(&rows.collect::<Vec<_>>());

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use val3_geometry::IsometryMatrix3;
-use val3_motion::Phase;
+use val3_motion::MotionPhase;
 
 use super::*;
 use crate::comparison::compare;
@@ -214,7 +214,7 @@ fn times_that_differ() {
     let resting: Vec<Row> = rows
         .iter()
         .enumerate()
-        .map(|(place, row)| if place == 10 { Row { phase: Phase::Waiting, ..*row } } else { *row })
+        .map(|(place, row)| if place == 10 { Row { phase: MotionPhase::Waiting, ..*row } } else { *row })
         .collect();
     check(
         &resting,

@@ -5,12 +5,13 @@ use val3_kinematics::{Arm, Dh};
 use val3_lang::fault::Result;
 use val3_lang::memory::Place;
 use val3_lang::ports::{
-    AlterReference, InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, MoveRequest, Outgoing, Reply,
-    Robot, Screen, Serial, Time,
+    InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, MoveRequest, Outgoing, Reply, Robot, Screen,
+    Serial, Time,
 };
 use val3_lang::types::BaseType;
 use val3_lang::values::date::DateTime;
 use val3_lang::values::{MdescValue, Text};
+use val3_moves::AlterReference;
 
 use crate::host::Host;
 

@@ -8,7 +8,7 @@ mod trace;
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, seconds};
-use val3_motion::{Phase, Sample, SpeedLimit};
+use val3_motion::{MotionPhase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
 use crate::args::RunArgs;
@@ -55,7 +55,7 @@ impl MotionObservers {
         }
         let arm = &controller.devices.state.arm;
         let (sample, limit) = (*arm.sample(), arm.speed_limit());
-        self.has_moved |= sample.phase != Phase::Waiting;
+        self.has_moved |= sample.phase != MotionPhase::Waiting;
         if let Some(trace) = &mut self.trace {
             if let Some((last, before, limit)) = self.last {
                 trace.rest(last, start, &before, limit)?;

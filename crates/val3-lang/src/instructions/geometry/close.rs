@@ -22,7 +22,7 @@ instruction! {
     ///   movel(pPick,tGripper,mSlow)
     ///   close(tGripper)
     /// ```
-    "close": Geometry "9.5.4", blocking, errors [122, 123, 150];
+    "close": Geometry "9.5.4", role(Arrive), blocking, errors [122, 123, 150];
     modifier (tool tTool) = close;
 }
 

@@ -22,7 +22,7 @@ instruction! {
     ///   pNow=here(tGripper,world)
     ///   putln(pNow.trsf.z)
     /// ```
-    "here": Geometry "9.6.3", errors [163, 164];
+    "here": Geometry "9.6.3", role(Position), errors [163, 164];
     function (tool tTool, frame fReference) -> point = here;
 }
 

@@ -17,7 +17,7 @@ instruction! {
     ///   jNow=herej()
     ///   putln(jNow.j1)
     /// ```
-    "herej": Geometry "9.2.3";
+    "herej": Geometry "9.2.3", role(Position);
     function () -> joint = position;
 }
 

@@ -22,7 +22,7 @@ instruction! {
     ///   movel(pPick,tGripper,mSlow)
     ///   open(tGripper)
     /// ```
-    "open": Geometry "9.5.4", blocking, errors [122, 123, 150];
+    "open": Geometry "9.5.4", role(Arrive), blocking, errors [122, 123, 150];
     modifier (tool tTool) = open;
 }
 

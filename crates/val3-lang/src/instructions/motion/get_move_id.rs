@@ -22,7 +22,7 @@ instruction! {
     ///   wait(getMoveId()>=nPlace+0.5)
     ///   doGlue=true
     /// ```
-    "getMoveId": Motion "10.6";
+    "getMoveId": Motion "10.6", role(Progress);
     function () -> num = move_id;
 }
 

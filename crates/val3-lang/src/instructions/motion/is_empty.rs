@@ -13,7 +13,7 @@ instruction! {
     /// dio doIdle
     ///   doIdle=isEmpty()
     /// ```
-    "isEmpty": Motion "10.6";
+    "isEmpty": Motion "10.6", role(Progress);
     function () -> bool = is_empty;
 }
 

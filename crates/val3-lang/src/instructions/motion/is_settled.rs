@@ -18,7 +18,7 @@ instruction! {
     ///   wait(isSettled())
     ///   close(tGripper)
     /// ```
-    "isSettled": Motion "10.6";
+    "isSettled": Motion "10.6", role(Progress);
     function () -> bool = is_settled;
 }
 

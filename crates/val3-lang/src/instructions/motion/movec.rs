@@ -1,10 +1,11 @@
 //! `movec` (10.6): records a move on an arc, from where the move before ends.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -31,7 +32,7 @@ instruction! {
     ///   movec(pArc[1],pArc[2],tTorch,mWeld)
     ///   waitEndMove()
     /// ```
-    "movec": Motion "10.6", blocking,
+    "movec": Motion "10.6", role(Move Cartesian), blocking,
         errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
     modifier (point pIntermediate, point pTarget, tool tTool, mdesc mDesc) -> num = to_point;
 }
@@ -43,5 +44,6 @@ fn to_point(
     tool: ToolRef,
     mdesc: MdescValue,
 ) -> Result<Flow<f64>> {
-    moves::record(call, "movec", &Target::Circle(intermediate, target), tool, mdesc, Manner::Rigid)
+    let path = moves::circle(call, intermediate, target)?;
+    moves::record(call, "movec", path, tool, mdesc, Manner::Rigid)
 }

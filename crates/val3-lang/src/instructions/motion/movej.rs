@@ -1,10 +1,11 @@
 //! `movej` (10.6): records a joint move: all axes start and arrive together, on the fastest path.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -30,16 +31,18 @@ instruction! {
     ///   movej(pPick,tGripper,mFast)
     ///   waitEndMove()
     /// ```
-    "movej": Motion "10.6", blocking,
+    "movej": Motion "10.6", role(Move Joint), blocking,
         errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
     modifier (joint jPosition, tool tTool, mdesc mDesc) -> num = to_joint;
     modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
 }
 
 fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "movej", &Target::Joint(joint), tool, mdesc, Manner::Rigid)
+    let path = moves::joint_path(call, joint)?;
+    moves::record(call, "movej", path, tool, mdesc, Manner::Rigid)
 }
 
 fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "movej", &Target::JointToPoint(point), tool, mdesc, Manner::Rigid)
+    let path = moves::joint_path_to_point(call, point)?;
+    moves::record(call, "movej", path, tool, mdesc, Manner::Rigid)
 }

@@ -1,10 +1,11 @@
 //! `movel` (10.6): records a straight move: the tool centre point runs on a line and turns evenly on the way.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -30,11 +31,12 @@ instruction! {
     ///   movel(pPick,tGripper,mSlow)
     ///   waitEndMove()
     /// ```
-    "movel": Motion "10.6", blocking,
+    "movel": Motion "10.6", role(Move Cartesian), blocking,
         errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
     modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
 }
 
 fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "movel", &Target::Line(point), tool, mdesc, Manner::Rigid)
+    let path = moves::line(call, point)?;
+    moves::record(call, "movel", path, tool, mdesc, Manner::Rigid)
 }

@@ -18,7 +18,7 @@ instruction! {
     ///     putln("moves cancelled")
     ///   endIf
     /// ```
-    "resetMotion": Motion "10.6";
+    "resetMotion": Motion "10.6", role(Reset);
     modifier () = reset;
     modifier (joint jStartingPoint) = reset_to;
 }

@@ -15,7 +15,7 @@ instruction! {
     ///   wait(diHold==false)
     ///   restartMove()
     /// ```
-    "restartMove": Motion "10.6";
+    "restartMove": Motion "10.6", role(Restart);
     modifier () = restart;
 }
 

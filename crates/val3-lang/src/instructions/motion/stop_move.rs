@@ -18,7 +18,7 @@ instruction! {
     ///   wait(diHold==false)
     ///   restartMove()
     /// ```
-    "stopMove": Motion "10.6";
+    "stopMove": Motion "10.6", role(Stop);
     modifier () = stop;
 }
 

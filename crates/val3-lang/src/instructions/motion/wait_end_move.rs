@@ -22,7 +22,7 @@ instruction! {
     ///   waitEndMove()
     ///   doLamp=true
     /// ```
-    "waitEndMove": Motion "10.6", blocking, errors [150];
+    "waitEndMove": Motion "10.6", role(Arrive), blocking, errors [150];
     modifier () = wait;
 }
 

@@ -1,10 +1,11 @@
 //! `alterBegin` (11.2.6): starts the deviation of the current alterable path.
 
+use val3_moves::AlterReference;
+
 use crate::call::{Call, FrameRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::moves;
-use crate::ports::AlterReference;
 use crate::values::MdescValue;
 
 instruction! {

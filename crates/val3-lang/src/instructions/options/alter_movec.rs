@@ -1,10 +1,11 @@
 //! `alterMovec` (11.2.6): records a move on an arc that `alter` can deviate.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -27,7 +28,8 @@ instruction! {
     ///   alterMovec(pArc[1],pArc[2],tTorch,mSlow)
     ///   alterBegin(tTorch,mSlow)
     /// ```
-    "alterMovec": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
+    "alterMovec": Options "11.2.6", role(Move Altered), blocking,
+        errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
     modifier (point pIntermediate, point pTarget, tool tTool, mdesc mDesc) -> num = to_point;
 }
 
@@ -38,5 +40,6 @@ fn to_point(
     tool: ToolRef,
     mdesc: MdescValue,
 ) -> Result<Flow<f64>> {
-    moves::record(call, "alterMovec", &Target::Circle(intermediate, target), tool, mdesc, Manner::Alterable)
+    let path = moves::circle(call, intermediate, target)?;
+    moves::record(call, "alterMovec", path, tool, mdesc, Manner::Alterable)
 }

@@ -1,10 +1,11 @@
 //! `alterMovej` (11.2.6): records a joint move that `alter` can deviate.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -25,15 +26,18 @@ instruction! {
     ///   alterMovej(jEnd,tGripper,mSlow)
     ///   alterBegin(world,mSlow)
     /// ```
-    "alterMovej": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
+    "alterMovej": Options "11.2.6", role(Move Altered), blocking,
+        errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
     modifier (joint jPosition, tool tTool, mdesc mDesc) -> num = to_joint;
     modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
 }
 
 fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "alterMovej", &Target::Joint(joint), tool, mdesc, Manner::Alterable)
+    let path = moves::joint_path(call, joint)?;
+    moves::record(call, "alterMovej", path, tool, mdesc, Manner::Alterable)
 }
 
 fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "alterMovej", &Target::JointToPoint(point), tool, mdesc, Manner::Alterable)
+    let path = moves::joint_path_to_point(call, point)?;
+    moves::record(call, "alterMovej", path, tool, mdesc, Manner::Alterable)
 }

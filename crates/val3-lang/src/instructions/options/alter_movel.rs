@@ -1,10 +1,11 @@
 //! `alterMovel` (11.2.6): records a straight move that `alter` can deviate.
 
+use val3_moves::Manner;
+
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
-use crate::ports::Manner;
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -25,10 +26,12 @@ instruction! {
     ///   alterMovel(pEnd,tGripper,mSlow)
     ///   alterBegin(tGripper,mSlow)
     /// ```
-    "alterMovel": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
+    "alterMovel": Options "11.2.6", role(Move Altered), blocking,
+        errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
     modifier (point pPosition, tool tTool, mdesc mDesc) -> num = to_point;
 }
 
 fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue) -> Result<Flow<f64>> {
-    moves::record(call, "alterMovel", &Target::Line(point), tool, mdesc, Manner::Alterable)
+    let path = moves::line(call, point)?;
+    moves::record(call, "alterMovel", path, tool, mdesc, Manner::Alterable)
 }

@@ -20,7 +20,7 @@ instruction! {
     ///   wait(isCompliant())
     ///   doEject=true
     /// ```
-    "isCompliant": Options "11.1.5";
+    "isCompliant": Options "11.1.5", role(Progress);
     function () -> bool = is_compliant;
 }
 

@@ -3,7 +3,7 @@
 use crate::call::{Call, Flow, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -27,11 +27,13 @@ instruction! {
     ///   movejf(jPress,tGripper,mSlow,20)
     ///   waitEndMove()
     /// ```
-    "movejf": Options "11.1.5", blocking, errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
+    "movejf": Options "11.1.5", role(Move Compliant), blocking,
+        errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
     modifier (joint jPosition, tool tTool, mdesc mDesc, num nForce) -> num = to_joint;
 }
 
 fn to_joint(call: &mut Call<'_>, joint: [f64; 6], tool: ToolRef, mdesc: MdescValue, force: f64) -> Result<Flow<f64>> {
     let manner = moves::compliant(force)?;
-    moves::record(call, "movejf", &Target::Joint(joint), tool, mdesc, manner)
+    let path = moves::joint_path(call, joint)?;
+    moves::record(call, "movejf", path, tool, mdesc, manner)
 }

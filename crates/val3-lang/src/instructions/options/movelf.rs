@@ -4,7 +4,7 @@
 use crate::call::{Call, Flow, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::moves::{self, Target};
+use crate::moves;
 use crate::values::MdescValue;
 
 instruction! {
@@ -28,11 +28,13 @@ instruction! {
     ///   movelf(pEject,tGripper,mSlow,0)
     ///   wait(isCompliant())
     /// ```
-    "movelf": Options "11.1.5", blocking, errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
+    "movelf": Options "11.1.5", role(Move Compliant), blocking,
+        errors [70, 81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 250];
     modifier (point pPosition, tool tTool, mdesc mDesc, num nForce) -> num = to_point;
 }
 
 fn to_point(call: &mut Call<'_>, point: PointRef, tool: ToolRef, mdesc: MdescValue, force: f64) -> Result<Flow<f64>> {
     let manner = moves::compliant(force)?;
-    moves::record(call, "movelf", &Target::Line(point), tool, mdesc, manner)
+    let path = moves::line(call, point)?;
+    moves::record(call, "movelf", path, tool, mdesc, manner)
 }

@@ -21,7 +21,7 @@ instruction! {
     ///   waitEndMove()
     ///   resetTurn(jStart)
     /// ```
-    "resetTurn": Options "11.5.2", blocking, errors [250];
+    "resetTurn": Options "11.5.2", role(Reset), blocking, errors [250];
     modifier (joint jReference) -> joint = reset;
 }
 

@@ -38,7 +38,7 @@ proptest! {
         let [through, to] = [through, to].map(|[x, y, z]| moved(x, y, z));
         let ideal = val3_geometry::Arc::through(&arm().flange(&START), &through, &to);
         prop_assume!(ideal.is_ok());
-        let destination = Destination { pose: to, configuration: RequestedConfiguration::FREE };
+        let destination = MoveTarget { pose: to, configuration: RequestedConfiguration::FREE };
         let ideal = ideal.unwrap();
         follow(MovePath::Circle(through, destination), |share| ideal.at(share))?;
     }

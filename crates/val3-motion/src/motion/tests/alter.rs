@@ -62,7 +62,7 @@ fn a_shift_in_a_frame_moves_the_path_along_its_axes() {
         assert!((altered.pose.translation.vector - plain.pose.translation.vector - x * 10.0).norm() < 1e-9);
         assert_eq!(
             (altered.phase, altered.id),
-            (if altered.id < 1.0 { Phase::Alter } else { altered.phase }, plain.id)
+            (if altered.id < 1.0 { MotionPhase::Alter } else { altered.phase }, plain.id)
         );
     }
 }
@@ -193,7 +193,7 @@ fn a_path_that_is_never_altered_continues_after_its_end() {
     let samples = run(&mut motion, |_, _| ());
     assert!(samples.windows(2).all(|pair| pair[0].id <= pair[1].id));
     assert!((tip(&motion.joints()).translation.vector - moved(0.0, 50.0, 0.0).translation.vector).norm() < 1e-6);
-    let done = motion.take_steps().iter().filter(|step| step.kind == crate::StepKind::Done).count();
+    let done = motion.take_events().iter().filter(|step| step.kind == crate::MoveEventKind::Done).count();
     assert_eq!(done, 4);
 }
 
@@ -284,7 +284,7 @@ fn the_arm_does_not_stop_after_an_early_alter_end() {
             motion.record(&next).unwrap();
         }
         samples.extend(run(&mut motion, |_, _| ()));
-        let blend = samples.iter().position(|sample| sample.phase == Phase::Blend).unwrap();
+        let blend = samples.iter().position(|sample| sample.phase == MotionPhase::Blend).unwrap();
         let around = &samples[blend - 10..blend + 20];
         assert!(around.iter().all(|sample| sample.speed.0 > 50.0), "{reference:?}");
         let change = |pair: &[Sample], axis: usize| pair[1].joints[axis] - pair[0].joints[axis];

@@ -1,7 +1,7 @@
 //! Compliant moves: section (i) of the motion model.
 
 use super::*;
-use crate::{Cause, ExternalForce, StepKind};
+use crate::{Cause, ExternalForce, MoveEventKind};
 use val3_geometry::Vector3;
 
 /// A line of 200 mm along y under a force, with a speed of 500 mm/s.
@@ -41,11 +41,11 @@ fn half_the_nominal_force_moves_it_at_half_the_speed_to_the_end() {
     let fastest = samples.iter().map(|sample| sample.speed.0).fold(0.0, f64::max);
     assert!((220.0..=250.0).contains(&fastest), "{fastest}");
     let moving = samples.len() - 1;
-    assert!(samples[..moving].iter().all(|sample| sample.phase == Phase::Compliant));
+    assert!(samples[..moving].iter().all(|sample| sample.phase == MotionPhase::Compliant));
     assert!((way(&motion) - 200.0).abs() < 1e-9 && !motion.is_compliant());
     assert_eq!(motion.move_id(), 5.0);
-    let steps: Vec<_> = motion.take_steps().iter().map(|step| step.kind).collect();
-    assert_eq!(steps, [StepKind::Started, StepKind::Done]);
+    let steps: Vec<_> = motion.take_events().iter().map(|step| step.kind).collect();
+    assert_eq!(steps, [MoveEventKind::Started, MoveEventKind::Done]);
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn rigid_moves_before_and_after_stop_at_its_ends() {
     let samples = run(&mut motion, |_, _| ());
     let mut phases: Vec<_> = samples.iter().map(|sample| sample.phase).collect();
     phases.dedup();
-    assert_eq!(phases, [Phase::Nominal, Phase::Compliant, Phase::Nominal]);
+    assert_eq!(phases, [MotionPhase::Nominal, MotionPhase::Compliant, MotionPhase::Nominal]);
     assert!(samples.windows(2).all(|pair| pair[0].id <= pair[1].id));
     assert!(way(&motion) < 1e-6);
 }

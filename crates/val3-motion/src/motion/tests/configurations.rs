@@ -12,7 +12,7 @@ fn at(joints: Joints) -> Motion {
 
 fn line_to(pose: IsometryMatrix3<f64>, configuration: RequestedConfiguration) -> Move {
     let limits = limits(100.0, 100.0, 100.0, 300.0);
-    request(MovePath::Line(Destination { pose, configuration }), limits, Blend::Off, 0.0)
+    request(MovePath::Line(MoveTarget { pose, configuration }), limits, Blend::Off, 0.0)
 }
 
 /// Runs a move. The arm follows the pose and no axis jumps. Returns the configuration at the end.
@@ -118,7 +118,7 @@ fn an_elbow_that_is_stretched_on_the_way_changes_its_configuration() {
     let branch = Configuration { elbow: Elbow::Positive, ..arm().configuration(&start) };
     let start = arm().inverse_isometry_on(branch, &on_circle(-40.0), &start).unwrap();
     let mut motion = at(start);
-    let end = Destination { pose: on_circle(40.0), configuration: FREE };
+    let end = MoveTarget { pose: on_circle(40.0), configuration: FREE };
     let circle = request(MovePath::Circle(on_circle(5.0), end), limits(100.0, 100.0, 100.0, 300.0), Blend::Off, 0.0);
     let configuration = run_evenly(&mut motion, &circle);
     assert_eq!(configuration.elbow, Elbow::Negative, "{:?}", motion.joints());
@@ -149,16 +149,16 @@ fn each_tool_has_its_own_distances() {
     let corner = |tool: usize| (targets[0] * tools[tool]).translation.vector;
     let of = |phase| samples.iter().filter(move |sample| sample.phase == phase);
     // The first part is the line of the first tool, up to 50 mm before its corner.
-    let first: Vec<_> = of(Phase::Nominal).filter(|sample| sample.id < 0.9).collect();
+    let first: Vec<_> = of(MotionPhase::Nominal).filter(|sample| sample.id < 0.9).collect();
     let last = first.last().unwrap();
     let left = (tip(last, 0) - corner(0)).norm();
     assert!((50.0..50.5).contains(&left), "{left}");
-    for sample in of(Phase::Nominal).filter(|sample| sample.id >= 1.0 && sample.id < 2.0) {
+    for sample in of(MotionPhase::Nominal).filter(|sample| sample.id >= 1.0 && sample.id < 2.0) {
         let offset = tip(sample, 1) - corner(1);
         assert!(offset.xy().norm() < 1e-6 && offset.z >= 30.0 - 1e-6, "{offset:?}");
     }
-    assert!(of(Phase::Blend).count() > 10);
-    assert!(samples.iter().all(|sample| sample.speed.0 <= 100.1 || sample.phase == Phase::Blend));
+    assert!(of(MotionPhase::Blend).count() > 10);
+    assert!(samples.iter().all(|sample| sample.speed.0 <= 100.1 || sample.phase == MotionPhase::Blend));
 }
 
 /// The tool turns by axis 6 alone, which can take the last orientation only after a full turn back.
@@ -174,4 +174,27 @@ fn a_turn_that_ends_beyond_a_limit_names_the_axis_and_its_limit() {
         };
         assert!(max == 270.0 && (270.0..271.0).contains(&position.abs()), "{from} + {turn}: {position}");
     }
+}
+
+#[test]
+fn a_joint_move_to_a_point_ends_at_the_nearest_joint_position_that_it_allows() {
+    let pose = moved(0.0, 150.0, 40.0);
+    let tool = IsometryMatrix3::translation(0.0, 0.0, 80.0);
+    let target = MoveTarget { pose: pose * tool, configuration: FREE };
+    let (mut by_point, mut by_joints) = (motion(), motion());
+    let joints = arm().solve(&pose.into(), &START, FREE).unwrap();
+    let to = |path| Move { tool, ..request(path, fast(), Blend::Off, 0.0) };
+    by_point.record(&to(MovePath::JointToPoint(target))).unwrap();
+    by_joints.record(&to(MovePath::Joint(joints))).unwrap();
+    assert_eq!(by_point.destination(), by_joints.destination());
+    assert_eq!(run(&mut by_point, |_, _| ()), run(&mut by_joints, |_, _| ()));
+}
+
+#[test]
+fn a_joint_move_to_a_point_out_of_reach_is_rejected() {
+    let mut motion = motion();
+    let target = MoveTarget { pose: moved(5000.0, 0.0, 0.0), configuration: FREE };
+    let result = motion.record(&request(MovePath::JointToPoint(target), fast(), Blend::Off, 0.0));
+    assert!(matches!(result, Err(Cause::Unreachable(_))), "{result:?}");
+    assert!(motion.is_empty());
 }

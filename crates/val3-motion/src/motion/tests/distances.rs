@@ -3,7 +3,7 @@
 use val3_geometry::Vector3;
 
 use super::*;
-use crate::{Piece, PieceEnd};
+use crate::{PathPiece, PieceEnd};
 
 /// Chords of a move that is no line.
 const PARTS: i32 = 2000;
@@ -31,7 +31,7 @@ fn place(from: &Joints, request: &Move, share: f64) -> Vector3<f64> {
             let start = arm().flange(from).translation.vector;
             start + (to.pose.translation.vector - start) * share
         }
-        MovePath::Circle(..) => unreachable!("the tests with lengths have no circle"),
+        MovePath::JointToPoint(_) | MovePath::Circle(..) => unreachable!("the tests have joint positions and lines"),
     }
 }
 
@@ -77,7 +77,7 @@ pub(super) fn effective_distances(requests: &[Move], targets: &[Joints]) -> Vec<
 ///
 /// Distances that were reduced are measured along the curve of a joint move, from chords.
 pub(super) fn distance_from_corner(
-    piece: &Piece,
+    piece: &PathPiece,
     requests: &[Move],
     targets: &[Joints],
     is_reduced: bool,

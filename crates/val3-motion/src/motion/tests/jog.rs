@@ -98,7 +98,7 @@ fn a_jogged_arm_returns_to_where_it_left_its_path() {
     motion.resume();
     motion.connect().unwrap();
     let samples = run(&mut motion, |_, _| ());
-    let back = samples.iter().position(|sample| sample.phase == Phase::Nominal).unwrap();
+    let back = samples.iter().position(|sample| sample.phase == MotionPhase::Nominal).unwrap();
     assert!((samples[back - 1].pose.translation.vector - left).norm() < 1e-9);
     for sample in &samples[back..] {
         let offset = sample.pose.translation.vector - left;

@@ -43,7 +43,7 @@ pub(super) fn step() -> impl Strategy<Value = Step> {
 
 pub(super) fn requests(steps: &[Step], vel: f64) -> Vec<Move> {
     let at = |[x, y, z]: [f64; 3]| moved(x, y, z);
-    let free = |pose| Destination { pose, configuration: RequestedConfiguration::FREE };
+    let free = |pose| MoveTarget { pose, configuration: RequestedConfiguration::FREE };
     let path = |shape: &Shape| match shape {
         Shape::Joint(offsets) => {
             let mut joints = START;

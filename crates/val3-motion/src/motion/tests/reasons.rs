@@ -38,7 +38,7 @@ fn reason(arm: Arm, start: Joints, paths: &[Path]) -> Option<Cause> {
             let rotation = from.rotation * Trsf::new([0.0; 3], turn).isometry().rotation;
             IsometryMatrix3::from_parts((from.translation.vector + Vector3::from(offset)).into(), rotation)
         };
-        let to = Destination { pose: at(path.offset, path.turn), configuration: RequestedConfiguration::SAME };
+        let to = MoveTarget { pose: at(path.offset, path.turn), configuration: RequestedConfiguration::SAME };
         let shape = match path.through {
             Some(through) => MovePath::Circle(at(through, path.turn.map(|angle| angle / 2.0)), to),
             None => MovePath::Line(to),

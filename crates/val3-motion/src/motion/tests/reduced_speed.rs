@@ -23,7 +23,7 @@ fn follow(reference: &Motion, requests: &[Move], choices: &[u8]) -> Result<(), T
         }
         let sample = motion.advance(CYCLE);
         // A faster arm brakes first.
-        is_slow = is_limited && (is_slow || sample.phase != Phase::Stopping && sample.speed.0 <= MOST);
+        is_slow = is_limited && (is_slow || sample.phase != MotionPhase::Stopping && sample.speed.0 <= MOST);
         prop_assert!(!is_slow || sample.speed.0 <= MOST, "cycle {cycle}: {:?} mm/s", sample.speed);
         prop_assert!(deviation(reference, &motion) < 1e-5, "cycle {cycle}");
         if motion.is_empty() {

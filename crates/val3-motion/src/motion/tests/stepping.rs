@@ -6,7 +6,7 @@ use val3_geometry::Vector3;
 use super::distances::{Distances, distance_from_corner, effective_distances, length};
 use super::path_independence::{self, reference, requests};
 use super::*;
-use crate::{AlterReference, AlterStatus, ExternalForce, MotionMode, Piece, PieceEnd, PieceKind};
+use crate::{AlterReference, AlterStatus, ExternalForce, MotionMode, PathPiece, PieceEnd, PieceKind};
 
 fn stepping() -> Motion {
     let mut motion = motion();
@@ -67,7 +67,7 @@ fn assert_waits(motion: &mut Motion) {
     for _ in 0..50 {
         let sample = motion.advance(CYCLE);
         assert_eq!(sample.joints.map(f64::to_bits), before.map(f64::to_bits));
-        assert!(sample.phase == Phase::Waiting && sample.speed.0 == 0.0);
+        assert!(sample.phase == MotionPhase::Waiting && sample.speed.0 == 0.0);
     }
     assert!(!motion.can_go_on() && motion.has_arrived());
 }
@@ -90,7 +90,7 @@ fn step_by_move(requests: &[Move]) {
         assert!(piece.serial == number as u64 || is_blend_before);
         assert_eq!(piece.joints, motion.joints());
         let Distances { effective: [leave, _], is_reduced, .. } = distances[number];
-        let halt = Piece { serial: number as u64, end: PieceEnd::Leave, ..piece };
+        let halt = PathPiece { serial: number as u64, end: PieceEnd::Leave, ..piece };
         let (distance, tolerance) = distance_from_corner(&halt, requests, &targets, is_reduced[0]);
         assert!((distance - leave).abs() < tolerance, "{distance} instead of {leave}");
         if request.blend.distances().is_some() {
@@ -204,7 +204,7 @@ fn a_release_to_the_end_passes_all_pieces_as_the_continuous_mode() {
     run(&mut continuous, |_, _| ());
     assert_eq!(motion.joints(), continuous.joints());
     let kinds = |motion: &mut Motion| -> Vec<_> {
-        motion.take_steps().into_iter().map(|step| (step.serial, step.kind)).collect()
+        motion.take_events().into_iter().map(|step| (step.serial, step.kind)).collect()
     };
     assert_eq!(kinds(&mut motion), kinds(&mut continuous));
     // Moves recorded later wait again.
@@ -222,7 +222,7 @@ fn steps_of_moves_are_those_of_the_continuous_mode() {
     pieces(&mut motion, &reference);
     run(&mut continuous, |_, _| ());
     let kinds = |motion: &mut Motion| -> Vec<_> {
-        motion.take_steps().into_iter().map(|step| (step.serial, step.kind)).collect()
+        motion.take_events().into_iter().map(|step| (step.serial, step.kind)).collect()
     };
     assert_eq!(kinds(&mut motion), kinds(&mut continuous));
 }
@@ -421,7 +421,7 @@ fn a_path_that_cannot_be_followed_ends_a_piece_there() {
 /// Something that a user does in a random run.
 #[derive(Clone, Copy, Debug)]
 enum Action {
-    Piece,
+    PathPiece,
     Determined,
     Mode(MotionMode),
     Record,
@@ -432,7 +432,7 @@ enum Action {
 
 fn action() -> impl Strategy<Value = Action> {
     prop_oneof![
-        3 => Just(Action::Piece),
+        3 => Just(Action::PathPiece),
         2 => Just(Action::Determined),
         1 => Just(Action::Mode(MotionMode::Continuous)),
         2 => Just(Action::Mode(MotionMode::Step)),
@@ -460,7 +460,7 @@ proptest! {
         let mut waiting = requests.iter();
         for (cycles, action) in &actions {
             match action {
-                Action::Piece => drop(motion.release_piece()),
+                Action::PathPiece => drop(motion.release_piece()),
                 Action::Determined => motion.release_determined(),
                 Action::Mode(mode) => motion.set_mode(*mode),
                 Action::Record => waiting.next().into_iter().for_each(|request| motion.record(request).unwrap()),

@@ -1,7 +1,7 @@
 //! The stages of moves, and where their blends begin and end.
 
 use super::*;
-use crate::{Corner, Shape, Shortening, Step, StepKind};
+use crate::{Corner, MoveEvent, MoveEventKind, PathShape, Shortening};
 use val3_geometry::Vector3;
 
 /// Runs a motion and lists the steps of its moves, a line each: `serial kind`.
@@ -38,12 +38,12 @@ fn a_move_to_where_the_arm_is_is_done_at_once() {
 }
 
 /// Runs to the end. Returns the steps, with times since the start.
-fn timed(motion: &mut Motion) -> Vec<Step> {
+fn timed(motion: &mut Motion) -> Vec<MoveEvent> {
     let mut steps = Vec::new();
     for cycle in 0..10_000 {
         motion.advance(CYCLE);
         let start = f64::from(cycle) * CYCLE.0;
-        steps.extend(motion.take_steps().into_iter().map(|step| Step { at: Seconds(start + step.at.0), ..step }));
+        steps.extend(motion.take_events().into_iter().map(|step| MoveEvent { at: Seconds(start + step.at.0), ..step }));
         if motion.is_empty() {
             break;
         }
@@ -61,8 +61,8 @@ fn times_are_those_of_the_plan() {
     let steps = timed(&mut motion);
     assert!(steps.windows(2).all(|pair| pair[0].at <= pair[1].at), "{steps:?}");
     let end = steps.last().unwrap();
-    assert!(end.kind == StepKind::Done && (end.at.0 - expected).abs() < 1e-9, "{end:?} instead of {expected}");
-    let blend = steps.iter().find(|step| step.kind == StepKind::Blend).unwrap();
+    assert!(end.kind == MoveEventKind::Done && (end.at.0 - expected).abs() < 1e-9, "{end:?} instead of {expected}");
+    let blend = steps.iter().find(|step| step.kind == MoveEventKind::Blend).unwrap();
     let sample = exact.advance(blend.at);
     assert!((sample.pose.translation.vector - leave.position).norm() < 1e-6);
 }
@@ -79,7 +79,7 @@ fn blend_points_are_at_their_effective_distances() {
     let distances: Vec<_> = motion.moves().map(|queued| [distance(queued.leave), distance(queued.reach)]).collect();
     assert_eq!(distances, [[Some(150.0), Some(50.0)], [Some(50.0), Some(150.0)], [None, None]]);
     for queued in motion.moves() {
-        assert_eq!((queued.shape, queued.id), (Shape::Line, 7.0 + queued.serial as f64));
+        assert_eq!((queued.shape, queued.id), (PathShape::Line, 7.0 + queued.serial as f64));
         for corner in [queued.leave, queued.reach].into_iter().flatten() {
             let distance = (corner.position - queued.target.translation.vector).norm();
             assert!((distance - corner.distance.0).abs() < 1e-9, "{queued:?}");

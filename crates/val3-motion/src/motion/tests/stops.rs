@@ -57,7 +57,7 @@ fn a_stop_stays_in_place_until_the_restart() {
         _ => (),
     });
     let halted = &samples[300..399];
-    assert!(halted.iter().all(|sample| sample.joints == samples[300].joints && sample.phase == Phase::Waiting));
+    assert!(halted.iter().all(|sample| sample.joints == samples[300].joints && sample.phase == MotionPhase::Waiting));
     assert_eq!(motion.move_id(), 3.0);
 }
 
@@ -126,7 +126,7 @@ fn a_restart_while_the_arm_brakes_continues_after_the_stop() {
     motion.advance(CYCLE);
     motion.restart();
     let samples = run(&mut motion, |_, _| ());
-    assert_eq!(samples[0].phase, Phase::Stopping);
+    assert_eq!(samples[0].phase, MotionPhase::Stopping);
     assert!(samples.iter().any(|sample| sample.speed.0 < 20.0));
     assert_eq!(motion.joints()[0], 90.0);
 }

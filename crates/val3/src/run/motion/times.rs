@@ -12,7 +12,7 @@ use val3_files::OutputFile;
 use val3_lang::ports::{CodePlace, Time};
 use val3_machine::controller::{Activity, Controller, TaskPosition};
 use val3_machine::event::{Event, seconds};
-use val3_motion::{Phase, Progress, SpeedLimit};
+use val3_motion::{MotionPhase, MoveStage, SpeedLimit};
 use val3_vm::CYCLE;
 
 use super::blends::{self, CutBlend, CutBlends};
@@ -136,16 +136,16 @@ impl Times {
     /// Current move of the arm, and its activity.
     fn of_arm(&mut self, controller: &Controller) -> Entry {
         let arm = &controller.devices.state.arm;
-        let present = arm.moves().filter(|(queued, _)| queued.progress >= Progress::Started).last();
+        let present = arm.moves().filter(|(queued, _)| queued.stage >= MoveStage::Started).last();
         if let Some((_, Some(origin))) = present {
             self.present = Some(origin.at);
         }
         let (place, what) = match arm.sample().phase {
-            Phase::Waiting if present.is_none() => (None, NO_MOVE),
-            Phase::Waiting if let Some(fault) = controller.motion_fault() => {
+            MotionPhase::Waiting if present.is_none() => (None, NO_MOVE),
+            MotionPhase::Waiting if let Some(fault) = controller.motion_fault() => {
                 (fault.source.map(|source| source.at), "resting before a path that the arm cannot follow")
             }
-            Phase::Waiting => (self.present, "waiting for the next move"),
+            MotionPhase::Waiting => (self.present, "waiting for the next move"),
             // A move that has ended in this cycle is not in the queue any more.
             phase => (self.present, phase.word()),
         };

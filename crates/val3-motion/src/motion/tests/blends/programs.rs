@@ -151,7 +151,7 @@ impl Program {
             let turn = rotation::from_vector(&upright(&rotation::to_vector(&change.rotation)));
             start * IsometryMatrix3::from_parts(change.translation, turn)
         };
-        let destination = |pose| Destination { pose, configuration: RequestedConfiguration::SAME };
+        let destination = |pose| MoveTarget { pose, configuration: RequestedConfiguration::SAME };
         let path = match &random.path {
             RandomPath::Line(change) => MovePath::Line(destination(moved(change))),
             RandomPath::JointTo(change) => {

@@ -1,4 +1,4 @@
-//! Units of the public interface.
+//! Units of lengths, angles, speeds, times and shares.
 
 /// A length in mm.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
