@@ -51,7 +51,7 @@ pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     let count = sizes.iter().map(|size| *size as usize).product::<usize>();
     size(edits, element, count);
     let Some(last) = found.last() else { return };
-    father(edits, element, data);
+    write_father(edits, element, data);
     let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
     let value = |index: usize| values.get(index.to_string().as_str()).copied();
     for (index, found) in found.iter().enumerate() {
@@ -147,10 +147,10 @@ fn copy(
     apply(text, &edits.sorted())
 }
 
-/// Name of the variable to which a variable is relative.
-pub(crate) fn father_name(element: Element<'_>) -> Option<String> {
-    let name = father_element(element)?.value("name")?;
-    (!name.is_empty()).then(|| name.into_owned())
+/// Variable to which a variable is relative, with its library: `fTray`, `lib:fTray`.
+pub(crate) fn father(element: Element<'_>) -> Option<String> {
+    let text = reference::text(father_element(element)?);
+    text.split_once('[').map(|(variable, _)| variable.to_owned())
 }
 
 fn father_element(element: Element<'_>) -> Option<Element<'_>> {
@@ -158,7 +158,7 @@ fn father_element(element: Element<'_>) -> Option<Element<'_>> {
 }
 
 /// Writes the variable's father, taken from the first value.
-fn father(edits: &mut Edits, element: Element<'_>, data: &SavedData) {
+fn write_father(edits: &mut Edits, element: Element<'_>, data: &SavedData) {
     let new = data.values.first().and_then(|value| value.text("fatherId"));
     if let Some((found, new)) = father_element(element).zip(new) {
         reference::write(edits, found, new);

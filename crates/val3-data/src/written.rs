@@ -1,5 +1,6 @@
 //! Written values of a data file with their data paths and their ranges.
 
+use val3_lang::data_path::DataPath;
 use val3_lang::types::{Attribute as TypeAttribute, BaseType, attribute};
 use val3_syntax::xml::{self, Element};
 
@@ -14,7 +15,7 @@ const NESTING: usize = 8;
 pub struct WrittenVariable<'g> {
     /// Name.
     pub name: String,
-    /// Names of the fathers of its values.
+    /// Fathers of its values, without indexes: `fTray`, `lib:fTray`.
     pub fathers: Vec<String>,
     /// Written attributes, in the order of the file, without fathers.
     pub attributes: Vec<WrittenAttribute<'g>>,
@@ -42,7 +43,7 @@ pub fn written(root: Element<'_>) -> Vec<WrittenVariable<'_>> {
 fn variable(element: Element<'_>) -> WrittenVariable<'_> {
     let name = element.value("name").unwrap_or_default().into_owned();
     let mut variable = WrittenVariable { name: name.clone(), fathers: Vec::new(), attributes: Vec::new() };
-    variable.fathers.extend(lists::father_name(element));
+    variable.fathers.extend(lists::father(element));
     variable.add(&name, element, NESTING);
     variable
 }
@@ -75,7 +76,7 @@ impl<'g> WrittenVariable<'g> {
         for text in lists::leaves(value) {
             let meaning = lists::name_of(text).and_then(|name| attribute(base, arm, name));
             match meaning {
-                Some(meaning) if meaning.name == "fatherId" => self.fathers.extend(variable_of(&text.text())),
+                Some(meaning) if meaning.name == "fatherId" => self.fathers.extend(without_index(&text.text())),
                 Some(meaning) => {
                     let path = match meaning.field {
                         "" => path.to_owned(),
@@ -98,11 +99,9 @@ fn subscript(shape: &Shape, key: &str) -> String {
     }
 }
 
-/// Variable name of a father such as `fTray[0]` or `lib:fTray[0]`.
-fn variable_of(father: &str) -> Option<String> {
-    let name = father.rsplit_once(':').map_or(father, |(_, name)| name);
-    let name = name.split_once('[').map_or(name, |(name, _)| name);
-    (!name.is_empty()).then(|| name.to_owned())
+fn without_index(father: &str) -> Option<String> {
+    let path = DataPath::new(father).before_index();
+    (!path.is_empty()).then(|| path.to_owned())
 }
 
 #[cfg(test)]
@@ -143,7 +142,7 @@ mod tests {
         assert_eq!(
             shown(text),
             [
-                "pPick in fTray: pPick.trsf.x=1e3 pPick.config.wrist=wpositive",
+                "pPick in lib:fTray: pPick.trsf.x=1e3 pPick.config.wrist=wpositive",
                 "jHome in : jHome[1].j2=-20",
                 "sText in : sText[\"de\"]=",
                 "tSlot in : tSlot[1].nCount=3",

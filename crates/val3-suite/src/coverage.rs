@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use val3_analysis::db::{Project, Sources};
+use val3_analysis::db::{Database, Project, Sources};
 use val3_analysis::paths::path_key;
 use val3_analysis::test_applications::has_tests;
 use val3_bytecode::{Image, Program};
@@ -17,11 +17,38 @@ use crate::library::NAME;
 /// application and library, without test applications, tests and `val3assert`.
 #[must_use]
 pub fn counted(controller: &Controller, application: &Application) -> Coverage {
+    of_programs(controller, |image, program| {
+        is_tested(image, application) && !(is_listed(image, application) && is_executed(&program.name))
+    })
+}
+
+/// Returns the execution counts of all programs, also of tests and `val3assert`.
+#[must_use]
+pub fn executed(controller: &Controller) -> Coverage {
+    of_programs(controller, |_, _| true)
+}
+
+/// Returns the projects that are tested: those of an application, without test applications and `val3assert`.
+#[must_use]
+pub fn tested_projects(application: &Application) -> Vec<Project> {
+    let db = application.db();
+    let is_tested = |project: &Project| {
+        let name = project_name(db, *project);
+        name != NAME && !project.is_below_tests(db) && !is_test_application(name)
+    };
+    Sources::get(db).projects(db).values().copied().filter(is_tested).collect()
+}
+
+/// Returns the name of a project: its file name without the extension.
+pub fn project_name(db: &Database, project: Project) -> &str {
+    project.manifest(db).path(db).file_stem().unwrap_or_default()
+}
+
+fn of_programs(controller: &Controller, is_wanted: impl Fn(&Image, &Program) -> bool) -> Coverage {
     let mut coverage = Coverage::default();
-    for (image, hits) in controller.vm.space.counts.images().filter(|(image, _)| is_tested(image, application)) {
-        let is_listed = is_listed(image, application);
+    for (image, hits) in controller.vm.space.counts.images() {
         let counted = image.programs.iter().filter(|program| program.counters.count > 0);
-        for program in counted.filter(|program| !(is_listed && is_executed(&program.name))) {
+        for program in counted.filter(|program| is_wanted(image, program)) {
             let file = image.files.get(program.file as usize).cloned().unwrap_or_default();
             coverage.add(file, counts(image, program, hits));
         }

@@ -31,7 +31,7 @@ mod unfinished;
 
 pub use case::{TestCase, TestKind, cases};
 pub use controller_keys::ControllerKeys;
-pub use coverage::counted;
+pub use coverage::{counted, executed, project_name, tested_projects};
 pub use execute::{Supervision, TestSettings, execute};
 pub use exemption::Exemption;
 pub use failure::{Failure, Place};

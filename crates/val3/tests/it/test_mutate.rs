@@ -308,3 +308,60 @@ fn values_of_data_files_get_mistakes() {
         not used: pal:nUnused, which got no mistakes
     "#]].assert_eq(&run.stdout);
 }
+
+/// `rec` has only data, `pal:nLimit` shares a name with used data, and `"nText"` is only a string.
+const LIBRARIES: &str = r#"
+--- palTest
+library pal "Disk://pal/pal.pjx"
+library assert "Disk://val3assert/val3assert.pjx"
+num nSum
+program testSum()
+begin
+  call pal:sum(nSum)
+  call assert:equalNum(nSum,7,0)
+end
+
+--- pal
+library rec "Disk://rec/rec.pjx"
+public program sum(num& x_nSum)
+begin
+  x_nSum=rec:nLimit+nOffset
+  logMsg("nText")
+  logMsg("again")
+  logMsg("again")
+end
+=== pal/pal.dtx
+<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="nLimit" access="private" xsi:type="array" type="num" size="1"><Value key="0" value="1" /></Data>
+    <Data name="nOffset" access="private" xsi:type="array" type="num" size="1"><Value key="0" value="2" /></Data>
+    <Data name="nText" access="private" xsi:type="array" type="num" size="1"><Value key="0" value="3" /></Data>
+  </Datas>
+</Database>
+
+--- rec
+=== rec/rec.dtx
+<?xml version="1.0" encoding="utf-8"?>
+<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+  <Datas>
+    <Data name="nLimit" access="public" xsi:type="array" type="num" size="1"><Value key="0" value="5" /></Data>
+    <Data name="nIdle" access="public" xsi:type="array" type="num" size="1"><Value key="0" value="6" /></Data>
+  </Datas>
+</Database>
+"#;
+
+#[test]
+fn data_of_libraries_are_used_where_code_names_them() {
+    let folder = cell(LIBRARIES);
+    let run = folder.val3(&["test", "--mutate", "usrapp/palTest/testSum.pgx", "--format", "json"]);
+    let report: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(report["notUsed"], serde_json::json!(["pal:nLimit", "pal:nText", "rec:nIdle"]), "{run:?}");
+    let mutants = report["mutants"].as_array().unwrap();
+    let data: Vec<&str> = mutants.iter().filter_map(|mutant| mutant["path"].as_str()).collect();
+    assert_eq!(data, ["nOffset", "nLimit"]);
+    let repeated = mutants.iter().filter(|mutant| mutant["found"] == "logMsg(\"again\")");
+    let differences: Vec<&Value> = repeated.map(|mutant| &mutant["difference"]["value"]).collect();
+    assert_eq!(differences.len(), 2);
+    assert!(differences.iter().all(|value| value.is_string()), "{differences:?}");
+}

@@ -9,11 +9,11 @@ use val3_syntax::{parse, xml};
 
 use super::site::{Escapes, Site, line_at};
 
-/// What is added to a number of a `num`.
-const COUNT: f64 = 1.0;
-
-/// What is added to a coordinate, a joint, a speed or a distance: mm, degrees or per cent.
+/// What is added to a coordinate or a joint, in mm or degrees.
 const DISTANCE: f64 = 10.0;
+
+/// The least speed that limits no arm, in mm/s or degrees/s.
+const UNLIMITED: f64 = 9999.0;
 
 /// The largest number that is changed.
 const LARGEST: f64 = 1e15;
@@ -22,8 +22,6 @@ const LARGEST: f64 = 1e15;
 #[derive(Debug)]
 pub(super) struct DataSites {
     pub(super) name: String,
-    /// Names of the variables to which its values are relative.
-    pub(super) fathers: Vec<String>,
     pub(super) sites: Vec<Site>,
 }
 
@@ -31,9 +29,8 @@ pub(super) struct DataSites {
 pub(super) fn data_sites(text: &str) -> Vec<DataSites> {
     let parse = parse(text);
     let variables = xml::root(parse.view()).map(written).unwrap_or_default();
-    let sites = |WrittenVariable { name, fathers, attributes }| DataSites {
+    let sites = |WrittenVariable { name, attributes, .. }| DataSites {
         name,
-        fathers,
         sites: attributes.iter().filter_map(|attribute| site(text, attribute)).collect(),
     };
     variables.into_iter().map(sites).collect()
@@ -62,13 +59,20 @@ fn replacement(attribute: &WrittenAttribute<'_>, found: &str) -> Option<Cow<'sta
         },
         AttributeValue::Number => {
             let number = found.trim().parse().ok().filter(|number: &f64| number.abs() < LARGEST)?;
-            let step = if attribute.base == BaseType::Num { COUNT } else { DISTANCE };
-            Some(number_text(number + step).into())
+            match attribute.base {
+                BaseType::Num => Some(number_text(number + 1.0).into()),
+                // Greater values are no limit, so half of them changes nothing.
+                BaseType::Mdesc => (number < UNLIMITED).then(|| number_text(number / 2.0).into()),
+                _ => Some(number_text(number + DISTANCE).into()),
+            }
         }
         AttributeValue::Text => Some(format!("{found}x").into()),
         AttributeValue::Choice(ty) => {
             let present = find_in_file(ty, found.trim())?;
-            values(ty).find(|other| other.name != present.name).map(|other| other.file_name.into())
+            let mut others = values(ty).filter(|other| other.name != present.name);
+            // Of a configuration, the last value is the opposite of the one before it, and the first ones change little.
+            let other = if ty == BaseType::Blend { others.next() } else { others.last() };
+            other.map(|other| other.file_name.into())
         }
         AttributeValue::Link | AttributeValue::Father(_) => None,
     }
@@ -91,7 +95,7 @@ mod tests {
       <Value key="b" value="&lt;b&gt;" />
     </Data>
     <Data name="mFast" access="private" xsi:type="array" type="mdesc" size="1">
-      <Value key="0" vel="90" blend="joint" leave="50" />
+      <Value key="0" vel="90" tvel="99999" blend="joint" leave="50" />
     </Data>
     <Data name="pPick" access="private" xsi:type="array" type="pointRx" size="1">
       <Value key="0" x="-0.5" wrist="wpositive" fatherId="fTray[0]" />
@@ -115,11 +119,11 @@ mod tests {
             6: bRun: `true` becomes `false`
             8: sText["a"]: `` becomes `x`
             9: sText["b"]: `<b>` becomes `<b>x`
-            12: mFast.vel: `90` becomes `100`
+            12: mFast.vel: `90` becomes `45`
             12: mFast.blend: `joint` becomes `off`
-            12: mFast.leave: `50` becomes `60`
+            12: mFast.leave: `50` becomes `25`
             15: pPick.trsf.x: `-0.5` becomes `9.5`
-            15: pPick.config.wrist: `wpositive` becomes `wsame`
+            15: pPick.config.wrist: `wpositive` becomes `wnegative`
             20: tSlot.nKind: `2` becomes `3`
         "#]]
         .assert_eq(&shown);
@@ -137,9 +141,20 @@ mod tests {
     }
 
     #[test]
-    fn fathers_are_named() {
-        let fathers: Vec<String> = data_sites(DATA).into_iter().flat_map(|variable| variable.fathers).collect();
-        assert_eq!(fathers, ["fTray"]);
+    fn files_without_data_get_no_mistakes() {
         assert!(data_sites("no XML").is_empty());
+    }
+
+    #[test]
+    fn the_old_dialect_gets_the_same_mistakes() {
+        let text = r#"<?xml version="1.0" encoding="iso-8859-1"?>
+<dataList xmlns="DataNameSpace">
+  <pointSection><point name="pPick" public="false"><valuePoint index="0"><ptPosition x="1" y="2" z="3" />
+    <configRX shoulder="lefty" elbow="esame" wrist="wsame" /></valuePoint></point></pointSection>
+</dataList>"#;
+        let sites = data_sites(text).into_iter().flat_map(|variable| variable.sites);
+        let changes: Vec<String> = sites.map(|site| site.change()).collect();
+        assert_eq!(changes.first().map(String::as_str), Some("pPick.trsf.x: `1` becomes `11`"));
+        assert!(changes.contains(&"pPick.config.shoulder: `lefty` becomes `righty`".to_owned()), "{changes:?}");
     }
 }

@@ -8,9 +8,12 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_coverage::Coverage;
 use val3_lang::ports::Time;
 use val3_machine::sio::SocketGuard;
-use val3_suite::{ControllerKeys, FinalState, Supervision, TestResult, TestSettings, counted, execute};
+use val3_suite::{
+    ControllerKeys, FinalState, Supervision, TestKind, TestResult, TestSettings, counted, execute, executed,
+};
 
 use super::conditions::Conditions;
+use super::used_names::{self, UsedNames};
 use crate::test::discovery::{Opening, TestFile};
 use crate::test::script_file::ScriptFile;
 use crate::test::workers::Bench;
@@ -32,6 +35,8 @@ pub(super) struct Execution {
     /// The state at its end.
     pub(super) state: FinalState,
     pub(super) coverage: Coverage,
+    /// The variables that it uses; none without counted lines.
+    pub(super) used: UsedNames,
     /// The time that a program of the test may take, on the controller's clock in nanoseconds.
     pub(super) limit: Time,
 }
@@ -68,13 +73,23 @@ impl<'c> Executor<'c> {
         let executed = skipped.or_else(|| execute(&mut bench.controller, test.case, &file.scenario, supervision));
         let Some(mut result) = executed else { return Ok(None) };
         let coverage = counted(&bench.controller, &bench.suite.application);
+        let used = self.used(&bench, test);
         let state = FinalState::of(&bench.controller, &result);
         self.bench = Some(bench);
         golden_texts::judge_only(test.case, &mut result)?;
         golden::judge_only(test.case, &mut result)?;
         result.judge_known_failure();
         result.keep_last_events(args.events as usize);
-        Ok(Some(Execution { result, state, coverage, limit }))
+        Ok(Some(Execution { result, state, coverage, used, limit }))
+    }
+
+    fn used(&self, bench: &Bench, test: &TestFile<'_>) -> UsedNames {
+        if !self.is_counted {
+            return UsedNames::default();
+        }
+        let is_scenario = test.case.kind == TestKind::Scenario;
+        let scenario = is_scenario.then(|| used_names::text(&test.case.file)).flatten();
+        UsedNames::of(&bench.suite.application, &executed(&bench.controller), scenario.as_deref())
     }
 
     /// The application on a controller: that of the test before, if it suits.

@@ -3,17 +3,18 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use val3_analysis::items::project::data_files;
+use camino::Utf8Path;
+use val3_analysis::db::Project;
+use val3_analysis::items::project::{data_files, items};
 use val3_analysis::system::Disk;
-use val3_files::FileClass;
 use val3_session::Application;
-use val3_syntax::encoding;
+use val3_suite::{project_name, tested_projects};
 
 use super::code_sites::code_sites;
 use super::data_sites::{DataSites, data_sites};
 use super::original::{Original, Originals};
 use super::site::Site;
-use super::used_names::UsedNames;
+use super::used_names::{project_file, text};
 
 /// A file with a mistake that tests execute or use.
 pub(super) struct Mutant {
@@ -22,8 +23,8 @@ pub(super) struct Mutant {
     /// The project file of its application or library.
     pub(super) project_file: String,
     pub(super) site: Site,
-    /// The variable with the value, in a data file: `pal:nCount`.
-    pub(super) variable: Option<String>,
+    /// The element with the value, in a data file: `pal:nCount[1]`.
+    pub(super) element: Option<String>,
     /// The line with the place, without the blanks around it.
     pub(super) source: String,
     /// The numbers of the tests that execute the line or use the variable.
@@ -48,24 +49,20 @@ impl Mutant {
     }
 }
 
-/// The mistakes in all lines that tests execute, and in the values of all variables that these lines name.
+/// The mistakes in all lines that tests execute, and in the values of all variables that they use.
 pub(super) fn mutants(originals: &Originals<'_>) -> Mutants {
     let mut mutants = Mutants::default();
-    let mut used: Vec<UsedNames> = originals.tests.iter().map(own_names).collect();
     for (file, program) in originals.coverage.programs() {
         // Only a test has written the others, in the memory of the controller.
-        let Some(text) = text(file) else { continue };
-        for (test, used) in originals.tests.iter().zip(&mut used) {
-            let lines = test.lines.get(file).into_iter().flatten();
-            lines.filter_map(|line| text.lines().nth((*line as usize).checked_sub(1)?)).for_each(|line| used.add(line));
-        }
+        let Some(text) = text(file).map(Arc::from) else { continue };
         for site in code_sites(&text) {
             let tests = numbers(&originals.tests, |test| test.executes(file, site.line));
-            let place = Place { file, project_file: &program.project_file, variable: None, text: &text };
-            mutants.add(place, site, tests);
+            mutants.add(Place { file, project_file: &program.project_file, element: None, text: &text }, site, tests);
         }
     }
-    mutants.add_data(originals, &mut used);
+    for file in data_of_projects(originals) {
+        mutants.add_data(&originals.tests, &file);
+    }
     mutants
 }
 
@@ -74,7 +71,7 @@ pub(super) fn mutants(originals: &Originals<'_>) -> Mutants {
 struct Place<'p> {
     file: &'p str,
     project_file: &'p str,
-    variable: Option<&'p str>,
+    element: Option<&'p str>,
     text: &'p Arc<str>,
 }
 
@@ -83,6 +80,8 @@ struct DataFile {
     path: String,
     project_file: String,
     project: String,
+    /// The file declares the fields of a user type.
+    is_type: bool,
     text: Arc<str>,
     variables: Vec<DataSites>,
 }
@@ -95,7 +94,7 @@ impl Mutants {
         self.all.push(Mutant {
             file: place.file.to_owned(),
             project_file: place.project_file.to_owned(),
-            variable: place.variable.map(str::to_owned),
+            element: place.element.map(str::to_owned),
             source: site.source(place.text),
             site,
             tests,
@@ -103,64 +102,47 @@ impl Mutants {
         });
     }
 
-    fn add_data(&mut self, originals: &Originals<'_>, used: &mut [UsedNames]) {
-        let files = data_of_projects(originals);
-        let fathers: Vec<(&str, &[String])> = files
-            .iter()
-            .flat_map(|file| &file.variables)
-            .map(|variable| (variable.name.as_str(), variable.fathers.as_slice()))
-            .collect();
-        used.iter_mut().for_each(|used| used.add_fathers(&fathers));
-        for DataFile { path, project_file, project, text, variables } in &files {
-            for DataSites { name, sites, .. } in variables.iter().filter(|variable| !variable.sites.is_empty()) {
-                let tests = numbers(used, |used| used.contains(name));
-                let variable = format!("{project}:{name}");
-                let place = Place { file: path, project_file, variable: Some(&variable), text };
-                sites.iter().for_each(|site| self.add(place, site.clone(), tests.clone()));
-                if tests.is_empty() {
-                    self.unused.push(variable);
-                }
+    fn add_data(&mut self, tests: &[Original<'_>], file: &DataFile) {
+        let DataFile { path, project_file, project, is_type, text, variables } = file;
+        for DataSites { name, sites } in variables.iter().filter(|variable| !variable.sites.is_empty()) {
+            let tests = numbers(tests, |test| {
+                test.used.contains(project_file, name) || *is_type && test.used.contains_field(name)
+            });
+            for site in sites {
+                let of_project = site.path.as_deref().unwrap_or(name);
+                let element = format!("{project}:{}", of_project.split('.').next().unwrap_or(name));
+                let place = Place { file: path, project_file, element: Some(&element), text };
+                self.add(place, site.clone(), tests.clone());
+            }
+            if tests.is_empty() {
+                self.unused.push(format!("{project}:{name}"));
             }
         }
     }
 }
 
-/// The data files of all projects whose programs were executed.
+/// The data files of all tested projects, sorted by path.
 fn data_of_projects(originals: &Originals<'_>) -> Vec<DataFile> {
-    let projects: BTreeMap<&str, &str> = originals
-        .coverage
-        .programs()
-        .map(|(_, program)| (program.project_file.as_str(), program.project.as_str()))
-        .collect();
-    let mut found = BTreeSet::new();
-    let mut files = Vec::new();
-    for (project_file, project) in projects {
-        // A test has written the others in the memory of the controller.
-        let Ok(application) = Application::open(&Disk, project_file.into(), None) else { continue };
+    let manifests: BTreeSet<&Utf8Path> = originals.tests.iter().map(|original| original.test.manifest).collect();
+    let mut files = BTreeMap::new();
+    for manifest in manifests {
+        // Its tests have passed, so that it can be read.
+        let Ok(application) = Application::open(&Disk, manifest, None) else { continue };
         let db = application.db();
-        for file in data_files(db, application.project()) {
-            let path = file.path(db).to_string();
-            let Some(text) = text(&path).filter(|_| found.insert(path.clone())) else { continue };
-            let variables = data_sites(&text);
-            let (project_file, project) = (project_file.to_owned(), project.to_owned());
-            files.push(DataFile { path, project_file, project, text, variables });
+        let projects = tested_projects(&application);
+        let types: Vec<Project> =
+            projects.iter().flat_map(|project| items(db, *project).types.values()).flatten().copied().collect();
+        for project in projects {
+            for file in data_files(db, project) {
+                let (path, is_type) = (file.path(db).to_string(), types.contains(&project));
+                let (project_file, project) = (project_file(db, project), project_name(db, project).to_owned());
+                let text: Arc<str> = file.text(db).to_string().into();
+                let variables = data_sites(&text);
+                files.insert(path.clone(), DataFile { path, project_file, project, is_type, text, variables });
+            }
         }
     }
-    files
-}
-
-/// The names in the file of a test: its program, or its scenario.
-fn own_names(test: &Original<'_>) -> UsedNames {
-    let mut used = UsedNames::default();
-    if let Some(text) = text(&test.test.case.file) {
-        used.add(&text);
-    }
-    used
-}
-
-fn text(file: &str) -> Option<Arc<str>> {
-    let bytes = val3_files::read(file.into(), FileClass::Program).ok()?;
-    Some(encoding::decode(bytes).text.into())
+    files.into_values().collect()
 }
 
 /// The numbers of the items that are chosen.

@@ -10,6 +10,7 @@ use val3_suite::FinalState;
 
 use super::conditions::Conditions;
 use super::executor::{Execution, Executor};
+use super::used_names::UsedNames;
 use crate::args::TestFormat;
 use crate::printable::one_line;
 use crate::progress::Progress;
@@ -37,8 +38,10 @@ pub(super) struct Original<'t> {
     /// The time that its programs may take with a mistake, in nanoseconds.
     pub(super) limit: Time,
     pub(super) state: FinalState,
+    /// The variables that it uses.
+    pub(super) used: UsedNames,
     /// The lines that it executes, by file.
-    pub(super) lines: BTreeMap<String, BTreeSet<u32>>,
+    lines: BTreeMap<String, BTreeSet<u32>>,
 }
 
 impl Original<'_> {
@@ -87,10 +90,10 @@ pub(super) fn originals<'t>(conditions: Conditions<'_>, tests: &[TestFile<'t>]) 
 }
 
 fn original(test: TestFile<'_>, execution: Execution) -> Original<'_> {
-    let Execution { result, state, coverage, limit } = execution;
+    let Execution { result, state, coverage, used, limit } = execution;
     let executed =
         |lines: &BTreeMap<u32, u64>| lines.iter().filter(|(_, hits)| **hits > 0).map(|(line, _)| *line).collect();
     let lines = coverage.programs().map(|(file, program)| (file.to_owned(), executed(&program.lines))).collect();
     let limit = result.duration.saturating_mul(SLOWNESS).max(LEAST).min(limit);
-    Original { test, limit, state, lines }
+    Original { test, limit, state, used, lines }
 }

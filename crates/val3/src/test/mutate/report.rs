@@ -74,7 +74,10 @@ impl Report<'_> {
                     one_line(&difference.to_string()),
                     self.name(*number)
                 )?,
-                None => writeln!(out, "        nothing that can be asserted differs at the end of a test")?,
+                None => {
+                    let other = if mutant.element.is_some() { "else " } else { "" };
+                    writeln!(out, "        nothing {other}that can be asserted differs at the end of a test")?;
+                }
             }
         }
         let Counts { found, survived, not_compiled } = self.counts();

@@ -116,10 +116,10 @@ fn verdict(conditions: Conditions<'_>, originals: &Originals<'_>, mutant: &Mutan
         let Some(original) = originals.tests.get(*number) else { continue };
         match executor.execute(&original.test, Some(original.limit)) {
             Ok(Some(execution)) if execution.result.has_passed() => {
-                let of_test = || match &mutant.variable {
-                    // The value itself always differs.
-                    Some(variable) => {
-                        execution.state.without(variable).first_difference(&original.state.without(variable))
+                let of_test = || match &mutant.element {
+                    // The value itself differs unless a program has written it.
+                    Some(element) => {
+                        execution.state.without(element).first_difference(&original.state.without(element))
                     }
                     None => execution.state.first_difference(&original.state),
                 };

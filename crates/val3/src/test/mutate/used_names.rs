@@ -1,54 +1,150 @@
-//! The names that a test uses: those in the lines that it executes, and in its own file.
+//! The variables that a test uses: those that its executed lines and its scenario name, and their fathers.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// Names in texts. Names in comments and strings count as well, which costs trials but hides nothing.
-#[derive(Debug, Default)]
-pub(super) struct UsedNames(BTreeSet<String>);
+use val3_analysis::db::{Database, Project, Sources};
+use val3_analysis::items::program::code;
+use val3_analysis::items::project::{data_files, items};
+use val3_analysis::paths::path_key;
+use val3_coverage::Coverage;
+use val3_data::written;
+use val3_files::FileClass;
+use val3_lang::data_path::DataPath;
+use val3_session::Application;
+use val3_syntax::view::View;
+use val3_syntax::{SyntaxKind, encoding, parse, xml};
+
+use SyntaxKind::{COLON, DOT, IDENT};
+
+/// A variable: path of its project file, and its name.
+type Variable = (String, String);
+
+/// Variables that a test uses.
+#[derive(Debug, Clone, Default)]
+pub(super) struct UsedNames {
+    variables: BTreeSet<Variable>,
+    /// Names of fields of user types.
+    fields: BTreeSet<String>,
+}
+
+/// A token of code with its line, from 1.
+struct CodeToken<'t> {
+    kind: SyntaxKind,
+    text: &'t str,
+    line: u32,
+}
 
 impl UsedNames {
-    /// Adds the names of a text.
-    pub(super) fn add(&mut self, text: &str) {
-        let words = text.split(|character: char| !(character.is_ascii_alphanumeric() || character == '_'));
-        for word in words.filter(|word| word.starts_with(|first: char| first.is_ascii_alphabetic())) {
-            if !self.0.contains(word) {
-                self.0.insert(word.to_owned());
+    /// The variables that executed lines and a scenario with this text name.
+    pub(super) fn of(application: &Application, executed: &Coverage, scenario: Option<&str>) -> Self {
+        let db = application.db();
+        let mut used = Self::default();
+        for (file, program) in executed.programs() {
+            let project = Sources::get(db).projects(db).get(&path_key(&program.project_file)).copied();
+            // Only a test has written the others, in the memory of the controller.
+            let (Some(project), Some(text)) = (project, text(file)) else { continue };
+            let lines = program.lines.iter().filter(|(_, hits)| **hits > 0).map(|(line, _)| *line).collect();
+            used.add_code(db, project, &text, &lines);
+        }
+        let separates = |character: char| !(character.is_ascii_alphanumeric() || matches!(character, '_' | ':'));
+        for word in scenario.into_iter().flat_map(|text| text.split(separates)) {
+            used.add(db, application.project(), word);
+        }
+        used.add_fathers(db);
+        used
+    }
+
+    /// Whether the test uses a variable of the project with this file.
+    pub(super) fn contains(&self, project_file: &str, name: &str) -> bool {
+        self.variables.contains(&(project_file.to_owned(), name.to_owned()))
+    }
+
+    /// Whether the test uses a field of this name.
+    pub(super) fn contains_field(&self, name: &str) -> bool {
+        self.fields.contains(name)
+    }
+
+    fn add_code(&mut self, db: &Database, project: Project, text: &str, lines: &BTreeSet<u32>) {
+        let parse = parse(text);
+        let mut tokens = Vec::new();
+        if let Some(code) = code(parse.view()) {
+            collect(code, text, &mut (0, 1), &mut tokens);
+        }
+        for (number, token) in tokens.iter().enumerate() {
+            if token.kind != IDENT || !lines.contains(&token.line) {
+                continue;
+            }
+            let before = |distance: usize| number.checked_sub(distance).and_then(|number| tokens.get(number));
+            match (before(1).map(|token| token.kind), before(2)) {
+                (Some(DOT), _) => drop(self.fields.insert(token.text.to_owned())),
+                (Some(COLON), Some(library)) => {
+                    self.add(db, project, &format!("{}:{}", library.text, token.text));
+                }
+                _ => drop(self.add(db, project, token.text)),
             }
         }
+    }
+
+    /// Adds the variable to which a name in a project resolves: `nCount`, `lib:nCount`. Returns it if it is new.
+    fn add(&mut self, db: &Database, project: Project, name: &str) -> Option<Variable> {
+        let path = DataPath::new(name);
+        let owner = match path.library() {
+            None => project,
+            Some(library) => items(db, project).libraries.get(library)?.interface?,
+        };
+        let is_known = items(db, owner).data.contains_key(path.root());
+        let variable = (project_file(db, owner), path.root().to_owned());
+        (is_known && self.variables.insert(variable.clone())).then_some(variable)
     }
 
     /// Adds the fathers of used variables, and their fathers.
-    pub(super) fn add_fathers<'v>(&mut self, variables: &[(&'v str, &'v [String])]) {
-        loop {
-            let used = variables.iter().filter(|(name, _)| self.0.contains(*name));
-            let new: Vec<String> =
-                used.flat_map(|(_, fathers)| *fathers).filter(|father| !self.0.contains(*father)).cloned().collect();
-            if new.is_empty() {
-                return;
-            }
-            self.0.extend(new);
+    fn add_fathers(&mut self, db: &Database) {
+        let fathers = fathers(db);
+        let mut next: Vec<Variable> = self.variables.iter().cloned().collect();
+        while let Some(variable) = next.pop() {
+            let Some((project, fathers)) = fathers.get(&variable) else { continue };
+            next.extend(fathers.iter().filter_map(|father| self.add(db, *project, father)));
         }
-    }
-
-    /// Whether the test uses a variable of this name.
-    pub(super) fn contains(&self, name: &str) -> bool {
-        self.0.contains(name)
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn fathers_of_used_variables_are_used() {
-        let mut used = UsedNames::default();
-        used.add("movej(pPick, tGrip[n2], pal:mFast)");
-        let (tray, cell) = (["fTray".to_owned()], ["fCell".to_owned()]);
-        used.add_fathers(&[("fTray", &cell), ("pPick", &tray), ("pPlace", &["fOther".to_owned()])]);
-        for name in ["pPick", "tGrip", "n2", "pal", "mFast", "fTray", "fCell"] {
-            assert!(used.contains(name), "{name}");
+/// The fathers of all variables, with the projects in which their names resolve.
+fn fathers(db: &Database) -> BTreeMap<Variable, (Project, Vec<String>)> {
+    let mut found = BTreeMap::new();
+    for project in Sources::get(db).projects(db).values() {
+        for file in data_files(db, *project) {
+            let parse = parse(file.text(db));
+            let variables = xml::root(parse.view()).map(written).unwrap_or_default();
+            for variable in variables.into_iter().filter(|variable| !variable.fathers.is_empty()) {
+                found.insert((project_file(db, *project), variable.name), (*project, variable.fathers));
+            }
         }
-        assert!(!used.contains("fOther") && !used.contains("pPlace"));
+    }
+    found
+}
+
+/// The path of a project file.
+pub(super) fn project_file(db: &Database, project: Project) -> String {
+    project.manifest(db).path(db).to_string()
+}
+
+/// The text of a program or data file; `None` if it cannot be read.
+pub(super) fn text(file: &str) -> Option<String> {
+    let bytes = val3_files::read(file.into(), FileClass::Program).ok()?;
+    Some(encoding::decode(bytes).text)
+}
+
+/// Collects the tokens of code. `at` is the last position with its line.
+fn collect<'t>(node: View<'t>, text: &str, at: &mut (usize, u32), tokens: &mut Vec<CodeToken<'t>>) {
+    for child in node.children_with_tokens() {
+        if let Some(node) = child.as_node() {
+            collect(*node, text, at, tokens);
+        }
+        let Some(token) = child.as_token().filter(|token| !token.kind().is_trivia()) else { continue };
+        let start = usize::from(token.range().start());
+        let passed = text.get(at.0..start).unwrap_or_default();
+        at.1 += u32::try_from(passed.matches('\n').count()).unwrap_or_default();
+        at.0 = start;
+        tokens.push(CodeToken { kind: token.kind(), text: token.text(), line: at.1 });
     }
 }
