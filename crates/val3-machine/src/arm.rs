@@ -50,32 +50,32 @@ const DRIFT: (Millimetres, Degrees) = (Millimetres(2.0), Degrees(1.0));
 #[derive(Debug, Clone)]
 pub struct RobotArm {
     model: Arc<Arm>,
-    /// The settings or the cell name the model; otherwise it is the default of its kind.
+    /// Whether the settings or the cell name the model; otherwise the model is the default of its kind.
     is_chosen: bool,
     /// The note for the user when a program first needs the arm.
     notice: Option<String>,
     motion: Motion,
-    /// The instructions of the moves that are not done, by the numbers of the moves.
+    /// Instructions of the moves that are not done, by serial number.
     origins: BTreeMap<u64, MoveOrigin>,
     next_id: f64,
     /// Lines of moves whose descriptor allows more than the maximum speed of an axis.
     too_fast: Vec<CodePlace>,
     connects_by_itself: bool,
-    /// The operator wants the arm to return to its path.
+    /// Whether the operator has requested the return to the path.
     connects_on_request: bool,
     /// The state after the last cycle.
     sample: Sample,
     feedback: Feedback,
     latch: Option<Latch>,
-    /// The joint position to which the operator is moving it by hand.
+    /// Joint position to which the operator moves the arm by hand.
     jog: Option<Joints>,
-    /// For how long no force has moved it in a compliant move.
+    /// Time for which no force has moved the arm in a compliant move.
     yielding: Time,
-    /// Whether the present fault of its path was reported.
+    /// Whether the current fault of the path was reported.
     has_reported_fault: bool,
 }
 
-/// Why a move is not recorded.
+/// Reason why a move is not recorded.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MoveError {
     /// A move recorded before cannot be done.
@@ -109,7 +109,7 @@ impl RobotArm {
         if is_scara { DEFAULT_SCARA } else { DEFAULT_SIX_AXIS }
     }
 
-    /// The cell names an arm that is not known; the default one stays.
+    /// Notes that the cell names an unknown arm; the default arm remains.
     pub fn miss(&mut self, name: &str) {
         self.notice = Some(format!(
             "the arm `{name}` of arm.cfx is unknown: this run has a {}; describe yours in a file (--arm FILE.toml)",
@@ -117,7 +117,7 @@ impl RobotArm {
         ));
     }
 
-    /// The note for the user before a program uses the arm, once.
+    /// Takes the note for the user before a program uses the arm.
     pub fn take_notice(&mut self) -> Option<String> {
         self.notice.take()
     }
@@ -148,13 +148,13 @@ impl RobotArm {
         }
     }
 
-    /// Its model.
+    /// Model of the arm.
     #[must_use]
     pub fn model(&self) -> &Arm {
         &self.model
     }
 
-    /// Whether the settings or the cell name the model; otherwise it is the default of its kind.
+    /// Whether the settings or the cell name the model; otherwise the model is the default of its kind.
     #[must_use]
     pub const fn is_chosen(&self) -> bool {
         self.is_chosen
@@ -186,7 +186,7 @@ impl RobotArm {
         self.put(self.motion.joints());
     }
 
-    /// Puts the arm at a joint position. Every recorded move is forgotten.
+    /// Sets the joint position and removes all recorded moves.
     pub fn put(&mut self, joint: Joints) {
         self.motion.place(Arc::clone(&self.model), joint);
         self.origins.clear();
@@ -194,7 +194,7 @@ impl RobotArm {
         self.feedback = Feedback::at(joint);
     }
 
-    /// Puts the arm at a joint position, as [`Self::put`] does, if it is within the limits.
+    /// Sets the joint position like [`Self::put`], if it is within the limits.
     ///
     /// # Errors
     /// An axis would be outside its limits.
@@ -222,13 +222,13 @@ impl RobotArm {
 
 /// The state of the arm.
 impl RobotArm {
-    /// Where the controller wants each axis.
+    /// Commanded joint position.
     #[must_use]
     pub fn joint(&self) -> Joints {
         self.sample.joints
     }
 
-    /// Where the encoders find each axis.
+    /// Measured joint position.
     #[must_use]
     pub fn measured_joint(&self) -> Joints {
         self.feedback.measured()
@@ -258,25 +258,25 @@ impl RobotArm {
         self.feedback.force(&self.model)
     }
 
-    /// `isEmpty`: every recorded move is done.
+    /// Whether all recorded moves are done (`isEmpty`).
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.motion.is_empty()
     }
 
-    /// `stopMove` holds it.
+    /// Whether `stopMove` holds the arm.
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
         self.motion.is_stopped()
     }
 
-    /// No motion is commanded.
+    /// Whether no motion is commanded.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
         self.feedback.is_at_rest()
     }
 
-    /// `isSettled`.
+    /// Whether the arm is settled (`isSettled`).
     #[must_use]
     pub fn is_settled(&self) -> bool {
         self.feedback.is_settled()
@@ -293,7 +293,7 @@ impl RobotArm {
         self.motion.moves().map(|queued| (queued, self.origins.get(&queued.serial)))
     }
 
-    /// Why it does not move though there are moves to do.
+    /// Reason why the arm does not move although moves are not done.
     #[must_use]
     pub fn hold(&self, drive: Drive) -> Option<ArmHold> {
         match drive {
@@ -307,19 +307,19 @@ impl RobotArm {
         }
     }
 
-    /// `isCompliant`.
+    /// Whether the arm yields to forces (`isCompliant`).
     #[must_use]
     pub fn is_compliant(&self) -> bool {
         self.motion.is_compliant()
     }
 
-    /// It is away from its path, or on its way back.
+    /// Whether the arm is away from its path, or on a connection move.
     #[must_use]
     pub fn is_away(&self) -> bool {
         self.motion.connection().is_some() || self.sample.phase == MotionPhase::Connection
     }
 
-    /// A cycle with this drive would change its state.
+    /// Whether a cycle with this drive would change the state.
     #[must_use]
     pub fn is_busy(&self, drive: Drive) -> bool {
         let has_way = self.motion.can_go_on() && self.yielding < WAITING || self.may_connect(drive);
@@ -333,10 +333,10 @@ impl RobotArm {
 
 /// Instructions.
 impl RobotArm {
-    /// Records a move of the instruction at a line, and gives its id; `None` while no more moves can be recorded.
+    /// Records a move of the instruction at a line and returns its id; `None` while no more moves can be recorded.
     ///
     /// # Errors
-    /// It, or a move recorded before, cannot be done.
+    /// The move, or a move recorded before, cannot be done.
     pub fn record(&mut self, request: &MoveRequest, at: CodePlace) -> Result<Option<f64>, MoveError> {
         if let Some(cause) = self.motion.fault() {
             return Err(MoveError::Earlier(cause.clone()));
@@ -415,13 +415,13 @@ impl RobotArm {
         self.motion.alter_stop_time().0
     }
 
-    /// `autoConnectMove`: the present choice.
+    /// Setting of `autoConnectMove`.
     #[must_use]
     pub const fn connects_by_itself(&self) -> bool {
         self.connects_by_itself
     }
 
-    /// `autoConnectMove`: makes a choice.
+    /// Changes the setting of `autoConnectMove`.
     pub fn connect_by_itself(&mut self, active: bool) {
         self.connects_by_itself = active;
     }
@@ -434,7 +434,7 @@ impl RobotArm {
 
 /// Events from outside.
 impl RobotArm {
-    /// Moves on by a cycle.
+    /// Advances by one cycle.
     pub fn advance(&mut self, drive: Drive) {
         if drive.may_move {
             self.motion.resume();
@@ -486,18 +486,18 @@ impl RobotArm {
         (fault, origin)
     }
 
-    /// A force from outside acts on the arm from now on.
+    /// Sets the external force on the arm.
     pub fn push(&mut self, force: ExternalForce) {
         self.motion.set_external_force(force);
         self.yielding = 0;
     }
 
-    /// The operator lets the arm return to its path.
+    /// Requests the return to the path, as the operator does.
     pub fn request_connection(&mut self) {
         self.connects_on_request = true;
     }
 
-    /// The operator moves the arm to a joint position by hand; nothing happens while a program moves it.
+    /// Moves the arm to a joint position by hand, without effect while a program moves it.
     ///
     /// # Errors
     /// An axis would be outside its limits.
@@ -527,7 +527,7 @@ impl RobotArm {
         }
     }
 
-    /// Starts the way back to the path where it is allowed (10.6).
+    /// Starts the connection move if it is allowed (10.6).
     fn connect(&mut self, drive: Drive) {
         if self.may_connect(drive) && self.motion.connect().is_ok() {
             self.connects_on_request = false;

@@ -14,21 +14,21 @@ const ROUNDING: f64 = 1.001;
 /// An emergency stop ends the deviation after this time in seconds at the latest (manual 11.2.6).
 const EMERGENCY: f64 = 0.5;
 
-/// The answer to an alter request (manual 11.2.6).
+/// Result of an alter request (manual 11.2.6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlterStatus {
     /// The request is in force.
     Done,
-    /// It has to wait for an alterable move, or for the end of a stop.
+    /// The request waits for an alterable move, or for the end of a stop.
     Waiting,
-    /// It is ignored: the mode is active already, or not active.
+    /// The request is ignored: the mode is active already, or not active.
     Ignored,
     /// The motion has a fault and needs a reset.
     Fault,
 }
 
 impl AlterStatus {
-    /// The result of the instruction.
+    /// Result of the instruction.
     #[must_use]
     pub const fn code(self) -> i8 {
         match self {
@@ -52,9 +52,9 @@ pub(crate) struct Alteration {
     axes: Axes,
     /// Change of the axes per second in the last cycle.
     speed: Axes,
-    /// `alterEnd` has fixed the deviation for the rest of the path.
+    /// Whether `alterEnd` has fixed the deviation for the rest of the path.
     pub(crate) is_ended: bool,
-    /// It could not be done: the arm stays where it is until a reset.
+    /// Whether the deviation was impossible, so that the arm keeps its position until a reset.
     pub(crate) has_failed: bool,
     /// Seconds until a stop locks the deviation.
     pub(crate) locks_in: Option<f64>,
@@ -82,7 +82,7 @@ impl Alteration {
         self.wanted = transformation;
     }
 
-    /// Where the arm is.
+    /// Commanded axes of the arm.
     pub(crate) fn axes(&self) -> Axes {
         self.axes
     }
@@ -141,7 +141,7 @@ impl Alteration {
         }
     }
 
-    /// The speeds of a cycle are within the limits of `alterBegin`.
+    /// Checks that the speeds of a cycle are within the limits of `alterBegin`.
     fn check(
         &self,
         model: &Model<'_>,

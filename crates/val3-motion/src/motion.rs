@@ -43,14 +43,14 @@ pub struct Motion {
     queue: Queue,
     /// See [`Motion::revision`].
     revision: u64,
-    /// Why the recorded path cannot be followed to its end.
+    /// Fault of the recorded path.
     fault: Option<PathFault>,
-    /// Where the arm rests while nothing is recorded.
+    /// Rest position of the arm while no move is recorded.
     rest: Axes,
     /// `getMoveId` once everything recorded is done.
     done_id: f64,
     tool: IsometryMatrix3<f64>,
-    /// Where the arm is while it is not on its path.
+    /// State of an arm that is not on its path.
     departure: Option<Departure>,
     /// Of the tool centre point over the last cycle, in mm/s.
     speed: f64,
@@ -261,7 +261,7 @@ impl Motion {
         self.commanded = self.axes();
     }
 
-    /// The way back to the path of an arm that rests away from it.
+    /// Connection of an arm that rests away from its path.
     #[must_use]
     pub fn connection(&self) -> Option<Connection> {
         let Some(Departure::At(axes)) = &self.departure else { return None };
@@ -283,7 +283,7 @@ impl Motion {
         Ok(())
     }
 
-    /// Why the recorded path cannot be followed to its end. The next move is refused for it.
+    /// Reason why the recorded path cannot be followed to its end; the next move is rejected with it.
     #[must_use]
     pub fn fault(&self) -> Option<&Cause> {
         self.fault.as_ref().map(|fault| &fault.cause)
@@ -301,13 +301,13 @@ impl Motion {
         self.fault.as_ref().filter(|_| self.timeline.is_at_end() || self.has_altered_fault())
     }
 
-    /// Where the last recorded move ends, and the next one begins.
+    /// Joint position at which the last recorded move ends and the next move begins.
     #[must_use]
     pub fn destination(&self) -> Joints {
         self.tail().destination().into()
     }
 
-    /// Puts the arm, with another geometry perhaps, at these joints. Everything recorded is forgotten.
+    /// Sets the arm model and the joint position, and removes all recorded moves.
     pub fn place(&mut self, arm: Arc<Arm>, joints: Joints) {
         let Self { executor, mode, revision, done_id, is_stopped, is_braked, tool_speed, .. } = *self;
         let mut queue = std::mem::take(&mut self.queue);
@@ -316,7 +316,7 @@ impl Motion {
         *self = Self { executor, mode, queue, revision, done_id, is_stopped, is_braked, tool_speed, ..new };
     }
 
-    /// Chooses the monitor speed.
+    /// Sets the monitor speed.
     pub fn set_monitor_speed(&mut self, speed: Percent) {
         let at_rest = self.timeline.rate() == 0.0;
         self.executor.set_monitor_speed(speed, at_rest);
@@ -417,7 +417,7 @@ impl Motion {
         moved
     }
 
-    /// Follows a compliant move. None if none is executed.
+    /// Follows a compliant move; `None` if no compliant move is executed.
     fn glide(&mut self, duration: Seconds) -> Option<bool> {
         let (timed, command) = self.timeline.compliant()?;
         let (span, reduction) = (Arc::clone(&timed.span), timed.reduction.clone());
@@ -452,7 +452,7 @@ impl Motion {
         self.queue.moves()
     }
 
-    /// The steps of the moves since the last call.
+    /// Events of moves since the last call.
     pub fn take_events(&mut self) -> Vec<MoveEvent> {
         self.queue.take_events()
     }

@@ -12,21 +12,21 @@ use crate::span::Part;
 /// A recorded move that is not done yet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QueuedMove {
-    /// Its number in the order of recording, which no other move has.
+    /// Serial number of the move, unique, in the order of recording.
     pub serial: u64,
-    /// The id that `getMoveId` gives while it is executed.
+    /// Id that `getMoveId` returns during the move.
     pub id: f64,
-    /// The shape of its path.
+    /// Shape of the path.
     pub shape: PathShape,
-    /// The tool centre point at its destination, in world.
+    /// Tool centre point at the destination, in `world`.
     pub target: IsometryMatrix3<f64>,
     /// Intermediate point of a circle, in world, in mm; `None` for other shapes.
     pub intermediate: Option<Vector3<f64>>,
-    /// Joint position at its destination.
+    /// Joint position at the destination.
     pub joints: Joints,
-    /// Where the blend around its destination begins; none without a blend.
+    /// Start of the blend around the destination; `None` without a blend.
     pub leave: Option<Corner>,
-    /// Where that blend ends on the path of the next move, which must be recorded for that.
+    /// End of that blend, on the path of the next move; `None` before the next move is recorded.
     pub reach: Option<Corner>,
     /// Requested leave and reach of a blend that [`Motion::close`](crate::Motion::close) has cancelled.
     pub cancelled: Option<[Millimetres; 2]>,
@@ -41,9 +41,9 @@ pub struct Corner {
     pub requested: Millimetres,
     /// Distance of this point to the destination; 0 for a pure rotation.
     pub distance: Millimetres,
-    /// Why the arm rounds less than the requested distance; `None` if it does not.
+    /// Reason why the distance is shorter than requested; `None` if it is not.
     pub shortening: Option<Shortening>,
-    /// The tool centre point there, in world.
+    /// Tool centre point at this end, in `world`.
     pub position: Vector3<f64>,
 }
 
@@ -85,13 +85,13 @@ impl Shortening {
 /// Change of the stage of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveEvent {
-    /// The number of the move.
+    /// Serial number of the move.
     pub serial: u64,
-    /// Its id.
+    /// Id of the move.
     pub id: f64,
     /// Kind of change.
     pub kind: MoveEventKind,
-    /// When, after the beginning of the cycle.
+    /// Time since the start of the cycle.
     pub at: Seconds,
     /// Ends of the blend of the move, as in [`QueuedMove`].
     pub leave: Option<Corner>,
@@ -136,7 +136,7 @@ pub(crate) struct Queue {
 }
 
 impl Queue {
-    /// The number that the next move gets.
+    /// Serial number of the next move.
     pub(crate) fn next_serial(&self) -> u64 {
         self.recorded
     }
@@ -159,7 +159,7 @@ impl Queue {
         });
     }
 
-    /// The path of a move is known, with the beginning of its blend and the end of the blend of the move before it.
+    /// Sets the end of the previous blend and the start of the blend of a move whose path was determined.
     pub(crate) fn lay_out(&mut self, serial: u64, reach: Option<Corner>, leave: Option<Corner>) {
         if let (Some(reach), Some(before)) = (reach, self.open()) {
             before.reach = Some(reach);
@@ -169,7 +169,7 @@ impl Queue {
         }
     }
 
-    /// The last move ends at its destination, without the requested leave and reach.
+    /// Removes the blend of the last move; `requested` are its leave and reach.
     pub(crate) fn close(&mut self, requested: Option<[Millimetres; 2]>) {
         if let Some(last) = self.open() {
             last.leave = None;
@@ -177,7 +177,7 @@ impl Queue {
         }
     }
 
-    /// The move whose blend waits for the next one. Moves that end where they begin may follow it.
+    /// Move whose blend requires the next move. Moves of length 0 may follow it.
     fn open(&mut self) -> Option<&mut QueuedMove> {
         self.moves.iter_mut().rev().find(|queued| queued.leave.is_some()).filter(|queued| queued.reach.is_none())
     }
@@ -186,7 +186,7 @@ impl Queue {
         self.moves.iter()
     }
 
-    /// Forgets every move.
+    /// Removes all moves.
     pub(crate) fn forget(&mut self) {
         self.moves.clear();
     }
@@ -195,7 +195,7 @@ impl Queue {
         std::mem::take(&mut self.events)
     }
 
-    /// The arm begins with a part of the path.
+    /// Records that the arm has begun a part of the path.
     pub(crate) fn begin(&mut self, part: &Part, at: Seconds) {
         match part {
             Part::Nominal { serial, .. } => self.advance(*serial, MoveStage::Started, MoveEventKind::Started, at),
@@ -206,7 +206,7 @@ impl Queue {
         }
     }
 
-    /// The arm is at the end of a part of the path, which is the destination of its move unless it is a blend.
+    /// Records that the arm has completed a part of the path. A nominal part ends at the destination of its move.
     pub(crate) fn end(&mut self, part: &Part, at: Seconds) {
         match part {
             Part::Nominal { serial, .. } => self.finish(*serial, at),
@@ -218,14 +218,14 @@ impl Queue {
         }
     }
 
-    /// Everything recorded is done: moves that end where they begin have no part of the path.
+    /// Removes all moves as done, also moves of length 0, which have no part of the path.
     pub(crate) fn finish_all(&mut self, at: Seconds) {
         if let Some(last) = self.moves.back().map(|last| last.serial) {
             self.finish(last, at);
         }
     }
 
-    /// A move gets on, so those before it are done.
+    /// Sets the stage of a move, and removes the moves before it as done.
     fn advance(&mut self, serial: u64, stage: MoveStage, kind: MoveEventKind, at: Seconds) {
         if let Some(before) = serial.checked_sub(1) {
             self.finish(before, at);
@@ -236,7 +236,7 @@ impl Queue {
         }
     }
 
-    /// A move is done, and with it those before it.
+    /// Removes a move and the moves before it as done.
     fn finish(&mut self, serial: u64, at: Seconds) {
         while let Some(first) = self.moves.front().filter(|first| first.serial <= serial).map(|first| first.serial) {
             self.advance(first, MoveStage::Started, MoveEventKind::Started, at);
@@ -251,7 +251,7 @@ impl Queue {
         }
     }
 
-    /// The move with this number. Numbers are consecutive.
+    /// Move with this serial number. Serial numbers are consecutive.
     fn at(&mut self, serial: u64) -> Option<&mut QueuedMove> {
         let first = self.moves.front()?.serial;
         self.moves.get_mut(usize::try_from(serial.checked_sub(first)?).ok()?)

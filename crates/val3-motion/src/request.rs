@@ -3,18 +3,18 @@
 use val3_geometry::IsometryMatrix3;
 use val3_moves::{Blend, DegreesPerSecond, Manner, MillimetresPerSecond, MovePath};
 
-/// One recorded move: where to, with which tool, within which limits, and how its corner is rounded.
+/// Move with the limits of the arm.
 #[derive(Clone, Debug)]
 pub struct Move {
     /// Path and destination.
     pub path: MovePath,
-    /// The tool centre point relative to the flange.
+    /// Tool centre point relative to the flange.
     pub tool: IsometryMatrix3<f64>,
     /// Limits of speed and acceleration.
     pub limits: Limits,
-    /// How the corner at the destination is rounded when another move follows.
+    /// Blend around the destination if another move follows.
     pub blend: Blend,
-    /// The id that `getMoveId` gives while this move is executed (manual 10.6).
+    /// Id that `getMoveId` returns during the move (manual 10.6).
     pub id: f64,
     /// How the arm follows the path.
     pub manner: Manner,
@@ -36,7 +36,7 @@ pub struct Limits {
 }
 
 impl Move {
-    /// The blend at the destination. A compliant move has none.
+    /// Blend at the destination; [`Blend::Off`] for a compliant move.
     pub(crate) fn corner(&self) -> Blend {
         match self.manner {
             Manner::Compliant(_) => Blend::Off,

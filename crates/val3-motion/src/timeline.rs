@@ -1,4 +1,4 @@
-//! Speeds along the spans that are determined: written by the planner, followed by the executor.
+//! Speeds along the determined spans: written by the planner, followed by the executor.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use crate::bounds::Bounds;
 use crate::compliant::Glide;
 use crate::span::{Reduction, Span};
 
-/// Spans with their speeds, and how far the arm is. The first span is the one that is executed.
+/// Spans with their speeds, and the position of the arm. The first span is executed.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Timeline {
     pub(crate) spans: VecDeque<TimedSpan>,
@@ -29,13 +29,13 @@ pub(crate) struct TimedSpan {
     pub(crate) points: Vec<Point>,
     /// Whether the arm rests before this span.
     pub(crate) from_rest: bool,
-    /// In step mode the arm waits before this span until it is released.
+    /// Whether the arm waits before this span until it is released (step mode).
     pub(crate) is_gated: bool,
     /// |dq/dp| at its end if the arm deviates from it.
     pub(crate) exit_rate: Option<f64>,
-    /// A reset has forgotten its move; the arm only brakes on it.
+    /// Whether a reset has removed the move, so that the arm only brakes on the span.
     pub(crate) is_forgotten: bool,
-    /// The limits of reduced speed, if it is in force.
+    /// Limits of reduced speed; `None` at normal speed.
     pub(crate) reduction: Option<Reduction>,
 }
 
@@ -47,23 +47,23 @@ pub(crate) struct Point {
     pub(crate) x: f64,
     /// Greatest x from which the arm can follow the rest of the path.
     pub(crate) most: f64,
-    /// The arm waits here until it is released.
+    /// Whether the arm waits at the point until it is released.
     pub(crate) halt: bool,
 }
 
-/// How far the arm is in the first span.
+/// Position of the arm in the first span.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Cursor {
-    /// The point that was passed last.
+    /// Index of the point that was passed last.
     pub(crate) point: usize,
-    /// Seconds since then.
+    /// Seconds since that point.
     pub(crate) elapsed: f64,
-    /// The state of a compliant move, which follows no plan.
+    /// State of a compliant move, which follows no plan.
     pub(crate) glide: Option<Glide>,
 }
 
 impl TimedSpan {
-    /// The span at rest; the planner gives it speeds.
+    /// Creates a span without speeds, which the planner sets.
     pub(crate) fn new(span: Arc<Span>, from_rest: bool) -> Self {
         let last = span.len() - 1;
         let [_, end] = span.range();
@@ -93,7 +93,7 @@ impl TimedSpan {
     }
 }
 
-/// What limits the speeds of a span.
+/// Limits of the speeds of a span.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpanLimit<'a> {
     span: &'a Span,
@@ -122,7 +122,7 @@ impl Interval {
         Some(Self { from: *from, to: *to })
     }
 
-    /// Its duration; infinite where the arm rests at both ends.
+    /// Duration of the interval; infinite if the arm rests at both ends.
     pub(crate) fn seconds(&self) -> f64 {
         2.0 * (self.to.p - self.from.p) / (self.from.x.sqrt() + self.to.x.sqrt())
     }
@@ -145,7 +145,7 @@ impl Interval {
 }
 
 impl Timeline {
-    /// p in the first span; none without one.
+    /// p in the first span; `None` without a span.
     pub(crate) fn p(&self) -> Option<f64> {
         let front = self.spans.front()?;
         match front.interval(self.cursor.point) {
@@ -165,7 +165,7 @@ impl Timeline {
         }
     }
 
-    /// The compliant move has reached its destination.
+    /// Records that the compliant move has reached its destination.
     pub(crate) fn pass_compliant(&mut self) {
         let last = self.spans.front().map_or(0, |front| front.points.len().saturating_sub(1));
         self.cursor = Cursor { point: last, ..Cursor::default() };
@@ -186,7 +186,7 @@ impl Timeline {
         }
     }
 
-    /// Whether the arm is at the end of everything that is determined.
+    /// Whether the arm is at the end of the determined path.
     pub(crate) fn is_at_end(&self) -> bool {
         match (self.spans.len(), self.spans.front()) {
             (0, _) | (_, None) => true,
@@ -195,7 +195,7 @@ impl Timeline {
         }
     }
 
-    /// Seconds until the arm is at the end of everything that is determined, at full monitor speed.
+    /// Seconds until the end of the determined path, at full monitor speed.
     pub(crate) fn seconds_left(&self) -> f64 {
         let mut spans = self.spans.iter();
         let first = spans.next().map_or(0.0, |span| span.seconds_from(self.cursor.point) - self.cursor.elapsed);

@@ -10,79 +10,79 @@ use super::Controller;
 use crate::arm::{ArmHold, MoveOrigin};
 use crate::blend_ends::BlendEnds;
 
-/// Where the arm is in the recorded moves.
+/// Progress of the arm on the recorded moves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionStatus {
-    /// The mode.
+    /// Mode of the motion.
     pub mode: MotionMode,
-    /// The commanded position has changed in the last cycle.
+    /// Whether the commanded position has changed in the last cycle.
     pub is_moving: bool,
-    /// The arm is where it was released to, or at the end of everything that is determined.
+    /// Whether the arm has reached the end of its release, or of the determined path.
     pub has_arrived: bool,
-    /// The piece that the arm is in, or at whose end it waits. None before the first one.
+    /// Current piece, or the piece at whose end the arm waits; `None` before the first piece.
     pub piece: Option<MotionPiece>,
-    /// The piece after that; none if it is not determined yet.
+    /// Next piece; `None` if it is not determined yet.
     pub next: Option<MotionPiece>,
-    /// Why the arm rests before the end of what it was released to.
+    /// Reason why the arm rests before the end of its release.
     pub hold: Option<ArmHold>,
 }
 
-/// A piece of the path: the nominal part of a move, or the blend around its destination.
+/// Piece of the path: the nominal part of a move, or the blend around a destination.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionPiece {
-    /// The piece: its move, its kind, and where it ends.
+    /// Move, kind and end of the piece.
     pub piece: PathPiece,
-    /// The position of its move in [`Controller::motion_queue`]; none once the move is done.
+    /// Index of the move in [`Controller::motion_queue`]; `None` if the move is done.
     pub position: Option<usize>,
-    /// The line that requested its move.
+    /// Line that requested the move.
     pub source: Option<CodeSource>,
 }
 
 /// A recorded move that is not done.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedMove {
-    /// Its number in the order of recording, which no other move has.
+    /// Serial number of the move, unique, in the order of recording.
     pub serial: u64,
-    /// The id that `getMoveId` gives while it is executed.
+    /// Id that `getMoveId` returns during the move.
     pub id: f64,
-    /// The shape of its path.
+    /// Shape of the path.
     pub shape: PathShape,
-    /// Joint position at its destination, in degrees (linear axes: mm).
+    /// Joint position at the destination, in degrees (linear axes: mm).
     pub joints: Joints,
-    /// The tool centre point at its destination, in world; lengths in mm.
+    /// Tool centre point at the destination, in `world`; lengths in mm.
     pub target: IsometryMatrix3<f64>,
-    /// Its motion descriptor: speeds and accelerations in per cent of the nominal ones, `tvel` in mm/s, `rvel` in
+    /// Motion descriptor: speeds and accelerations in per cent of the nominal values, `tvel` in mm/s, `rvel` in
     /// degrees/s, `leave` and `reach` in mm.
     pub descriptor: Option<MdescValue>,
     /// Stage of the execution.
     pub stage: MoveStage,
-    /// Where the blend around its destination begins; none without a blend, or while its path is not determined.
+    /// Start of the blend around the destination; `None` without a blend, or before the path is determined.
     pub leave: Option<BlendPoint>,
-    /// Where that blend ends, once the next move determines it.
+    /// End of that blend; `None` before the next move determines it.
     pub reach: Option<BlendPoint>,
     /// Requested and effective distances of that blend.
     pub blend: BlendEnds,
-    /// The line that requested it.
+    /// Line that requested the move.
     pub source: Option<CodeSource>,
 }
 
 /// An end of a blend.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BlendPoint {
-    /// The effective distance of the tool centre point to the destination; 0 for a pure rotation.
+    /// Effective distance of the tool centre point to the destination; 0 for a pure rotation.
     pub distance: Millimetres,
-    /// Commanded joint position there, in degrees (linear axes: mm).
+    /// Commanded joint position at this end, in degrees (linear axes: mm).
     pub joints: Joints,
-    /// The tool centre point there, in world; lengths in mm.
+    /// Tool centre point at this end, in `world`; lengths in mm.
     pub pose: IsometryMatrix3<f64>,
 }
 
-/// The instruction that has requested a move, and its line.
+/// Instruction that requested a move, with its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CodeSource {
-    /// Its name: `movel`.
+    /// Name of the instruction: `movel`.
     pub instruction: &'static str,
-    /// Its place in the code.
+    /// Location in the code.
     pub at: CodePlace,
     /// The program.
     pub program: String,
@@ -92,26 +92,26 @@ pub struct CodeSource {
     pub file: String,
 }
 
-/// A path before which the arm rests, because it cannot follow the path.
+/// Fault of the path before which the arm rests.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MotionFault {
-    /// The number of its move in the order of recording.
+    /// Serial number of the move.
     pub serial: u64,
     /// The reason.
     pub text: String,
-    /// The line that requested the move.
+    /// Line that requested the move.
     pub source: Option<CodeSource>,
 }
 
 /// The step mode.
 impl Controller {
-    /// The mode of the motion.
+    /// Mode of the motion.
     #[must_use]
     pub fn motion_mode(&self) -> MotionMode {
         self.devices.state.arm.motion().mode()
     }
 
-    /// Chooses the mode of the motion, also while the arm moves.
+    /// Sets the mode of the motion, also while the arm moves.
     ///
     /// In step mode the arm comes to rest at the end of each piece and waits there until it is released; it first
     /// finishes the piece that it is in. In continuous mode nothing waits any more.
@@ -125,7 +125,7 @@ impl Controller {
         self.devices.state.arm.release_piece()
     }
 
-    /// Releases the arm to the end of everything that is determined now.
+    /// Releases the arm to the end of the path that is determined now.
     pub fn release_motion(&mut self) {
         self.devices.state.arm.release_determined();
     }
@@ -136,25 +136,25 @@ impl Controller {
         self.devices.state.arm.motion().waits_for_release()
     }
 
-    /// A number that grows whenever a move is recorded or more of the path is determined.
+    /// Number that grows when a move is recorded or more of the path is determined.
     #[must_use]
     pub fn motion_revision(&self) -> u64 {
         self.devices.state.arm.motion().revision()
     }
 
-    /// Whether the arm is where it was released to, or at the end of everything that is determined.
+    /// Whether the arm has reached the end of its release, or of the determined path.
     #[must_use]
     pub fn motion_has_arrived(&self) -> bool {
         self.devices.state.arm.motion().has_arrived()
     }
 
-    /// Why the arm rests before the end of what it was released to, and does not move on by itself.
+    /// Reason why the arm rests before the end of its release and does not continue by itself.
     #[must_use]
     pub fn motion_hold(&self) -> Option<ArmHold> {
         self.devices.state.arm_standstill()
     }
 
-    /// Where the arm is in the recorded moves.
+    /// Progress of the arm on the recorded moves.
     #[must_use]
     pub fn motion_status(&self) -> MotionStatus {
         let motion = self.devices.state.arm.motion();
@@ -207,13 +207,13 @@ impl Controller {
         CodeSource { instruction, at, program, line, file }
     }
 
-    /// Records the moves that an application which has ended leaves undone, and the fault of their path.
+    /// Records the moves that are not done at the end of the application, and the fault of their path.
     pub fn record_dropped_moves(&mut self) {
         let now = self.now();
         self.devices.record_dropped_moves(now);
     }
 
-    /// The fault of the path before which the arm rests.
+    /// Fault of the path before which the arm rests.
     #[must_use]
     pub fn motion_fault(&self) -> Option<MotionFault> {
         let arm = &self.devices.state.arm;
@@ -222,7 +222,7 @@ impl Controller {
         Some(MotionFault { serial: fault.serial, text: fault.to_string(), source })
     }
 
-    /// Lets all tasks rest, which programs do not notice: time passes, and the arm, inputs and outputs work.
+    /// Pauses or resumes all tasks without an effect on programs; time, the arm, inputs and outputs continue.
     pub fn rest_tasks(&mut self, rest: bool) {
         self.schedule.tasks_rest = rest;
     }

@@ -8,45 +8,45 @@ use crate::model::Model;
 use crate::span::{Part, SAME};
 use crate::timeline::TimedSpan;
 
-/// How the arm passes from one piece of its path to the next.
+/// Mode in which the arm passes from one piece of its path to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MotionMode {
     /// Without a stop, as far as its path is determined.
     #[default]
     Continuous,
-    /// It comes to rest at the end of each piece and waits there until it is released. The positions that it passes are
-    /// those of the continuous mode.
+    /// The arm comes to rest at the end of each piece and waits there until it is released. Its positions on the path
+    /// are the positions of the continuous mode.
     Step,
 }
 
-/// A piece of the path: the nominal part of a move, or the blend around its destination.
+/// Piece of the path: the nominal part of a move, or the blend around a destination.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathPiece {
-    /// The number of its move; that of the move before the corner in a blend.
+    /// Serial number of the move; in a blend, of the move before the corner.
     pub serial: u64,
-    /// The id of that move.
+    /// Id of that move.
     pub id: f64,
     /// The part of the move.
     pub kind: PieceKind,
-    /// The kind of point at which it ends.
+    /// Kind of point at which the piece ends.
     pub end: PieceEnd,
-    /// Commanded joint position at its end, in degrees (linear axes: mm), without a deviation by `alter`.
+    /// Commanded joint position at the end, in degrees (linear axes: mm), without a deviation by `alter`.
     pub joints: Joints,
-    /// The tool centre point at its end, in world; lengths in mm.
+    /// Tool centre point at the end, in `world`; lengths in mm.
     pub pose: IsometryMatrix3<f64>,
 }
 
 /// A part of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PieceKind {
-    /// The path that the move describes, from the reach point of the move before it or from that move's destination.
+    /// Path that the move describes, from the reach point or the destination of the previous move.
     Nominal,
     /// The blend around its destination, from its leave point to its reach point.
     Blend,
 }
 
 impl PieceKind {
-    /// Its name.
+    /// Name of the variant.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -70,7 +70,7 @@ pub enum PieceEnd {
 }
 
 impl PieceEnd {
-    /// Its name.
+    /// Name of the variant.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -110,7 +110,7 @@ impl Motion {
         self.timeline.open_gate()
     }
 
-    /// Releases the arm to the end of everything that is determined now.
+    /// Releases the arm to the end of the path that is determined now.
     pub fn release_determined(&mut self) {
         self.timeline.open_gates();
     }
@@ -121,13 +121,13 @@ impl Motion {
         self.timeline.waits_at_gate()
     }
 
-    /// Whether the arm is where it was released to, or at the end of everything that is determined.
+    /// Whether the arm has reached the end of its release, or of the determined path.
     #[must_use]
     pub fn has_arrived(&self) -> bool {
         !self.is_moving() && (self.timeline.is_at_end() || self.waits_for_release())
     }
 
-    /// A number that grows whenever a move is recorded or more of the path is determined.
+    /// Number that grows when a move is recorded or more of the path is determined.
     #[must_use]
     pub const fn revision(&self) -> u64 {
         self.revision
@@ -150,13 +150,13 @@ impl Motion {
         })
     }
 
-    /// The piece after that; none if it is not determined yet.
+    /// Next piece; `None` if it is not determined yet.
     #[must_use]
     pub fn next_piece(&self) -> Option<PathPiece> {
         self.piece_from(self.timeline.next_piece()?)
     }
 
-    /// The pieces that are determined, from that of the arm on.
+    /// Determined pieces, from the current piece on.
     pub fn pieces(&self) -> impl Iterator<Item = PathPiece> {
         let mut index = 0;
         std::iter::from_fn(move || {
