@@ -1,0 +1,25 @@
+//! `continue`: resumes all tasks, or one.
+
+use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
+use crate::protocol::{ContinueArguments, ContinueResponse};
+use crate::requests::DebugRequest;
+use crate::session::DebugSession;
+
+/// The request `continue`.
+pub(crate) enum Continue {}
+
+impl DebugRequest for Continue {
+    const COMMAND: &'static str = "continue";
+    type Arguments = ContinueArguments;
+    type Body = ContinueResponse;
+
+    fn answer(
+        session: &mut DebugSession,
+        run: &mut DebuggedRun<'_>,
+        arguments: ContinueArguments,
+    ) -> Result<ContinueResponse, RequestFailure> {
+        let is_one = session.release(arguments.thread_id, arguments.single_thread, run)?;
+        Ok(ContinueResponse { all_threads_continued: Some(!is_one) })
+    }
+}

@@ -1,0 +1,27 @@
+//! `stepBack`: returns to the previous line.
+
+use val3_debug::{Goal, StepKind};
+
+use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
+use crate::protocol::StepBackArguments;
+use crate::requests::DebugRequest;
+use crate::session::DebugSession;
+
+/// The request `stepBack`.
+pub(crate) enum StepBack {}
+
+impl DebugRequest for StepBack {
+    const COMMAND: &'static str = "stepBack";
+    type Arguments = StepBackArguments;
+    type Body = ();
+
+    fn answer(
+        session: &mut DebugSession,
+        run: &mut DebuggedRun<'_>,
+        arguments: StepBackArguments,
+    ) -> Result<(), RequestFailure> {
+        let task = DebugSession::task(arguments.thread_id, run)?;
+        session.go_back(Goal::Line(task, StepKind::Over), run)
+    }
+}
