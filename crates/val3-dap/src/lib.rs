@@ -31,6 +31,8 @@ mod session;
 mod session_start;
 mod settings;
 mod stop_event;
+#[cfg(test)]
+mod test_client;
 mod user_page;
 #[cfg(feature = "validate")]
 pub mod validate;

@@ -23,3 +23,18 @@ impl DebugRequest for Continue {
         Ok(ContinueResponse { all_threads_continued: Some(!is_one) })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_running_program_cannot_be_resumed() {
+        let mut client = TestClient::stopped(EMPTY);
+        let (thread, _) = client.thread_and_frame();
+        assert_eq!(client.body("continue", json!({ "threadId": thread }))["allThreadsContinued"], true);
+        assert_eq!(client.failure("continue", json!({ "threadId": thread })), "notStopped");
+    }
+}

@@ -55,3 +55,20 @@ fn list(value: &Value, run: &mut DebuggedRun<'_>, format: Format) -> Option<Stri
     let texts = values(controller, inside, all, format).into_iter().map(|value| value.shown);
     Some(format!("{{{}}}", texts.collect::<Vec<_>>().join(", ")))
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{COUNTER, TestClient};
+
+    #[test]
+    fn only_the_console_executes_statements() {
+        let mut client = TestClient::stopped(COUNTER);
+        let (_, frame) = client.thread_and_frame();
+        let console = json!({ "expression": "nCount=7", "frameId": frame, "context": "repl" });
+        client.body("evaluate", console);
+        let watch = json!({ "expression": "nCount+1", "frameId": frame, "context": "watch" });
+        assert_eq!(client.body("evaluate", watch)["result"], "8");
+    }
+}

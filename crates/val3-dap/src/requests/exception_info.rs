@@ -59,3 +59,19 @@ fn run_time_error(number: u16) -> ExceptionInfoResponse {
         }),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_task_without_an_error_has_no_information() {
+        let mut client = TestClient::stopped(EMPTY);
+        let (thread, _) = client.thread_and_frame();
+        let reason = client.failure("exceptionInfo", json!({ "threadId": thread }));
+        assert_eq!(reason, "no run-time error has stopped this task");
+        assert!(client.failure("exceptionInfo", json!({ "threadId": 99 })).contains("no such task"));
+    }
+}

@@ -73,3 +73,20 @@ fn keys(arguments: IoForceArguments) -> Result<Map<String, Value>, RequestFailur
     }
     if keys.is_empty() { Err(RequestFailure::NoArgument("value, lock, simulate or protect")) } else { Ok(keys) }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn wrong_arguments_are_named() {
+        let mut client = TestClient::stopped(EMPTY);
+        let mut failure = |arguments| client.failure("val3/ioForce", arguments);
+        assert!(failure(json!({ "link": "x", "lock": 1 })).contains("`lock`"));
+        assert!(failure(json!({ "link": "x", "hold": true })).contains("`hold`"));
+        assert!(failure(json!({ "value": true })).contains("`link`"));
+        assert_eq!(failure(json!({ "link": "x" })), "set value, lock, simulate or protect");
+    }
+}

@@ -33,3 +33,17 @@ pub(crate) struct JogArguments {
     /// Joint position, in degrees (linear axes: mm).
     joints: Vec<f64>,
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn joints_are_numbers() {
+        let mut client = TestClient::stopped(EMPTY);
+        let reason = client.failure("val3/jog", json!({ "joints": "home" }));
+        assert!(reason.contains("`joints`"), "{reason}");
+    }
+}

@@ -63,3 +63,19 @@ fn keys(KeyArguments { key, keys }: KeyArguments) -> Result<Map<String, Value>, 
     let entries: Map<String, Value> = key.into_iter().chain(keys).collect();
     if entries.is_empty() { Err(RequestFailure::NoArgument("key or keys")) } else { Ok(entries) }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_key_is_a_name_or_a_code() {
+        let mut client = TestClient::stopped(EMPTY);
+        for key in [json!("F1"), json!(65)] {
+            assert_eq!(client.body("val3/key", json!({ "key": key })), json!({}));
+        }
+        assert_eq!(client.failure("val3/key", json!({})), "set key or keys");
+    }
+}

@@ -70,3 +70,19 @@ impl From<MotionMode> for MotionModeName {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn the_mode_changes() {
+        let mut client = TestClient::stopped(EMPTY);
+        assert_eq!(client.body("val3/motionMode", json!({})), json!({ "mode": "continuous" }));
+        assert_eq!(client.body("val3/motionMode", json!({ "mode": "step" })), json!({ "mode": "step" }));
+        let reason = client.failure("val3/motionMode", json!({ "mode": "fast" }));
+        assert!(reason.contains("`fast`"), "{reason}");
+    }
+}

@@ -32,3 +32,17 @@ pub(crate) struct MotionQueueBody {
     /// Moves in the order of recording.
     moves: Vec<QueuedMove>,
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn no_move_is_recorded_before_the_first_line() {
+        let mut client = TestClient::stopped(EMPTY);
+        assert_eq!(client.body("val3/motionQueue", json!({})), json!({ "moves": [] }));
+        assert!(client.failure("val3/motionQueue", json!({ "count": 1 })).contains("`count`"));
+    }
+}

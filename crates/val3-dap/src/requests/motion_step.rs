@@ -39,3 +39,24 @@ pub(crate) struct MotionStepBody {
     /// Piece that is executed.
     piece: MovePiece,
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_step_needs_step_mode_and_a_move() {
+        let mut client = TestClient::stopped(EMPTY);
+        assert!(client.failure("val3/motionStep", json!({})).contains("not in step mode"));
+        client.body("val3/motionMode", json!({ "mode": "step" }));
+        assert!(client.failure("val3/motionStep", json!({})).contains("no further motion"));
+    }
+
+    #[test]
+    fn a_running_program_is_not_stepped() {
+        let mut client = TestClient::launched(EMPTY, json!({ "motionMode": "step" }));
+        assert_eq!(client.failure("val3/motionStep", json!({})), "notStopped");
+    }
+}

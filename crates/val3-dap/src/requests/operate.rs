@@ -42,3 +42,18 @@ pub(super) fn act(keys: Map<String, Value>, controller: &mut Controller) -> Resu
     controller.act(&action).map_err(|problems| RequestFailure::Rejected(problems.join("; ")))?;
     Ok(Empty {})
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn an_unknown_key_is_rejected() {
+        let mut client = TestClient::stopped(EMPTY);
+        assert_eq!(client.body("val3/operate", json!({ "power": true })), json!({}));
+        let reason = client.failure("val3/operate", json!({ "powr": true }));
+        assert!(reason.contains("`powr`"), "{reason}");
+    }
+}

@@ -46,3 +46,17 @@ pub(crate) struct PastBody {
     /// Size of the history, in bytes.
     bytes: u64,
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn the_history_begins_with_the_run() {
+        let mut client = TestClient::stopped(EMPTY);
+        let past = client.body("val3/past", json!({}));
+        assert_eq!((&past["first"], &past["isWhole"]), (&json!(0.0), &json!(true)));
+    }
+}

@@ -21,3 +21,18 @@ impl DebugRequest for Pose {
         Ok(ArmSample::new(seconds(controller.now()), controller))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn the_pose_has_six_coordinates() {
+        let mut client = TestClient::stopped(EMPTY);
+        let pose = client.body("val3/pose", json!({}));
+        assert_eq!(pose["pose"].as_array().unwrap().len(), 6);
+        assert_eq!((&pose["t"], &pose["source"]), (&json!(0.0), &Value::Null));
+    }
+}

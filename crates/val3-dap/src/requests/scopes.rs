@@ -23,3 +23,18 @@ impl DebugRequest for Scopes {
         Ok(ScopesResponse { scopes: session.handles.scopes(frame, &mut run.debugger.controller) })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn an_unknown_stack_frame_is_stale() {
+        let mut client = TestClient::stopped(EMPTY);
+        let (_, frame) = client.thread_and_frame();
+        assert_eq!(client.body("scopes", json!({ "frameId": frame }))["scopes"][0]["name"], "Parameters");
+        assert!(client.failure("scopes", json!({ "frameId": 99 })).contains("a stop that is over"));
+    }
+}

@@ -30,3 +30,16 @@ impl DebugRequest for SetBreakpoints {
         Some(SetBreakpointsResponse { breakpoints: breakpoints::ignored(count) })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_without_debugging_ignores_breakpoints() {
+        let arguments = SetBreakpointsArguments { lines: Some(vec![1, 2]), ..SetBreakpointsArguments::default() };
+        let response = SetBreakpoints::in_plain_run(&arguments).unwrap();
+        let messages = response.breakpoints.iter().map(|breakpoint| breakpoint.message.as_deref());
+        assert_eq!(messages.collect::<Vec<_>>(), [Some("the run is not debugged"); 2]);
+    }
+}

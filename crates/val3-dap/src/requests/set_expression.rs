@@ -35,3 +35,18 @@ impl DebugRequest for SetExpression {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{COUNTER, TestClient};
+
+    #[test]
+    fn data_get_a_value() {
+        let mut client = TestClient::stopped(COUNTER);
+        let (_, frame) = client.thread_and_frame();
+        let arguments = json!({ "expression": "nCount", "value": "3", "frameId": frame });
+        assert_eq!(client.body("setExpression", arguments)["value"], "3");
+    }
+}

@@ -25,3 +25,20 @@ impl DebugRequest for StepBack {
         session.go_back(Goal::Line(task, StepKind::Over), run)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::message::Content;
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_step_back_at_the_beginning_stops_there() {
+        let mut client = TestClient::stopped(EMPTY);
+        let (thread, _) = client.thread_and_frame();
+        let messages = client.exchange("stepBack", json!({ "threadId": thread }));
+        let is_stop = |content: &Content| matches!(content, Content::Event { event, .. } if event == "stopped");
+        assert!(messages.iter().any(is_stop), "{messages:?}");
+    }
+}

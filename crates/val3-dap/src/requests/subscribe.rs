@@ -23,3 +23,23 @@ impl DebugRequest for Subscribe {
         Ok(Empty {})
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn subscriptions_have_types() {
+        let mut client = TestClient::stopped(EMPTY);
+        for arguments in [json!({}), json!({ "motion": 0.1, "io": true }), json!({ "motion": false, "userPage": true })]
+        {
+            assert_eq!(client.body("val3/subscribe", arguments), json!({}));
+        }
+        for (name, value) in [("motion", json!(-1)), ("io", json!(1)), ("pose", json!(true))] {
+            let reason = client.failure("val3/subscribe", json!({ name: value }));
+            assert!(reason.contains(&format!("`{name}`")), "{reason}");
+        }
+    }
+}

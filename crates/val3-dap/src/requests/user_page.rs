@@ -18,3 +18,16 @@ impl DebugRequest for UserPageRequest {
         Ok(UserPage::new(&run.debugger.controller))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_page_has_fourteen_lines() {
+        let mut client = TestClient::stopped(EMPTY);
+        assert_eq!(client.body("val3/userPage", json!({}))["lines"].as_array().unwrap().len(), 14);
+    }
+}

@@ -41,3 +41,18 @@ pub(crate) struct ViewArguments {
     #[serde(flatten)]
     arguments: Map<String, Value>,
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_page_does_not_pace_a_debugged_run() {
+        let mut client = TestClient::stopped(EMPTY);
+        let reason = client.failure("val3/view", json!({ "command": "pace", "factor": 1 }));
+        assert_eq!(reason, "the debugger stops and continues the run");
+        assert!(client.failure("val3/view", json!({})).contains("`command`"));
+    }
+}
