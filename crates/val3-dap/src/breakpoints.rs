@@ -1,6 +1,7 @@
 //! The breakpoints of a client.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
 use val3_debug::{
     Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Errors, HitCondition, Placed, ProgramBreakpoint, ProgramName,
@@ -11,26 +12,35 @@ use val3_machine::controller::Controller;
 use crate::assertions;
 use crate::capabilities::{ALL_ERRORS, ASSERTIONS, LISTED_ERRORS, MOTION_ERRORS, UNHANDLED_ERRORS};
 use crate::conventions::Conventions;
+use crate::debugged_run::DebuggedRun;
 use crate::protocol::{
     self, BreakpointLocation, BreakpointLocationsArguments, BreakpointReason, DataBreakpointAccessType,
-    FunctionBreakpoint, Request, Response, SetBreakpointsArguments, SetBreakpointsResponse, SetDataBreakpointsResponse,
-    SetExceptionBreakpointsArguments, SetExceptionBreakpointsResponse, SetFunctionBreakpointsResponse, Source,
-    SourceBreakpoint,
+    FunctionBreakpoint, SetBreakpointsArguments, SetExceptionBreakpointsArguments, Source, SourceBreakpoint,
 };
-use crate::session::Target;
 
-/// The breakpoints of a client, by the path of their file as the client spells it.
+/// Breakpoints of a client, by file path in the client's spelling.
 #[derive(Debug, Default)]
 pub(crate) struct BreakpointTable {
     files: BTreeMap<String, SourceBreakpoints>,
     programs: Vec<(BreakpointId, FunctionBreakpoint)>,
-    /// Data that the client has asked about, by their names for the client.
+    /// Results of `dataBreakpointInfo`, by data id.
     known_data: BTreeMap<String, WatchedData>,
     data: Vec<BreakpointId>,
     errors: Errors,
-    /// Failed assertions stop the run.
+    /// Whether failed assertions stop the run.
     stops_at_assertions: bool,
     last_id: u32,
+}
+
+/// Reason why a breakpoint is not verified, for users.
+#[derive(Debug, Clone)]
+struct Unverified(String);
+
+impl Unverified {
+    /// Converts an error from a different crate.
+    fn new(error: impl fmt::Display) -> Self {
+        Self(error.to_string())
+    }
 }
 
 /// The breakpoints of a file.
@@ -45,7 +55,7 @@ impl BreakpointTable {
     pub(crate) fn set(
         &mut self,
         arguments: SetBreakpointsArguments,
-        target: &mut Target<'_>,
+        run: &mut DebuggedRun<'_>,
         conventions: &Conventions,
     ) -> Vec<protocol::Breakpoint> {
         let SetBreakpointsArguments { source, breakpoints, lines, .. } = arguments;
@@ -53,22 +63,22 @@ impl BreakpointTable {
         let wanted = breakpoints.unwrap_or_else(|| lines.unwrap_or_default().into_iter().map(at_line).collect());
         let path = source.path.clone().unwrap_or_default();
         let before = self.files.remove(&path).map(|file| file.breakpoints).unwrap_or_default();
-        // A breakpoint that stays keeps its identity, and with it its number of hits.
+        // A breakpoint that stays keeps its id, and with the id the hit count.
         let breakpoints = wanted.into_iter().map(|wanted| {
             let known = before.iter().find(|(_, breakpoint)| *breakpoint == wanted);
             (known.map_or_else(|| self.new_id(), |(id, _)| *id), wanted)
         });
         let breakpoints = breakpoints.collect();
         let file = SourceBreakpoints { source, breakpoints };
-        let placed = file.place(target, conventions);
+        let placed = file.place(run, conventions);
         self.files.insert(path, file);
         placed
     }
 
     /// Places all breakpoints again, after libraries have been loaded or the application has been opened again.
-    pub(crate) fn place_all(&self, target: &mut Target<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
-        let mut placed: Vec<_> = self.files.values().flat_map(|file| file.place(target, conventions)).collect();
-        placed.extend(self.place_programs(target, conventions));
+    pub(crate) fn place_all(&self, run: &mut DebuggedRun<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
+        let mut placed: Vec<_> = self.files.values().flat_map(|file| file.place(run, conventions)).collect();
+        placed.extend(self.place_programs(run, conventions));
         placed
     }
 
@@ -76,18 +86,18 @@ impl BreakpointTable {
     pub(crate) fn set_programs(
         &mut self,
         wanted: Vec<FunctionBreakpoint>,
-        target: &mut Target<'_>,
+        run: &mut DebuggedRun<'_>,
         conventions: &Conventions,
     ) -> Vec<protocol::Breakpoint> {
         self.programs = wanted.into_iter().map(|breakpoint| (self.new_id(), breakpoint)).collect();
-        self.place_programs(target, conventions)
+        self.place_programs(run, conventions)
     }
 
-    fn place_programs(&self, target: &mut Target<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
-        let parsed: Vec<(BreakpointId, Result<ProgramBreakpoint, String>)> =
+    fn place_programs(&self, run: &mut DebuggedRun<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
+        let parsed: Vec<(BreakpointId, Result<ProgramBreakpoint, Unverified>)> =
             self.programs.iter().map(|(id, breakpoint)| (*id, program(*id, breakpoint))).collect();
         let mut valid: Vec<ProgramBreakpoint> = parsed.iter().filter_map(|(_, parsed)| parsed.clone().ok()).collect();
-        let placed = target.debugger.set_program_breakpoints(valid.clone());
+        let placed = run.debugger.set_program_breakpoints(valid.clone());
         let places: BTreeMap<BreakpointId, Vec<(String, u32)>> =
             placed.into_iter().map(|placed| (placed.id, placed.places)).collect();
         let mut faults = BTreeMap::new();
@@ -96,22 +106,22 @@ impl BreakpointTable {
             let condition = condition.and_then(|(_, wanted)| written(wanted.condition.as_deref()));
             for (file, _) in places.get(&breakpoint.id).into_iter().flatten() {
                 let Some(text) = condition else { continue };
-                match target.evaluator.condition(&target.debugger.controller.vm, file, text) {
+                match run.evaluator.condition(&run.debugger.controller.vm, file, text) {
                     Ok(compiled) => _ = breakpoint.conditions.insert(file.clone(), compiled),
-                    Err(error) => _ = faults.insert(breakpoint.id, error.to_string()),
+                    Err(error) => _ = faults.insert(breakpoint.id, Unverified::new(error)),
                 }
             }
         }
         valid.retain(|breakpoint| !faults.contains_key(&breakpoint.id));
         valid.extend(self.stops_at_assertions.then(assertions::breakpoint));
         // The places are needed to compile the conditions.
-        target.debugger.set_program_breakpoints(valid);
+        run.debugger.set_program_breakpoints(valid);
         let answer = parsed.into_iter().map(|(id, parsed)| {
             let place = places.get(&id).and_then(|places| places.first());
             let row = match (parsed, faults.get(&id), place) {
                 (Err(message), ..) => Err(message),
                 (_, Some(message), _) => Err(message.clone()),
-                (.., None) => Err("nothing in memory has such a program yet".to_owned()),
+                (.., None) => Err(Unverified::new("nothing in memory has such a program yet")),
                 (.., Some((_, row))) => Ok(*row),
             };
             shown(id, row, place.map_or("", |(file, _)| file), conventions)
@@ -123,7 +133,7 @@ impl BreakpointTable {
     pub(crate) fn set_data(
         &mut self,
         wanted: &[protocol::DataBreakpoint],
-        target: &mut Target<'_>,
+        run: &mut DebuggedRun<'_>,
     ) -> Vec<protocol::Breakpoint> {
         let mut set = Vec::new();
         let mut answer = Vec::new();
@@ -133,19 +143,23 @@ impl BreakpointTable {
             answer.push(protocol::Breakpoint {
                 id: Some(number(id)),
                 verified: parsed.is_ok(),
-                message: parsed.as_ref().err().cloned(),
+                message: parsed.as_ref().err().map(|reason| reason.0.clone()),
                 ..protocol::Breakpoint::default()
             });
             set.extend(parsed);
         }
         self.data = set.iter().map(|breakpoint| breakpoint.id).collect();
-        target.debugger.set_data_breakpoints(set);
+        run.debugger.set_data_breakpoints(set);
         answer
     }
 
-    fn data_breakpoint(&self, id: BreakpointId, wanted: &protocol::DataBreakpoint) -> Result<DataBreakpoint, String> {
+    fn data_breakpoint(
+        &self,
+        id: BreakpointId,
+        wanted: &protocol::DataBreakpoint,
+    ) -> Result<DataBreakpoint, Unverified> {
         if written(wanted.condition.as_deref()).is_some() {
-            return Err("breakpoints on data have no condition: use a number of hits".to_owned());
+            return Err(Unverified::new("breakpoints on data have no condition: use a number of hits"));
         }
         let data = self.known_data.get(&wanted.data_id).cloned();
         let access = match wanted.access_type {
@@ -155,13 +169,13 @@ impl BreakpointTable {
         };
         Ok(DataBreakpoint {
             id,
-            data: data.ok_or_else(|| format!("`{}` is not known in this run", wanted.data_id))?,
+            data: data.ok_or_else(|| Unverified(format!("`{}` is not known in this run", wanted.data_id)))?,
             access,
             hits: hits(wanted.hit_condition.as_deref())?,
         })
     }
 
-    /// Remembers data that the client has asked about, and gives their name for the client.
+    /// Stores data for `setDataBreakpoints`, and returns the data id.
     pub(crate) fn know_data(&mut self, data: WatchedData) -> String {
         let id = data.id().to_owned();
         self.known_data.insert(id.clone(), data);
@@ -172,7 +186,7 @@ impl BreakpointTable {
     pub(crate) fn set_errors(
         &mut self,
         arguments: &SetExceptionBreakpointsArguments,
-        target: &mut Target<'_>,
+        run: &mut DebuggedRun<'_>,
         conventions: &Conventions,
     ) -> Vec<protocol::Breakpoint> {
         let mut errors = Errors::default();
@@ -185,28 +199,28 @@ impl BreakpointTable {
             let listed = match filter {
                 LISTED_ERRORS => numbers(condition.unwrap_or_default()),
                 ALL_ERRORS | UNHANDLED_ERRORS | MOTION_ERRORS | ASSERTIONS => Ok(BTreeSet::new()),
-                _ => Err(format!("there is no filter `{filter}`")),
+                _ => Err(Unverified(format!("there is no filter `{filter}`"))),
             };
             errors.all |= filter == ALL_ERRORS;
             errors.unhandled |= filter == UNHANDLED_ERRORS;
             errors.motion |= filter == MOTION_ERRORS;
             self.stops_at_assertions |= filter == ASSERTIONS;
             errors.numbers.extend(listed.iter().flatten());
-            let (verified, message) = (listed.is_ok(), listed.err());
+            let (verified, message) = (listed.is_ok(), listed.err().map(|reason| reason.0));
             answer.push(protocol::Breakpoint { verified, message, ..protocol::Breakpoint::default() });
         }
         self.errors = errors;
-        target.debugger.set_errors(self.errors.clone());
-        self.place_programs(target, conventions);
+        run.debugger.set_errors(self.errors.clone());
+        self.place_programs(run, conventions);
         answer
     }
 
     /// Lets the chosen run-time errors stop an application that was opened again.
-    pub(crate) fn apply_errors(&self, target: &mut Target<'_>) {
-        target.debugger.set_errors(self.errors.clone());
+    pub(crate) fn apply_errors(&self, run: &mut DebuggedRun<'_>) {
+        run.debugger.set_errors(self.errors.clone());
     }
 
-    /// Removes the breakpoints on data: those of the application that was opened again are others.
+    /// Removes the breakpoints on data, because an application that is opened again has new data.
     pub(crate) fn remove_data(&mut self) -> Vec<protocol::Breakpoint> {
         self.known_data.clear();
         let removed = |id| protocol::Breakpoint {
@@ -226,8 +240,8 @@ impl BreakpointTable {
 }
 
 impl SourceBreakpoints {
-    fn place(&self, target: &mut Target<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
-        let Some(file) = file_of(&self.source, &target.debugger.controller) else {
+    fn place(&self, run: &mut DebuggedRun<'_>, conventions: &Conventions) -> Vec<protocol::Breakpoint> {
+        let Some(file) = file_of(&self.source, &run.debugger.controller) else {
             let unknown = |(id, _): &(BreakpointId, _)| protocol::Breakpoint {
                 id: Some(number(*id)),
                 message: Some("the application has loaded no program of this file yet".to_owned()),
@@ -237,15 +251,15 @@ impl SourceBreakpoints {
             return self.breakpoints.iter().map(unknown).collect();
         };
         let parsed =
-            self.breakpoints.iter().map(|(id, breakpoint)| (*id, parse(*id, breakpoint, (&file, target), conventions)));
-        let parsed: Vec<(BreakpointId, Result<Breakpoint, String>)> = parsed.collect();
+            self.breakpoints.iter().map(|(id, breakpoint)| (*id, parse(*id, breakpoint, (&file, run), conventions)));
+        let parsed: Vec<(BreakpointId, Result<Breakpoint, Unverified>)> = parsed.collect();
         let valid = parsed.iter().filter_map(|(_, parsed)| parsed.clone().ok()).collect();
         let rows: BTreeMap<BreakpointId, Option<u32>> =
-            target.debugger.set_breakpoints(&file, valid).into_iter().map(|Placed { id, row, .. }| (id, row)).collect();
+            run.debugger.set_breakpoints(&file, valid).into_iter().map(|Placed { id, row, .. }| (id, row)).collect();
         let placed = parsed.into_iter().map(|(id, parsed)| {
             let row = parsed.and_then(|_| {
                 let row = rows.get(&id).copied().flatten();
-                row.ok_or_else(|| "no instruction follows this line".to_owned())
+                row.ok_or_else(|| Unverified::new("no instruction follows this line"))
             });
             shown(id, row, &file, conventions)
         });
@@ -256,48 +270,49 @@ impl SourceBreakpoints {
 fn parse(
     id: BreakpointId,
     breakpoint: &SourceBreakpoint,
-    (file, target): (&str, &mut Target<'_>),
+    (file, run): (&str, &mut DebuggedRun<'_>),
     conventions: &Conventions,
-) -> Result<Breakpoint, String> {
-    let vm = &target.debugger.controller.vm;
+) -> Result<Breakpoint, Unverified> {
+    let vm = &run.debugger.controller.vm;
     let condition = written(breakpoint.condition.as_deref());
-    let condition = condition.map(|text| target.evaluator.condition(vm, file, text)).transpose();
+    let condition = condition.map(|text| run.evaluator.condition(vm, file, text)).transpose();
     let log = written(breakpoint.log_message.as_deref());
-    let log = log.map(|text| target.evaluator.log_message(vm, file, text)).transpose();
+    let log = log.map(|text| run.evaluator.log_message(vm, file, text)).transpose();
     Ok(Breakpoint {
-        condition: condition.map_err(|error| error.to_string())?,
+        condition: condition.map_err(Unverified::new)?,
         hits: hits(breakpoint.hit_condition.as_deref())?,
-        log: log.map_err(|error| error.to_string())?,
+        log: log.map_err(Unverified::new)?,
         ..Breakpoint::new(id, conventions.row(breakpoint.line))
     })
 }
 
-/// A text that says something.
+/// Returns the text if it is not blank.
 fn written(text: Option<&str>) -> Option<&str> {
     text.filter(|text| !text.trim().is_empty())
 }
 
-fn hits(text: Option<&str>) -> Result<Option<HitCondition>, String> {
+fn hits(text: Option<&str>) -> Result<Option<HitCondition>, Unverified> {
     let parsed = written(text).map(str::parse).transpose();
-    parsed.map_err(|error: val3_debug::InvalidHitCondition| error.to_string())
+    parsed.map_err(|error: val3_debug::InvalidHitCondition| Unverified::new(error))
 }
 
-/// The condition of an exception filter: numbers of run-time errors.
-fn numbers(text: &str) -> Result<BTreeSet<u16>, String> {
+/// Parses the condition of an exception filter: run-time error numbers.
+fn numbers(text: &str) -> Result<BTreeSet<u16>, Unverified> {
     let parts = text.split([',', ' ', ';']).filter(|part| !part.is_empty());
-    let number = |part: &str| part.parse().map_err(|_| format!("`{part}` is not the number of a run-time error"));
+    let number =
+        |part: &str| part.parse().map_err(|_| Unverified(format!("`{part}` is not the number of a run-time error")));
     parts.map(number).collect()
 }
 
-fn program(id: BreakpointId, wanted: &FunctionBreakpoint) -> Result<ProgramBreakpoint, String> {
+fn program(id: BreakpointId, wanted: &FunctionBreakpoint) -> Result<ProgramBreakpoint, Unverified> {
     let Ok(name) = wanted.name.parse::<ProgramName>();
     Ok(ProgramBreakpoint { hits: hits(wanted.hit_condition.as_deref())?, ..ProgramBreakpoint::new(id, name) })
 }
 
 /// A breakpoint for the client: at a row, or why it is nowhere.
-pub(crate) fn shown(
+fn shown(
     id: BreakpointId,
-    row: Result<u32, String>,
+    row: Result<u32, Unverified>,
     file: &str,
     conventions: &Conventions,
 ) -> protocol::Breakpoint {
@@ -310,7 +325,7 @@ pub(crate) fn shown(
             source: Some(conventions.source(file)),
             ..protocol::Breakpoint::default()
         },
-        Err(message) => protocol::Breakpoint {
+        Err(Unverified(message)) => protocol::Breakpoint {
             id,
             message: Some(message),
             reason: Some(BreakpointReason::Failed),
@@ -319,30 +334,10 @@ pub(crate) fn shown(
     }
 }
 
-/// The answer to a request for breakpoints in a run that is not debugged; none to another request.
-pub(crate) fn of_plain_run(request: &Request) -> Option<Response> {
-    let ignored = |count| {
-        let message = Some("the run is not debugged".to_owned());
-        vec![protocol::Breakpoint { message, ..protocol::Breakpoint::default() }; count]
-    };
-    Some(match request {
-        Request::SetBreakpoints(SetBreakpointsArguments { breakpoints, lines, .. }) => {
-            let count = breakpoints.as_ref().map(Vec::len).or(lines.as_ref().map(Vec::len));
-            Response::SetBreakpoints(SetBreakpointsResponse { breakpoints: ignored(count.unwrap_or_default()) })
-        }
-        Request::SetFunctionBreakpoints(wanted) => {
-            let breakpoints = ignored(wanted.breakpoints.len());
-            Response::SetFunctionBreakpoints(SetFunctionBreakpointsResponse { breakpoints })
-        }
-        Request::SetDataBreakpoints(wanted) => {
-            let breakpoints = ignored(wanted.breakpoints.len());
-            Response::SetDataBreakpoints(SetDataBreakpointsResponse { breakpoints })
-        }
-        Request::SetExceptionBreakpoints(_) => {
-            Response::SetExceptionBreakpoints(SetExceptionBreakpointsResponse::default())
-        }
-        _ => return None,
-    })
+/// Returns breakpoints of a run that is not debugged.
+pub(crate) fn ignored(count: usize) -> Vec<protocol::Breakpoint> {
+    let message = Some("the run is not debugged".to_owned());
+    vec![protocol::Breakpoint { message, ..protocol::Breakpoint::default() }; count]
 }
 
 /// The number that the client has for a breakpoint.

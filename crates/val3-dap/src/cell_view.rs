@@ -1,4 +1,4 @@
-//! The cell for people: inputs and outputs, the robot, the queue of its moves.
+//! Scopes of the cell for users: inputs and outputs, the robot, the motion queue.
 
 use val3_geometry::IsometryMatrix3;
 use val3_lang::enumerations::blend_name;
@@ -48,7 +48,7 @@ fn boards(controller: &Controller) -> Vec<Property> {
     boards
 }
 
-/// The value of a signal, with its direction and everything that is done to it.
+/// Signal value with direction, lock, simulation, protection and fault.
 fn signal(io: &IoTable, id: SignalId) -> String {
     let Some((signal, forcing)) = io.signal(id).zip(io.forcing(id)) else { return String::new() };
     let number = level(io, id).unwrap_or_default();

@@ -13,7 +13,7 @@ use crate::frame::{MessageReader, MessageWriter};
 use crate::message::{Content, ProtocolMessage};
 use crate::protocol::{Event, Message, OutputEvent, OutputEventCategory};
 
-/// A message from the client, or the reason why there is none.
+/// Message from the client, or the reason for its absence.
 #[derive(Debug)]
 pub enum Incoming {
     /// A message.
@@ -24,7 +24,7 @@ pub enum Incoming {
     End,
 }
 
-/// Reads the messages of a client until its connection ends. The caller runs this on a thread of its own.
+/// Reads the messages of a client until its connection ends. The caller runs this on a separate thread.
 pub fn read_messages(input: impl BufRead, inbox: &Sender<Incoming>) {
     let mut reader = MessageReader::new(input);
     loop {
@@ -63,7 +63,7 @@ impl Client {
         self.is_connected
     }
 
-    /// The messages from the client up to the end of the connection, and the writer of those to it.
+    /// Splits the client into its messages, up to the end of the connection, and the writer.
     pub fn split(self) -> (impl Iterator<Item = Incoming> + Send, MessageWriter<Box<dyn Write + Send>>) {
         let incoming = self.queue.into_iter().chain(self.inbox);
         (incoming.take_while(|incoming| !matches!(incoming, Incoming::End)), self.output)
@@ -130,12 +130,13 @@ impl Client {
     }
 
     /// Answers a request that failed.
-    pub(crate) fn refuse(&mut self, request: i64, command: &str, reason: &str) {
+    pub(crate) fn refuse(&mut self, request: i64, command: &str, reason: impl fmt::Display) {
+        let reason = reason.to_string();
         // Clients insert variables into the format, so that braces in a reason are no placeholders.
-        let variables = [("reason".to_owned(), reason.to_owned())].into_iter().collect();
+        let variables = [("reason".to_owned(), reason.clone())].into_iter().collect();
         let message =
             Message { id: 3, format: "{reason}".to_owned(), variables: Some(variables), ..Message::default() };
-        self.send(Content::failure(request, command, reason, message));
+        self.send(Content::failure(request, command, &reason, message));
     }
 
     /// Sends a message. A client that no longer reads is not connected any more.

@@ -2,20 +2,20 @@
 
 use crate::protocol::{InitializePathFormat, InitializeRequestArguments, Source};
 
-/// The scheme and the empty authority of the URI of a file.
+/// Scheme and empty authority of a file URI.
 const FILE_URI: &str = "file://";
 
-/// Conventions of a client. By default those of the specification.
+/// Conventions of a client. The default is the specification's.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Conventions {
     lines_start_at_1: bool,
     columns_start_at_1: bool,
     has_uris: bool,
-    /// It knows the event `invalidated`.
+    /// Whether the client supports the event `invalidated`.
     pub(crate) knows_invalidated: bool,
-    /// It knows the events of progress.
+    /// Whether the client supports progress events.
     pub(crate) knows_progress: bool,
-    /// It shows colours that ANSI escape sequences set.
+    /// Whether the client shows colours of ANSI escape sequences.
     pub(crate) shows_colors: bool,
 }
 
@@ -79,7 +79,7 @@ impl Conventions {
     }
 
     /// Whether a path of the client names a file. Clients differ in separators and in the letter case of drives, and some
-    /// send URIs without being asked to.
+    /// send URIs without a request for them.
     pub(crate) fn is_file(source: &Source, file: &str) -> bool {
         source.path.as_deref().is_some_and(|path| key(path) == key(file))
     }

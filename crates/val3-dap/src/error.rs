@@ -8,7 +8,7 @@ use crate::frame::{BODY_LIMIT, HEADER_LIMIT};
 use crate::message::Content;
 use crate::protocol::Message;
 
-/// The reason why a request is not understood. The adapter answers with [`RequestError::response`].
+/// Reason why a request cannot be decoded. The response is [`RequestError::response`].
 #[derive(Debug)]
 pub enum RequestError {
     /// The specification has no request of this name. It may be a custom one.

@@ -1,6 +1,6 @@
 //! Messages in their frames: a header with `Content-Length`, an empty line, the message.
 //!
-//! Reading blocks. The adapter reads on a thread of its own, as the language server does: tokio would also read stdin on
+//! Reading blocks. The adapter reads on a separate thread, as the language server does: tokio would also read stdin on
 //! a blocking thread, and that thread delays the end of its runtime. The same code serves sockets.
 
 use std::io::{self, BufRead, Read as _, Write};
@@ -8,12 +8,12 @@ use std::io::{self, BufRead, Read as _, Write};
 use crate::error::{FrameError, ReadError};
 use crate::message::{Content, ProtocolMessage};
 
-/// Maximum number of bytes of a header.
+/// Maximum header size, in bytes.
 pub const HEADER_LIMIT: usize = 8 << 10;
-/// Maximum number of bytes of a message.
+/// Maximum message size, in bytes.
 pub const BODY_LIMIT: u64 = 64 << 20;
 
-/// Maximum number of characters of garbage in an error.
+/// Maximum number of garbage characters in an error.
 const SHOWN: usize = 60;
 
 /// Reads messages from a stream.
@@ -39,11 +39,11 @@ impl<R: BufRead> MessageReader<R> {
 
     /// Reads one message. Returns `None` at the end of the input.
     ///
-    /// Letter case and other headers make no difference. Garbage before a header is an error of its own, and the next
+    /// Letter case and other headers make no difference. Garbage before a header is a separate error, and the next
     /// call reads the message after it.
     ///
     /// # Errors
-    /// If the input cannot be read or is no message. [`ReadError::can_continue`] says whether to call again.
+    /// If the input cannot be read or is no message. [`ReadError::can_continue`] returns whether to call again.
     pub fn read(&mut self) -> Result<Option<ProtocolMessage>, ReadError> {
         let length = match self.length.take() {
             Some(length) => length,
@@ -155,7 +155,7 @@ impl<W: Write> MessageWriter<W> {
         Ok(self.seq)
     }
 
-    /// Writes a message of another sender, with its number.
+    /// Writes a message from a different sender, with its number.
     ///
     /// # Errors
     /// If the output cannot be written.

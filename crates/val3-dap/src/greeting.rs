@@ -1,8 +1,6 @@
-//! The beginning of a session: the client introduces itself and says what to run.
+//! Handshake: the messages of a client before `launch` or `attach`.
 
 use std::time::Duration;
-
-use serde_json::{Map, Value};
 
 use crate::capabilities::{capabilities, of_attached_runs};
 use crate::client::{Client, Incoming};
@@ -11,20 +9,20 @@ use crate::message::{Content, ProtocolMessage};
 use crate::protocol::{CapabilitiesEvent, Event, InitializeRequestArguments, Request, Response};
 use crate::secret::Secret;
 use crate::session::{DebugSession, RunState};
-use crate::settings::SessionSettings;
+use crate::session_start::SessionStart;
 
-/// A client that has not said yet what to run.
+/// Client that has not sent `launch` or `attach`.
 #[derive(Debug)]
 pub struct Greeting {
     client: Client,
     conventions: Conventions,
-    /// The arguments of its request `initialize`.
+    /// Arguments of `initialize`.
     introduction: InitializeRequestArguments,
     /// Secret that `launch` and `attach` have to contain. `None` for a client that has started this process.
     secret: Option<Secret>,
 }
 
-/// What the client wants to run.
+/// Result of the handshake so far.
 #[derive(Debug)]
 pub enum Wish {
     /// Nothing yet.
@@ -35,43 +33,6 @@ pub enum Wish {
     Attach(SessionStart),
     /// The client has left.
     Left,
-}
-
-/// The request `launch` or `attach`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SessionStart {
-    /// The number of the request.
-    seq: i64,
-    pub(crate) is_attach: bool,
-    /// Whether to ignore breakpoints.
-    pub is_plain_run: bool,
-    /// Its properties that the specification does not list.
-    pub arguments: Map<String, Value>,
-    /// The settings among them.
-    pub settings: SessionSettings,
-}
-
-impl SessionStart {
-    fn new(seq: i64, is_attach: bool, arguments: Map<String, Value>, secret: Option<&Secret>) -> Result<Self, String> {
-        secret.map_or(Ok(()), |secret| secret.check(&arguments))?;
-        let settings = SessionSettings::of(&arguments)?;
-        Ok(Self { seq, is_attach, is_plain_run: false, arguments, settings })
-    }
-
-    /// The message of the request, for another adapter.
-    #[must_use]
-    pub fn message(&self) -> ProtocolMessage {
-        let mut arguments = self.arguments.clone();
-        if self.is_plain_run {
-            arguments.insert("noDebug".to_owned(), Value::Bool(true));
-        }
-        let arguments = Some(Value::Object(arguments));
-        ProtocolMessage { seq: self.seq, content: Content::Request { command: self.command().to_owned(), arguments } }
-    }
-
-    fn command(&self) -> &'static str {
-        if self.is_attach { "attach" } else { "launch" }
-    }
 }
 
 impl Greeting {
@@ -98,7 +59,7 @@ impl Greeting {
         self.client.wait(time);
     }
 
-    /// Handles the messages that have arrived, up to the one that begins the session.
+    /// Handles the received messages up to `launch` or `attach`.
     pub fn attend(&mut self) -> Wish {
         loop {
             let (seq, command, arguments) = match self.client.poll() {

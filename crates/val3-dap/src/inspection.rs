@@ -20,7 +20,7 @@ use crate::protocol::{
 /// The numbers that the client has for frames and for values with something inside. They hold while the run is stopped.
 #[derive(Debug, Default)]
 pub(crate) struct Handles {
-    /// None where the task has continued alone.
+    /// `None` if the task has continued while others are stopped.
     frames: Vec<Option<FrameHandle>>,
     nodes: Vec<Node>,
 }
@@ -49,7 +49,7 @@ impl Handles {
         self.nodes.clear();
     }
 
-    /// A task continues alone: the numbers of its frames are no longer valid.
+    /// One task continues: the handles of the task's stack frames are no longer valid.
     pub(crate) fn forget_frames(&mut self, task: TaskNumber) {
         for frame in &mut self.frames {
             *frame = frame.filter(|frame| frame.task != task);
@@ -105,7 +105,7 @@ impl Handles {
         Some(StackTraceResponse { stack_frames, total_frames: u32::try_from(all.len()).ok() })
     }
 
-    /// The scopes of a frame, and those of the cell.
+    /// Returns the scopes of a stack frame and of the cell.
     pub(crate) fn scopes(&mut self, frame: FrameHandle, controller: &mut Controller) -> Vec<Scope> {
         let found = scopes(&controller.vm, frame.task, frame.depth);
         let mut shown: Vec<Scope> = Vec::new();
@@ -194,7 +194,7 @@ impl Handles {
     }
 }
 
-/// Whether the client asks for the other kind of children.
+/// Whether the client requests the other kind of children.
 fn is_filtered_out(filter: Option<&VariablesFilter>, are_indexed: bool) -> bool {
     match filter {
         Some(VariablesFilter::Indexed) => !are_indexed,

@@ -2,16 +2,20 @@
 
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
-use serde_json::{Map, Value, json};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde_json::{Value, json};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
-use val3_view::{Feed, Message, Operator, user_page};
+use val3_view::{Feed, Message, Operator};
 use val3_vm::CYCLE;
 
-use crate::custom::sample;
+use crate::failure::RequestFailure;
+use crate::moves::ArmSample;
+use crate::user_page::UserPage;
 
-/// The time of the samples of a batch.
+/// Duration of a batch.
 const BATCH: Time = 25 * CYCLE;
 
 /// The subscriptions of a client; none at first.
@@ -26,36 +30,57 @@ pub(crate) struct Subscriptions {
     /// The operator at that page.
     pub(crate) operator: Operator,
     unsaved: Value,
-    samples: Vec<Value>,
+    samples: Vec<ArmSample>,
     /// When the first of these samples was taken.
     begun: Time,
     last: Option<Time>,
     /// The arm at the last sample.
-    arm: Value,
+    arm: Option<ArmSample>,
+}
+
+/// Changed subscriptions. Omitted properties are unchanged.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub(crate) struct SubscribeArguments {
+    /// Samples of the arm.
+    motion: Option<MotionSampling>,
+    /// Whether `val3/io` is sent.
+    io: Option<bool>,
+    /// Whether `val3/userPage` is sent.
+    user_page: Option<bool>,
+    /// Whether `val3/view` is sent.
+    view: Option<bool>,
+}
+
+/// Whether the arm is sampled in each cycle, or the seconds between samples (0 to 3600).
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(untagged)]
+enum MotionSampling {
+    /// In each cycle, or never.
+    Enabled(bool),
+    /// Seconds between two samples.
+    Interval(f64),
 }
 
 impl Subscriptions {
-    /// Changes the subscriptions. Properties that are left out keep theirs.
+    /// Changes the subscriptions.
+    ///
+    /// # Errors
+    /// The interval between samples is not in the range.
     pub(crate) fn subscribe(
         &mut self,
-        arguments: &Map<String, Value>,
+        arguments: &SubscribeArguments,
         controller: &Controller,
-    ) -> Result<Value, String> {
-        for (name, value) in arguments {
-            let wanted = value.as_bool();
-            match name.as_str() {
-                "motion" => self.motion = interval(value).ok_or_else(|| refused(name, "true, false or seconds"))?,
-                "io" => self.has_io = wanted.ok_or_else(|| refused(name, "true or false"))?,
-                "userPage" => self.has_user_page = wanted.ok_or_else(|| refused(name, "true or false"))?,
-                "view" => {
-                    let is_wanted = wanted.ok_or_else(|| refused(name, "true or false"))?;
-                    self.view = is_wanted.then(|| Feed::new(controller, "debugger"));
-                    self.unsaved = Value::Null;
-                }
-                _ => return Err(format!("`{name}` cannot be subscribed to: name motion, io, userPage or view")),
-            }
+    ) -> Result<(), RequestFailure> {
+        let SubscribeArguments { motion, io, user_page, view } = *arguments;
+        self.motion = motion.map_or(Ok(self.motion), MotionSampling::interval)?;
+        self.has_io = io.unwrap_or(self.has_io);
+        self.has_user_page = user_page.unwrap_or(self.has_user_page);
+        if let Some(is_shown) = view {
+            self.view = is_shown.then(|| Feed::new(controller, "debugger"));
+            self.unsaved = Value::Null;
         }
-        Ok(json!({}))
+        Ok(())
     }
 
     /// A cycle that began at `start` is over. Gives the samples of the arm when a batch is full. An arm that rests is
@@ -66,13 +91,13 @@ impl Subscriptions {
             return None;
         }
         self.last = Some(start);
-        let arm = sample(0.0, controller);
-        if arm != self.arm {
-            self.arm = arm;
+        let arm = ArmSample::new(seconds(start), controller);
+        if !self.arm.as_ref().is_some_and(|last| arm.is_same_motion(last)) {
+            self.arm = Some(arm.clone());
             if self.samples.is_empty() {
                 self.begun = start;
             }
-            self.samples.push(sample(seconds(start), controller));
+            self.samples.push(arm);
         }
         if start + interval < self.begun + BATCH { None } else { self.flush() }
     }
@@ -109,7 +134,7 @@ impl Subscriptions {
         }
     }
 
-    /// The events that follow from those of the run.
+    /// Returns the subscribed events about events of the run.
     pub(crate) fn changes(&self, events: &[Event], controller: &Controller) -> Vec<(&'static str, Value)> {
         let mut changes = Vec::new();
         let levels: Vec<Value> = events
@@ -126,7 +151,7 @@ impl Subscriptions {
             matches!(event.kind, EventKind::Put { .. } | EventKind::Title { .. } | EventKind::Cls { .. })
         };
         if self.has_user_page && events.iter().any(is_page) {
-            changes.push(("val3/userPage", user_page(controller)));
+            changes.push(("val3/userPage", json!(UserPage::new(controller))));
         }
         changes
     }
@@ -142,18 +167,13 @@ fn messages(feed: &mut Feed) -> Option<Value> {
     (!messages.is_empty()).then(|| json!({ "messages": messages }))
 }
 
-/// The least time between two samples; `None` inside for no samples.
-fn interval(value: &Value) -> Option<Option<Time>> {
-    match value {
-        Value::Bool(wanted) => Some(wanted.then_some(CYCLE)),
-        Value::Number(number) => {
-            let seconds = number.as_f64().filter(|seconds| (0.0..=3600.0).contains(seconds))?;
-            Some(Some(nanoseconds(seconds).max(CYCLE)))
+impl MotionSampling {
+    /// Returns the least time between two samples; `None` for no samples.
+    fn interval(self) -> Result<Option<Time>, RequestFailure> {
+        match self {
+            Self::Enabled(is_enabled) => Ok(is_enabled.then_some(CYCLE)),
+            Self::Interval(seconds) if (0.0..=3600.0).contains(&seconds) => Ok(Some(nanoseconds(seconds).max(CYCLE))),
+            Self::Interval(_) => Err(RequestFailure::Rejected("`motion` takes true, false or seconds".to_owned())),
         }
-        _ => None,
     }
-}
-
-fn refused(name: &str, values: &str) -> String {
-    format!("`{name}` takes {values}")
 }

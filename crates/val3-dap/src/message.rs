@@ -9,7 +9,7 @@ use crate::protocol::{ErrorResponse, Event, Message, Request, Response};
 /// A message in either direction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ProtocolMessage {
-    /// The number of the message among those of its sender, from 1.
+    /// Sequence number for each sender, from 1.
     pub seq: i64,
     /// The rest of the message.
     #[serde(flatten)]
@@ -83,6 +83,12 @@ impl Content {
         Ok(Self::Response { request_seq, success: true, command, message: None, body })
     }
 
+    /// The answer to an executed request, with its body.
+    #[must_use]
+    pub fn answer(request_seq: i64, command: &str, body: Option<Value>) -> Self {
+        Self::Response { request_seq, success: true, command: command.to_owned(), message: None, body }
+    }
+
     /// The answer to a request that failed. `reason` is the short form of `error`.
     ///
     /// # Errors
@@ -109,7 +115,7 @@ fn properties(content: &impl Serialize) -> serde_json::Result<Option<Value>> {
 }
 
 impl Request {
-    /// Makes a typed request of its name and arguments.
+    /// Decodes a request.
     ///
     /// # Errors
     /// If the specification has no such request, or the arguments do not have its type.

@@ -1,4 +1,4 @@
-//! The events of the specification that follow from those of a run: output, tasks, libraries.
+//! Events of the specification about the run: output, tasks, libraries.
 
 use std::collections::BTreeSet;
 
@@ -14,7 +14,7 @@ use crate::protocol::{
     OutputEventCategory, ThreadEvent, ThreadEventReason,
 };
 
-/// The tasks and libraries that the client knows.
+/// Tasks and libraries that were reported to the client.
 #[derive(Debug, Default)]
 pub(crate) struct Notices {
     tasks: BTreeSet<TaskNumber>,
@@ -23,7 +23,7 @@ pub(crate) struct Notices {
 }
 
 impl Notices {
-    /// The notices of what has happened since the last call.
+    /// Returns the notices since the last call.
     pub(crate) fn of(
         &mut self,
         events: &[MachineEvent],
@@ -41,7 +41,7 @@ impl Notices {
         notices
     }
 
-    /// Compares the tasks with those that the client knows.
+    /// Compares the tasks with the reported tasks.
     pub(crate) fn task_changes(&mut self, controller: &Controller) -> Vec<Event> {
         let present: BTreeSet<TaskNumber> = controller.vm.tasks().iter().map(|task| task.id).collect();
         let changed = |reason: ThreadEventReason| {
@@ -54,7 +54,7 @@ impl Notices {
         changes
     }
 
-    /// Compares the applications and libraries in memory, and their files, with those that the client knows.
+    /// Compares the loaded applications and libraries, and their files, with the reported state.
     pub(crate) fn source_changes(&mut self, controller: &Controller, conventions: &Conventions) -> Vec<Event> {
         let mut changes = Vec::new();
         for (_, instance) in controller.vm.space.loaded() {
@@ -73,7 +73,7 @@ impl Notices {
         changes
     }
 
-    /// Forgets what the client knows: the application is opened again.
+    /// Resets the reported state: the application is opened again.
     pub(crate) fn forget_tasks(&mut self) -> Vec<Event> {
         let reason = ThreadEventReason::Exited;
         let ended = |task: &TaskNumber| Event::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) });
@@ -105,7 +105,7 @@ pub(crate) fn task(thread: i32) -> Option<TaskNumber> {
     u64::try_from(thread).ok()?.checked_sub(1).map(TaskNumber)
 }
 
-/// The text of an event for the debug console.
+/// Event text for the debug console.
 fn output(event: &MachineEvent, conventions: &Conventions) -> Option<OutputEvent> {
     let (text, category) = match &event.kind {
         EventKind::Print { text } => (text.clone(), OutputEventCategory::Stdout),

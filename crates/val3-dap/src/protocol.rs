@@ -1,7 +1,7 @@
 //! The types of the specification.
 //!
-//! `cargo xtask dap` generates the files of this folder. Each type has the name of its definition in the schema. The types
-//! of responses and events are those of their bodies. Unknown properties are ignored, and an open enumeration keeps
+//! `cargo xtask dap` generates the files of this folder. Each type has the name of the definition in the schema. Types
+//! of responses and events describe the bodies. Unknown properties are ignored, and an open enumeration keeps
 //! unknown values in its variant `Other`.
 
 #![allow(missing_docs, reason = "the specification describes each property and value")]
@@ -27,7 +27,7 @@ pub use self::responses::*;
 pub use self::types::*;
 
 /// Decodes arguments or a body. A missing one is the same as one without properties.
-fn content<T: DeserializeOwned>(value: Option<Value>) -> serde_json::Result<T> {
+pub(crate) fn content<T: DeserializeOwned>(value: Option<Value>) -> serde_json::Result<T> {
     let properties = match value {
         None | Some(Value::Null) => Map::new(),
         // A structure could also be read from a list, which the protocol does not allow.

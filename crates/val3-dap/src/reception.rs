@@ -4,9 +4,11 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
 use crate::client::Client;
-use crate::greeting::{Greeting, SessionStart, Wish};
+use crate::debugged_run::DebuggedRun;
+use crate::greeting::{Greeting, Wish};
 use crate::secret::Secret;
-use crate::session::{DebugSession, Demand, RunState, Target};
+use crate::session::{DebugSession, Demand, RunState};
+use crate::session_start::SessionStart;
 
 /// Accepts the clients of a run. Without a client the run continues.
 #[derive(Debug)]
@@ -38,14 +40,14 @@ impl Reception {
     }
 
     /// Handles the messages that have arrived.
-    pub fn attend(&mut self, target: &mut Target<'_>) -> Demand {
-        let demand = self.session.as_mut().map(|session| session.attend(target));
+    pub fn attend(&mut self, run: &mut DebuggedRun<'_>) -> Demand {
+        let demand = self.session.as_mut().map(|session| session.attend(run));
         if let Some(Demand::Leave { is_suspended }) = demand {
-            target.debugger.let_go();
+            run.debugger.let_go();
             self.session = None;
             self.run = if is_suspended { RunState::Suspended } else { RunState::Running };
         }
-        self.receive(target);
+        self.receive(run);
         match demand {
             Some(demand @ (Demand::Run | Demand::Wait | Demand::Restart | Demand::End)) => demand,
             _ if self.run == RunState::Running => Demand::Run,
@@ -54,7 +56,7 @@ impl Reception {
     }
 
     /// Attends to clients that have not attached yet.
-    fn receive(&mut self, target: &mut Target<'_>) {
+    fn receive(&mut self, run: &mut DebuggedRun<'_>) {
         let secret = &self.secret;
         self.arriving.extend(self.arrivals.try_iter().map(|client| Greeting::through_port(client, secret.clone())));
         for mut greeting in std::mem::take(&mut self.arriving) {
@@ -65,18 +67,18 @@ impl Reception {
                     greeting.refuse(&start, "this port belongs to a run: use `attach`");
                     self.arriving.push(greeting);
                 }
-                Wish::Attach(start) => self.attach(greeting, &start, target),
+                Wish::Attach(start) => self.attach(greeting, &start, run),
             }
         }
     }
 
-    fn attach(&mut self, mut greeting: Greeting, start: &SessionStart, target: &mut Target<'_>) {
+    fn attach(&mut self, mut greeting: Greeting, start: &SessionStart, run: &mut DebuggedRun<'_>) {
         if self.session.is_some() {
             greeting.refuse(start, "another client debugs this run");
             self.arriving.push(greeting);
             return;
         }
-        start.settings.apply(target.debugger);
+        start.settings.apply(run.debugger);
         self.session = Some(greeting.accept(start, self.run));
     }
 

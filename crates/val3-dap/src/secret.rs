@@ -1,9 +1,11 @@
-//! Secret of a port: any program of this machine can connect, and a debugger can do whatever a run can.
+//! Secret of a port. Any program on this machine can connect, and a debugger has all rights of the run.
 
 use std::fmt;
 
 use constant_time_eq::constant_time_eq;
 use serde_json::{Map, Value};
+
+use crate::failure::RequestFailure;
 
 /// Key of the secret in the arguments of `launch` and `attach`.
 pub const SECRET: &str = "secret";
@@ -21,14 +23,15 @@ impl Secret {
     /// Checks that the arguments of `launch` or `attach` contain the secret, in a time that depends on no byte.
     ///
     /// # Errors
-    /// What the client has to send.
-    pub(crate) fn check(&self, arguments: &Map<String, Value>) -> Result<(), String> {
+    /// The secret is missing or wrong.
+    pub(crate) fn check(&self, arguments: &Map<String, Value>) -> Result<(), RequestFailure> {
         let reason = match arguments.get(SECRET) {
             Some(Value::String(text)) if constant_time_eq(text.as_bytes(), self.0.as_bytes()) => return Ok(()),
             None | Some(Value::Null) => "is missing",
             Some(_) => "is another one",
         };
-        Err(format!("`{SECRET}` {reason}: the process that listens on this port has printed it with the port"))
+        let text = format!("`{SECRET}` {reason}: the process that listens on this port has printed it with the port");
+        Err(RequestFailure::Rejected(text))
     }
 }
 
@@ -45,7 +48,7 @@ mod tests {
     use super::*;
 
     fn check(arguments: Value) -> Result<(), String> {
-        Secret::new("0123456789abcdef").check(arguments.as_object().unwrap())
+        Secret::new("0123456789abcdef").check(arguments.as_object().unwrap()).map_err(|failure| failure.to_string())
     }
 
     #[test]

@@ -2,37 +2,37 @@
 //!
 //! The loop of the run calls [`DebugSession::attend`] between two cycles. Requests are handled there, one after the other
 //! and on the thread of the run, so that they see the controller between two operations. While the run is stopped, the
-//! loop waits for the client and time stands still.
+//! loop waits for the client, and the controller's clock is stopped.
 
+mod control;
 mod evaluation;
-mod execution;
-mod requests;
 mod search;
-mod target;
 
 use std::collections::BTreeMap;
 use std::time::Duration;
 
 use val3_debug::Stop;
-use val3_lang::ports::{TaskNumber, Time};
+use val3_lang::ports::Time;
 use val3_machine::event::Event as MachineEvent;
 
 use crate::breakpoints::BreakpointTable;
 use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
-use crate::greeting::SessionStart;
+use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
 use crate::inspection::Handles;
 use crate::live::Subscriptions;
 use crate::message::{Content, ProtocolMessage};
-use crate::notices::{self, Notices};
+use crate::notices::Notices;
 use crate::protocol::{
-    self, BreakpointEvent, BreakpointEventReason, Event, ExitedEvent, OutputEvent, OutputEventCategory, Request,
-    Response, StoppedEvent, StoppedEventReason, TerminatedEvent,
+    self, BreakpointEvent, BreakpointEventReason, Event, ExitedEvent, OutputEvent, OutputEventCategory, Response,
+    StoppedEvent, StoppedEventReason, TerminatedEvent,
 };
+use crate::requests;
+use crate::session_start::SessionStart;
+use crate::stop_event;
 
-pub use target::Target;
-
-/// The next action of the loop of the run.
+/// Next action of the run's loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Demand {
     /// The next cycle.
@@ -75,29 +75,28 @@ enum Phase {
 /// A client that debugs a run.
 #[derive(Debug)]
 pub struct DebugSession {
-    client: Client,
-    conventions: Conventions,
+    pub(crate) client: Client,
+    pub(crate) conventions: Conventions,
     phase: Phase,
-    start: SessionStart,
+    pub(crate) start: SessionStart,
     run: RunState,
     is_configured: bool,
-    /// What the last request demands of the loop.
-    demand: Option<Demand>,
-    breakpoints: BreakpointTable,
-    handles: Handles,
+    /// Number of the present request.
+    request: i64,
+    /// Next action that the last request requires.
+    pub(crate) demand: Option<Demand>,
+    pub(crate) breakpoints: BreakpointTable,
+    pub(crate) handles: Handles,
     notices: Notices,
-    subscriptions: Subscriptions,
+    pub(crate) subscriptions: Subscriptions,
     /// Lines to which a task can go, by their numbers for the client.
-    goto_targets: BTreeMap<i32, (String, u32)>,
+    pub(crate) goto_targets: BTreeMap<i32, (String, u32)>,
     /// Events that follow the response to the present request.
     following: Vec<Event>,
 }
 
-/// The reason why a request failed, as a sentence without a full stop.
-pub(crate) type Refusal = String;
-
 impl DebugSession {
-    /// A session whose client has been told that it can set breakpoints.
+    /// Creates a session. The client has received `initialized`.
     pub(crate) fn new(client: Client, conventions: Conventions, start: &SessionStart, run: RunState) -> Self {
         Self {
             client,
@@ -106,6 +105,7 @@ impl DebugSession {
             start: start.clone(),
             run,
             is_configured: false,
+            request: 0,
             demand: None,
             breakpoints: BreakpointTable::default(),
             handles: Handles::default(),
@@ -122,11 +122,11 @@ impl DebugSession {
     }
 
     /// Handles the messages that have arrived.
-    pub fn attend(&mut self, target: &mut Target<'_>) -> Demand {
+    pub fn attend(&mut self, run: &mut DebuggedRun<'_>) -> Demand {
         while let Some(incoming) = self.client.poll() {
             match incoming {
                 Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, arguments } }) => {
-                    self.handle(seq, &command, arguments, target);
+                    self.handle(seq, &command, arguments, run);
                 }
                 Incoming::Message(_) => {}
                 Incoming::Garbage(error) => self.client.say(&format!("{error}\n")),
@@ -149,84 +149,73 @@ impl DebugSession {
     }
 
     /// The client has left: a run that it has launched ends with it.
-    fn farewell(&self, is_suspended: bool) -> Demand {
+    pub(crate) fn farewell(&self, is_suspended: bool) -> Demand {
         if self.start.is_attach { Demand::Leave { is_suspended } } else { Demand::End }
     }
 
-    fn handle(&mut self, seq: i64, command: &str, arguments: Option<serde_json::Value>, target: &mut Target<'_>) {
+    fn handle(&mut self, seq: i64, command: &str, arguments: Option<serde_json::Value>, run: &mut DebuggedRun<'_>) {
         if command != "cancel" && self.client.withdraws(seq) {
-            self.client.refuse(seq, command, "cancelled");
+            self.client.refuse(seq, command, &RequestFailure::Cancelled);
             return;
         }
-        let answer = if command.starts_with("val3/") {
-            let body = self.answer_custom(command, arguments, target);
-            body.map(|body| {
-                Ok(Content::Response {
-                    request_seq: seq,
-                    success: true,
-                    command: command.to_owned(),
-                    message: None,
-                    body: Some(body),
-                })
-            })
-        } else {
-            match Request::parse(command, arguments) {
-                Ok(request) => self.answer(seq, request, target).map(|response| Content::success(seq, &response)),
-                Err(error) => {
-                    self.client.send(error.response(seq));
-                    return;
-                }
-            }
+        self.request = seq;
+        let answer = match requests::find(command) {
+            Some(handler) => handler.answer(self, run, arguments),
+            None => Err(requests::unsupported(command, arguments)),
         };
         match answer {
-            Ok(response) => self.client.send(response),
-            Err(refusal) => self.client.refuse(seq, command, &refusal),
+            Ok(body) => self.client.send(Ok(Content::answer(seq, command, body))),
+            Err(RequestFailure::Malformed(error)) => {
+                self.client.send(error.response(seq));
+                return;
+            }
+            Err(failure) => self.client.refuse(seq, command, &failure),
         }
         for event in std::mem::take(&mut self.following) {
             self.client.event(&event);
         }
-        self.refresh_view(target);
+        self.refresh_view(run);
     }
 
-    /// Passes on what a page that shows the run does not have yet.
-    fn refresh_view(&mut self, target: &Target<'_>) {
-        if let Some(messages) = self.subscriptions.refreshed_view(&target.debugger.controller) {
+    /// Sends new messages for a page that shows the run.
+    fn refresh_view(&mut self, run: &DebuggedRun<'_>) {
+        if let Some(messages) = self.subscriptions.refreshed_view(&run.debugger.controller) {
             self.client.custom_event("val3/view", messages);
         }
     }
 
-    /// Passes on what has happened in the run.
-    pub fn report(&mut self, events: &[MachineEvent], target: &mut Target<'_>) {
-        let notices = self.notices.of(events, &target.debugger.controller, &self.conventions);
+    /// Sends the events of the run.
+    pub fn report(&mut self, events: &[MachineEvent], run: &mut DebuggedRun<'_>) {
+        let notices = self.notices.of(events, &run.debugger.controller, &self.conventions);
         let has_new_files = notices.iter().any(|notice| matches!(notice, Event::LoadedSource(_)));
         notices.iter().for_each(|notice| self.client.event(notice));
         if has_new_files {
-            self.place_again(target);
+            self.place_again(run);
         }
-        for message in target.debugger.take_logged() {
+        for message in run.debugger.take_logged() {
             let category = Some(OutputEventCategory::Console);
             let output = message.text + "\n";
             self.client.event(&Event::Output(OutputEvent { output, category, ..OutputEvent::default() }));
         }
-        self.subscriptions.note(events, &target.debugger.controller);
-        for (name, body) in self.subscriptions.changes(events, &target.debugger.controller) {
+        self.subscriptions.note(events, &run.debugger.controller);
+        for (name, body) in self.subscriptions.changes(events, &run.debugger.controller) {
             self.client.custom_event(name, body);
         }
     }
 
     /// A cycle that began at `start` is over.
-    pub fn see(&mut self, start: Time, target: &Target<'_>) {
-        if let Some(batch) = self.subscriptions.see(start, &target.debugger.controller) {
+    pub fn see(&mut self, start: Time, run: &DebuggedRun<'_>) {
+        if let Some(batch) = self.subscriptions.see(start, &run.debugger.controller) {
             self.client.custom_event("val3/motion", batch);
         }
-        if let Some(messages) = self.subscriptions.view(start, &target.debugger.controller) {
+        if let Some(messages) = self.subscriptions.view(start, &run.debugger.controller) {
             self.client.custom_event("val3/view", messages);
         }
     }
 
     /// Tells the client where its breakpoints are now.
-    fn place_again(&mut self, target: &mut Target<'_>) {
-        let placed = self.breakpoints.place_all(target, &self.conventions);
+    fn place_again(&mut self, run: &mut DebuggedRun<'_>) {
+        let placed = self.breakpoints.place_all(run, &self.conventions);
         placed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
     }
 
@@ -235,9 +224,9 @@ impl DebugSession {
         self.client.event(&Event::Breakpoint(BreakpointEvent { breakpoint, reason }));
     }
 
-    /// The run has stopped by itself, or a task alone.
-    pub fn stop(&mut self, stop: &Stop, target: &mut Target<'_>) {
-        let is_alone = stop.task_alone().is_some_and(|task| target.debugger.is_task_paused(task));
+    /// The run, or only one task, has stopped by itself.
+    pub fn stop(&mut self, stop: &Stop, run: &mut DebuggedRun<'_>) {
+        let is_alone = stop.task_alone().is_some_and(|task| run.debugger.is_task_paused(task));
         if !is_alone {
             self.phase = Phase::Stopped;
             self.handles.clear();
@@ -245,19 +234,26 @@ impl DebugSession {
         if let Some(batch) = self.subscriptions.flush() {
             self.client.custom_event("val3/motion", batch);
         }
-        self.refresh_view(target);
-        let event = execution::stopped(stop, &mut target.debugger.controller);
+        self.refresh_view(run);
+        let event = stop_event::stopped(stop, &mut run.debugger.controller);
         let all_threads_stopped = Some(!is_alone);
         self.client.event(&Event::Stopped(StoppedEvent { all_threads_stopped, ..event }));
     }
 
+    /// The client has set its breakpoints. Does nothing in later calls.
+    pub(crate) fn finish_configuration(&mut self, run: &mut DebuggedRun<'_>) {
+        if !self.is_configured {
+            self.configured(run);
+        }
+    }
+
     /// The client has set its breakpoints: the run begins, stops before its first line, or continues.
-    fn configured(&mut self, target: &mut Target<'_>) {
+    fn configured(&mut self, run: &mut DebuggedRun<'_>) {
         self.is_configured = true;
-        let controller = &target.debugger.controller;
+        let controller = &run.debugger.controller;
         let mut notices = self.notices.source_changes(controller, &self.conventions);
         notices.extend(self.notices.task_changes(controller));
-        self.following.push(Event::Process(execution::process(controller, self.start.is_attach)));
+        self.following.push(Event::Process(stop_event::process(controller, self.start.is_attach)));
         self.following.extend(notices);
         if self.phase != Phase::Configuring {
             return;
@@ -269,32 +265,32 @@ impl DebugSession {
                 self.phase = Phase::Stopped;
                 if let Some(task) = task {
                     // A breakpoint at the first line does not stop the task there once more.
-                    target.debugger.controller.vm.pass_stop(task);
+                    run.debugger.controller.vm.pass_stop(task);
                 }
-                self.following.push(Event::Stopped(execution::event(StoppedEventReason::Entry, task)));
+                self.following.push(Event::Stopped(stop_event::event(StoppedEventReason::Entry, task)));
             }
-            RunState::Running if self.start.settings.stops_on_entry => target.debugger.pause(None),
+            RunState::Running if self.start.settings.stops_on_entry => run.debugger.pause(None),
             RunState::Fresh | RunState::Running => {}
             RunState::Suspended => {
                 self.phase = Phase::Stopped;
-                self.following.push(Event::Stopped(execution::event(StoppedEventReason::Pause, task)));
+                self.following.push(Event::Stopped(stop_event::event(StoppedEventReason::Pause, task)));
             }
         }
     }
 
     /// The application is in memory and has not begun. After a restart, the client has its breakpoints again.
-    pub fn begin(&mut self, target: &mut Target<'_>) {
+    pub fn begin(&mut self, run: &mut DebuggedRun<'_>) {
         for notice in self.notices.forget_tasks() {
             self.client.event(&notice);
         }
         self.handles.clear();
-        self.breakpoints.apply_errors(target);
+        self.breakpoints.apply_errors(run);
         let removed = self.breakpoints.remove_data();
         removed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
-        self.place_again(target);
+        self.place_again(run);
         self.phase = Phase::Configuring;
         if self.is_configured {
-            self.configured(target);
+            self.configured(run);
         }
         for event in std::mem::take(&mut self.following) {
             self.client.event(&event);
@@ -327,7 +323,7 @@ impl DebugSession {
         self.phase = Phase::Over;
     }
 
-    /// Answers requests after the end of the run: the client leaves, wants to restart, or still thinks.
+    /// Handles requests after the end of the run: `disconnect`, `restart` and a few others.
     pub fn attend_end(&mut self) -> Demand {
         while let Some(incoming) = self.client.poll() {
             match incoming {
@@ -356,12 +352,5 @@ impl DebugSession {
         };
         self.client.send(Content::success(seq, &response));
         demand
-    }
-
-    /// The task that the client means.
-    fn task(thread: i32, target: &Target<'_>) -> Result<TaskNumber, Refusal> {
-        let task = notices::task(thread);
-        let known = task.filter(|task| target.debugger.controller.vm.tasks().iter().any(|known| known.id == *task));
-        known.ok_or_else(|| "there is no such task any more".to_owned())
     }
 }

@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 use val3_debug::{Debugger, PastLimits};
 use val3_machine::arm::MotionMode;
 
-use crate::custom::motion_mode;
+use crate::failure::RequestFailure;
 
 /// The settings of a session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,12 +17,12 @@ pub struct SessionSettings {
     pub(crate) stops_on_entry: bool,
     /// The angles of positions are shown in radians.
     pub(crate) has_radians: bool,
-    /// A breakpoint, a step and an error stop their task alone.
+    /// Whether a breakpoint, a step or an error stops only its task.
     pub(crate) stops_one_task: bool,
 }
 
 impl SessionSettings {
-    /// Records the run, and gives it its modes.
+    /// Starts the history, and sets the modes of the run.
     pub fn apply(&self, debugger: &mut Debugger) {
         debugger.record(self.past);
         debugger.set_motion_mode(self.motion_mode);
@@ -33,7 +33,7 @@ impl SessionSettings {
     ///
     /// # Errors
     /// The reason why a value cannot be used.
-    pub(crate) fn of(arguments: &Map<String, Value>) -> Result<Self, String> {
+    pub(crate) fn of(arguments: &Map<String, Value>) -> Result<Self, RequestFailure> {
         let usual = PastLimits::default();
         let snapshots = number(arguments, "pastSnapshots")?.and_then(|number| usize::try_from(number).ok());
         let bytes = number(arguments, "pastMemory")?.map(|mebibytes| mebibytes.saturating_mul(1 << 20));
@@ -47,20 +47,30 @@ impl SessionSettings {
     }
 }
 
-/// A whole number of at least 1.
-fn number(arguments: &Map<String, Value>, key: &str) -> Result<Option<u64>, String> {
-    let Some(value) = arguments.get(key).filter(|value| !value.is_null()) else { return Ok(None) };
-    let number = value.as_u64().filter(|number| *number > 0);
-    number.map(Some).ok_or_else(|| format!("`{key}` is a whole number of at least 1, not {value}"))
+/// Returns the motion mode with this name.
+fn motion_mode(mode: &Value) -> Result<MotionMode, RequestFailure> {
+    match mode.as_str() {
+        Some("continuous") => Ok(MotionMode::Continuous),
+        Some("step") => Ok(MotionMode::Step),
+        _ => Err(RequestFailure::Rejected(format!("the motion has no mode {mode}: write \"continuous\" or \"step\""))),
+    }
 }
 
-/// Whether a key has the second of two values. It has the first one by default.
-fn is_second(arguments: &Map<String, Value>, key: &str, [first, second]: [&str; 2]) -> Result<bool, String> {
+/// A whole number of at least 1.
+fn number(arguments: &Map<String, Value>, key: &str) -> Result<Option<u64>, RequestFailure> {
+    let Some(value) = arguments.get(key).filter(|value| !value.is_null()) else { return Ok(None) };
+    let number = value.as_u64().filter(|number| *number > 0);
+    let invalid = || RequestFailure::Rejected(format!("`{key}` is a whole number of at least 1, not {value}"));
+    number.map(Some).ok_or_else(invalid)
+}
+
+/// Whether a key has the second value. The default is the first.
+fn is_second(arguments: &Map<String, Value>, key: &str, [first, second]: [&str; 2]) -> Result<bool, RequestFailure> {
     match arguments.get(key) {
         None | Some(Value::Null) => Ok(false),
         Some(value) if value == first => Ok(false),
         Some(value) if value == second => Ok(true),
-        Some(value) => Err(format!("`{key}` is \"{first}\" or \"{second}\", not {value}")),
+        Some(value) => Err(RequestFailure::Rejected(format!("`{key}` is \"{first}\" or \"{second}\", not {value}"))),
     }
 }
 
@@ -72,7 +82,7 @@ mod tests {
 
     fn of(arguments: Value) -> Result<SessionSettings, String> {
         let Value::Object(arguments) = arguments else { panic!("no object") };
-        SessionSettings::of(&arguments)
+        SessionSettings::of(&arguments).map_err(|failure| failure.to_string())
     }
 
     #[test]

@@ -21,7 +21,7 @@ impl SchemaValidator {
     /// # Errors
     /// If the schema is not JSON.
     pub fn new() -> serde_json::Result<Self> {
-        // The arguments of `restart` are those of either `launch` or `attach`. Every object is both, so that `oneOf` would
+        // The arguments of `restart` are the arguments of `launch` or `attach`. Every object is both, so that `oneOf` would
         // allow none.
         let schema = serde_json::from_str(&SCHEMA.replace("\"oneOf\"", "\"anyOf\""))?;
         Ok(Self { schema, compiled: BTreeMap::new() })

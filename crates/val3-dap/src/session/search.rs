@@ -1,51 +1,55 @@
-//! Searches in the past. The client sees the progress of a long one, and can cancel it.
+//! Searches in the history, which report progress and can be cancelled.
 
 use std::ops::ControlFlow;
 
 use val3_debug::Goal;
 
-use super::{DebugSession, Refusal, Target, execution};
+use super::DebugSession;
 use crate::client::Client;
+use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
 use crate::protocol::{Event, ProgressEndEvent, ProgressStartEvent, ProgressUpdateEvent};
+use crate::stop_event;
 
-/// Cycles of the controller that are executed again before the client sees a progress: some tenths of a second.
+/// Replayed cycles before progress is reported: some tenths of a second.
 const LONG: u32 = 2_000;
 
-/// Cycles between two looks at the messages of the client.
+/// Replayed cycles between two checks for a cancellation.
 const LOOK: u32 = 50;
 
 impl DebugSession {
-    /// Goes back in the run.
-    pub(super) fn go_back(&mut self, request: i64, goal: Goal, target: &mut Target<'_>) -> Result<(), Refusal> {
-        self.check_stopped()?;
-        let mut search = Search::new(request, self.conventions.knows_progress);
+    /// Searches the history backwards, and restores the moment that it finds.
+    ///
+    /// # Errors
+    /// The client has cancelled the request.
+    pub(crate) fn go_back(&mut self, goal: Goal, run: &mut DebuggedRun<'_>) -> Result<(), RequestFailure> {
+        let mut search = ReverseSearch::new(self.request, self.conventions.knows_progress);
         let client = &mut self.client;
-        let stop = target.debugger.search_back(goal, &mut |part| search.pass(part, client));
+        let stop = run.debugger.search_back(goal, &mut |part| search.pass(part, client));
         search.end(client);
-        // Clients know this word.
-        let stop = stop.ok_or_else(|| "cancelled".to_owned())?;
-        self.stopped_elsewhere(execution::stopped(&stop, &mut target.debugger.controller));
+        let stop = stop.ok_or(RequestFailure::Cancelled)?;
+        self.stopped_elsewhere(stop_event::stopped(&stop, &mut run.debugger.controller));
         Ok(())
     }
 }
 
 /// A search for a client.
-struct Search {
+struct ReverseSearch {
     request: i64,
-    /// The name of its progress.
+    /// Progress id.
     id: String,
     shows_progress: bool,
     cycles: u32,
-    /// The per cent that the client has seen.
+    /// Last reported progress, in %.
     seen: Option<f64>,
 }
 
-impl Search {
+impl ReverseSearch {
     fn new(request: i64, shows_progress: bool) -> Self {
         Self { request, id: format!("search {request}"), shows_progress, cycles: 0, seen: None }
     }
 
-    /// A cycle was executed again.
+    /// A cycle was replayed.
     fn pass(&mut self, part: f64, client: &mut Client) -> ControlFlow<()> {
         self.cycles += 1;
         if self.cycles.is_multiple_of(LOOK) && client.has_cancelled(self.request, &self.id) {

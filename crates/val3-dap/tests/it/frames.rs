@@ -10,7 +10,7 @@ use val3_dap::{
     BODY_LIMIT, Content, FrameError, HEADER_LIMIT, MessageReader, MessageWriter, ProtocolMessage, ReadError,
 };
 
-/// An input that gives a limited number of bytes at once.
+/// Input that returns a limited number of bytes in each call.
 struct Chunks<'a> {
     bytes: &'a [u8],
     lengths: std::iter::Cycle<std::slice::Iter<'a, usize>>,
@@ -71,7 +71,7 @@ fn read_all(input: impl Read) -> Vec<Result<ProtocolMessage, ReadError>> {
     results
 }
 
-/// The messages and errors of an input as texts.
+/// Returns an input's messages and errors as texts.
 fn outcomes(input: &[u8]) -> Vec<String> {
     let outcome = |result| match result {
         Ok(ProtocolMessage { content: Content::Event { event, .. }, .. }) => event,
@@ -177,7 +177,7 @@ proptest! {
     ) {
         let bytes = parts.concat();
         let results = read_all(Chunks { bytes: &bytes, lengths: lengths.iter().cycle() });
-        // Each frame takes at least one byte and gives at most a message and an error.
+        // Each frame has at least one byte and results in at most a message and an error.
         prop_assert!(results.len() <= 2 * bytes.len());
     }
 }

@@ -13,7 +13,7 @@ use val3_dap::{Content, Event, ProtocolMessage, Request, Response};
 /// Levels of objects below which optional properties are omitted. Some definitions contain themselves.
 const DEPTH: usize = 5;
 
-/// The properties of an object with those of its base, and the names of the required ones.
+/// Returns the properties of an object and its base, and the names of required properties.
 #[derive(Default)]
 struct Object<'a> {
     properties: BTreeMap<&'a str, &'a Value>,

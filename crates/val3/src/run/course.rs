@@ -3,7 +3,7 @@
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use val3_dap::{Demand, Target};
+use val3_dap::{DebuggedRun, Demand};
 use val3_debug::{Debugger, Progress};
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::Outcome;
@@ -183,8 +183,8 @@ impl<'a> Course<'a> {
         }
     }
 
-    fn target(&mut self) -> Target<'_> {
-        Target { debugger: &mut self.debugger, evaluator: &mut self.evaluator }
+    fn target(&mut self) -> DebuggedRun<'_> {
+        DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator }
     }
 
     /// Runs to the end of a cycle; none if the debugger has stopped the run, or before the cycle is over.

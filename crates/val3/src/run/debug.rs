@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use val3_dap::{DebugSession, Demand, Reception, RunState, SessionSettings, Target};
+use val3_dap::{DebugSession, DebuggedRun, Demand, Reception, RunState, SessionSettings};
 
 use super::course::Course;
 use super::end::End;
@@ -129,7 +129,7 @@ fn run(
     if !settings.is_plain_run {
         settings.session.apply(&mut course.debugger);
     }
-    session.begin(&mut Target { debugger: &mut course.debugger, evaluator: &mut course.evaluator });
+    session.begin(&mut DebuggedRun { debugger: &mut course.debugger, evaluator: &mut course.evaluator });
     let end = course.run(session, signals)?;
     let code = course.exit_code(end);
     course.close(end, signals)?;

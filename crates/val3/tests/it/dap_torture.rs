@@ -229,7 +229,17 @@ fn complete(command: &str, chance: &mut Chance) -> Value {
 
 fn random_request(session: &mut Session, chance: &mut Chance) -> i64 {
     let command = if chance.below(4) == 0 { chance.one(&CUSTOM_COMMANDS) } else { chance.one(&COMMANDS) };
-    let arguments = complete(command, chance);
+    let mut arguments = complete(command, chance);
+    // Requests of the adapter reject unknown arguments.
+    if command.starts_with("val3/") && chance.below(10) > 0 {
+        let known: &[&str] = match command {
+            "val3/motionMode" => &["mode"],
+            "val3/ioForce" => &["link", "value"],
+            "val3/jog" => &["joints"],
+            _ => &[],
+        };
+        arguments.as_object_mut().unwrap().retain(|name, _| known.contains(&name.as_str()));
+    }
     session.send_any(command, &arguments)
 }
 

@@ -1,4 +1,4 @@
-//! Why a run has stopped, for the client.
+//! Event `stopped`, for each kind of stop.
 
 use val3_debug::{DataChange, DataStop, MotionStop, Stop, frames};
 use val3_lang::ports::TaskNumber;
@@ -11,7 +11,7 @@ use crate::notices::thread;
 use crate::protocol::{ProcessEvent, ProcessEventStartMethod, StoppedEvent, StoppedEventReason};
 
 /// The event of a stop.
-pub(super) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent {
+pub(crate) fn stopped(stop: &Stop, controller: &mut Controller) -> StoppedEvent {
     match stop {
         Stop::Breakpoints { task, ids, .. } if ids.contains(&assertions::ID) => StoppedEvent {
             description: Some("Paused on failed assertion".to_owned()),
@@ -67,7 +67,7 @@ fn data(stop: &DataStop, controller: &Controller) -> StoppedEvent {
     }
 }
 
-/// The arm has arrived in step mode. The reason is that of a step, which every client shows.
+/// The arm has arrived in step mode. The reason is `step`, which every client shows.
 fn motion(stop: &MotionStop, controller: &Controller) -> StoppedEvent {
     let place = stop.piece.as_ref().map(|found| {
         let source = found.source.as_ref();
@@ -114,7 +114,7 @@ fn task_in(source: &CodeSource, controller: &Controller) -> Option<TaskNumber> {
 }
 
 /// The run as a process of this machine.
-pub(super) fn process(controller: &Controller, is_attach: bool) -> ProcessEvent {
+pub(crate) fn process(controller: &Controller, is_attach: bool) -> ProcessEvent {
     let first = controller.vm.space.loaded().next();
     let start = if is_attach { ProcessEventStartMethod::Attach } else { ProcessEventStartMethod::Launch };
     ProcessEvent {
@@ -126,7 +126,7 @@ pub(super) fn process(controller: &Controller, is_attach: bool) -> ProcessEvent 
 }
 
 /// A stop of all tasks.
-pub(super) fn event(reason: StoppedEventReason, task: Option<TaskNumber>) -> StoppedEvent {
+pub(crate) fn event(reason: StoppedEventReason, task: Option<TaskNumber>) -> StoppedEvent {
     StoppedEvent {
         reason,
         all_threads_stopped: Some(true),

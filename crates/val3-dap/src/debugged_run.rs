@@ -3,10 +3,10 @@
 use val3_debug::Debugger;
 use val3_session::FrameEvaluator;
 
-/// The run that a session debugs.
-pub struct Target<'a> {
-    /// Its controller under control.
+/// Run that a session debugs.
+pub struct DebuggedRun<'a> {
+    /// Debugger of the run, with the controller.
     pub debugger: &'a mut Debugger,
-    /// Evaluates code in its frames.
+    /// Evaluator of code in stack frames.
     pub evaluator: &'a mut FrameEvaluator,
 }

@@ -1,0 +1,77 @@
+//! `exceptionInfo`: run-time error or failed assertion that has stopped a task.
+
+use val3_lang::runtime_errors;
+use val3_vm::TaskState;
+
+use crate::assertions;
+use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
+use crate::protocol::{ExceptionBreakMode, ExceptionDetails};
+use crate::protocol::{ExceptionInfoArguments, ExceptionInfoResponse};
+use crate::requests::DebugRequest;
+use crate::session::DebugSession;
+
+/// The request `exceptionInfo`.
+pub(crate) enum ExceptionInfo {}
+
+impl DebugRequest for ExceptionInfo {
+    const COMMAND: &'static str = "exceptionInfo";
+    type Arguments = ExceptionInfoArguments;
+    type Body = ExceptionInfoResponse;
+
+    fn answer(
+        _: &mut DebugSession,
+        run: &mut DebuggedRun<'_>,
+        arguments: ExceptionInfoArguments,
+    ) -> Result<ExceptionInfoResponse, RequestFailure> {
+        let task = DebugSession::task(arguments.thread_id, run)?;
+        if let Some(message) = assertions::message(&mut run.debugger.controller, task) {
+            return Ok(failed_assertion(message));
+        }
+        let known = run.debugger.controller.vm.tasks().iter().find(|known| known.id == task);
+        match known.map(|task| task.state) {
+            Some(TaskState::Failed(fault)) => Ok(run_time_error(fault.0)),
+            _ => Err(RequestFailure::NoError),
+        }
+    }
+}
+
+fn failed_assertion(message: String) -> ExceptionInfoResponse {
+    ExceptionInfoResponse {
+        exception_id: "failed assertion".to_owned(),
+        description: Some(message),
+        break_mode: ExceptionBreakMode::Always,
+        details: None,
+    }
+}
+
+fn run_time_error(number: u16) -> ExceptionInfoResponse {
+    let error = runtime_errors::find(number);
+    let (short, long) = error.map_or(("unknown run-time error", ""), |error| (error.short, error.long));
+    ExceptionInfoResponse {
+        exception_id: format!("error {number}"),
+        description: Some(format!("{short}\n{long}\n`val3 explain {number}` has its page")),
+        break_mode: ExceptionBreakMode::Always,
+        details: Some(ExceptionDetails {
+            message: Some(short.to_owned()),
+            type_name: Some(number.to_string()),
+            ..ExceptionDetails::default()
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_task_without_an_error_has_no_information() {
+        let mut client = TestClient::stopped(EMPTY);
+        let (thread, _) = client.thread_and_frame();
+        let reason = client.failure("exceptionInfo", json!({ "threadId": thread }));
+        assert_eq!(reason, "no run-time error has stopped this task");
+        assert!(client.failure("exceptionInfo", json!({ "threadId": 99 })).contains("no such task"));
+    }
+}

@@ -1,0 +1,44 @@
+//! `stepBack`: returns to the previous line.
+
+use val3_debug::{Goal, StepKind};
+
+use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
+use crate::protocol::StepBackArguments;
+use crate::requests::DebugRequest;
+use crate::session::DebugSession;
+
+/// The request `stepBack`.
+pub(crate) enum StepBack {}
+
+impl DebugRequest for StepBack {
+    const COMMAND: &'static str = "stepBack";
+    type Arguments = StepBackArguments;
+    type Body = ();
+
+    fn answer(
+        session: &mut DebugSession,
+        run: &mut DebuggedRun<'_>,
+        arguments: StepBackArguments,
+    ) -> Result<(), RequestFailure> {
+        let task = DebugSession::task(arguments.thread_id, run)?;
+        session.go_back(Goal::Line(task, StepKind::Over), run)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::message::Content;
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_step_back_at_the_beginning_stops_there() {
+        let mut client = TestClient::stopped(EMPTY);
+        let (thread, _) = client.thread_and_frame();
+        let messages = client.exchange("stepBack", json!({ "threadId": thread }));
+        let is_stop = |content: &Content| matches!(content, Content::Event { event, .. } if event == "stopped");
+        assert!(messages.iter().any(is_stop), "{messages:?}");
+    }
+}

@@ -1,0 +1,45 @@
+//! `val3/subscribe`: selects the events `val3/…` that are sent. Omitted properties are unchanged.
+
+use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
+use crate::live::SubscribeArguments;
+use crate::requests::{DebugRequest, Empty};
+use crate::session::DebugSession;
+
+/// The request `val3/subscribe`.
+pub(crate) enum Subscribe {}
+
+impl DebugRequest for Subscribe {
+    const COMMAND: &'static str = "val3/subscribe";
+    type Arguments = SubscribeArguments;
+    type Body = Empty;
+
+    fn answer(
+        session: &mut DebugSession,
+        run: &mut DebuggedRun<'_>,
+        arguments: SubscribeArguments,
+    ) -> Result<Empty, RequestFailure> {
+        session.subscriptions.subscribe(&arguments, &run.debugger.controller)?;
+        Ok(Empty {})
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn subscriptions_have_types() {
+        let mut client = TestClient::stopped(EMPTY);
+        for arguments in [json!({}), json!({ "motion": 0.1, "io": true }), json!({ "motion": false, "userPage": true })]
+        {
+            assert_eq!(client.body("val3/subscribe", arguments), json!({}));
+        }
+        for (name, value) in [("motion", json!(-1)), ("io", json!(1)), ("pose", json!(true))] {
+            let reason = client.failure("val3/subscribe", json!({ name: value }));
+            assert!(reason.contains(&format!("`{name}`")), "{reason}");
+        }
+    }
+}

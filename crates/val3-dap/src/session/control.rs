@@ -1,0 +1,143 @@
+//! Control of the run, for several requests.
+
+use val3_debug::StepKind;
+use val3_lang::ports::TaskNumber;
+
+use super::{DebugSession, Phase};
+use crate::debugged_run::DebuggedRun;
+use crate::failure::RequestFailure;
+use crate::notices;
+use crate::protocol::{
+    Event, InvalidatedAreas, InvalidatedEvent, OutputEvent, OutputEventCategory, StoppedEvent, StoppedEventReason,
+};
+use crate::stop_event;
+
+impl DebugSession {
+    /// Returns the task with a thread id.
+    ///
+    /// # Errors
+    /// The task does not exist.
+    pub(crate) fn task(thread: i32, run: &DebuggedRun<'_>) -> Result<TaskNumber, RequestFailure> {
+        let task = notices::task(thread);
+        let known = task.filter(|task| run.debugger.controller.vm.tasks().iter().any(|known| known.id == *task));
+        known.ok_or(RequestFailure::NoSuchTask)
+    }
+
+    /// Begins a step of a task. `is_single`: all other tasks are paused.
+    ///
+    /// # Errors
+    /// The task does not exist or is not stopped.
+    pub(crate) fn step(
+        &mut self,
+        thread: i32,
+        is_single: Option<bool>,
+        kind: StepKind,
+        run: &mut DebuggedRun<'_>,
+    ) -> Result<(), RequestFailure> {
+        let task = Self::task(thread, run)?;
+        self.release(thread, is_single, run)?;
+        run.debugger.step(task, kind);
+        Ok(())
+    }
+
+    /// Reports that a request has changed data, inputs or the arm, and discards the history after the present.
+    pub(crate) fn run_changed(&mut self, run: &mut DebuggedRun<'_>) {
+        self.report_new_future(run);
+        run.debugger.begin_new_future();
+        let events = run.debugger.controller.devices.take_events();
+        let notices = self.notices.of(&events, &run.debugger.controller, &self.conventions);
+        self.following.extend(notices);
+        if self.phase == Phase::Stopped {
+            self.invalidate();
+        }
+    }
+
+    /// Checks that the whole run is stopped.
+    pub(crate) fn check_stopped(&self) -> Result<(), RequestFailure> {
+        if self.phase == Phase::Stopped { Ok(()) } else { Err(RequestFailure::NotStopped) }
+    }
+
+    /// Returns whether only this task is stopped.
+    ///
+    /// # Errors
+    /// The task runs.
+    pub(crate) fn check_task_stopped(&self, task: TaskNumber, run: &DebuggedRun<'_>) -> Result<bool, RequestFailure> {
+        let is_alone = self.phase == Phase::Running && run.debugger.is_task_paused(task);
+        if is_alone { Ok(true) } else { self.check_stopped().map(|()| false) }
+    }
+
+    /// Resumes all tasks, or one. Returns whether it is one.
+    ///
+    /// # Errors
+    /// The tasks are not stopped.
+    pub(crate) fn release(
+        &mut self,
+        thread: i32,
+        is_single: Option<bool>,
+        run: &mut DebuggedRun<'_>,
+    ) -> Result<bool, RequestFailure> {
+        if let Ok(task) = Self::task(thread, run)
+            && self.check_task_stopped(task, run)?
+        {
+            self.handles.forget_frames(task);
+            run.debugger.pause_task(task, false);
+            return Ok(true);
+        }
+        self.check_stopped()?;
+        let is_single = is_single == Some(true);
+        if is_single {
+            let task = Self::task(thread, run)?;
+            self.report_new_future(run);
+            run.debugger.pause_others(task);
+        } else {
+            run.debugger.resume_tasks();
+        }
+        self.run_on();
+        Ok(is_single)
+    }
+
+    /// Pauses the run; with `"stopScope": "task"` only the task.
+    pub(crate) fn pause(&mut self, thread: i32, run: &mut DebuggedRun<'_>) {
+        if !self.is_running() {
+            return;
+        }
+        match Self::task(thread, run) {
+            Ok(task) if self.start.settings.stops_one_task => {
+                run.debugger.pause_task(task, true);
+                let event = stop_event::event(StoppedEventReason::Pause, Some(task));
+                self.following.push(Event::Stopped(StoppedEvent { all_threads_stopped: Some(false), ..event }));
+            }
+            _ => run.debugger.pause(notices::task(thread)),
+        }
+    }
+
+    /// Reports before a change that it discards recorded events, if the run has gone back.
+    pub(crate) fn report_new_future(&mut self, run: &DebuggedRun<'_>) {
+        if run.debugger.is_in_past() {
+            let output = "note: the run continues from here with a change: a new future begins\n".to_owned();
+            let category = Some(OutputEventCategory::Console);
+            self.following.push(Event::Output(OutputEvent { output, category, ..OutputEvent::default() }));
+        }
+    }
+
+    /// Invalidates all handles: the run continues with the next cycle.
+    pub(crate) fn run_on(&mut self) {
+        self.handles.clear();
+        self.goto_targets.clear();
+        self.phase = Phase::Running;
+    }
+
+    /// Reports that the run is at another moment or line without having run there. There is no `invalidated`, because
+    /// clients request all values after a stop, and VS Code would also request values of the previous stop.
+    pub(crate) fn stopped_elsewhere(&mut self, event: StoppedEvent) {
+        self.handles.clear();
+        self.following.push(Event::Stopped(event));
+    }
+
+    fn invalidate(&mut self) {
+        if self.conventions.knows_invalidated {
+            let areas = Some(vec![InvalidatedAreas::All]);
+            self.following.push(Event::Invalidated(InvalidatedEvent { areas, ..InvalidatedEvent::default() }));
+        }
+    }
+}
