@@ -8,6 +8,7 @@ mod debugger;
 mod grammar;
 mod manifest;
 mod settings;
+pub mod typescript;
 mod words;
 mod xml_grammar;
 
