@@ -1,17 +1,8 @@
 // States of tasks and moves of the arm as segments of time.
 
-export interface TaskState {
-  name: string;
-  state: string;
-  program: string;
-  line: number;
-  file?: string;
-  priority: number | null;
-  period: number | null;
-  overruns: number;
-  error: number | string | null;
-  waits: string | null;
-}
+import type * as wire from "../../wire";
+
+export type TaskState = wire.TaskState;
 
 /** Time span in which a task is in one state. */
 export interface Segment {
