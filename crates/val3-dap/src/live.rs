@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
+use val3_view::wire::{self, Role, UnsavedMessage};
 use val3_view::{Feed, Message, Operator};
 use val3_vm::CYCLE;
 
@@ -29,7 +30,8 @@ pub(crate) struct Subscriptions {
     view: Option<Feed>,
     /// The operator at that page.
     pub(crate) operator: Operator,
-    unsaved: Value,
+    /// Latest message `unsaved`.
+    unsaved: Option<UnsavedMessage>,
     samples: Vec<ArmSample>,
     /// When the first of these samples was taken.
     begun: Time,
@@ -77,8 +79,8 @@ impl Subscriptions {
         self.has_io = io.unwrap_or(self.has_io);
         self.has_user_page = user_page.unwrap_or(self.has_user_page);
         if let Some(is_shown) = view {
-            self.view = is_shown.then(|| Feed::new(controller, "debugger"));
-            self.unsaved = Value::Null;
+            self.view = is_shown.then(|| Feed::new(controller, Role::Debugger));
+            self.unsaved = None;
         }
         Ok(())
     }
@@ -120,9 +122,9 @@ impl Subscriptions {
         let feed = self.view.as_mut()?;
         feed.refresh(controller);
         let unsaved = self.operator.unsaved();
-        if self.unsaved != unsaved {
-            feed.tell(unsaved.clone());
-            self.unsaved = unsaved;
+        if self.unsaved.as_ref() != Some(&unsaved) {
+            feed.tell(&wire::Message::Unsaved(unsaved.clone()));
+            self.unsaved = Some(unsaved);
         }
         messages(feed)
     }
@@ -161,7 +163,9 @@ impl Subscriptions {
 fn messages(feed: &mut Feed) -> Option<Value> {
     let object = |message| match message {
         Message::Object(object) => object,
-        Message::Samples(bytes) => json!({ "kind": "samples", "base64": BASE64_STANDARD.encode(bytes) }),
+        Message::Samples(bytes) => {
+            json!(wire::Message::Samples(wire::Samples { base64: BASE64_STANDARD.encode(bytes) }))
+        }
     };
     let messages: Vec<Value> = feed.take().into_iter().map(object).collect();
     (!messages.is_empty()).then(|| json!({ "messages": messages }))

@@ -8,6 +8,8 @@ mod debugger;
 mod grammar;
 mod manifest;
 mod settings;
+pub mod typescript;
+mod wire;
 mod words;
 mod xml_grammar;
 
@@ -41,13 +43,15 @@ pub fn generated(root: &Utf8Path) -> Result<Vec<GeneratedFile>> {
     let manifest = manifest::with_list(&read(MANIFEST)?, "configuration", &settings::all())?;
     let manifest = manifest::with_list(&manifest, "debuggers", &debugger::all(&schema))?;
     let manifest = manifest::with_origin(&manifest)?;
-    Ok(vec![
+    let mut files = vec![
         json("editors/vscode/syntaxes/val3-code.tmLanguage.json", &grammar::code()),
         json("editors/vscode/syntaxes/val3.tmLanguage.json", &xml_grammar::program()),
         json("editors/vscode/syntaxes/val3-data.tmLanguage.json", &xml_grammar::data()),
         json("editors/vscode/syntaxes/val3-project.tmLanguage.json", &xml_grammar::project()),
         GeneratedFile { path: MANIFEST, text: manifest },
-    ])
+    ];
+    files.extend(wire::view_messages()?);
+    Ok(files)
 }
 
 /// Writes all generated files of the project at `root`.

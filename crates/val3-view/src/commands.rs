@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use serde_json::{Map, Value, json};
+use serde::Serialize;
+use serde_json::{Map, Value};
 use val3_geometry::{Trsf, chain};
 use val3_lang::call::{FrameRef, PointRef};
 use val3_lang::references::{self, Chain};
@@ -15,6 +16,9 @@ use val3_machine::files::FileFault;
 use val3_machine::script::Action;
 
 use crate::positions::{self, Datum};
+use crate::wire::{
+    Arguments as _, Key, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach, UnsavedMessage, UserPage,
+};
 
 /// Reason why a command was not executed, for users.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -37,8 +41,8 @@ impl From<&str> for CommandError {
 /// Operators of a run. All pages share the changes that were not saved.
 #[derive(Debug, Default)]
 pub struct Operator {
-    /// Points with new values: names with indexes or keys.
-    changed: BTreeSet<(String, Option<String>)>,
+    /// Points with new values.
+    changed: BTreeSet<PointName>,
 }
 
 impl Operator {
@@ -54,14 +58,19 @@ impl Operator {
         controller: &mut Controller,
     ) -> Result<Map<String, Value>, CommandError> {
         match name {
-            "operate" => operate(arguments, controller)?,
+            "operate" => operate(Operate::read(arguments)?, controller)?,
             "setPoint" => {
-                let local = trsf(arguments.get("local")).ok_or("`local` has six numbers: x, y, z, rx, ry, rz")?;
-                self.change(point(arguments, controller)?, |point| write(point, &local, controller))?;
+                let point_set = SetPoint::read(arguments)?;
+                let local = point_set.trsf();
+                let point = point(&point_set.name, point_set.key, controller)?;
+                self.change(point, |point| write(point, &local, controller))?;
             }
-            "teach" => self.change(point(arguments, controller)?, |point| teach(point, controller))?,
-            "save" => return self.save(arguments.get("overwrite") == Some(&Value::Bool(true)), controller),
-            "userPage" => user_page(arguments, controller)?,
+            "teach" => {
+                let Teach { name, key } = Teach::read(arguments)?;
+                self.change(point(&name, key, controller)?, |point| teach(point, controller))?;
+            }
+            "save" => return Ok(response(&self.save(&Save::read(arguments)?, controller)?)),
+            "userPage" => user_page(&UserPage::read(arguments)?, controller),
             _ => return Err(CommandError(format!("`{name}` is not a command"))),
         }
         // `operate` with the keys of a script is recorded elsewhere.
@@ -74,9 +83,8 @@ impl Operator {
 
     /// Message `unsaved`: the points with unsaved changes.
     #[must_use]
-    pub fn unsaved(&self) -> Value {
-        let points = self.changed.iter().map(|(name, key)| json!({ "name": name, "key": key }));
-        json!({ "kind": "unsaved", "points": points.collect::<Vec<_>>() })
+    pub fn unsaved(&self) -> UnsavedMessage {
+        UnsavedMessage { points: self.changed.iter().cloned().collect() }
     }
 
     fn change(
@@ -85,26 +93,26 @@ impl Operator {
         write: impl FnOnce(&Datum) -> Result<(), CommandError>,
     ) -> Result<(), CommandError> {
         write(&point)?;
-        self.changed.insert((point.name, point.key));
+        self.changed.insert(PointName { name: point.name, key: point.key });
         Ok(())
     }
 
     /// Writes the changed points to their files, without points that the program has removed meanwhile.
-    fn save(&mut self, overwrite: bool, controller: &mut Controller) -> Result<Map<String, Value>, CommandError> {
+    fn save(&mut self, save: &Save, controller: &mut Controller) -> Result<Saved, CommandError> {
         let is_changed = |datum: &Datum| {
-            datum.base == BaseType::Point && self.changed.contains(&(datum.name.clone(), datum.key.clone()))
+            let name = || PointName { name: datum.name.clone(), key: datum.key.clone() };
+            datum.base == BaseType::Point && self.changed.contains(&name())
         };
         let places: Vec<_> =
             positions::data(controller).into_iter().filter(is_changed).map(|datum| datum.place).collect();
-        let saved = controller.devices.save_values(&controller.vm.space, &places, overwrite);
-        let (key, files) = match saved.map_err(not_saved)? {
-            SavedValues::Conflict(files) => ("conflict", files),
+        let saved = controller.devices.save_values(&controller.vm.space, &places, save.overwrite);
+        Ok(match saved.map_err(not_saved)? {
+            SavedValues::Conflict(files) => Saved::Conflict(files),
             SavedValues::Written(files) => {
                 self.changed.clear();
-                ("files", files)
+                Saved::Files(files)
             }
-        };
-        Ok(Map::from_iter([(key.to_owned(), json!(files))]))
+        })
     }
 }
 
@@ -119,38 +127,33 @@ fn not_saved(fault: FileFault) -> CommandError {
 }
 
 /// Shows another user page, as the keys User-Up and User-Down do (4.2).
-fn user_page(arguments: &Map<String, Value>, controller: &mut Controller) -> Result<(), CommandError> {
+fn user_page(page: &UserPage, controller: &mut Controller) {
     let pendant = &mut controller.devices.state.pendant;
-    match arguments.get("to").and_then(Value::as_str) {
-        Some("next") => pendant.show_next(),
-        Some("previous") => pendant.show_previous(),
-        Some("first") => pendant.show_first(),
-        Some("last") => pendant.show_last(),
-        _ => return Err("`to` is \"next\", \"previous\", \"first\" or \"last\"".into()),
+    match page.to {
+        PageChoice::Next => pendant.show_next(),
+        PageChoice::Previous => pendant.show_previous(),
+        PageChoice::First => pendant.show_first(),
+        PageChoice::Last => pendant.show_last(),
     }
-    Ok(())
 }
 
-fn operate(arguments: &Map<String, Value>, controller: &mut Controller) -> Result<(), CommandError> {
-    let Some(Value::Object(keys)) = arguments.get("keys") else {
-        return Err("`keys` is an object with the keys of a script".into());
-    };
-    let action = Action::from_json(keys.clone()).map_err(|error| CommandError(error.to_string()))?;
+fn operate(operate: Operate, controller: &mut Controller) -> Result<(), CommandError> {
+    let action = Action::from_json(operate.keys).map_err(|error| CommandError(error.to_string()))?;
     controller.act(&action).map_err(|problems| CommandError(problems.join("; ")))
 }
 
-fn trsf(value: Option<&Value>) -> Option<Trsf> {
-    let numbers: Vec<f64> = value?.as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
-    match numbers.as_slice() {
-        &[x, y, z, rx, ry, rz] => Some(Trsf { x, y, z, rx, ry, rz }),
-        _ => None,
+/// Keys of a response to a command.
+#[must_use]
+pub fn response(response: &impl Serialize) -> Map<String, Value> {
+    match serde_json::to_value(response) {
+        Ok(Value::Object(keys)) => keys,
+        _ => Map::new(),
     }
 }
 
 /// Finds the point that a command names.
-fn point(arguments: &Map<String, Value>, controller: &Controller) -> Result<Datum, CommandError> {
-    let name = arguments.get("name").and_then(Value::as_str).ok_or("`name` is that of a point")?;
-    let key = key(arguments.get("key"))?;
+fn point(name: &str, key: Option<Key>, controller: &Controller) -> Result<Datum, CommandError> {
+    let key = key.map(Key::into_text);
     let is_meant = |datum: &Datum| datum.base == BaseType::Point && datum.name == name && datum.key == key;
     let found = positions::data(controller).into_iter().find(is_meant);
     found.ok_or_else(|| {
@@ -159,16 +162,6 @@ fn point(arguments: &Map<String, Value>, controller: &Controller) -> Result<Datu
             None => format!("there is no point `{name}` with a single value"),
         })
     })
-}
-
-/// Element index or key as text; `None` for data with a single value.
-fn key(value: Option<&Value>) -> Result<Option<String>, CommandError> {
-    match value {
-        None | Some(Value::Null) => Ok(None),
-        Some(Value::String(key)) => Ok(Some(key.clone())),
-        Some(Value::Number(index)) if index.is_u64() => Ok(Some(index.to_string())),
-        Some(_) => Err("`key` is a whole number from 0, or a text: \"1\", \"1,2\" or the key of a collection".into()),
-    }
 }
 
 /// Sets a point to the current pose of the tool centre point, relative to the point's father. Its configuration is

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::{Value, json};
+use serde_json::json;
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
-use val3_machine::controller::{CodeSource, Controller};
+use val3_machine::controller::{CodeSource, Controller, RecordedMove};
 use val3_machine::event::{EndReason, Event, EventKind, seconds};
 use val3_motion::{MotionPhase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
@@ -16,7 +16,8 @@ use crate::motion::{self, MotionKey};
 use crate::positions::Positions;
 use crate::samples::{Batch, NO_SOURCE};
 use crate::signals::SignalStates;
-use crate::{numbers, positions, scene, state, user_page};
+use crate::wire::{CellPoint, DataMessage, End, EventsMessage, PageMessage, Rewind, Role, Source, StateMessage, Tool};
+use crate::{numbers, positions, scene, state, user_page, wire};
 
 /// Polling interval of the state, in nanoseconds on the controller's clock.
 const LOOK: Time = 25 * CYCLE;
@@ -40,10 +41,10 @@ pub struct Feed {
     sources: BTreeMap<(String, u32, String), u16>,
     next_look: Time,
     looks: u32,
-    state: Value,
+    state: Option<StateMessage>,
     motion: Option<MotionKey>,
-    page: Value,
-    points: Vec<Value>,
+    page: Option<PageMessage>,
+    points: Vec<CellPoint>,
     signals: SignalStates,
     /// Latest time in the messages.
     seen: Time,
@@ -52,9 +53,9 @@ pub struct Feed {
 
 impl Feed {
     /// Starts the messages of a run that begins or is observed from now on. The first messages are its scene and
-    /// complete state. The reader's `role` is `operator`, `guest`, `recording` or `debugger`.
+    /// complete state.
     #[must_use]
-    pub fn new(controller: &Controller, role: &str) -> Self {
+    pub fn new(controller: &Controller, role: Role) -> Self {
         let mut feed = Self {
             batch: Batch::new(controller.devices.state.arm.model().axes()),
             last: None,
@@ -62,14 +63,15 @@ impl Feed {
             sources: BTreeMap::new(),
             next_look: 0,
             looks: 0,
-            state: Value::Null,
+            state: None,
             motion: None,
-            page: Value::Null,
+            page: None,
             points: Vec::new(),
             signals: SignalStates::default(),
             seen: 0,
-            messages: vec![Message::Object(scene(controller, role))],
+            messages: Vec::new(),
         };
+        feed.tell(&wire::Message::Scene(Box::new(scene(controller, role))));
         feed.sample(controller.now(), controller);
         feed.look(controller.now(), controller);
         feed
@@ -87,7 +89,7 @@ impl Feed {
     /// Processes events of the current cycle, or of a command.
     pub fn see_events(&mut self, events: &[Event], controller: &Controller) {
         if !events.is_empty() {
-            self.tell(json!({ "kind": "events", "events": events }));
+            self.tell(&wire::Message::Events(EventsMessage { events: events.to_vec() }));
         }
         let is_signal = |event: &Event| matches!(event.kind, EventKind::Io { .. });
         if events.iter().any(is_signal) {
@@ -103,7 +105,7 @@ impl Feed {
     }
 
     fn forget(&mut self) {
-        (self.state, self.page, self.motion) = (Value::Null, Value::Null, None);
+        (self.state, self.page, self.motion) = (None, None, None);
         (self.signals, self.points) = (SignalStates::default(), Vec::new());
     }
 
@@ -111,7 +113,7 @@ impl Feed {
     pub fn refresh(&mut self, controller: &Controller) {
         let now = controller.now();
         if now < self.seen {
-            self.tell(json!({ "kind": "rewind", "t": seconds(now) }));
+            self.tell(&wire::Message::Rewind(Rewind { t: seconds(now) }));
             self.forget();
             self.last = None;
         }
@@ -125,7 +127,7 @@ impl Feed {
     pub fn end(&mut self, reason: EndReason, exit_code: u8, controller: &Controller) {
         let now = controller.now();
         self.look(now, controller);
-        self.tell(json!({ "kind": "end", "t": seconds(now), "reason": reason, "exitCode": exit_code }));
+        self.tell(&wire::Message::End(End { t: seconds(now), reason, exit_code }));
     }
 
     fn look(&mut self, time: Time, controller: &Controller) {
@@ -133,27 +135,38 @@ impl Feed {
         self.flush_samples();
         self.see_signals(time, controller);
         self.see_motion(time, controller);
-        let state = state::message(controller);
-        if state != self.state {
-            self.tell(with_time(time, &state));
-            self.state = state;
-        }
-        let page = user_page::message(controller);
-        if page != self.page {
-            self.tell(with_time(time, &page));
-            self.page = page;
-        }
+        self.see_state(seconds(time), controller);
+        self.see_page(seconds(time), controller);
         if self.looks.is_multiple_of(POSITIONS) {
             self.see_positions(time, controller);
         }
         self.looks = self.looks.wrapping_add(1);
     }
 
+    fn see_state(&mut self, t: f64, controller: &Controller) {
+        let state = state::message(t, controller);
+        let is_known = self.state.as_ref().is_some_and(|known| StateMessage { t, ..known.clone() } == state);
+        if !is_known {
+            self.tell(&wire::Message::State(state.clone()));
+            self.state = Some(state);
+        }
+    }
+
+    fn see_page(&mut self, t: f64, controller: &Controller) {
+        let page = user_page::message(t, controller);
+        let is_known = self.page.as_ref().is_some_and(|known| PageMessage { t, ..known.clone() } == page);
+        if !is_known {
+            self.tell(&wire::Message::Page(page.clone()));
+            self.page = Some(page);
+        }
+    }
+
     fn see_motion(&mut self, time: Time, controller: &Controller) {
         let key = Some(MotionKey::of(controller));
         if key != self.motion {
-            let motion = motion::message(controller, |queued| self.number_of(queued.source.as_ref()));
-            self.tell(with_time(time, &motion));
+            let number = |queued: &RecordedMove| self.number_of(queued.source.as_ref());
+            let motion = motion::message(seconds(time), controller, number);
+            self.tell(&wire::Message::Motion(motion));
             self.motion = key;
         }
     }
@@ -164,9 +177,9 @@ impl Feed {
         let known = std::mem::take(&mut self.points);
         // The scene contains the initial positions.
         if !known.is_empty() || self.looks > 0 {
-            let changed: Vec<&Value> = points.iter().filter(|point| !known.contains(point)).collect();
+            let changed: Vec<CellPoint> = points.iter().filter(|point| !known.contains(point)).cloned().collect();
             if !changed.is_empty() {
-                self.tell(json!({ "kind": "data", "t": seconds(time), "points": changed }));
+                self.tell(&wire::Message::Data(DataMessage { t: seconds(time), points: changed }));
             }
         }
         self.points = points;
@@ -178,14 +191,14 @@ impl Feed {
     }
 
     /// Adds a message of the caller, such as the pace of the run.
-    pub fn tell(&mut self, message: Value) {
+    pub fn tell(&mut self, message: &wire::Message) {
         self.flush_samples();
-        self.messages.push(Message::Object(message));
+        self.messages.push(Message::Object(json!(message)));
     }
 
     fn see_signals(&mut self, time: Time, controller: &Controller) {
         if let Some(changes) = self.signals.changes(seconds(time), &controller.devices.state.io) {
-            self.tell(changes);
+            self.tell(&wire::Message::Io(changes));
         }
     }
 
@@ -241,7 +254,7 @@ impl Feed {
         if number != OTHER_TOOL {
             self.tools.push(pose);
             let name = positions::tool_at(controller, |known| is_same(known, &pose));
-            self.tell(json!({ "kind": "tool", "index": number, "name": name, "pose": pose }));
+            self.tell(&wire::Message::Tool(Tool { index: number, name, pose }));
         }
         number
     }
@@ -257,13 +270,12 @@ impl Feed {
             return NO_SOURCE;
         };
         self.sources.insert(key, number);
-        self.tell(json!({
-            "kind": "source",
-            "index": number,
-            "instruction": source.instruction,
-            "program": source.program,
-            "line": source.line,
-            "file": source.file,
+        self.tell(&wire::Message::Source(Source {
+            index: number,
+            instruction: source.instruction.to_owned(),
+            program: source.program.clone(),
+            line: source.line,
+            file: source.file.clone(),
         }));
         number
     }
@@ -271,15 +283,6 @@ impl Feed {
 
 fn is_same(known: &[f64; 6], tool: &[f64; 6]) -> bool {
     known.iter().zip(tool).all(|(known, number)| (known - number).abs() < SAME_TOOL)
-}
-
-/// Adds the time to a message.
-fn with_time(time: Time, message: &Value) -> Value {
-    let mut message = message.clone();
-    if let Some(keys) = message.as_object_mut() {
-        keys.insert("t".to_owned(), json!(seconds(time)));
-    }
-    message
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! Message `motion`: the recorded moves, and the remaining path of the tool centre point.
 
-use serde_json::{Value, json};
 use val3_geometry::Vector3;
 use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
 use val3_motion::{MoveStage, Way};
 
 use crate::coordinates;
+use crate::wire::{MotionMessage, QueueEntry, WayPiece};
 
 /// Maximum number of path pieces in the message: nominal parts and blends.
 const PIECES: usize = 60;
@@ -38,40 +38,40 @@ impl MotionKey {
     }
 }
 
-/// Creates the message, without its time. `number` returns the number of the line that requests a move.
-pub(crate) fn message(controller: &Controller, mut number: impl FnMut(&RecordedMove) -> u16) -> Value {
+/// Creates the message at a time in seconds. `number` returns the number of the line that requests a move.
+pub(crate) fn message(t: f64, controller: &Controller, mut number: impl FnMut(&RecordedMove) -> u16) -> MotionMessage {
     let queue = controller.motion_queue();
-    json!({
-        "kind": "motion",
-        "queue": queue.iter().map(|queued| recorded(queued, number(queued))).collect::<Vec<_>>(),
-        "path": way_ahead(controller),
-    })
+    MotionMessage {
+        t,
+        queue: queue.iter().map(|queued| recorded(queued, number(queued))).collect(),
+        path: way_ahead(controller),
+    }
 }
 
-fn recorded(queued: &RecordedMove, source: u16) -> Value {
+fn recorded(queued: &RecordedMove, source: u16) -> QueueEntry {
     let pose = |corner: &BlendPoint| coordinates(&corner.pose);
     let distance = |corner: &BlendPoint| corner.distance.0;
-    json!({
-        "id": queued.id,
-        "type": queued.source.as_ref().map(|source| source.instruction),
-        "source": source,
-        "phase": queued.stage.word(),
-        "target": coordinates(&queued.target),
-        "leave": queued.leave.as_ref().map(pose),
-        "reach": queued.reach.as_ref().map(pose),
-        "leaveDistance": queued.leave.as_ref().map(distance),
-        "reachDistance": queued.reach.as_ref().map(distance),
-        "blend": queued.blend,
-        "blendCutShort": queued.blend.note(),
-    })
+    QueueEntry {
+        id: queued.id,
+        instruction: queued.source.as_ref().map(|source| source.instruction.to_owned()),
+        source,
+        phase: queued.stage.word().to_owned(),
+        target: coordinates(&queued.target),
+        leave: queued.leave.as_ref().map(pose),
+        reach: queued.reach.as_ref().map(pose),
+        leave_distance: queued.leave.as_ref().map(distance),
+        reach_distance: queued.reach.as_ref().map(distance),
+        blend: queued.blend.clone(),
+        blend_cut_short: queued.blend.note(),
+    }
 }
 
 /// The way of the tool centre point to the last destination, in mm, by pieces.
-fn way_ahead(controller: &Controller) -> Vec<Value> {
+fn way_ahead(controller: &Controller) -> Vec<WayPiece> {
     let pieces = controller.devices.state.arm.motion().way_ahead(PIECES);
     let piece = |Way { phase, points }: &Way| {
-        let points: Vec<[f64; 3]> = simplified(points, TOLERANCE).iter().map(rounded).collect();
-        json!({ "phase": phase.word(), "points": points })
+        let points = simplified(points, TOLERANCE).iter().map(rounded).collect();
+        WayPiece { phase: phase.word().to_owned(), points }
     };
     pieces.iter().map(piece).collect()
 }

@@ -1,7 +1,6 @@
 //! Positions of the applications and libraries in memory, and the names of data linked to signals.
 
 use rustc_hash::FxHashMap;
-use serde_json::{Value, json};
 use val3_debug::subscript;
 use val3_lang::call::{FrameRef, PointRef, ToolRef};
 use val3_lang::enumerations;
@@ -12,6 +11,7 @@ use val3_machine::controller::Controller;
 use val3_machine::io::{LinkId, SignalId};
 
 use crate::numbers;
+use crate::wire::{CellPoint, JointValue};
 
 /// A global value in an application or library.
 #[derive(Debug, Clone)]
@@ -97,19 +97,15 @@ impl<'a> Positions<'a> {
         Self { data, memory, by_place, poses: Poses::new(memory) }
     }
 
-    /// Objects for all values with this type, without values that have no placement.
-    pub(crate) fn of_type(&mut self, base: BaseType) -> Vec<Value> {
+    /// Frames, tools or points: all values with this type, without values that have no placement.
+    pub(crate) fn of_type(&mut self, base: BaseType) -> Vec<CellPoint> {
         let of_base = self.data.iter().filter(|datum| datum.base == base);
         of_base.filter_map(|datum| self.described(datum)).collect()
     }
 
-    fn described(&mut self, datum: &Datum) -> Option<Value> {
+    fn described(&mut self, datum: &Datum) -> Option<CellPoint> {
         let Datum { name, key, base, place } = datum;
         let memory = self.memory;
-        if *base == BaseType::Joint {
-            let axes = memory.store(place.store).ok()?.kind.size.num;
-            return Some(json!({ "name": name, "key": key, "values": nums(memory, *place, axes)? }));
-        }
         let pose = match base {
             BaseType::Tool => self.poses.of_tool(ToolRef(*place)),
             BaseType::Frame => self.poses.of_frame(FrameRef(*place)),
@@ -119,15 +115,24 @@ impl<'a> Positions<'a> {
         let father = references::reference(memory, *place).ok().flatten();
         let father = father.and_then(|father| self.by_place.get(&father)).map(|father| father.whole_name());
         let config = (*base == BaseType::Point).then(|| configuration(memory, *place));
-        Some(json!({
-            "name": name,
-            "key": key,
-            "father": father,
-            "pose": numbers(&pose),
-            "local": nums(memory, *place, 6),
-            "config": config,
-        }))
+        Some(CellPoint {
+            name: name.clone(),
+            key: key.clone(),
+            father,
+            pose: numbers(&pose),
+            local: nums(memory, *place, 6),
+            config,
+        })
     }
+}
+
+/// Joint positions.
+pub(crate) fn joints(data: &[Datum], memory: &Memory) -> Vec<JointValue> {
+    let value = |Datum { name, key, place, .. }: &Datum| {
+        let axes = memory.store(place.store).ok()?.kind.size.num;
+        Some(JointValue { name: name.clone(), key: key.clone(), values: nums(memory, *place, axes)? })
+    };
+    data.iter().filter(|datum| datum.base == BaseType::Joint).filter_map(value).collect()
 }
 
 /// Enumerators of a point's configuration: shoulder, elbow, wrist; a SCARA arm has only a shoulder.

@@ -1,12 +1,12 @@
 //! Message `scene`: the constant content of a run.
 
-use serde_json::{Value, json};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_motion::MotionPhase;
 
 use crate::positions::{self, Positions};
 use crate::samples::limit_names;
+use crate::wire::{Role, Scene};
 use crate::{arm, signals};
 
 /// Version of the messages.
@@ -23,27 +23,26 @@ const PHASES: [MotionPhase; 7] = [
     MotionPhase::Waiting,
 ];
 
-/// First message for a page: the application, its arm, positions and signals. `role` is the reader's role.
+/// First message for a page: the application, its arm, positions and signals.
 #[must_use]
-pub fn scene(controller: &Controller, role: &str) -> Value {
+pub fn scene(controller: &Controller, role: Role) -> Scene {
     let data = positions::data(controller);
     let mut positions = Positions::new(&data, &controller.vm.space.memory);
     let mut of_type = |base| positions.of_type(base);
     let names = positions::names_by_signal(&data, controller);
-    json!({
-        "kind": "scene",
-        "version": VERSION,
-        "role": role,
-        "application": controller.name(),
-        "arm": arm::description(controller.devices.state.arm.model(), &controller.devices.shapes),
-        "base": [0, 0, 0, 0, 0, 0],
-        "frames": of_type(BaseType::Frame),
-        "tools": of_type(BaseType::Tool),
-        "points": of_type(BaseType::Point),
-        "joints": of_type(BaseType::Joint),
-        "signals": signals::described(&controller.devices.state.io, &names),
-        "lines": signals::lines(controller),
-        "phases": PHASES.map(MotionPhase::word),
-        "limits": limit_names(),
-    })
+    Scene {
+        version: VERSION,
+        role,
+        application: controller.name().to_owned(),
+        arm: arm::description(controller.devices.state.arm.model(), &controller.devices.shapes),
+        base: [0; 6],
+        frames: of_type(BaseType::Frame),
+        tools: of_type(BaseType::Tool),
+        points: of_type(BaseType::Point),
+        joints: positions::joints(&data, &controller.vm.space.memory),
+        signals: signals::described(&controller.devices.state.io, &names),
+        lines: signals::lines(controller),
+        phases: PHASES.map(|phase| phase.word().to_owned()).to_vec(),
+        limits: limit_names(),
+    }
 }

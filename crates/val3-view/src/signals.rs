@@ -1,9 +1,10 @@
 //! Inputs, outputs and lines.
 
 use rustc_hash::FxHashMap;
-use serde_json::{Value, json};
 use val3_machine::controller::Controller;
 use val3_machine::io::{Direction, IoTable, Kind, SignalId};
+
+use crate::wire::{self, IoMessage, LineInfo, SignalInfo};
 
 /// Displayed value of a signal: at the terminal for an input, the written value for an output.
 #[must_use]
@@ -24,27 +25,27 @@ pub fn direction(direction: Direction) -> &'static str {
 }
 
 /// Signals of the cell. `names` contains the data linked to each signal.
-pub(crate) fn described(io: &IoTable, names: &FxHashMap<SignalId, Vec<String>>) -> Vec<Value> {
+pub(crate) fn described(io: &IoTable, names: &FxHashMap<SignalId, Vec<String>>) -> Vec<SignalInfo> {
     let described = |id: SignalId| {
         let signal = io.signal(id)?;
         let board = signal.path.rsplit_once('\\').map_or("", |(board, _)| board);
-        Some(json!({
-            "link": signal.path,
-            "names": names.get(&id).map_or(&[][..], Vec::as_slice),
-            "board": board,
-            "direction": direction(signal.direction),
-            "isDigital": matches!(signal.kind, Kind::Digital),
-            "unit": io.unit(id),
-            "description": signal.description,
-        }))
+        Some(SignalInfo {
+            link: signal.path.clone(),
+            names: names.get(&id).cloned().unwrap_or_default(),
+            board: board.to_owned(),
+            direction: direction(signal.direction).to_owned(),
+            is_digital: matches!(signal.kind, Kind::Digital),
+            unit: io.unit(id).map(str::to_owned),
+            description: signal.description.clone(),
+        })
     };
     io.signals().filter_map(described).collect()
 }
 
 /// Serial lines and sockets.
-pub(crate) fn lines(controller: &Controller) -> Vec<Value> {
+pub(crate) fn lines(controller: &Controller) -> Vec<LineInfo> {
     let kinds = controller.devices.lines.kinds();
-    kinds.map(|(link, kind)| json!({ "link": link, "type": format!("{kind:?}").to_lowercase() })).collect()
+    kinds.map(|(link, kind)| LineInfo { link: link.to_owned(), kind: format!("{kind:?}").to_lowercase() }).collect()
 }
 
 /// Last states of all signals that were sent to pages.
@@ -62,7 +63,7 @@ struct SignalState {
 
 impl SignalStates {
     /// Message `io` with all changes, if any.
-    pub(crate) fn changes(&mut self, t: f64, io: &IoTable) -> Option<Value> {
+    pub(crate) fn changes(&mut self, t: f64, io: &IoTable) -> Option<IoMessage> {
         let mut changes = Vec::new();
         for (number, id) in io.signals().enumerate() {
             let Some((signal, forcing)) = io.signal(id).zip(io.forcing(id)) else { continue };
@@ -78,15 +79,15 @@ impl SignalStates {
                 Some(known) => *known = state,
                 None => self.0.push(state),
             }
-            changes.push(json!({
-                "link": signal.path,
-                "value": state.value,
-                "isLocked": state.is_locked,
-                "isSimulated": state.is_simulated,
-                "isProtected": state.is_protected,
-                "fault": state.fault.map(|fault| format!("{fault:?}")),
-            }));
+            changes.push(wire::SignalState {
+                link: signal.path.clone(),
+                value: state.value,
+                is_locked: state.is_locked,
+                is_simulated: state.is_simulated,
+                is_protected: state.is_protected,
+                fault: state.fault.map(|fault| format!("{fault:?}")),
+            });
         }
-        (!changes.is_empty()).then(|| json!({ "kind": "io", "t": t, "changes": changes }))
+        (!changes.is_empty()).then_some(IoMessage { t, changes })
     }
 }

@@ -2,7 +2,9 @@
 
 use serde_json::{Value, json};
 use val3_machine::controller::Controller;
-use val3_machine::screen::{Cell, HtmlCallback, HtmlPage, HtmlValue};
+use val3_machine::screen::{self, Cell};
+
+use crate::wire::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
 
 /// Name of the screen, its title and its 14 lines.
 #[must_use]
@@ -16,40 +18,42 @@ pub fn user_page(controller: &Controller) -> Value {
     })
 }
 
-/// Message `page`, without its time.
-pub(crate) fn message(controller: &Controller) -> Value {
+/// Message `page` at a time in seconds.
+pub(crate) fn message(t: f64, controller: &Controller) -> PageMessage {
     let pendant = &controller.devices.state.pendant;
     let page = pendant.page(pendant.shown());
-    json!({
-        "kind": "page",
-        "screen": pendant.name(pendant.shown()),
-        "title": page.map(|page| page.title()),
-        "lines": page.map(|page| page.lines().collect::<Vec<_>>()).unwrap_or_default(),
-        "modes": page.map(|page| page.cells().map(modes).collect::<Vec<_>>()).unwrap_or_default(),
-        "cursor": page.map(|page| [page.cursor().column, page.cursor().row]),
-        "popUp": pendant.pop_up().map(|pop_up| pop_up.text.as_str()),
-        "html": pendant.shown_html().map(|page| html(page, controller)),
-    })
+    PageMessage {
+        t,
+        screen: pendant.name(pendant.shown()).to_owned(),
+        title: page.map(|page| page.title().to_owned()),
+        lines: page.map(|page| page.lines().collect()).unwrap_or_default(),
+        modes: page.map(|page| page.cells().map(modes).collect()).unwrap_or_default(),
+        cursor: page.map(|page| [page.cursor().column, page.cursor().row]),
+        pop_up: pendant.pop_up().map(|pop_up| pop_up.text.clone()),
+        html: pendant.shown_html().map(|page| html(page, controller)),
+    }
 }
 
 /// Bindings of the HTML page: element values and click actions.
-fn html(page: &HtmlPage, controller: &Controller) -> Value {
-    let value = |bound: &HtmlValue| {
-        let value = controller.shown_value(&bound.path);
-        json!({ "id": bound.element, "attribute": bound.attribute, "value": value })
+fn html(page: &screen::HtmlPage, controller: &Controller) -> HtmlPage {
+    let value = |bound: &screen::HtmlValue| HtmlValue {
+        id: bound.element.clone(),
+        attribute: bound.attribute.clone(),
+        value: controller.shown_value(&bound.path),
     };
     let clicks = page.callbacks.iter().filter(|callback| callback.event == "click");
-    let click = |callback: &HtmlCallback| json!({ "id": callback.element, "program": callback.program });
-    json!({
-        "name": page.name,
-        "values": page.values.iter().map(value).collect::<Vec<_>>(),
-        "clicks": clicks.map(click).collect::<Vec<_>>(),
-    })
+    let click =
+        |callback: &screen::HtmlCallback| HtmlClick { id: callback.element.clone(), program: callback.program.clone() };
+    HtmlPage {
+        name: page.name.clone(),
+        values: page.values.iter().map(value).collect(),
+        clicks: clicks.map(click).collect(),
+    }
 }
 
 /// Runs of equal text modes, each with its number of columns.
-fn modes(cells: &[Cell]) -> Value {
-    let mut runs: Vec<(usize, u8)> = Vec::new();
+fn modes(cells: &[Cell]) -> Vec<ModeRun> {
+    let mut runs: Vec<ModeRun> = Vec::new();
     for cell in cells {
         let mode = cell.mode.number();
         match runs.last_mut() {
@@ -57,5 +61,5 @@ fn modes(cells: &[Cell]) -> Value {
             _ => runs.push((1, mode)),
         }
     }
-    json!(runs)
+    runs
 }

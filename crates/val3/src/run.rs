@@ -28,6 +28,7 @@ use std::process::ExitCode;
 
 use val3_machine::controller::Outcome;
 use val3_machine::event::{Event, EventKind};
+use val3_view::wire::Role;
 
 use crate::args::RunArgs;
 use crate::color::Color;
@@ -69,8 +70,9 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         to_stderr(|out| writeln!(out, "note: {checked}"));
     }
     if args.scene {
-        let scene = val3_view::scene(&ready.controller, "preview");
-        to_stdout_as(Content::Json, Color::Never, |out| writeln!(out, "{scene}"))?;
+        let scene = val3_view::scene(&ready.controller, Role::Preview);
+        let message = serde_json::json!(val3_view::wire::Message::Scene(Box::new(scene)));
+        to_stdout_as(Content::Json, Color::Never, |out| writeln!(out, "{message}"))?;
         return Ok(ExitCode::SUCCESS);
     }
     let mut course = Course::open(args, ready, Observers::open(args, recording, color)?)?;

@@ -1,83 +1,19 @@
 // Messages of a run to its viewers, version 1.
 
-import type { DataMessage, EventsMessage, IoMessage, MotionMessage, PageMessage, SceneMessage, StateMessage, UnsavedMessage } from "./panels/shared/messages";
+import type * as wire from "./wire";
 
-export type Role = "operator" | "guest" | "recording" | "debugger" | "preview";
+export type { Answer as AnswerMessage, LinkShape, Role, Source, Tool } from "./wire";
+
 export type Pose = readonly number[];
 
-/** Shape of a link as a file in base64. */
-export interface LinkShape {
-  format: "glb" | "stl";
-  data: string;
-}
+/** Runs of earlier versions have no shapes of links. */
+export type Scene = Omit<wire.Scene, "arm"> & { kind: "scene"; arm: Omit<wire.ArmChain, "shapes"> & Partial<Pick<wire.ArmChain, "shapes">> };
 
-export interface Scene extends SceneMessage {
-  kind: "scene";
-  version: number;
-  role: Role;
-  application: string;
-  arm: SceneMessage["arm"] & { name: string; timesNote?: string | null; shapes?: readonly (LinkShape | null)[] };
-  tools: readonly { name: string; pose: Pose }[];
-  phases: readonly string[];
-  /** Names of the speed limits. */
-  limits: readonly string[];
-}
-
-/** Line that requests moves. */
-export interface Source {
-  kind: "source";
-  index: number;
-  instruction: string;
-  program: string;
-  line: number;
-  file: string;
-}
-
-/** Tool, from flange to tool centre point. */
-export interface Tool {
-  kind: "tool";
-  index: number;
-  name: string | null;
-  pose: Pose;
-}
-
-export interface Clock {
-  kind: "clock";
-  t: number;
-  speed: number | "max";
-  isPaused: boolean;
-}
-
-export interface End {
-  kind: "end";
-  t: number;
-  reason: string;
-  exitCode: number;
-}
-
-export interface AnswerMessage {
-  kind: "answer";
-  id: number;
-  error: string | null;
-  [field: string]: unknown;
-}
+/** Message as an object: samples arrive as bytes. */
+export type Message = Exclude<wire.Message, { kind: "samples" | "scene" }> | Scene;
 
 /** Message that belongs to the run and its recording. */
-export type RunMessage =
-  | Scene | Source | Tool | Clock | End
-  | ({ kind: "state" } & StateMessage)
-  | ({ kind: "motion" } & MotionMessage)
-  | ({ kind: "io" } & IoMessage)
-  | ({ kind: "page" } & PageMessage)
-  | ({ kind: "events" } & EventsMessage)
-  | ({ kind: "data" } & DataMessage)
-  | ({ kind: "unsaved" } & UnsavedMessage)
-  | { kind: "gap"; t: number };
-
-export type Message =
-  | RunMessage | AnswerMessage
-  | { kind: "rewind"; t: number }
-  | { kind: "select"; name: string | null };
+export type RunMessage = Exclude<Message, { kind: "answer" | "rewind" | "select" }>;
 
 /** Parses a text message; `undefined` if it is not a message. */
 export function messageFrom(text: string): Message | undefined {

@@ -191,8 +191,10 @@ export class Store {
   }
 
   private answer({ id, ...answer }: AnswerMessage): void {
-    this.waiting.get(id)?.(answer);
-    this.waiting.delete(id);
+    if (id !== null) {
+      this.waiting.get(id)?.(answer);
+      this.waiting.delete(id);
+    }
   }
 
   private select(name: string | null): void {

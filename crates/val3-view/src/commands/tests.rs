@@ -1,4 +1,4 @@
-use serde_json::json;
+use serde_json::{Value, json};
 use val3_machine::controller::Controller;
 use val3_tests::running::Running;
 
@@ -30,9 +30,9 @@ fn run(controller: &mut Controller, name: &str, arguments: Value) -> Result<(), 
     done.map(|_| ()).map_err(|error| error.to_string())
 }
 
-fn point(controller: &Controller) -> Value {
+fn shown_point(controller: &Controller) -> Value {
     let points = Positions::new(&positions::data(controller), &controller.vm.space.memory).of_type(BaseType::Point);
-    points.into_iter().find(|point| point["name"] == "pPick" && point["key"] == "1").unwrap()
+    json!(points.into_iter().find(|point| point.name == "pPick" && point.key.as_deref() == Some("1")).unwrap())
 }
 
 #[test]
@@ -40,7 +40,7 @@ fn a_point_gets_other_values() {
     let mut controller = controller();
     let local = json!([0, 100, 50, 0, 0, 0]);
     run(&mut controller, "setPoint", json!({ "name": "pPick", "key": "1", "local": local })).unwrap();
-    let point = point(&controller);
+    let point = shown_point(&controller);
     assert_eq!((&point["local"], &point["father"]), (&json!([0.0, 100.0, 50.0, 0.0, 0.0, 0.0]), &json!("fTable")));
     let pose: Vec<f64> = point["pose"].as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect();
     assert!(pose.iter().zip([400.0, 0.0, 350.0, 0.0, 0.0, 90.0]).all(|(is, expected)| (is - expected).abs() < 1e-9));
@@ -52,7 +52,7 @@ fn an_index_is_a_number_or_a_text() {
     for (key, x) in [(json!(1), 100.0), (json!("1"), 200.0)] {
         let local = json!([x, 0, 0, 0, 0, 0]);
         run(&mut controller, "setPoint", json!({ "name": "pPick", "key": key, "local": local })).unwrap();
-        assert_eq!(point(&controller)["local"][0], x);
+        assert_eq!(shown_point(&controller)["local"][0], x);
     }
     let mut refused = |key| run(&mut controller, "teach", json!({ "name": "pPick", "key": key })).unwrap_err();
     assert_eq!(refused(json!(2)), "there is no point `pPick[2]`");
@@ -67,7 +67,7 @@ fn the_present_position_is_taught() {
     let mut controller = controller();
     run(&mut controller, "teach", json!({ "name": "pPick", "key": "1" })).unwrap();
     let here = crate::coordinates(&controller.devices.state.arm.sample().pose);
-    let pose = point(&controller)["pose"].clone();
+    let pose = shown_point(&controller)["pose"].clone();
     let near = |(index, expected): (usize, &f64)| (pose[index].as_f64().unwrap() - expected).abs() < 1e-9;
     assert!(here.iter().enumerate().all(near), "{pose} {here:?}");
 }

@@ -1,3 +1,4 @@
+use serde_json::{Value, json};
 use val3_machine::controller::Outcome;
 use val3_tests::running::Running;
 
@@ -41,7 +42,7 @@ end
 /// All messages of a run for 1 s.
 fn run(listing: &str) -> Vec<Message> {
     let mut controller = Running::start(listing).controller;
-    let mut feed = Feed::new(&controller, "operator");
+    let mut feed = Feed::new(&controller, Role::Operator);
     while controller.now() < 1_000_000_000 {
         let start = controller.now();
         if let Outcome::Waiting(Some(wake)) = controller.step() {
@@ -106,7 +107,7 @@ fn an_arm_that_rests_has_one_sample() {
 fn a_run_that_goes_back_forgets_what_followed() {
     let mut controller = Running::start(LISTING).controller;
     let snapshot = controller.snapshot();
-    let mut feed = Feed::new(&controller, "debugger");
+    let mut feed = Feed::new(&controller, Role::Debugger);
     while controller.now() < 50_000_000 {
         controller.step();
     }
@@ -135,7 +136,7 @@ fn points_have_their_configuration() {
 fn tools_have_the_name_of_their_data() {
     let mut running = Running::start(LISTING);
     running.controller.devices.state.robot.set_power(true);
-    let mut feed = Feed::new(&running.controller, "operator");
+    let mut feed = Feed::new(&running.controller, Role::Operator);
     while running.controller.now() < 2_000_000_000 {
         let start = running.controller.now();
         if let Outcome::Waiting(Some(wake)) = running.controller.step() {
@@ -149,4 +150,17 @@ fn tools_have_the_name_of_their_data() {
     assert_eq!(names, [(&json!("flange"), 0.0), (&json!("tGrip"), 120.0)]);
     let paths = objects(&messages, "motion").filter_map(|motion| motion["path"].as_array());
     assert!(paths.flatten().any(|piece| piece["phase"] == "nominal" && piece["points"].as_array().unwrap().len() > 2));
+}
+
+#[test]
+fn messages_of_a_run_follow_the_schema() {
+    let validator = jsonschema::validator_for(&wire::schema()).unwrap();
+    let messages = run(LISTING);
+    for kind in ["scene", "tool", "state", "motion", "page", "data", "end"] {
+        assert!(objects(&messages, kind).count() > 0, "{kind}");
+        for message in objects(&messages, kind) {
+            let errors: Vec<String> = validator.iter_errors(message).map(|error| error.to_string()).collect();
+            assert_eq!(errors, [""; 0], "{message:#}");
+        }
+    }
 }

@@ -11,6 +11,7 @@ use val3_files::OutputFile;
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::{EndReason, Event};
+use val3_view::wire::Role;
 use val3_view::{Feed, Message};
 
 use crate::output::file;
@@ -42,7 +43,7 @@ impl Export {
         let (head, _) = halves();
         write!(file, "{head}<script id=\"recording\" type=\"text/plain\">").map_err(|error| refused(path, &error))?;
         let out = GzEncoder::new(EncoderWriter::new(file, &BASE64_STANDARD), Compression::best());
-        let mut export = Self { feed: Feed::new(controller, "recording"), path: path.to_owned(), out };
+        let mut export = Self { feed: Feed::new(controller, Role::Recording), path: path.to_owned(), out };
         export.write()?;
         Ok(export)
     }

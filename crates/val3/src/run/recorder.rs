@@ -5,6 +5,7 @@ use std::thread::{self, JoinHandle};
 use serde_json::{Map, Value};
 use val3_lang::ports::Time;
 use val3_machine::event::{Event, EventKind, seconds};
+use val3_view::wire::{Arguments as _, RecordScenario};
 
 use crate::args::{ControllerArgs, RunArgs};
 use crate::paths::current_folder;
@@ -50,8 +51,9 @@ impl Recorder {
 
     /// Writes the scenario that a command names in a thread, which responds to the command.
     pub(super) fn record(&mut self, command: Command, now: Time) {
-        let Some(name) = command.message.get("name").and_then(Value::as_str).map(str::to_owned) else {
-            return command.answer(Err("`name` is the name of the scenario".to_owned()));
+        let name = match RecordScenario::read(&command.message) {
+            Ok(RecordScenario { name }) => name,
+            Err(error) => return command.answer(Err(error.to_string())),
         };
         if self.is_full {
             let reason = format!(
@@ -73,7 +75,7 @@ impl Recorder {
 }
 
 fn recorded(run: &ServedRun, name: &str) -> Result<Map<String, Value>, String> {
-    record_served(run, name).map_err(|error| error.lines())
+    record_served(run, name).map(|recorded| val3_view::response(&recorded)).map_err(|error| error.lines())
 }
 
 /// Whether a scenario repeats or expects such an event.

@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde_json::{Map, Value};
 use val3_lang::ports::Time;
 use val3_session::{Delay, Pace};
-use val3_view::Speed;
+use val3_view::wire::{Clock, Fastest, Pace as NewPace, PaceSpeed};
 
 use crate::wall_clock::WallClock;
 
@@ -50,29 +50,20 @@ impl Tempo {
     }
 
     /// Message `clock` with the pace.
-    pub(super) fn message(&self, seconds: f64) -> Value {
-        let speed = if self.pace.real_time { Speed::Times(self.speed) } else { Speed::Fastest };
-        speed.message(seconds, self.is_paused)
+    pub(super) fn message(&self, t: f64) -> Clock {
+        let speed = if self.pace.real_time { PaceSpeed::Times(self.speed) } else { PaceSpeed::Fastest(Fastest::Max) };
+        Clock { t, speed, is_paused: self.is_paused }
     }
 
     /// Executes the command `pace`: changes the speed, or pauses the run.
-    ///
-    /// # Errors
-    /// An argument is invalid. Nothing has changed.
-    pub(super) fn change(&mut self, arguments: &Map<String, Value>, now: Time) -> Result<(), String> {
-        let is_paused = match arguments.get("isPaused") {
-            None => self.is_paused,
-            Some(value) => value.as_bool().ok_or("`isPaused` is true or false")?,
-        };
-        if let Some(value) = arguments.get("speed") {
-            match Speed::of(value).ok_or("`speed` is a number from 0.1 to 100, or \"max\"")? {
-                Speed::Fastest => self.pace.real_time = false,
-                Speed::Times(speed) => (self.pace.real_time, self.speed) = (true, speed),
-            }
+    pub(super) fn change(&mut self, pace: &NewPace, now: Time) {
+        match pace.speed {
+            None => {}
+            Some(PaceSpeed::Fastest(_)) => self.pace.real_time = false,
+            Some(PaceSpeed::Times(speed)) => (self.pace.real_time, self.speed) = (true, speed),
         }
-        (self.is_paused, self.cycles) = (is_paused, 0);
+        (self.is_paused, self.cycles) = (pace.is_paused.unwrap_or(self.is_paused), 0);
         self.restart_clock(now);
-        Ok(())
     }
 
     /// Executes the command `cycle`: several cycles while the run is paused.
@@ -95,11 +86,18 @@ impl Tempo {
 #[cfg(test)]
 mod tests {
     use serde_json::json;
+    use val3_view::wire::Arguments as _;
 
     use super::*;
 
     fn change(tempo: &mut Tempo, arguments: Value) -> Result<(), String> {
-        tempo.change(arguments.as_object().unwrap(), 0)
+        let pace = NewPace::read(arguments.as_object().unwrap()).map_err(|error| error.to_string())?;
+        tempo.change(&pace, 0);
+        Ok(())
+    }
+
+    fn clock(tempo: &Tempo, t: f64) -> String {
+        json!(val3_view::wire::Message::Clock(tempo.message(t))).to_string()
     }
 
     #[test]
@@ -122,9 +120,9 @@ mod tests {
     fn the_speed_is_a_number_or_max() {
         let mut tempo = Tempo::new(Pace { real_time: true, ..Pace::default() }, 0);
         change(&mut tempo, json!({ "speed": 0.1 })).unwrap();
-        assert_eq!(tempo.message(1.5).to_string(), r#"{"isPaused":false,"kind":"clock","speed":0.1,"t":1.5}"#);
+        assert_eq!(clock(&tempo, 1.5), r#"{"isPaused":false,"kind":"clock","speed":0.1,"t":1.5}"#);
         change(&mut tempo, json!({ "speed": "max", "isPaused": true })).unwrap();
-        assert_eq!(tempo.message(2.0).to_string(), r#"{"isPaused":true,"kind":"clock","speed":"max","t":2.0}"#);
+        assert_eq!(clock(&tempo, 2.0), r#"{"isPaused":true,"kind":"clock","speed":"max","t":2.0}"#);
         for speed in [json!(0), json!(-1), json!(101), json!("fast"), json!(null), json!({})] {
             assert!(change(&mut tempo, json!({ "speed": speed, "isPaused": false })).is_err(), "{speed}");
         }

@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::{EndReason, Event, seconds};
+use val3_view::wire::{self, Arguments as _, Role};
 use val3_view::{Feed, Operator};
 
 use super::guide::ATTENTION;
@@ -57,7 +58,7 @@ impl Viewers {
         if args.open && !browser::open(page) {
             to_stderr(|out| writeln!(out, "note: no browser could be opened"));
         }
-        let feed = Feed::new(controller, "operator");
+        let feed = Feed::new(controller, Role::Operator);
         let recorder = Recorder::new(args)?;
         let (operator, arrived) = (Operator::default(), VecDeque::new());
         let mut viewers = Self { server, feed, operator, recorder, sent: 0, arrived };
@@ -72,7 +73,7 @@ impl Viewers {
         if self.sent > REPETITION {
             self.sent = 0;
             self.feed.repeat(controller);
-            self.feed.tell(self.operator.unsaved());
+            self.feed.tell(&wire::Message::Unsaved(self.operator.unsaved()));
         }
         self.publish();
     }
@@ -94,8 +95,9 @@ impl Viewers {
             }
             let (now, arguments) = (controller.now(), &command.message);
             let result = match command.name.as_str() {
-                "pace" => tempo.change(arguments, now).map(|()| {
-                    self.feed.tell(tempo.message(seconds(now)));
+                "pace" => wire::Pace::read(arguments).map_err(|error| error.to_string()).map(|pace| {
+                    tempo.change(&pace, now);
+                    self.feed.tell(&wire::Message::Clock(tempo.message(seconds(now))));
                     Map::new()
                 }),
                 "cycle" => tempo.step(arguments, now).map(|()| Map::new()),
@@ -116,7 +118,7 @@ impl Viewers {
         let before = self.operator.unsaved();
         let result = self.operator.execute(name, arguments, controller);
         if self.operator.unsaved() != before {
-            self.feed.tell(self.operator.unsaved());
+            self.feed.tell(&wire::Message::Unsaved(self.operator.unsaved()));
         }
         result.map_err(|error| error.to_string())
     }

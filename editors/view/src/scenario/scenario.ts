@@ -1,14 +1,10 @@
 // Names and responses of the command `record`.
 
+import type { Recorded } from "../wire";
 import type { Answer } from "../panels/shared/cell";
 
 /** Scenario that the server has written. */
-export interface Scenario {
-  file: string;
-  text: string;
-  /** What the scenario does not repeat. */
-  remarks: readonly string[];
-}
+export type Scenario = Recorded;
 
 const NAME = /^[A-Za-z0-9_-]{1,64}$/;
 

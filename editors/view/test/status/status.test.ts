@@ -5,7 +5,7 @@ import type { TaskState } from "../../src/panels/tasks/chart";
 import { faultsOf, type StatusFacts, statusOf, waitsText } from "../../src/status/status";
 
 const task = (name: string, fields: Partial<TaskState> = {}): TaskState =>
-  ({ name, state: "running", program: "start", line: 12, priority: 10, period: null, overruns: 0, error: null, waits: null, ...fields });
+  ({ name, state: "running", program: "start", line: 12, file: "start.pgx", priority: 10, period: null, overruns: 0, error: null, waits: null, ...fields });
 const state = (tasks: TaskState[], fields: Partial<CellState> = {}): CellState =>
   ({ tasks, power: true, mode: "remote", emergencyStop: "none", isHeld: false, awaitedHold: null, monitorSpeed: 100, ...fields });
 const facts = (fields: Partial<StatusFacts>): StatusFacts =>

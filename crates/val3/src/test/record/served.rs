@@ -1,12 +1,12 @@
 //! Scenarios of a served run (`val3 run --serve`), written while the run continues.
 
 use camino::{Utf8Path, Utf8PathBuf};
-use serde_json::{Map, Value, json};
 use val3_analysis::load::{cell_around, nearest_configuration};
 use val3_analysis::paths::normalise;
 use val3_analysis::system::Disk;
 use val3_lang::test_names::TESTS;
 use val3_machine::event::Event;
+use val3_view::wire::Recorded;
 
 use super::run_record::RunRecord;
 use super::{NewScenario, check_new, manifest, refused};
@@ -28,11 +28,11 @@ pub(crate) struct ServedRun {
     pub(crate) now: f64,
 }
 
-/// Writes the scenario `name` of a served run. Returns the keys of the response: `file`, `text` and `remarks`.
+/// Writes the scenario `name` of a served run. Returns the response.
 ///
 /// # Errors
 /// The name is not a file name or is taken, or a scenario cannot repeat the run.
-pub(crate) fn record_served(run: &ServedRun, name: &str) -> Result<Map<String, Value>, UserError> {
+pub(crate) fn record_served(run: &ServedRun, name: &str) -> Result<Recorded, UserError> {
     check_name(name)?;
     if let Some(archive) = archive_around(&run.application) {
         return Err(UserError::new(format!("the application is in the archive `{archive}`"))
@@ -52,8 +52,7 @@ pub(crate) fn record_served(run: &ServedRun, name: &str) -> Result<Map<String, V
     let controller = run.controller.clone();
     let new = NewScenario { run: &record, heading, manifest: &manifest, path: &path, shown, controller };
     let written = new.write()?;
-    let response = json!({ "file": shown, "text": written.text, "remarks": written.remarks });
-    Ok(response.as_object().cloned().unwrap_or_default())
+    Ok(Recorded { file: shown.to_string(), text: written.text, remarks: written.remarks })
 }
 
 /// Checks that a name is a file name on each system.

@@ -1,21 +1,10 @@
 // Rows of the signal table: by board, filtered.
 
-export interface SignalInfo {
-  link: string;
-  names: readonly string[];
-  board: string;
-  direction: "input" | "output";
-  isDigital: boolean;
-  unit: string | null;
-}
+import type * as wire from "../../wire";
 
-export interface SignalState {
-  value: number;
-  isLocked: boolean;
-  isSimulated: boolean;
-  isProtected: boolean;
-  fault: string | null;
-}
+export type SignalInfo = Omit<wire.SignalInfo, "description">;
+
+export type SignalState = Omit<wire.SignalState, "link">;
 
 /** Heading of a board, or a signal. */
 export type SignalRow = { board: string; count: number } | { signal: SignalInfo };

@@ -1,12 +1,9 @@
 // Computes the joints at which the arm has a pose near its present one. The chain of links comes from the scene.
 
+import type * as wire from "../../wire";
 import { add, aroundAxis, composed, cross, frameOf, inverse, multiplied, type Frame, rotationVector, transposed, turned, type Vector } from "./pose";
 
-export interface ArmChain {
-  axes: readonly { isLinear: boolean; min: number; max: number }[];
-  links: readonly { offset: readonly number[]; axis: readonly number[] }[];
-  flange: readonly number[];
-}
+export type ArmChain = Pick<wire.ArmChain, "links" | "flange"> & { axes: readonly Pick<wire.Axis, "isLinear" | "min" | "max">[] };
 
 interface Solution {
   joints: number[];

@@ -1,11 +1,10 @@
 // Changed values of points, until they are saved.
 
+import type * as wire from "../../wire";
+
 export const COORDINATES = ["x", "y", "z", "rx", "ry", "rz"] as const;
 
-export interface PointName {
-  name: string;
-  key: string | null;
-}
+export type PointName = wire.PointName;
 
 /** Formats the name as a program writes it: `pPick`, `pPick[2]`, `pPick["left"]`. */
 export function pointText({ name, key }: PointName): string {

@@ -5,59 +5,32 @@ import type { SignalInfo, SignalState } from "../io/signalRows";
 import type { SignalHistory } from "../io/sparkline";
 import type { Transfer } from "../io/lineBytes";
 import type { ArmChain } from "../pendant/armModel";
-import type { ModeRun } from "../pendant/pageCells";
 import type { PointName } from "../points/edits";
 import type { TaskSegments, TaskState } from "../tasks/chart";
 import type { RunEvent } from "../tasks/eventText";
 import type { Moves } from "../tasks/moves";
 import type { TimedPhase, TimedTasks } from "../tasks/times";
-import type { WayPiece } from "./messages";
+import type * as wire from "../../wire";
+import type { QueueEntry, WayPiece } from "./messages";
 
 export type Pose = readonly number[];
 
-export interface CellPoint extends PointName {
-  father: string | null;
-  local: Pose;
-  pose: Pose;
-  /** Configuration in words. */
-  config?: string | null | undefined;
-}
+/** Point. Runs of earlier versions have no configuration. */
+export type CellPoint = Omit<wire.CellPoint, "config"> & { config?: string | null | undefined };
 
-export interface CellScene {
+export type CellScene = Pick<wire.Scene, "base" | "lines"> & {
   arm: ArmChain;
-  base: Pose;
-  frames: readonly { name: string; father: string | null; pose: Pose }[];
+  frames: readonly Pick<wire.CellPoint, "name" | "father" | "pose">[];
   signals: readonly SignalInfo[];
-  lines: readonly { link: string; type: string }[];
   /** Points with the values in the files. */
   points: readonly CellPoint[];
-}
+};
 
-export interface QueuedMove {
-  id: number;
-  type: string;
-  program: string;
-  line: number;
-  phase: string;
-  target: Pose;
-  leave: Pose | null;
-  reach: Pose | null;
-  leaveDistance: number | null;
-  reachDistance: number | null;
-  /** Reason why the blend is shorter than requested; null if it is not. Absent in runs of earlier versions. */
-  blendCutShort?: string | null | undefined;
-}
+/** Recorded move with its line instead of the number of the line. */
+export type QueuedMove = Omit<QueueEntry, "source"> & { program: string; line: number };
 
-export interface CellState {
-  tasks: readonly TaskState[];
-  power: boolean;
-  mode: string;
-  emergencyStop: string;
-  isHeld: boolean;
-  /** Why the arm that a task waits for does not move, as sentences for an operator. Absent in runs of earlier versions. */
-  awaitedHold?: string | null | undefined;
-  monitorSpeed: number;
-}
+/** State of the cell. Runs of earlier versions have no `awaitedHold`. */
+export type CellState = Omit<wire.StateMessage, "t" | "heldBecause" | "awaitedHold" | "tasks"> & { tasks: readonly TaskState[]; awaitedHold?: string | null | undefined };
 
 /** Recorded moves, and the path ahead. */
 export interface CellMotion {
@@ -65,21 +38,13 @@ export interface CellMotion {
   path: readonly WayPiece[];
 }
 
-export interface CellPage {
-  screen: string;
-  title: string;
-  lines: readonly string[];
-  modes?: readonly (readonly ModeRun[])[] | undefined;
-  popUp?: string | null | undefined;
-  html?: HtmlPage | null | undefined;
-}
+/** User page. Runs of earlier versions have no text modes, pop-ups and HTML pages. */
+export type CellPage = Pick<wire.PageMessage, "screen" | "title" | "lines"> & {
+  [Key in "modes" | "popUp" | "html"]?: wire.PageMessage[Key] | undefined;
+};
 
 /** HTML user page: the values of its elements, and the programs that a click executes. */
-export interface HtmlPage {
-  name: string;
-  values: readonly { id: string; attribute: string; value: string | null }[];
-  clicks: readonly { id: string; program: string }[];
-}
+export type HtmlPage = wire.HtmlPage;
 
 export interface ArmSample {
   joints: readonly number[];

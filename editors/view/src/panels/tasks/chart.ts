@@ -1,19 +1,9 @@
 // States of tasks and moves of the arm as segments of time.
 
-export interface TaskState {
-  name: string;
-  state: string;
-  program: string;
-  line: number;
-  file?: string;
-  priority: number | null;
-  period: number | null;
-  overruns: number;
-  error: number | string | null;
-  waits: string | null;
-  /** What the task waits for, without advice for authors of scripts. Absent in runs of earlier versions. */
-  awaits?: string | null | undefined;
-}
+import type * as wire from "../../wire";
+
+/** State of a task. Runs of earlier versions have no `awaits`. */
+export type TaskState = Omit<wire.TaskState, "awaits"> & { awaits?: string | null | undefined };
 
 /** Time span in which a task is in one state. */
 export interface Segment {

@@ -1,12 +1,9 @@
 // Events of a run as rows of a log.
 
+import type * as wire from "../../wire";
+
 /** Event in the format of `val3 run --events`. */
-export interface RunEvent {
-  t: number;
-  kind: string;
-  task?: string;
-  [field: string]: unknown;
-}
+export type RunEvent = wire.RunEvent;
 
 export type Group = "errors" | "messages" | "tasks" | "moves" | "signals" | "lines" | "page" | "robot" | "operations";
 

@@ -1,0 +1,222 @@
+//! Messages between a run and its pages, and their JSON schema.
+//!
+//! The schema is `editors/schema/view-messages.schema.json`; the declarations of the page are generated from it.
+
+mod commands;
+mod motion;
+mod page;
+mod scene;
+mod state;
+
+pub use commands::{
+    Arguments, Command, Cycle, Fastest, Key, Operate, Pace, PaceSpeed, PageChoice, PointName, RecordScenario, Recorded,
+    Save, Saved, SetPoint, Teach, UserPage,
+};
+pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
+pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
+pub use scene::{ArmChain, Axis, CellPoint, JointValue, LineInfo, Link, LinkShape, Role, Scene, SignalInfo};
+pub use state::{SignalState, StateMessage, TaskState};
+
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::Serialize;
+use serde_json::{Map, Value};
+use val3_machine::event::{EndReason, Event};
+
+/// x, y, z in mm, rx, ry, rz in degrees.
+pub type Pose = [f64; 6];
+
+/// Message of a run to its pages. Times `t` are in seconds on the controller's clock.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "camelCase")]
+pub enum Message {
+    /// The constant content of a run; always the first message.
+    Scene(Box<Scene>),
+    /// A line that requests moves.
+    Source(Source),
+    /// A tool.
+    Tool(Tool),
+    /// The pace of the run.
+    Clock(Clock),
+    /// The state of tasks and robot.
+    State(StateMessage),
+    /// The recorded moves and the remaining path.
+    Motion(MotionMessage),
+    /// Changed signals.
+    Io(IoMessage),
+    /// The user page.
+    Page(PageMessage),
+    /// Events of the run.
+    Events(EventsMessage),
+    /// Points with other values.
+    Data(DataMessage),
+    /// Points with unsaved changes.
+    Unsaved(UnsavedMessage),
+    /// The run has ended.
+    End(End),
+    /// A debugger has gone back: the page discards all later messages.
+    Rewind(Rewind),
+    /// Messages before this one were dropped.
+    Gap,
+    /// Response to a command.
+    Answer(Answer),
+    /// Batch of arm samples, for pages whose connection has no binary messages.
+    Samples(Samples),
+    /// Selects the data that is selected in an editor.
+    Select(Select),
+}
+
+/// Line that requests moves.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Source {
+    /// Number of the line in samples and queue entries.
+    pub index: u16,
+    /// Name of the instruction.
+    pub instruction: String,
+    /// Program name.
+    pub program: String,
+    /// Line in the file, from 1.
+    pub line: u32,
+    /// Path of the program's file.
+    pub file: String,
+}
+
+/// Tool, from flange to tool centre point.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Tool {
+    /// Number of the tool in samples.
+    pub index: u8,
+    /// Name of the data with this value, if any.
+    pub name: Option<String>,
+    /// Pose of the tool centre point relative to the flange.
+    pub pose: Pose,
+}
+
+/// Pace of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Clock {
+    /// Time in s.
+    pub t: f64,
+    /// Controller seconds per real second.
+    pub speed: PaceSpeed,
+    /// Whether the run is paused.
+    pub is_paused: bool,
+}
+
+/// Changed signals.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct IoMessage {
+    /// Time in s.
+    pub t: f64,
+    /// Signals with another state.
+    pub changes: Vec<SignalState>,
+}
+
+/// Events of the run.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct EventsMessage {
+    /// Events in their order.
+    #[schemars(with = "Vec<RunEvent>")]
+    pub events: Vec<Event>,
+}
+
+/// Event in the format of `val3 run --events`.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct RunEvent {
+    /// Time in s.
+    pub t: f64,
+    /// Task in whose turn it has happened.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub task: Option<String>,
+    /// Kind of the event.
+    pub kind: String,
+    /// Data of the kind.
+    #[serde(flatten)]
+    pub data: Map<String, Value>,
+}
+
+/// Points with other values.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct DataMessage {
+    /// Time in s.
+    pub t: f64,
+    /// Changed points.
+    pub points: Vec<CellPoint>,
+}
+
+/// Points with unsaved changes.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct UnsavedMessage {
+    /// Names of the points.
+    pub points: Vec<PointName>,
+}
+
+/// End of the run.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct End {
+    /// Time in s.
+    pub t: f64,
+    /// Reason in a word.
+    #[schemars(with = "String")]
+    pub reason: EndReason,
+    /// Exit code of the command.
+    pub exit_code: u8,
+}
+
+/// Time to which a debugger has gone back.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Rewind {
+    /// Time in s.
+    pub t: f64,
+}
+
+/// Response to a command, with further keys of the command.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Answer {
+    /// Number of the command; `null` if the command could not be read.
+    #[schemars(with = "Option<u64>")]
+    pub id: Value,
+    /// Reason why the command was not executed.
+    pub error: Option<String>,
+    /// Further keys.
+    #[serde(flatten)]
+    pub more: Map<String, Value>,
+}
+
+/// Batch of arm samples.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Samples {
+    /// The bytes of the batch in base64.
+    pub base64: String,
+}
+
+/// Data that is selected in an editor.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Select {
+    /// Data name.
+    pub name: Option<String>,
+}
+
+/// Returns the schema of all messages, commands and responses. Its root is any [`Message`].
+#[must_use]
+pub fn schema() -> Value {
+    let mut messages = SchemaSettings::draft2020_12().for_serialize().into_generator();
+    let root = messages.subschema_for::<Message>();
+    messages.subschema_for::<Saved>();
+    messages.subschema_for::<Recorded>();
+    let mut commands = SchemaSettings::draft2020_12().for_deserialize().into_generator();
+    commands.subschema_for::<Command>();
+    let mut definitions = messages.take_definitions(true);
+    definitions.extend(commands.take_definitions(true));
+    let mut schema = root.to_value();
+    if let Some(keys) = schema.as_object_mut() {
+        keys.insert("$schema".to_owned(), "https://json-schema.org/draft/2020-12/schema".into());
+        keys.insert("$defs".to_owned(), Value::Object(definitions));
+    }
+    schema
+}
+
+#[cfg(test)]
+mod tests;

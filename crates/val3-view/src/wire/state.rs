@@ -1,0 +1,74 @@
+//! States of tasks, robot and signals.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// State of tasks and robot.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct StateMessage {
+    /// Time in s.
+    pub t: f64,
+    /// Tasks in the order of their creation.
+    pub tasks: Vec<TaskState>,
+    /// Whether the arm has power.
+    pub power: bool,
+    /// Working mode.
+    pub mode: String,
+    /// State of the emergency stop: `none`, `released` or `open`.
+    pub emergency_stop: String,
+    /// Whether the arm is held.
+    pub is_held: bool,
+    /// Reason why the arm is held.
+    pub held_because: Option<String>,
+    /// Why the arm that a task waits for does not move, as sentences for an operator.
+    pub awaited_hold: Option<String>,
+    /// Monitor speed in %.
+    pub monitor_speed: f64,
+}
+
+/// State of a task.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct TaskState {
+    /// Task name.
+    pub name: String,
+    /// State in a word.
+    pub state: String,
+    /// Current program.
+    pub program: String,
+    /// Current line in the file, from 1.
+    pub line: u32,
+    /// Path of the program's file.
+    pub file: String,
+    /// Priority of an asynchronous task.
+    pub priority: Option<u32>,
+    /// Period of a synchronous task, in s.
+    pub period: Option<f64>,
+    /// Number of overruns of a synchronous task.
+    pub overruns: u32,
+    /// What the task waits for.
+    pub waits: Option<String>,
+    /// What the task waits for, without the reason why the arm does not move.
+    pub awaits: Option<String>,
+    /// Number of the run-time error that has stopped the task.
+    pub error: Option<u16>,
+}
+
+/// State of a signal.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct SignalState {
+    /// Physical path.
+    pub link: String,
+    /// Value at the terminal of an input, written value of an output.
+    #[schemars(with = "f64")]
+    pub value: Option<f64>,
+    /// Whether the value is locked.
+    pub is_locked: bool,
+    /// Whether the input is simulated.
+    pub is_simulated: bool,
+    /// Whether the output is reserved for the system.
+    pub is_protected: bool,
+    /// Fault of the device.
+    pub fault: Option<String>,
+}
