@@ -296,10 +296,10 @@ fn values_of_data_files_get_mistakes() {
            10 │ popUpMsg(sName)
                 executed by palTest:testHeight
                 message 1 is missing instead of "box" at the end of palTest:testHeight: no assertion looks at it
-        usrapp/pal/pal.dtx:6: survived: pPick.config.wrist: `wpositive` becomes `wsame`
+        usrapp/pal/pal.dtx:6: survived: pPick.config.wrist: `wpositive` becomes `wnegative`
             6 │ <Data name="pPick" access="private" xsi:type="array" type="pointRx" size="1"><Value key="0" z="30" wrist="wpositive" fatherId="fTray[0]" /></Data>
                 used by palTest:testHeight
-                nothing that can be asserted differs at the end of a test
+                nothing else that can be asserted differs at the end of a test
         usrapp/pal/pal.dtx:7: survived: sName: `box` becomes `boxx`
             7 │ <Data name="sName" access="private" xsi:type="array" type="string" size="1"><Value key="0" value="box" /></Data>
                 used by palTest:testHeight
