@@ -3,28 +3,30 @@
 //! [`MessageReader`] and [`MessageWriter`] move [`ProtocolMessage`]s over any stream. [`Request::parse`] decodes a
 //! request. The types of [`protocol`] are generated from the schema of the specification.
 //!
-//! A [`Greeting`] handles the messages up to `launch` or `attach`. A [`DebugSession`] then handles the requests between the
-//! cycles of the run. A [`Reception`] accepts clients that attach to a run. Clients of a port have to send the [`Secret`]
+//! A [`Handshake`] handles the messages up to `launch` or `attach`. A [`DebugSession`] then handles the requests between the
+//! cycles of the run. A [`AttachServer`] accepts clients that attach to a run. Clients of a port have to send the [`Secret`]
 //! first. The caller provides the transports and the clock, and runs the controller.
 
 mod assertions;
+mod attach_server;
 mod breakpoints;
 mod capabilities;
 mod cell_view;
 mod client;
 mod conventions;
 mod debugged_run;
+mod dispatch;
 mod error;
 mod failure;
 mod frame;
-mod greeting;
+mod handshake;
 mod inspection;
 mod live;
 mod message;
 mod moves;
 mod notices;
 pub mod protocol;
-mod reception;
+mod request;
 mod requests;
 mod secret;
 mod session;
@@ -37,15 +39,15 @@ mod user_page;
 #[cfg(feature = "validate")]
 pub mod validate;
 
+pub use self::attach_server::AttachServer;
 pub use self::client::{Client, Incoming, read_messages};
 pub use self::debugged_run::DebuggedRun;
 pub use self::error::{FrameError, MessageError, ReadError, RequestError};
 pub use self::frame::{BODY_LIMIT, HEADER_LIMIT, MessageReader, MessageWriter};
-pub use self::greeting::{Greeting, Wish};
+pub use self::handshake::{Handshake, HandshakeResult};
 pub use self::message::{Content, ProtocolMessage};
 pub use self::protocol::{Event, Request, Response};
-pub use self::reception::Reception;
 pub use self::secret::{SECRET, Secret};
-pub use self::session::{DebugSession, Demand, RunState};
+pub use self::session::{DebugSession, NextAction, RunState};
 pub use self::session_start::SessionStart;
 pub use self::settings::SessionSettings;

@@ -50,41 +50,16 @@ mod view;
 
 use schemars::JsonSchema;
 use serde::de::{DeserializeOwned, Error as _};
-use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::debugged_run::DebuggedRun;
 use crate::error::RequestError;
 use crate::failure::RequestFailure;
 use crate::protocol::{Request, content};
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 use Effect::{ChangesRun, Inspects, MayChangeRun, NeedsStop, Steers};
-
-/// A request of the specification or of this adapter.
-pub(crate) trait DebugRequest {
-    /// Value of `command` in the message.
-    const COMMAND: &'static str;
-    /// Type of the arguments.
-    type Arguments: DeserializeOwned;
-    /// Body of the response; `()` if the response has none.
-    type Body: Serialize;
-
-    /// Executes the request.
-    ///
-    /// # Errors
-    /// The arguments do not suit the state of the run, or the run rejects the change.
-    fn answer(
-        session: &mut DebugSession,
-        run: &mut DebuggedRun<'_>,
-        arguments: Self::Arguments,
-    ) -> Result<Self::Body, RequestFailure>;
-
-    /// Returns the body in a run that is not debugged (`noDebug`); `None` if [`answer`](Self::answer) computes it.
-    fn in_plain_run(_: &Self::Arguments) -> Option<Self::Body> {
-        None
-    }
-}
 
 /// Effect of a request on the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -112,7 +87,7 @@ pub(crate) struct RequestHandler {
     answer: Answer,
 }
 
-/// All requests. A [`Greeting`](crate::Greeting) handles `initialize`, `launch` and `attach`.
+/// All requests. A [`Handshake`](crate::Handshake) handles `initialize`, `launch` and `attach`.
 static REQUESTS: &[RequestHandler] = &[
     standard::<breakpoint_locations::BreakpointLocations>(Inspects),
     standard::<threads::Threads>(Inspects),
@@ -261,12 +236,3 @@ fn wrong_argument<'a, T: DeserializeOwned>(arguments: &'a Map<String, Value>, re
     };
     arguments.keys().find(is_wrong).map(String::as_str)
 }
-
-/// Arguments of a request that has none.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct NoArguments {}
-
-/// Body without properties.
-#[derive(Debug, PartialEq, Serialize, JsonSchema)]
-pub(crate) struct Empty {}

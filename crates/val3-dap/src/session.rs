@@ -19,7 +19,6 @@ use crate::breakpoints::BreakpointTable;
 use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
-use crate::failure::RequestFailure;
 use crate::inspection::Handles;
 use crate::live::Subscriptions;
 use crate::message::{Content, ProtocolMessage};
@@ -28,13 +27,12 @@ use crate::protocol::{
     self, BreakpointEvent, BreakpointEventReason, Event, ExitedEvent, OutputEvent, OutputEventCategory, Response,
     StoppedEvent, StoppedEventReason, TerminatedEvent,
 };
-use crate::requests;
 use crate::session_start::SessionStart;
 use crate::stop_event;
 
 /// Next action of the run's loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Demand {
+pub enum NextAction {
     /// The next cycle.
     Run,
     /// Nothing, until the client has another request: see [`DebugSession::wait`].
@@ -44,7 +42,7 @@ pub enum Demand {
     /// End the run.
     End,
     /// Go on without the client, which has left the run that it had attached to.
-    Leave {
+    Detach {
         /// The run stays stopped until another client comes.
         is_suspended: bool,
     },
@@ -82,9 +80,9 @@ pub struct DebugSession {
     run: RunState,
     is_configured: bool,
     /// Number of the present request.
-    request: i64,
+    pub(crate) request: i64,
     /// Next action that the last request requires.
-    pub(crate) demand: Option<Demand>,
+    pub(crate) action: Option<NextAction>,
     pub(crate) breakpoints: BreakpointTable,
     pub(crate) handles: Handles,
     notices: Notices,
@@ -92,7 +90,7 @@ pub struct DebugSession {
     /// Lines to which a task can go, by their numbers for the client.
     pub(crate) goto_targets: BTreeMap<i32, (String, u32)>,
     /// Events that follow the response to the present request.
-    following: Vec<Event>,
+    pub(crate) following: Vec<Event>,
 }
 
 impl DebugSession {
@@ -106,7 +104,7 @@ impl DebugSession {
             run,
             is_configured: false,
             request: 0,
-            demand: None,
+            action: None,
             breakpoints: BreakpointTable::default(),
             handles: Handles::default(),
             notices: Notices::default(),
@@ -121,64 +119,18 @@ impl DebugSession {
         self.client.wait(time);
     }
 
-    /// Handles the messages that have arrived.
-    pub fn attend(&mut self, run: &mut DebuggedRun<'_>) -> Demand {
-        while let Some(incoming) = self.client.poll() {
-            match incoming {
-                Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, arguments } }) => {
-                    self.handle(seq, &command, arguments, run);
-                }
-                Incoming::Message(_) => {}
-                Incoming::Garbage(error) => self.client.say(&format!("{error}\n")),
-                Incoming::End => self.client.disconnect(),
-            }
-            if let Some(demand) = self.demand.take() {
-                return demand;
-            }
-        }
-        match () {
-            () if !self.client.is_connected() => self.farewell(false),
-            () if self.is_running() => Demand::Run,
-            () => Demand::Wait,
-        }
-    }
-
     /// Whether the run continues, also while a client that attaches sets its breakpoints.
-    fn is_running(&self) -> bool {
+    pub(crate) fn is_running(&self) -> bool {
         self.phase == Phase::Running || (self.phase == Phase::Configuring && self.run == RunState::Running)
     }
 
     /// The client has left: a run that it has launched ends with it.
-    pub(crate) fn farewell(&self, is_suspended: bool) -> Demand {
-        if self.start.is_attach { Demand::Leave { is_suspended } } else { Demand::End }
-    }
-
-    fn handle(&mut self, seq: i64, command: &str, arguments: Option<serde_json::Value>, run: &mut DebuggedRun<'_>) {
-        if command != "cancel" && self.client.withdraws(seq) {
-            self.client.refuse(seq, command, &RequestFailure::Cancelled);
-            return;
-        }
-        self.request = seq;
-        let answer = match requests::find(command) {
-            Some(handler) => handler.answer(self, run, arguments),
-            None => Err(requests::unsupported(command, arguments)),
-        };
-        match answer {
-            Ok(body) => self.client.send(Ok(Content::answer(seq, command, body))),
-            Err(RequestFailure::Malformed(error)) => {
-                self.client.send(error.response(seq));
-                return;
-            }
-            Err(failure) => self.client.refuse(seq, command, &failure),
-        }
-        for event in std::mem::take(&mut self.following) {
-            self.client.event(&event);
-        }
-        self.refresh_view(run);
+    pub(crate) fn action_after_disconnect(&self, is_suspended: bool) -> NextAction {
+        if self.start.is_attach { NextAction::Detach { is_suspended } } else { NextAction::End }
     }
 
     /// Sends new messages for a page that shows the run.
-    fn refresh_view(&mut self, run: &DebuggedRun<'_>) {
+    pub(crate) fn refresh_view(&mut self, run: &DebuggedRun<'_>) {
         if let Some(messages) = self.subscriptions.refreshed_view(&run.debugger.controller) {
             self.client.custom_event("val3/view", messages);
         }
@@ -324,26 +276,26 @@ impl DebugSession {
     }
 
     /// Handles requests after the end of the run: `disconnect`, `restart` and a few others.
-    pub fn attend_end(&mut self) -> Demand {
+    pub fn attend_end(&mut self) -> NextAction {
         while let Some(incoming) = self.client.poll() {
             match incoming {
                 Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, .. } }) => {
-                    if let Some(demand) = self.answer_after_end(seq, &command) {
-                        return demand;
+                    if let Some(action) = self.answer_after_end(seq, &command) {
+                        return action;
                     }
                 }
                 Incoming::Message(_) | Incoming::Garbage(_) => {}
                 Incoming::End => self.client.disconnect(),
             }
         }
-        if self.client.is_connected() { Demand::Wait } else { Demand::End }
+        if self.client.is_connected() { NextAction::Wait } else { NextAction::End }
     }
 
-    fn answer_after_end(&mut self, seq: i64, command: &str) -> Option<Demand> {
-        let (response, demand) = match command {
-            "disconnect" => (Response::Disconnect, Some(Demand::End)),
+    fn answer_after_end(&mut self, seq: i64, command: &str) -> Option<NextAction> {
+        let (response, action) = match command {
+            "disconnect" => (Response::Disconnect, Some(NextAction::End)),
             "terminate" => (Response::Terminate, None),
-            "restart" => (Response::Restart, Some(Demand::Restart)),
+            "restart" => (Response::Restart, Some(NextAction::Restart)),
             "threads" => (Response::Threads(protocol::ThreadsResponse::default()), None),
             _ => {
                 self.client.refuse(seq, command, "the run is over");
@@ -351,6 +303,6 @@ impl DebugSession {
             }
         };
         self.client.send(Content::success(seq, &response));
-        demand
+        action
     }
 }

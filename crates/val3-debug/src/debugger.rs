@@ -158,7 +158,7 @@ impl Debugger {
     }
 
     /// Removes breakpoints, the current step and pauses, discards the history, and returns to continuous motion.
-    pub fn let_go(&mut self) {
+    pub fn detach(&mut self) {
         self.stops_alone = false;
         self.history = None;
         self.controller.end_recording();

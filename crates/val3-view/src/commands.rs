@@ -1,7 +1,6 @@
 //! Commands of pages.
 
 use std::collections::BTreeSet;
-use std::fmt;
 
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -15,28 +14,11 @@ use val3_machine::event::EventKind;
 use val3_machine::files::FileFault;
 use val3_machine::script::Action;
 
+use crate::command_error::CommandError;
 use crate::positions::{self, Datum};
 use crate::wire::{
     Arguments as _, Key, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach, UnsavedMessage, UserPage,
 };
-
-/// Reason why a command was not executed, for users.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct CommandError(String);
-
-impl fmt::Display for CommandError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for CommandError {}
-
-impl From<&str> for CommandError {
-    fn from(text: &str) -> Self {
-        Self(text.to_owned())
-    }
-}
 
 /// Operators of a run. All pages share the changes that were not saved.
 #[derive(Debug, Default)]

@@ -4,6 +4,7 @@
 //! each cycle to a [`Feed`], and transmits the messages.
 
 mod arm;
+mod command_error;
 mod commands;
 mod feed;
 mod message;
@@ -16,7 +17,8 @@ mod state;
 mod user_page;
 pub mod wire;
 
-pub use commands::{CommandError, Operator, response};
+pub use command_error::CommandError;
+pub use commands::{Operator, response};
 pub use feed::Feed;
 pub use message::Message;
 pub use scene::scene;

@@ -5,6 +5,7 @@
 mod commands;
 mod motion;
 mod page;
+mod pose;
 mod scene;
 mod state;
 
@@ -14,6 +15,7 @@ pub use commands::{
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
+pub use pose::Pose;
 pub use scene::{ArmChain, Axis, CellPoint, JointValue, LineInfo, Link, LinkShape, Role, Scene, SignalInfo};
 pub use state::{SignalState, StateMessage, TaskState};
 
@@ -22,9 +24,6 @@ use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use val3_machine::event::{EndReason, Event};
-
-/// x, y, z in mm, rx, ry, rz in degrees.
-pub type Pose = [f64; 6];
 
 /// Message of a run to its pages. Times `t` are in seconds on the controller's clock.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::sync::mpsc;
 use std::time::Duration;
 
-use val3_dap::{Client, Greeting, RunState, SessionStart, Wish, read_messages};
+use val3_dap::{Client, Handshake, HandshakeResult, RunState, SessionStart, read_messages};
 
 use self::listener::streams;
 use self::relay::{connect, relay};
@@ -36,38 +36,38 @@ fn attend() -> Result<ExitCode, UserError> {
     let (sender, inbox) = mpsc::channel();
     // The standard input can only be read by a blocking thread, which ends with the process.
     std::thread::spawn(move || read_messages(BufReader::new(io::stdin()), &sender));
-    let mut greeting = Greeting::new(Client::new(inbox, Box::new(io::stdout())));
+    let mut handshake = Handshake::new(Client::new(inbox, Box::new(io::stdout())));
     loop {
-        match greeting.attend() {
-            Wish::None => greeting.wait(FOREVER),
-            Wish::Left => return Ok(ExitCode::SUCCESS),
-            Wish::Launch(start) => match open(&start, &mut greeting) {
+        match handshake.attend() {
+            HandshakeResult::None => handshake.wait(FOREVER),
+            HandshakeResult::Disconnected => return Ok(ExitCode::SUCCESS),
+            HandshakeResult::Launch(start) => match open(&start, &mut handshake) {
                 Ok((args, settings, ready)) => {
-                    return run::debug(greeting.accept(&start, RunState::Fresh), &args, &settings, ready);
+                    return run::debug(handshake.accept(&start, RunState::Fresh), &args, &settings, ready);
                 }
-                Err(reason) => greeting.refuse(&start, &reason),
+                Err(reason) => handshake.refuse(&start, &reason),
             },
-            Wish::Attach(start) => match connect(&start.arguments) {
+            HandshakeResult::Attach(start) => match connect(&start.arguments) {
                 Ok(stream) => {
-                    let relayed = streams(stream).and_then(|(input, output)| relay(greeting, &start, input, output));
+                    let relayed = streams(stream).and_then(|(input, output)| relay(handshake, &start, input, output));
                     relayed.map_err(|error| UserError::new(format!("the connection has failed: {error}")))?;
                     return Ok(ExitCode::SUCCESS);
                 }
-                Err(reason) => greeting.refuse(&start, &reason),
+                Err(reason) => handshake.refuse(&start, &reason),
             },
         }
     }
 }
 
 /// Opens the application in a launch configuration.
-fn open(start: &SessionStart, greeting: &mut Greeting) -> Result<(RunArgs, DebugSettings, ReadyApplication), String> {
+fn open(start: &SessionStart, handshake: &mut Handshake) -> Result<(RunArgs, DebugSettings, ReadyApplication), String> {
     let args = launch::arguments(&start.arguments)?;
     let test = launch::test(&start.arguments)?;
     let settings = DebugSettings { session: start.settings, is_plain_run: start.is_plain_run, test };
-    let (mut shown, has_colors) = (String::new(), greeting.shows_colors());
+    let (mut shown, has_colors) = (String::new(), handshake.shows_colors());
     let opened = run::open_debugged(&args, &settings, &mut |write| shown.push_str(&text(has_colors, write)));
     if !shown.is_empty() {
-        greeting.say(&shown);
+        handshake.say(&shown);
     }
     match opened {
         Ok(OpenedApplication::Ready(ready)) => Ok((args, settings, *ready)),

@@ -4,7 +4,7 @@ use crate::breakpoints;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::{BreakpointLocationsArguments, BreakpointLocationsResponse};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `breakpointLocations`.

@@ -6,7 +6,7 @@ use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::CompletionItem;
 use crate::protocol::{CompletionsArguments, CompletionsResponse};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `completions`.

@@ -7,7 +7,7 @@ use crate::failure::RequestFailure;
 use crate::inspection::Node;
 use crate::protocol::DataBreakpointAccessType;
 use crate::protocol::{DataBreakpointInfoArguments, DataBreakpointInfoResponse};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `dataBreakpointInfo`.

@@ -3,9 +3,9 @@
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::DisconnectArguments;
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
-use crate::session::Demand;
+use crate::session::NextAction;
 
 /// The request `disconnect`.
 pub(crate) enum Disconnect {}
@@ -22,7 +22,7 @@ impl DebugRequest for Disconnect {
     ) -> Result<(), RequestFailure> {
         let is_end = arguments.terminate_debuggee == Some(true);
         let is_suspended = arguments.suspend_debuggee == Some(true);
-        session.demand = Some(if is_end { Demand::End } else { session.farewell(is_suspended) });
+        session.action = Some(if is_end { NextAction::End } else { session.action_after_disconnect(is_suspended) });
         Ok(())
     }
 }

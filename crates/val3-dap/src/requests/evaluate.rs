@@ -7,7 +7,7 @@ use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::EvaluateContext;
 use crate::protocol::{EvaluateArguments, EvaluateResponse};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `evaluate`.

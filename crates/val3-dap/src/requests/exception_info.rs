@@ -8,7 +8,7 @@ use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::{ExceptionBreakMode, ExceptionDetails};
 use crate::protocol::{ExceptionInfoArguments, ExceptionInfoResponse};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `exceptionInfo`.

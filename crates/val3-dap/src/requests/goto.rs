@@ -4,7 +4,7 @@ use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::GotoArguments;
 use crate::protocol::{StoppedEvent, StoppedEventReason};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 use crate::stop_event;
 

@@ -5,7 +5,7 @@ use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::GotoTarget;
 use crate::protocol::{GotoTargetsArguments, GotoTargetsResponse};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `gotoTargets`.

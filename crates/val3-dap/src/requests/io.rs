@@ -8,7 +8,7 @@ use val3_view::{direction, level};
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::requests::{DebugRequest, NoArguments};
+use crate::request::{DebugRequest, NoArguments};
 use crate::session::DebugSession;
 
 /// The request `val3/io`.

@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
+use crate::request::{DebugRequest, Empty};
 use crate::requests::operate;
-use crate::requests::{DebugRequest, Empty};
 use crate::session::DebugSession;
 
 /// The request `val3/ioForce`.

@@ -6,7 +6,7 @@ use val3_machine::arm::MotionMode;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `val3/motionMode`.

@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::moves::QueuedMove;
-use crate::requests::{DebugRequest, NoArguments};
+use crate::request::{DebugRequest, NoArguments};
 use crate::session::DebugSession;
 
 /// The request `val3/motionQueue`.

@@ -7,7 +7,7 @@ use val3_machine::arm::MotionMode;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::moves::MovePiece;
-use crate::requests::{DebugRequest, NoArguments};
+use crate::request::{DebugRequest, NoArguments};
 use crate::session::DebugSession;
 
 /// The request `val3/motionStep`.

@@ -8,7 +8,7 @@ use val3_machine::script::Action;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::requests::{DebugRequest, Empty};
+use crate::request::{DebugRequest, Empty};
 use crate::session::DebugSession;
 
 /// The request `val3/operate`.

@@ -3,9 +3,9 @@
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::RestartArguments;
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
-use crate::session::Demand;
+use crate::session::NextAction;
 
 /// The request `restart`.
 pub(crate) enum Restart {}
@@ -19,7 +19,7 @@ impl DebugRequest for Restart {
         if session.start.is_attach {
             return Err(RequestFailure::AttachedRestart);
         }
-        session.demand = Some(Demand::Restart);
+        session.action = Some(NextAction::Restart);
         Ok(())
     }
 }

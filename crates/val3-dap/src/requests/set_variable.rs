@@ -4,7 +4,7 @@ use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::inspection::Node;
 use crate::protocol::{SetVariableArguments, SetVariableResponse};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `setVariable`.

@@ -7,7 +7,7 @@ use crate::failure::RequestFailure;
 use crate::inspection::FrameHandle;
 use crate::protocol::StepInTarget;
 use crate::protocol::{StepInTargetsArguments, StepInTargetsResponse};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `stepInTargets`.

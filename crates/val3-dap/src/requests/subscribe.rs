@@ -3,7 +3,7 @@
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::live::SubscribeArguments;
-use crate::requests::{DebugRequest, Empty};
+use crate::request::{DebugRequest, Empty};
 use crate::session::DebugSession;
 
 /// The request `val3/subscribe`.

@@ -5,7 +5,7 @@ use val3_machine::controller::Operation;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::TerminateArguments;
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `terminate`.

@@ -2,7 +2,7 @@
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::requests::{DebugRequest, NoArguments};
+use crate::request::{DebugRequest, NoArguments};
 use crate::session::DebugSession;
 use crate::user_page::UserPage;
 

@@ -3,7 +3,7 @@
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::protocol::{VariablesArguments, VariablesResponse};
-use crate::requests::DebugRequest;
+use crate::request::DebugRequest;
 use crate::session::DebugSession;
 
 /// The request `variables`.

@@ -227,7 +227,7 @@ fn a_controller_that_is_let_go_runs_on() {
     assert!(matches!(run(&mut debugger), Some(Stop::Breakpoints { .. })));
     debugger.pause_task(task(&debugger, "second"), true);
     debugger.step(task(&debugger, "first"), StepKind::Over);
-    debugger.let_go();
+    debugger.detach();
     let counts = (global(&debugger, "nFirst"), global(&debugger, "nSecond"));
     cycles(&mut debugger, 10);
     assert!(global(&debugger, "nFirst") > counts.0 && global(&debugger, "nSecond") > counts.1);

@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use val3_geometry::Trsf;
 
-use super::Pose;
-use crate::CommandError;
+use super::pose::Pose;
+use crate::command_error::CommandError;
 
 /// Range of paces in real time.
 const SPEEDS: RangeInclusive<f64> = 0.1..=100.0;

@@ -27,17 +27,17 @@ pub(super) fn listen(port: u16) -> Result<TcpListener, UserError> {
     })
 }
 
-/// Listens on a port and sends each connecting client to `entrance`. Returns the address.
+/// Listens on a port and sends each connecting client to `server`. Returns the address.
 ///
 /// # Errors
 /// The port is not free.
-pub(crate) fn receive(port: u16, entrance: Sender<Client>) -> Result<SocketAddr, UserError> {
+pub(crate) fn receive(port: u16, server: Sender<Client>) -> Result<SocketAddr, UserError> {
     let listener = listen(port)?;
     let address = listener.local_addr().map_err(|error| UserError::new(format!("port {port}: {error}")))?;
     thread::spawn(move || {
         let clients = listener.incoming().filter_map(|stream| client(stream.ok()?).ok());
         for client in clients {
-            if entrance.send(client).is_err() {
+            if server.send(client).is_err() {
                 return;
             }
         }

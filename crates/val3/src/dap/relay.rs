@@ -6,7 +6,7 @@ use std::net::{Ipv4Addr, TcpStream};
 use std::thread;
 
 use serde_json::{Map, Value};
-use val3_dap::{Content, Greeting, Incoming, MessageReader, MessageWriter, ProtocolMessage, Request, SessionStart};
+use val3_dap::{Content, Handshake, Incoming, MessageReader, MessageWriter, ProtocolMessage, Request, SessionStart};
 
 use crate::output::to_stderr;
 
@@ -30,12 +30,12 @@ pub(super) fn connect(configuration: &Map<String, Value>) -> Result<TcpStream, S
 /// # Errors
 /// The other process does not read the first messages of the session.
 pub(super) fn relay(
-    greeting: Greeting,
+    handshake: Handshake,
     start: &SessionStart,
     input: impl Read,
     output: impl Write + Send + 'static,
 ) -> io::Result<()> {
-    let (client, introduction) = greeting.hand_over();
+    let (client, introduction) = handshake.into_parts();
     let (from_client, mut to_client) = client.split();
     let (mut from_server, mut to_server) = (MessageReader::new(BufReader::new(input)), MessageWriter::new(output));
     to_server.pass_on(&ProtocolMessage { seq: 0, content: Content::request(&Request::Initialize(introduction))? })?;
@@ -51,7 +51,7 @@ pub(super) fn relay(
         }
     });
     while let Ok(Some(message)) = from_server.read() {
-        // The greeting has already responded to the client's first request.
+        // The handshake has already responded to the client's first request.
         let is_known = matches!(message.content, Content::Response { request_seq: 0, .. });
         // A disconnected client is no error.
         if !is_known && to_client.write(message.content).is_err() {

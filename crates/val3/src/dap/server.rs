@@ -5,7 +5,7 @@ use std::net::TcpStream;
 use std::process::{Command, ExitCode, Stdio};
 use std::thread;
 
-use val3_dap::{Greeting, Secret, SessionStart, Wish};
+use val3_dap::{Handshake, HandshakeResult, Secret, SessionStart};
 
 use super::FOREVER;
 use super::listener::{client, listen};
@@ -36,31 +36,31 @@ pub(super) fn serve(port: u16) -> Result<ExitCode, UserError> {
 
 /// Connects a client with an adapter process until one of them ends the session.
 fn attend(stream: TcpStream, secret: Secret) -> io::Result<()> {
-    let mut greeting = Greeting::through_port(client(stream)?, secret);
-    match start(&mut greeting) {
-        Some(start) => serve_in_a_process(greeting, &start),
+    let mut handshake = Handshake::through_port(client(stream)?, secret);
+    match start(&mut handshake) {
+        Some(start) => serve_in_a_process(handshake, &start),
         None => Ok(()),
     }
 }
 
 /// Waits for the request that begins the session. `None` if the client disconnects before.
-fn start(greeting: &mut Greeting) -> Option<SessionStart> {
+fn start(handshake: &mut Handshake) -> Option<SessionStart> {
     loop {
-        match greeting.attend() {
-            Wish::None => greeting.wait(FOREVER),
-            Wish::Left => return None,
-            Wish::Launch(start) | Wish::Attach(start) => return Some(start),
+        match handshake.attend() {
+            HandshakeResult::None => handshake.wait(FOREVER),
+            HandshakeResult::Disconnected => return None,
+            HandshakeResult::Launch(start) | HandshakeResult::Attach(start) => return Some(start),
         }
     }
 }
 
 /// Relays a session to a new adapter process, which ends with the session.
-fn serve_in_a_process(greeting: Greeting, start: &SessionStart) -> io::Result<()> {
+fn serve_in_a_process(handshake: Handshake, start: &SessionStart) -> io::Result<()> {
     let mut adapter =
         Command::new(std::env::current_exe()?).arg("dap").stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
     if let (Some(to_adapter), Some(from_adapter)) = (adapter.stdin.take(), adapter.stdout.take()) {
         // When its input ends, the adapter exits and closes its output.
-        relay(greeting, start, from_adapter, to_adapter)?;
+        relay(handshake, start, from_adapter, to_adapter)?;
     }
     adapter.wait()?;
     Ok(())

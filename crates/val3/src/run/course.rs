@@ -3,7 +3,7 @@
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use val3_dap::{DebuggedRun, Demand};
+use val3_dap::{DebuggedRun, NextAction};
 use val3_debug::{Debugger, Progress};
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::Outcome;
@@ -91,16 +91,16 @@ impl<'a> Course<'a> {
         self.tempo.restart_clock(self.debugger.controller.now());
         loop {
             match guide.attend(&mut self.target()) {
-                Demand::Run | Demand::Leave { .. } => {}
-                Demand::Wait => {
+                NextAction::Run | NextAction::Detach { .. } => {}
+                NextAction::Wait => {
                     if let Some(end) = self.broken_off(signals)? {
                         break Ok(end);
                     }
                     self.wait_for_outside(guide);
                     continue;
                 }
-                Demand::Restart => break Ok(End::Restart),
-                Demand::End => break Ok(End::Left),
+                NextAction::Restart => break Ok(End::Restart),
+                NextAction::End => break Ok(End::Left),
             }
             if self.tempo.is_stopped() {
                 if let Some(end) = self.broken_off(signals)? {

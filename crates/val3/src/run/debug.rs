@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use val3_dap::{DebugSession, DebuggedRun, Demand, Reception, RunState, SessionSettings};
+use val3_dap::{AttachServer, DebugSession, DebuggedRun, NextAction, RunState, SessionSettings};
 
 use super::course::Course;
 use super::end::End;
@@ -94,8 +94,8 @@ pub(crate) fn debug(
 fn wants_restart(session: &mut DebugSession, signals: &Signals) -> bool {
     loop {
         match session.attend_end() {
-            Demand::Restart => return true,
-            Demand::Wait if signals.exit_code().is_none() => session.wait(ATTENTION),
+            NextAction::Restart => return true,
+            NextAction::Wait if signals.exit_code().is_none() => session.wait(ATTENTION),
             _ => return false,
         }
     }
@@ -149,15 +149,15 @@ pub(super) fn run_attended(course: &mut Course<'_>, port: u16, signals: &Signals
     let waits = course.args.debug_wait;
     let secret = DebugSecret::choose()?;
     let state = if waits { RunState::Fresh } else { RunState::Running };
-    let mut reception = Reception::new(state, secret.secret.clone());
-    let address = listener::receive(port, reception.entrance())?;
+    let mut server = AttachServer::new(state, secret.secret.clone());
+    let address = listener::receive(port, server.clients())?;
     let state = if waits { "the run waits for a debugger" } else { "a debugger can attach" };
     to_stderr(|out| writeln!(out, "note: {state} on {address} {secret}"));
-    let end = course.run(&mut reception, signals)?;
-    if let Some(session) = reception.session() {
+    let end = course.run(&mut server, signals)?;
+    if let Some(session) = server.session() {
         session.end(course.exit_code(end));
         for _ in 0..FAREWELLS {
-            if session.attend_end() != Demand::Wait {
+            if session.attend_end() != NextAction::Wait {
                 break;
             }
             session.wait(ATTENTION);

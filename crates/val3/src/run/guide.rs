@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use val3_dap::{DebugSession, DebuggedRun, Demand, Reception};
+use val3_dap::{AttachServer, DebugSession, DebuggedRun, NextAction};
 
 /// Polling interval for signals while only a client can continue the run.
 pub(super) const ATTENTION: Duration = Duration::from_millis(100);
@@ -10,7 +10,7 @@ pub(super) const ATTENTION: Duration = Duration::from_millis(100);
 /// Debug control of a run, polled by its main loop between two cycles.
 pub(super) trait Guide {
     /// Handles the requests that have arrived.
-    fn attend(&mut self, target: &mut DebuggedRun<'_>) -> Demand;
+    fn attend(&mut self, target: &mut DebuggedRun<'_>) -> NextAction;
 
     /// Session of the client to which events are reported, if any.
     fn session(&mut self) -> Option<&mut DebugSession>;
@@ -23,8 +23,8 @@ pub(super) trait Guide {
 pub(super) struct NoDebugger;
 
 impl Guide for NoDebugger {
-    fn attend(&mut self, _target: &mut DebuggedRun<'_>) -> Demand {
-        Demand::Run
+    fn attend(&mut self, _target: &mut DebuggedRun<'_>) -> NextAction {
+        NextAction::Run
     }
 
     fn session(&mut self) -> Option<&mut DebugSession> {
@@ -37,7 +37,7 @@ impl Guide for NoDebugger {
 }
 
 impl Guide for DebugSession {
-    fn attend(&mut self, target: &mut DebuggedRun<'_>) -> Demand {
+    fn attend(&mut self, target: &mut DebuggedRun<'_>) -> NextAction {
         self.attend(target)
     }
 
@@ -50,8 +50,8 @@ impl Guide for DebugSession {
     }
 }
 
-impl Guide for Reception {
-    fn attend(&mut self, target: &mut DebuggedRun<'_>) -> Demand {
+impl Guide for AttachServer {
+    fn attend(&mut self, target: &mut DebuggedRun<'_>) -> NextAction {
         self.attend(target)
     }
 

@@ -20,7 +20,7 @@ pub(super) struct Limits {
     /// The time after which a viewer without a sign of life is gone.
     pub(super) silence: Duration,
     /// The time for viewers to read the last messages when the server ends.
-    pub(super) farewell: Duration,
+    pub(super) action_after_disconnect: Duration,
     /// The largest message of a viewer in bytes.
     pub(super) message_bytes: usize,
     /// Commands of a viewer in the long run.
@@ -43,7 +43,7 @@ impl Default for Limits {
             send_time: Duration::from_secs(5),
             ping_time: Duration::from_secs(5),
             silence: Duration::from_secs(15),
-            farewell: Duration::from_secs(1),
+            action_after_disconnect: Duration::from_secs(1),
             message_bytes: 64 << 10,
             commands_per_second: 100,
             commands_at_once: 200,

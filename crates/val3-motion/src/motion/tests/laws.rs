@@ -50,7 +50,7 @@ fn happen(motion: &mut Motion, event: &Event) {
 }
 
 /// Nothing holds the arm any more.
-fn let_go(motion: &mut Motion) {
+fn detach(motion: &mut Motion) {
     motion.restart();
     motion.resume();
     motion.set_monitor_speed(Percent(100.0));

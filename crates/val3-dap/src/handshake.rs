@@ -13,7 +13,7 @@ use crate::session_start::SessionStart;
 
 /// Client that has not sent `launch` or `attach`.
 #[derive(Debug)]
-pub struct Greeting {
+pub struct Handshake {
     client: Client,
     conventions: Conventions,
     /// Arguments of `initialize`.
@@ -24,7 +24,7 @@ pub struct Greeting {
 
 /// Result of the handshake so far.
 #[derive(Debug)]
-pub enum Wish {
+pub enum HandshakeResult {
     /// Nothing yet.
     None,
     /// An application.
@@ -32,10 +32,10 @@ pub enum Wish {
     /// A run that exists.
     Attach(SessionStart),
     /// The client has left.
-    Left,
+    Disconnected,
 }
 
-impl Greeting {
+impl Handshake {
     /// A client that has sent nothing yet, and has started this process.
     #[must_use]
     pub fn new(client: Client) -> Self {
@@ -60,11 +60,11 @@ impl Greeting {
     }
 
     /// Handles the received messages up to `launch` or `attach`.
-    pub fn attend(&mut self) -> Wish {
+    pub fn attend(&mut self) -> HandshakeResult {
         loop {
             let (seq, command, arguments) = match self.client.poll() {
-                None if self.client.is_connected() => return Wish::None,
-                None | Some(Incoming::End) => return Wish::Left,
+                None if self.client.is_connected() => return HandshakeResult::None,
+                None | Some(Incoming::End) => return HandshakeResult::Disconnected,
                 Some(Incoming::Garbage(error)) => {
                     self.say(&format!("{error}\n"));
                     continue;
@@ -83,19 +83,19 @@ impl Greeting {
                 Ok(Request::Launch(arguments)) => {
                     let is_plain_run = arguments.no_debug.unwrap_or_default();
                     match SessionStart::new(seq, false, arguments.additional, self.secret.as_ref()) {
-                        Ok(start) => return Wish::Launch(SessionStart { is_plain_run, ..start }),
+                        Ok(start) => return HandshakeResult::Launch(SessionStart { is_plain_run, ..start }),
                         Err(reason) => self.client.refuse(seq, "launch", &reason),
                     }
                 }
                 Ok(Request::Attach(arguments)) => {
                     match SessionStart::new(seq, true, arguments.additional, self.secret.as_ref()) {
-                        Ok(start) => return Wish::Attach(start),
+                        Ok(start) => return HandshakeResult::Attach(start),
                         Err(reason) => self.client.refuse(seq, "attach", &reason),
                     }
                 }
                 Ok(Request::Disconnect(_)) => {
                     self.client.send(Content::success(seq, &Response::Disconnect));
-                    return Wish::Left;
+                    return HandshakeResult::Disconnected;
                 }
                 Ok(request) => {
                     self.client.refuse(seq, request.command(), "the session has not begun: send `launch` or `attach`");
@@ -135,7 +135,7 @@ impl Greeting {
 
     /// The connection of the client and its first request, for a session that another process serves.
     #[must_use]
-    pub fn hand_over(self) -> (Client, InitializeRequestArguments) {
+    pub fn into_parts(self) -> (Client, InitializeRequestArguments) {
         (self.client, self.introduction)
     }
 }
