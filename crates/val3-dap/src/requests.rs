@@ -57,6 +57,7 @@ use crate::error::RequestError;
 use crate::failure::RequestFailure;
 use crate::protocol::{Request, content};
 use crate::request::DebugRequest;
+use crate::schema::{self, RequestSchema};
 use crate::session::DebugSession;
 
 use Effect::{ChangesRun, Inspects, MayChangeRun, NeedsStop, Steers};
@@ -85,6 +86,8 @@ pub(crate) struct RequestHandler {
     command: &'static str,
     effect: Effect,
     answer: Answer,
+    /// Schema of a request `val3/…`.
+    schema: Option<fn() -> RequestSchema>,
 }
 
 /// All requests. A [`Handshake`](crate::Handshake) handles `initialize`, `launch` and `attach`.
@@ -144,6 +147,7 @@ const fn standard<R: DebugRequest>(effect: Effect) -> RequestHandler {
         command: R::COMMAND,
         effect,
         answer: |session, run, arguments, effect| answer::<R>(session, run, content(arguments), effect),
+        schema: None,
     }
 }
 
@@ -153,6 +157,7 @@ const fn own<R: DebugRequest<Arguments: JsonSchema, Body: JsonSchema>>(effect: E
         command: R::COMMAND,
         effect,
         answer: |session, run, arguments, effect| answer::<R>(session, run, own_arguments(arguments), effect),
+        schema: Some(|| RequestSchema::of::<R::Arguments, R::Body>(R::COMMAND)),
     }
 }
 
@@ -192,6 +197,12 @@ fn answer<R: DebugRequest>(
     }
     let body = serde_json::to_value(body).map_err(RequestFailure::rejected)?;
     Ok(Some(body).filter(|body| !body.is_null()))
+}
+
+/// Returns the schema of all requests `val3/…`: arguments and bodies, by command.
+#[must_use]
+pub fn debug_requests_schema() -> Value {
+    schema::of_requests(REQUESTS.iter().filter_map(|handler| handler.schema).map(|schema| schema()))
 }
 
 /// Returns the handler of a command; `None` if no session has the request.

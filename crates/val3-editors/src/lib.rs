@@ -51,6 +51,7 @@ pub fn generated(root: &Utf8Path) -> Result<Vec<GeneratedFile>> {
         GeneratedFile { path: MANIFEST, text: manifest },
     ];
     files.extend(wire::view_messages()?);
+    files.extend(wire::debug_requests()?);
     Ok(files)
 }
 

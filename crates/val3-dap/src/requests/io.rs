@@ -40,7 +40,7 @@ struct Signal {
     /// `input` or `output`.
     direction: &'static str,
     /// Value; 0 or 1 if the signal is digital.
-    value: Option<f64>,
+    value: f64,
     /// Whether the signal is digital.
     is_digital: bool,
     /// Whether the operator has locked the value.
@@ -60,7 +60,7 @@ fn signals(controller: &Controller) -> Vec<Signal> {
         Some(Signal {
             link: signal.path.to_string(),
             direction: direction(signal.direction),
-            value: level(io, id),
+            value: level(io, id)?,
             is_digital: matches!(signal.kind, Kind::Digital),
             is_locked: forcing.is_locked,
             is_simulated: forcing.is_simulated,

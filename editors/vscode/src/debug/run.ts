@@ -4,56 +4,22 @@
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
 import { TYPE } from "./configurations";
+import type * as requests from "./requests";
 
-/** Line that requested a move. */
-export interface Source {
-  instruction: string;
-  program: string;
-  line: number;
-  file: string;
+export type Source = requests.CodeLine;
+export type Sample = requests.ArmSample;
+export type Move = requests.QueuedMove;
+export type Signal = requests.Signal;
+export type UserPage = requests.UserPage;
+export type MotionMode = requests.MotionModeName;
+
+/** Requests `val3/…`, and the requests of the protocol that views send. */
+interface Requests extends requests.DebugRequests {
+  threads: { arguments: object; body: Protocol.ThreadsResponse["body"] };
 }
-
-/** State of the arm at a time. Lengths are in mm, angles in degrees. */
-export interface Sample {
-  t: number;
-  joints: number[];
-  /** x, y, z, rx, ry, rz. */
-  pose: number[];
-  speed: number;
-  moveId: number;
-  phase: string;
-  source: Source | null;
-}
-
-export interface Move {
-  id: number;
-  type: string | null;
-  phase: string;
-  target: number[];
-  mdesc: { vel: number; blend: string; leave: number; reach: number } | null;
-  leave: { distance: number } | null;
-  reach: { distance: number } | null;
-  source: Source | null;
-}
-
-export interface Signal {
-  link: string;
-  direction: "input" | "output";
-  value: number;
-  isDigital: boolean;
-  isLocked: boolean;
-  isSimulated: boolean;
-  isProtected: boolean;
-  fault: string | null;
-}
-
-export interface UserPage {
-  screen: string;
-  title: string | null;
-  lines: string[];
-}
-
-export type MotionMode = "continuous" | "step";
+type Command = keyof Requests;
+type Arguments<Name extends Command> = Requests[Name]["arguments"];
+type Body<Name extends Command> = Requests[Name]["body"];
 
 /** Requests after which the application runs. */
 const RESUMING = new Set(["continue", "next", "stepIn", "stepOut", "val3/motionStep"]);
@@ -122,10 +88,10 @@ export class DebuggedRun implements vscode.Disposable {
   }
 
   /** Sends a request to the active session. `undefined` if there is no session, or if it ends meanwhile. */
-  async request<Answer>(command: string, args: object = {}): Promise<Answer | undefined> {
+  async request<Name extends Command>(command: Name, args: Arguments<Name>): Promise<Body<Name> | undefined> {
     const { session } = this;
     try {
-      return (await session?.customRequest(command, args)) as Answer | undefined;
+      return (await session?.customRequest(command, args)) as Body<Name> | undefined;
     } catch (fault) {
       if (session === this.session) {
         throw fault;
@@ -135,7 +101,7 @@ export class DebuggedRun implements vscode.Disposable {
   }
 
   /** Changes something in the run. Errors are shown to the user. */
-  async change(command: string, args: object): Promise<boolean> {
+  async change<Name extends Command>(command: Name, args: Arguments<Name>): Promise<boolean> {
     try {
       await this.request(command, args);
       this.changes.fire();
@@ -187,8 +153,8 @@ export class DebuggedRun implements vscode.Disposable {
   /** Shows the present state. */
   private async show(): Promise<void> {
     this.changes.fire();
-    this.samples.fire(await this.request<Sample>("val3/pose"));
-    this.pages.fire(await this.request<UserPage>("val3/userPage"));
+    this.samples.fire(await this.request("val3/pose", {}));
+    this.pages.fire(await this.request("val3/userPage", {}));
   }
 
   private take(event: string, body: unknown): void {

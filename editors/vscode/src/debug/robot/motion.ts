@@ -16,7 +16,7 @@ export function registerMotion(
   report: (fault: unknown) => void,
 ): vscode.Disposable[] {
   const showMode = async (): Promise<void> => {
-    const answer = await run.request<{ mode: MotionMode }>("val3/motionMode");
+    const answer = await run.request("val3/motionMode", {});
     await vscode.commands.executeCommand("setContext", STEPS, answer?.mode === "step");
   };
   const setMode = async (mode: MotionMode): Promise<void> => {

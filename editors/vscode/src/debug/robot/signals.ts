@@ -8,7 +8,7 @@ import type { Item } from "./items";
 const BY_NUMBER = new Intl.Collator("en", { numeric: true });
 
 /** Groups the signals by board. The last part of a link is the signal's address on its board. */
-export function boardItems(signals: Signal[]): Item[] {
+export function boardItems(signals: readonly Signal[]): Item[] {
   const boardOf = ({ link }: Signal): string => link.slice(0, Math.max(link.lastIndexOf("\\"), 0));
   const boards = [...new Set(signals.map(boardOf))].sort((left, right) => BY_NUMBER.compare(left, right));
   return boards.map((board) => {
@@ -22,7 +22,7 @@ export function boardItems(signals: Signal[]): Item[] {
   });
 }
 
-function marksOfBoard(signals: Signal[]): string {
+function marksOfBoard(signals: readonly Signal[]): string {
   const locked = signals.filter(({ isLocked }) => isLocked).length;
   const simulated = signals.filter(({ isSimulated }) => isSimulated).length;
   return [
@@ -66,9 +66,10 @@ function icon({ isDigital, value, isLocked, fault }: Signal): vscode.ThemeIcon {
 export function registerSignals(run: DebuggedRun): vscode.Disposable[] {
   const command = (name: string, args: (signal: Signal) => object | Promise<object | undefined>): vscode.Disposable =>
     vscode.commands.registerCommand(`val3.signal.${name}`, async (item?: Item) => {
-      const change = item?.signal && (await args(item.signal));
-      if (change !== undefined) {
-        await run.change("val3/ioForce", { link: item?.signal?.link, ...change });
+      const signal = item?.signal;
+      const change = signal && (await args(signal));
+      if (signal !== undefined && change !== undefined) {
+        await run.change("val3/ioForce", { link: signal.link, ...change });
       }
     });
   return [

@@ -2,7 +2,7 @@
 
 import type { DebugProtocol as Protocol } from "@vscode/debugprotocol";
 import * as vscode from "vscode";
-import type { DebuggedRun, MotionMode, Move, Sample, Signal, Source } from "../run";
+import type { DebuggedRun, MotionMode, Move, Sample, Source } from "../run";
 import { type Item, merge } from "./items";
 import { boardItems } from "./signals";
 
@@ -55,11 +55,11 @@ export class RobotTree implements vscode.TreeDataProvider<Item>, vscode.Disposab
 
   private async groups(): Promise<Item[]> {
     const [arm, mode, queue, tasks, io] = await Promise.all([
-      this.run.request<Sample>("val3/pose"),
-      this.run.request<{ mode: MotionMode }>("val3/motionMode"),
-      this.run.request<{ moves: Move[] }>("val3/motionQueue"),
-      this.run.request<Protocol.ThreadsResponse["body"]>("threads"),
-      this.run.request<{ signals: Signal[] }>("val3/io"),
+      this.run.request("val3/pose", {}),
+      this.run.request("val3/motionMode", {}),
+      this.run.request("val3/motionQueue", {}),
+      this.run.request("threads", {}),
+      this.run.request("val3/io", {}),
     ]);
     if (arm === undefined || queue === undefined || tasks === undefined || io === undefined) {
       return [];

@@ -67,11 +67,11 @@ export class RobotView implements vscode.Disposable {
     } else if (message.command === "reveal") {
       await vscode.commands.executeCommand("val3.openLine", (message as { source: Source }).source);
     } else {
-      const answer = await this.run.request<object>("val3/view", message).catch((fault: unknown) => ({
+      const answer = await this.run.request("val3/view", message).catch((fault: unknown) => ({
         error: fault instanceof Error ? fault.message : String(fault),
       }));
-      const nothing = { error: "No application is being debugged." };
-      this.post({ kind: "answer", id: (message as { id: number }).id, error: null, ...(answer ?? nothing) });
+      const reply: Record<string, unknown> = answer ?? { error: "No application is being debugged." };
+      this.post({ kind: "answer", id: (message as { id: number }).id, error: null, ...reply });
     }
   }
 
