@@ -79,12 +79,12 @@ impl TestClient {
     }
 
     fn response(&mut self, command: &str, arguments: Value) -> Result<Option<Value>, String> {
-        let responses = self.exchange(command, arguments).into_iter().filter_map(|content| match content {
+        let mut responses = self.exchange(command, arguments).into_iter().filter_map(|content| match content {
             Content::Response { success: true, body, .. } => Some(Ok(body)),
             Content::Response { message, .. } => Some(Err(message.unwrap())),
             Content::Request { .. } | Content::Event { .. } => None,
         });
-        responses.last().unwrap()
+        responses.next_back().unwrap()
     }
 
     /// Returns the body of a successful response; `null` if it has none.

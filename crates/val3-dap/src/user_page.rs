@@ -24,7 +24,7 @@ impl UserPage {
         Self {
             screen: pendant.name(pendant.shown()).to_owned(),
             title: page.map(|page| page.title().to_owned()),
-            lines: page.map(|page| page.lines().map(Into::into).collect()).unwrap_or_default(),
+            lines: page.map(|page| page.lines().collect()).unwrap_or_default(),
         }
     }
 }

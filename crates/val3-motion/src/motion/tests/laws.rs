@@ -50,7 +50,7 @@ fn happen(motion: &mut Motion, event: &Event) {
 }
 
 /// Nothing holds the arm any more.
-fn detach(motion: &mut Motion) {
+fn release(motion: &mut Motion) {
     motion.restart();
     motion.resume();
     motion.set_monitor_speed(Percent(100.0));
@@ -112,7 +112,7 @@ proptest! {
                 (before, id) = (sample.joints, sample.id);
             }
         }
-        let_go(&mut motion);
+        release(&mut motion);
         for _ in 0..20_000 {
             motion.advance(CYCLE);
             if motion.is_empty() {
