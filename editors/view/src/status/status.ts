@@ -30,6 +30,11 @@ export function statusOf({ lost, end, role, isPast, isPaused, state }: StatusFac
   if (role === undefined || role === "preview") {
     return { kind: "stopped", text: role === undefined ? "The run has not begun." : "The application does not run.", word: "not running" };
   }
+  // A recording shows the state at each of its times.
+  const present: Status = state === undefined ? { kind: "running", text: "", word: "running" } : (robotStatus(state) ?? taskStatus(state.tasks));
+  if (role === "recording") {
+    return { ...present, word: "recording" };
+  }
   if (isPast) {
     return { kind: "stopped", text: "You are looking at the past.", word: "past" };
   }
@@ -41,7 +46,7 @@ export function statusOf({ lost, end, role, isPast, isPaused, state }: StatusFac
       ? { kind: "stopped", text: "The debugger has stopped the run.", word: "stopped" }
       : { kind: "stopped", text: "The run is paused. Press Play to continue.", word: "paused" };
   }
-  return state === undefined ? { kind: "running", text: "", word: "running" } : (robotStatus(state) ?? taskStatus(state.tasks));
+  return present;
 }
 
 /** Returns why the arm does not move, if a task waits for it. */

@@ -19,6 +19,8 @@ test("the first reason that keeps the run from going on is shown", () => {
     [{ lost: "The connection to the run is lost." }, "fault", "The connection to the run is lost."],
     [{ role: undefined }, "stopped", "The run has not begun."],
     [{ end: "finished" }, "stopped", "The run has ended: finished."],
+    [{ isPast: true }, "stopped", "You are looking at the past."],
+    [{ isPast: true, role: "recording" }, "running", "Running."],
     [{ isPaused: true }, "stopped", "The run is paused. Press Play to continue."],
     [{ isPaused: true, role: "debugger" }, "stopped", "The debugger has stopped the run."],
     [{ state: held }, "stopped", "The arm has no power. Press Power to switch it on. pick waits for the arm (movej) at start:12."],
