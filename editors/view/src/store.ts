@@ -137,7 +137,11 @@ export class Store {
       case "motion": this.panels.addMotion(message); break;
       case "io": this.panels.addIo(message); break;
       case "page": this.panels.addPage(message); break;
-      case "events": this.panels.addEvents(message); break;
+      case "events":
+        this.panels.addEvents(message);
+        // Nothing else may change after the last event, such as the fault that has stopped all tasks.
+        this.advance(message.events.at(-1)?.t ?? 0);
+        break;
       case "data": this.panels.addData(message); break;
       case "unsaved": this.panels.addUnsaved(message); break;
       case "end": this.end.value = message.reason; break;

@@ -52,6 +52,13 @@ test("the page shows the newest time until a time is chosen", () => {
   assert.deepEqual(shown(), [5, "You are looking at the past. Return to the present to operate."]);
 });
 
+test("the newest time includes the last event", () => {
+  const store = filled();
+  const t = store.newest.value + 0.000004;
+  store.take({ kind: "events", events: [{ t, kind: "error", code: 10 }] });
+  assert.equal(store.newest.value, t);
+});
+
 test("guests and recordings cannot operate", () => {
   assert.match(filled("guest").blocked.value ?? "", /guest/);
   assert.match(filled("recording").blocked.value ?? "", /recording/);

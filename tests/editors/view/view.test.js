@@ -1,6 +1,6 @@
 // The palletiser in a browser: its arm, its time and its viewers.
 const assert = require("node:assert/strict");
-const { readFileSync } = require("node:fs");
+const { readFileSync, writeFileSync } = require("node:fs");
 const { join } = require("node:path");
 const { test } = require("node:test");
 const { BOXES, now, served, until } = require("./served.js");
@@ -80,4 +80,24 @@ test("viewers see the same run", () => served(BOXES, async (run) => {
     return window.val3View.pose();
   })));
   assert.deepEqual(poses[0], poses[1]);
+}));
+
+test("a fault is a red bar with its cause and its line, and a number on the tab", () => served([], async (run) => {
+  const page = await run.open();
+  const bar = page.getByRole("alert", { name: "Fault" });
+  await bar.getByText(/^Error 10: division by zero in task palletiser~ at start:\d+$/).waitFor();
+  await page.getByText("All tasks have failed.").waitFor();
+  await page.getByRole("tab", { name: /Tasks\s*1/ }).waitFor();
+  assert.equal(await page.title(), "palletiser – fault");
+  await bar.getByRole("button", { name: "Hide this fault" }).click();
+  assert.equal(await bar.count(), 0);
+}, (folder) => {
+  const file = join(folder, "usr/usrapp/palletiser/start.pgx");
+  writeFileSync(file, readFileSync(file, "latin1").replace(/<Locals>[^]*<\/Locals>/, "").replace(/begin[^]*end(?=\s*\]\]>)/, "begin\n  delay(0.2)\n  putln(toString(\"\",1/0))\nend"), "latin1");
+}));
+
+test("a run without power tells which button helps", () => served(BOXES, async (run) => {
+  const page = await run.open();
+  await page.getByText("The arm has no power. Press Power to switch it on.").waitFor();
+  assert.equal(await page.title(), "palletiser – arm held");
 }));

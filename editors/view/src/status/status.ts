@@ -54,7 +54,9 @@ function robotStatus({ emergencyStop, awaitedHold, tasks }: CellState): Status |
   if (emergencyStop === "open") {
     return { kind: "stopped", text: "The E-stop is pressed. Release it, then switch the power on.", word: "E-stop" };
   }
-  return awaitedHold == null ? undefined : { kind: "stopped", text: `${awaitedHold} ${waitsText(tasks)}`, word: "arm held" };
+  // The reason why the arm does not move is part of what these tasks wait for.
+  const held = tasks.filter(({ waits, awaits }) => awaits != null && waits !== awaits);
+  return awaitedHold == null ? undefined : { kind: "stopped", text: `${awaitedHold} ${waitsText(held)}`.trim(), word: "arm held" };
 }
 
 function taskStatus(tasks: readonly TaskState[]): Status {

@@ -13,7 +13,8 @@ const facts = (fields: Partial<StatusFacts>): StatusFacts =>
 
 test("the first reason that keeps the run from going on is shown", () => {
   const waiting = task("pick", { waits: "the arm (`movej`), which has no power: call enablePower()", awaits: "the arm (`movej`)" });
-  const held = state([waiting], { power: false, awaitedHold: "The arm has no power. Press Power to switch it on." });
+  const delayed = task("host", { waits: "time (`delay`)", awaits: "time (`delay`)" });
+  const held = state([delayed, waiting], { power: false, awaitedHold: "The arm has no power. Press Power to switch it on." });
   for (const [fields, kind, text] of [
     [{}, "running", "Running."],
     [{ lost: "The connection to the run is lost." }, "fault", "The connection to the run is lost."],

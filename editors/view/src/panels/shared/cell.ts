@@ -22,7 +22,7 @@ export type CellScene = Pick<wire.Scene, "base" | "lines"> & {
   arm: ArmChain;
   frames: readonly Pick<wire.CellPoint, "name" | "father" | "pose">[];
   signals: readonly SignalInfo[];
-  /** Points with the values in the files. */
+  /** Points with their initial values. */
   points: readonly CellPoint[];
 };
 
