@@ -96,7 +96,7 @@ test("a fault is a red bar with its cause and its line, and a number on the tab"
   writeFileSync(file, readFileSync(file, "latin1").replace(/<Locals>[^]*<\/Locals>/, "").replace(/begin[^]*end(?=\s*\]\]>)/, "begin\n  delay(0.2)\n  putln(toString(\"\",1/0))\nend"), "latin1");
 }));
 
-test("a run without power tells which button helps", () => served(BOXES, async (run) => {
+test("a run without power tells which button helps", () => served([], async (run) => {
   const page = await run.open();
   await page.getByText("The arm has no power. Press Power to switch it on.").waitFor();
   assert.equal(await page.title(), "palletiser – arm held");
