@@ -40,7 +40,7 @@ const WAITING: Time = SECOND;
 /// Speed of an arm moved by hand, as a fraction of the nominal speed (model choice).
 const JOG: f64 = 0.1;
 
-/// Greatest distance of each axis from the destination at which an arm moved by hand has arrived, in degrees or mm.
+/// Greatest axis distance to the destination at which an arm moved by hand has arrived, in degrees or mm.
 const ARRIVED: f64 = 1e-9;
 
 /// Distance to the path below which the arm returns to it without a request (10.6, model choice).
@@ -58,7 +58,7 @@ pub struct RobotArm {
     /// Instructions of the moves that are not done, by serial number.
     origins: BTreeMap<u64, MoveOrigin>,
     next_id: f64,
-    /// Lines of moves whose descriptor exceeds the maximum speed of an axis.
+    /// Lines of moves whose descriptor exceeds an axis's maximum speed.
     too_fast: Vec<CodePlace>,
     connects_by_itself: bool,
     /// Whether the operator has requested the return to the path.
@@ -163,7 +163,7 @@ impl RobotArm {
     /// Narrows the software limits to `minArmJointPos` and `maxArmJointPos`.
     ///
     /// # Errors
-    /// The range of an axis would be empty.
+    /// An axis would have an empty range.
     pub fn narrow(&mut self, lowest: &[f64], highest: &[f64]) -> Result<(), Violation> {
         let model = Arm::clone(&self.model).with_limits(lowest, highest)?;
         self.replace(model);
@@ -470,7 +470,7 @@ impl RobotArm {
         }
     }
 
-    /// The fault of the path before which the arm has come to rest since the last call, with the instruction of its move.
+    /// Fault of the path before which the arm has come to rest since the last call, with the move's instruction.
     pub fn take_fault(&mut self) -> Option<(PathFault, Option<MoveOrigin>)> {
         let is_new = !std::mem::replace(&mut self.has_reported_fault, self.motion.stuck().is_some());
         self.motion.stuck().filter(|_| is_new).cloned().map(|fault| self.with_origin(fault))

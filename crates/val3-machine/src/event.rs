@@ -59,7 +59,7 @@ pub enum EventKind {
         /// The message.
         text: String,
     },
-    /// A property of an element on an HTML page has changed (s8).
+    /// An element's property on an HTML page has changed (s8).
     Html {
         /// The page.
         page: String,
@@ -90,7 +90,7 @@ pub enum EventKind {
         name: String,
         /// The program that the named task is in.
         program: String,
-        /// The line of its file at which the named task is, from 1.
+        /// Line in the file at which the named task is, from 1.
         line: u32,
         /// The number of the run-time error.
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -126,7 +126,7 @@ pub enum EventKind {
         /// The file.
         file: String,
     },
-    /// The value of an input or output has changed.
+    /// An input or output has changed its value.
     Io {
         /// Its path.
         link: String,
@@ -215,7 +215,7 @@ pub enum EventKind {
         /// Number that `workingMode` returns.
         mode: u8,
     },
-    /// The run cannot continue: location of one task.
+    /// The run cannot continue: location of a task.
     Stuck {
         /// The task.
         name: String,
@@ -250,7 +250,7 @@ pub enum EndReason {
     Limit,
     /// No task could continue, or the controller does not support an instruction.
     Error,
-    /// The application was not started because of its faults.
+    /// The application has faults and was not started.
     Refused,
 }
 

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::rc::Rc;
 
-/// Result of an external call.
+/// Result of a call to the outside.
 pub trait Answer: Clone + 'static {
     /// Heap memory of the result, in bytes.
     fn held_bytes(&self) -> usize {
@@ -104,12 +104,12 @@ impl Inputs {
         *recording = Recording { next: recording.next, recorded: recording.next, ..Recording::default() };
     }
 
-    /// Returns the recorded result of an external call, or executes the call.
+    /// Returns the recorded result of the call, or executes it.
     pub fn ask<T: Answer>(&self, question: impl FnOnce() -> T) -> T {
         self.answer(|recorded| recorded, question, |_| false)
     }
 
-    /// Like [`ask`](Self::ask). `usual` is the frequent result, which takes no memory.
+    /// Like [`ask`](Self::ask). `usual` is the frequent result, which is not stored.
     pub fn ask_usual<T: Answer + PartialEq>(&self, usual: &T, question: impl FnOnce() -> T) -> T {
         self.answer(|recorded| recorded.or_else(|| Some(usual.clone())), question, |answer| answer == usual)
     }
@@ -252,7 +252,7 @@ mod tests {
         assert_eq!(bytes, [0, one + 1, 2 * one + 4, 2 * one + 4, 3 * one + 9]);
         inputs.forget_before(marks[1]);
         assert_eq!(inputs.bytes(), 2 * one + 8);
-        // Another call leaves the recording.
+        // A different call ends the replay.
         inputs.rewind(marks[3]);
         inputs.ask(|| 1);
         assert!(inputs.bytes() < 2 * one + 8);

@@ -1,5 +1,5 @@
-//! Libraries on their media: path resolution, the files of a library, and the storage part of the instructions of 6.7.
-//! This module handles files, not the meaning of a library.
+//! Libraries on their media: path resolution, library files, and the storage part of the instructions of 6.7. This
+//! module handles files, not the meaning of a library.
 
 mod archive;
 mod store;
@@ -44,8 +44,7 @@ pub struct LibraryFile {
 }
 
 impl LibraryPath {
-    /// Parses a path in the forms that `libLoad` accepts: path of the folder, of the project file in it, or of an
-    /// archive.
+    /// Parses a path in the forms that `libLoad` accepts: the folder, the project file in it, or an archive.
     ///
     /// # Errors
     /// [`FileFault::BadName`] if the path names no library, for example only a root.
@@ -98,7 +97,7 @@ impl LibraryPath {
         Ok(self.place(roots)?.kind()? == EntryKind::File)
     }
 
-    /// Reads all files of the library. The password of an archive is the ZIP password.
+    /// Reads all files of the library. `password` is the ZIP password of the archive.
     ///
     /// Missing files that the project names are omitted; loading reports them.
     ///
@@ -118,8 +117,8 @@ impl LibraryPath {
         Ok(LibraryFiles { files: files_of(&place)?, encrypted: false })
     }
 
-    /// Deletes the library, and its folder if it contains nothing else. The project file is deleted first, so that a
-    /// crash leaves no partial library.
+    /// Deletes the library, and its folder if it contains nothing else. The project file is deleted first, so that no
+    /// partial library exists after a crash.
     ///
     /// # Errors
     /// If the path cannot be resolved or a file cannot be deleted. A missing library is no error.
@@ -135,7 +134,8 @@ impl LibraryPath {
     }
 
     /// Saves a library to the path from which it was loaded: the files of `new` that differ from `old`, and files that
-    /// are missing on the medium. A crash at any time leaves the complete old or the complete new library.
+    /// are missing on the medium. After a crash at any time, either the complete old or the complete new library
+    /// exists.
     ///
     /// # Errors
     /// [`FileFault::ReadOnly`] for an archive, which is never written unencrypted, or the error of the medium. Nothing

@@ -122,7 +122,7 @@ impl IoTable {
         self.units.get(&self.signal(id)?.path).map(String::as_str)
     }
 
-    /// Returns the link with this text, also if no such signal exists. The link of an empty text is [`LinkId::NONE`].
+    /// Returns the link with this text, also if no such signal exists. The empty text has the link [`LinkId::NONE`].
     pub fn link(&mut self, text: &str) -> LinkId {
         if text.is_empty() {
             return LinkId::NONE;
@@ -205,7 +205,7 @@ impl IoTable {
         self.refresh(Direction::Output, Channel::refresh_output)
     }
 
-    /// Refreshes the changed signals of one direction. Returns the new values that `refresh` reports.
+    /// Refreshes the changed signals in one direction. Returns the new values that `refresh` reports.
     fn refresh(&mut self, direction: Direction, refresh: fn(&mut Channel) -> Option<f64>) -> Vec<IoChange> {
         let mut changes = Vec::new();
         for id in std::mem::take(&mut self.to_refresh) {

@@ -1,6 +1,6 @@
 //! A serial line or socket as `sio` instructions use it (3.7.2, 3.7.3).
 //!
-//! A waiting instruction is called again in each turn of its task, with the elapsed waiting time. Received bytes stay
+//! A waiting instruction is called again in each turn of the task, with the elapsed waiting time. Received bytes stay
 //! in the channel's buffer until the value is complete, so several tasks can wait on one channel.
 
 mod input;
@@ -11,7 +11,7 @@ use super::setting::SettingFault;
 use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal, SettingValue};
 use input::Input;
 
-/// Result of one call of a waiting instruction.
+/// Result of a call by a waiting instruction.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Attempt<T> {
     /// Not complete: the task waits and calls again.
@@ -286,7 +286,7 @@ impl Channel {
 /// Byte limit of `clearBuffer`, because a peer may never stop sending.
 const MOST_CLEARED: usize = 16 * input::CAPACITY;
 
-/// -5: the parameter is of another kind of channel.
+/// -5: the parameter belongs to another kind of channel.
 const OTHER_KIND: i8 = -5;
 
 fn refused(refused: SettingRefusal) -> i8 {
