@@ -95,7 +95,7 @@ fn split_field(path: &str) -> (&str, Option<&str>) {
     dot.map_or((path, None), |dot| (path.get(..dot).unwrap_or(path), path.get(dot + 1..)))
 }
 
-/// The variable at the beginning of a path.
+/// Returns the variable at the beginning of a path.
 pub(super) fn root(path: &str) -> &str {
     split_index(split_field(path).0).0
 }

@@ -70,8 +70,8 @@ fn write_all(folder: &MountedPath<'_>, files: &[LibraryFile], steps: &mut dyn St
     Ok(saving.volume.sync(&saving.path)?)
 }
 
-/// Removes the files of a failed save. The caller reports the fault of the save, unless the medium rejects the removal
-/// too.
+/// Removes the files of a failed save. An error means that the medium rejects the removal; otherwise the caller returns
+/// the fault of the save.
 fn clear_away(folder: &MountedPath<'_>, made: bool, steps: &mut dyn Steps) -> Result<(), FileFault> {
     let saving = MountedPath { volume: folder.volume, path: folder.path.join(SAVING) };
     if saving.kind()? == EntryKind::Folder {
