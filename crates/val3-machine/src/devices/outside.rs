@@ -15,7 +15,7 @@ pub trait Libraries {
     /// Compiles the library with these files to an image.
     ///
     /// # Errors
-    /// A fault of its data or programs, as a line of the event log (code 12 of `libLoad`).
+    /// A fault in the data or programs, as a line of the event log (code 12 of `libLoad`).
     fn image(&mut self, path: &ControllerPath, files: LibraryFiles) -> Result<Arc<Image>, String>;
 }
 
@@ -141,7 +141,7 @@ impl Answer for Compiled {
 /// Reason why a library cannot be loaded.
 pub(super) enum LoadFault {
     File(FileFault),
-    /// A fault of its data or programs, as a line of the event log.
+    /// A fault in the data or programs, as a line of the event log.
     Program(String),
 }
 
