@@ -37,7 +37,7 @@ const CAPACITY: usize = 200;
 /// Time at rest after which a compliant move continues only under another force.
 const WAITING: Time = SECOND;
 
-/// Speed of an arm moved by hand, as a fraction of the nominal speed (model choice).
+/// Speed of the arm when moved by hand, as a fraction of the nominal speed (model choice).
 const JOG: f64 = 0.1;
 
 /// Greatest axis distance to the destination at which an arm moved by hand has arrived, in degrees or mm.
@@ -91,7 +91,7 @@ impl Default for RobotArm {
 }
 
 impl RobotArm {
-    /// The default arm of a kind, at joint position zero.
+    /// Creates the default arm of a kind, at joint position zero.
     #[must_use]
     pub(crate) fn of_kind(is_scara: bool) -> Self {
         let name = Self::default_name(is_scara);
@@ -122,7 +122,7 @@ impl RobotArm {
         self.notice.take()
     }
 
-    /// An arm of this model, at joint position zero.
+    /// Creates an arm of this model, at joint position zero.
     #[must_use]
     pub fn new(model: Arm) -> Self {
         let model = Arc::new(model);

@@ -53,11 +53,11 @@ pub struct Controller {
 /// Phase of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Phase {
-    /// Its tasks run.
+    /// The tasks run.
     Running,
-    /// `stop` runs; with others if it was stopped from outside.
+    /// `stop` runs; after a stop from outside together with other tasks.
     Stopping,
-    /// It has no tasks.
+    /// No task exists.
     Stopped,
 }
 
@@ -66,7 +66,7 @@ enum Phase {
 pub enum NotStarted {
     /// The application has no program with this name.
     NoProgram,
-    /// The number of its parameters differs from the number of values.
+    /// The program has more or fewer parameters than values.
     HasParameters,
     /// The run-time error with which its task would begin.
     Fault(Fault),
@@ -99,7 +99,7 @@ impl Controller {
         })
     }
 
-    /// The name of the application.
+    /// Name of the application.
     #[must_use]
     pub fn name(&self) -> &str {
         self.vm.space.instance(self.application).map_or("", |instance| &instance.image.name)
@@ -120,15 +120,15 @@ impl Controller {
     /// Starts a program without parameters in the task `application~` (5.2).
     ///
     /// # Errors
-    /// It cannot be started.
+    /// The program cannot be started.
     pub fn start(&mut self, program: &str) -> Result<TaskNumber, NotStarted> {
         self.start_with(program, &[])
     }
 
-    /// As [`start`](Self::start), for a program with parameters of type `num` by value, which get `numbers`.
+    /// Like [`start`](Self::start), for a program with parameters of type `num` by value, which receive `numbers`.
     ///
     /// # Errors
-    /// It cannot be started.
+    /// The program cannot be started.
     pub fn start_with(&mut self, program: &str, numbers: &[f64]) -> Result<TaskNumber, NotStarted> {
         self.start_leading_task(program, numbers, |application| format!("{application}~"))
     }
@@ -171,8 +171,8 @@ impl Controller {
         self.vm.kill(id, &mut self.devices);
     }
 
-    /// Continues a task from outside at the line that begins with the operation `op` of its innermost program, or at
-    /// the end of the program. Returns whether the task and the line exist.
+    /// Continues a task from outside at the line that begins with operation `op` in the innermost program, or at the
+    /// end of the program. Returns whether the task and the line exist.
     pub fn continue_at(&mut self, id: TaskNumber, op: u32) -> bool {
         self.devices.origin(self.outside());
         self.vm.continue_at(id, op, &mut self.devices)
@@ -233,7 +233,7 @@ impl Controller {
         self.outcome(outcome, is_over)
     }
 
-    /// As [`step`](Self::step), but the application does not stop when its tasks have ended.
+    /// Like [`step`](Self::step), but the application continues when its tasks have ended.
     pub fn step_tasks(&mut self) -> Outcome {
         let outcome = self.cycle();
         if self.schedule.is_within_cycle() {

@@ -238,7 +238,7 @@ pub enum EventKind {
     },
 }
 
-/// Reason for the end of a run in its record: the serialised form of an [`Outcome`].
+/// End reason in the record of a run: the serialised form of an [`Outcome`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EndReason {

@@ -46,7 +46,7 @@ struct Recording {
     recorded: u64,
     /// Results by call number. Usual results are omitted.
     answers: BTreeMap<u64, Recorded>,
-    /// Estimated size of `answers`, in bytes.
+    /// Estimated size of the results, in bytes.
     bytes: u64,
 }
 

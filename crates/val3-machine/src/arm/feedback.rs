@@ -59,7 +59,7 @@ impl Feedback {
         self.in_place = if is_in_place { self.in_place.saturating_add(CYCLE) } else { 0 };
     }
 
-    /// Position of each axis as measured by the encoders.
+    /// Axis positions measured by the encoders.
     pub(super) fn measured(&self) -> Joints {
         self.measured
     }
@@ -112,7 +112,7 @@ impl Feedback {
     }
 }
 
-/// Signed distance of one axis between two joint positions.
+/// Signed axis distance between two joint positions.
 pub(super) fn difference(left: &Joints, right: &Joints, axis: usize) -> f64 {
     left.get(axis).copied().unwrap_or_default() - right.get(axis).copied().unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! Location of each task, and the reason why it does not continue.
+//! Locations of the tasks, and the reasons why they do not continue.
 
 use std::fmt;
 
@@ -111,7 +111,7 @@ impl Activity {
     }
 }
 
-/// Returns the awaited object of an instruction.
+/// Returns the object for which an instruction waits.
 fn awaited_in(instruction: &str) -> String {
     let subject = match instructions::find(instruction) {
         Some(found) if motion::needs_arm(found) => "the arm",

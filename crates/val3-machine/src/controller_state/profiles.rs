@@ -14,7 +14,7 @@ pub struct Profile {
     pub controls_speed: bool,
 }
 
-/// How `setProfile` ended; the number is its result.
+/// Result of `setProfile`; the number is the result in a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum ProfileChange {

@@ -177,7 +177,7 @@ impl<'r> MountedPath<'r> {
     /// The kind of entry here.
     ///
     /// # Errors
-    /// [`FileFault::BadPath`] if a link leaves the medium or the path cannot be inspected.
+    /// [`FileFault::BadPath`] if a link points out of the medium or the path cannot be inspected.
     pub fn kind(&self) -> Result<EntryKind, FileFault> {
         self.volume.kind(&self.path)
     }
@@ -185,7 +185,7 @@ impl<'r> MountedPath<'r> {
     /// Returns the path of `name` in this folder, in any letter case. A name that does not exist keeps its spelling.
     ///
     /// # Errors
-    /// [`FileFault::BadPath`] if this is a file, or a link leaves the medium.
+    /// [`FileFault::BadPath`] if this is a file, or a link points out of the medium.
     pub fn child(&self, name: &str) -> Result<Self, FileFault> {
         let exact = Self { volume: self.volume, path: self.path.join(name) };
         if exact.kind()? != EntryKind::Missing || self.kind()? == EntryKind::Missing {

@@ -48,8 +48,8 @@ impl IoTable {
         Some(Forcing { is_locked: channel.lock.is_some(), is_simulated: channel.simulated, fault: channel.fault })
     }
 
-    /// Locks a signal at `value`, or at its current value, as the operator does. Programs read this value of an input
-    /// independent of the hardware; writing a locked output has no effect.
+    /// Locks a signal at `value`, or at its current value, as the operator does. Programs read the locked value of the
+    /// input independent of the hardware; writing a locked output has no effect.
     pub fn lock(&mut self, id: SignalId, value: Option<f64>) {
         self.change(id, |channel| {
             let value = value.map_or(channel.image, |value| channel.signal.kind.fit(value));

@@ -100,7 +100,7 @@ impl IoTable {
         channel.map_or(IoStatus::Absent, |channel| self.status_of(channel))
     }
 
-    /// A fault takes precedence over a lock, a lock over the simulation.
+    /// A fault precedes a lock, and a lock the simulation.
     pub(super) fn status_of(&self, channel: &Channel) -> IoStatus {
         match self.fault_of(channel) {
             Some(SignalFault::Absent) => IoStatus::Absent,

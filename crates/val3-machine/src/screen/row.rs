@@ -8,7 +8,7 @@ use super::text_mode::TextMode;
 /// Size of a character with combining marks, in bytes, from which on no mark is added.
 const LONGEST_CELL: usize = 16;
 
-/// The content of one column.
+/// Content of a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Cell {
     /// The character with its combining marks; empty for the right half of a wide character.
@@ -18,7 +18,7 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// The content of an unwritten column.
+    /// Content of an unwritten column.
     pub const BLANK: Self = Self { text: SmolStr::new_inline(" "), mode: TextMode::Standard };
 
     /// The right half of a wide character.

@@ -69,14 +69,15 @@ impl Controller {
         scheduled.chain(reactions).chain(silent).collect()
     }
 
-    /// Problems of an entry with signals and lines that do not exist now.
+    /// Problems with an entry's signals and lines that do not exist now.
     pub(super) fn unknown_names(&self, entry: &Entry) -> Vec<String> {
         let signals = entry.signals().filter_map(|path| self.check_signal(path, false).err());
         let lines = entry.receive.keys().filter_map(|link| self.unknown_line(link, false));
         signals.chain(lines).map(|misfit| misfit.with_proposals()).collect()
     }
 
-    /// Reactions that could not occur until now, because a signal, variable or line of their condition does not exist.
+    /// Reactions that could not occur until now, because their condition needs a signal, variable or line that does not
+    /// exist.
     pub(super) fn unmet_reactions(&self, script: &Script) -> Vec<ScriptFault> {
         let unmet = script.reactions.iter().flat_map(|reaction| {
             let condition = self.misfits(reaction.condition(), &|_| true, false).into_iter();
@@ -177,7 +178,7 @@ impl Controller {
         Err(Misfit { message: NoSignal(path.to_owned()).to_string(), unknown: Some((path.to_owned(), known)) })
     }
 
-    /// Checks the device or signal of a fault. A device may fail although the application uses none of its signals.
+    /// Checks the device or signal that fails. A device may fail although the application does not use its signals.
     fn check_fault(&self, FaultEntry { link, code }: &FaultEntry, may_come: bool) -> Result<(), Misfit> {
         let io = &self.devices.state.io;
         let is_of_known_device = link.split_once('\\').is_some_and(|(device, _)| io.has_device(device));

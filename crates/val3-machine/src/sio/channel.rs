@@ -118,7 +118,7 @@ impl Channel {
         self.state.has_peer
     }
 
-    /// Timeout of an instruction, in seconds: 0 waits without limit, a negative value does not wait.
+    /// Timeout of instructions, in seconds: 0 waits without limit, a negative value does not wait.
     #[must_use]
     pub fn timeout(&self) -> f64 {
         self.state.timeout

@@ -47,7 +47,7 @@ fn channel(element: Element<'_>) -> Option<ChannelConfig> {
     Some(ChannelConfig { link: format!("{device}\\{name}"), kind, settings })
 }
 
-/// Parses the parameter of an entry.
+/// Parses an entry's parameter.
 fn setting(key: &str, value: &str, kind: LineKind) -> Option<Setting> {
     let key = key.to_ascii_lowercase();
     let name = NAMES.iter().find(|(known, _)| *known == key).map_or(key.as_str(), |(_, name)| name);
@@ -58,7 +58,7 @@ fn setting(key: &str, value: &str, kind: LineKind) -> Option<Setting> {
     read.find_map(Result::<_, SettingFault>::ok)
 }
 
-/// Parameters whose names in the file differ from those in programs.
+/// Parameters whose names differ between file and programs.
 const NAMES: [(&str, &str); 4] =
     [("portnumber", "port"), ("serverip", "target"), ("nbclients", "clients"), ("maxclients", "clients")];
 

@@ -28,11 +28,11 @@ pub enum Setting {
     Port(u16),
     /// The address to call.
     Target(IpAddr),
-    /// Maximum number of clients of a server.
+    /// Maximum number of a server's clients.
     Clients(u16),
     /// The byte that ends a string.
     EndOfString(u8),
-    /// Timeout of an instruction, in seconds: 0 waits without limit, a negative value does not wait.
+    /// Timeout of instructions, in seconds: 0 waits without limit, a negative value does not wait.
     Timeout(f64),
     /// Bits per second.
     BaudRate(u32),
@@ -67,7 +67,7 @@ pub enum Parity {
 pub(super) enum SettingFault {
     /// -1, -2, -3.
     Argument(SerialFault),
-    /// -5: the parameter is of another kind of channel.
+    /// -5: the parameter belongs to another kind of channel.
     Kind,
 }
 

@@ -6,7 +6,7 @@ use std::net::{Shutdown, TcpStream};
 
 use super::SendResult;
 
-/// Maximum size of unread input of one connection, in bytes.
+/// Maximum size of a connection's unread input, in bytes.
 const CAPACITY: usize = 65_536;
 
 /// Maximum number of bytes in one read from the system.
@@ -28,7 +28,7 @@ impl Stream {
         Some(stream)
     }
 
-    /// Sets the option. A connection that rejects it has failed, which the next read reports.
+    /// Sets Nagle's algorithm. A connection that rejects the option has failed, which the next read reports.
     pub(super) fn set_nagle(&mut self, on: bool) {
         self.gone |= self.tcp.set_nodelay(!on).is_err();
     }

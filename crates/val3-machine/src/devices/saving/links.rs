@@ -115,8 +115,8 @@ impl<'s> Links<'s> {
         }
     }
 
-    /// Returns the link of a value as written in a file. A father that did not exist when it was loaded stays as it was
-    /// written.
+    /// Returns a value's link as written in a file. A father that did not exist when the link was loaded keeps its
+    /// written text.
     pub(super) fn text_at(&self, spot: Option<&LinkPath>, link: Link, base: BaseType) -> Option<String> {
         self.text(link, base).or_else(|| self.missing(spot, link).map(reference))
     }

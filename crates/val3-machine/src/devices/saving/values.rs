@@ -1,4 +1,4 @@
-//! Converts global data to the content of files: values with the attributes of their types.
+//! Converts global data to file content: values with the attributes of their types.
 
 use val3_bytecode::DataDef;
 use val3_data::{Content, SavedData, SavedField, SavedValue, number_text};
@@ -10,7 +10,7 @@ use val3_vm::Instance;
 
 use super::links::{LinkPath, Links, index};
 
-/// Reader of the data of an application or library.
+/// Reader of an application's or library's data.
 pub(super) struct Saver<'s> {
     pub(super) memory: &'s Memory,
     pub(super) instance: &'s Instance,
@@ -107,7 +107,7 @@ impl Saver<'_> {
         Ok((Content::Attributes(written), same))
     }
 
-    /// Returns the text of an attribute; `None` if it has the default.
+    /// Returns an attribute as text; `None` if it has the default.
     fn attribute(
         &self,
         at: Place,

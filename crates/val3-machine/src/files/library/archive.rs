@@ -77,7 +77,7 @@ fn fault(error: &ZipError) -> FileFault {
     }
 }
 
-/// Returns the path of an entry, which stays in its folder.
+/// Returns an entry's path, which stays in its folder.
 fn path(name: &str) -> Result<Utf8PathBuf, FileFault> {
     let name = name.replace('\\', "/");
     let path = Utf8Path::new(&name);

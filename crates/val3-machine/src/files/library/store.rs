@@ -1,8 +1,8 @@
 //! Writes files to a medium so that after a crash at any step all files are old or all are new.
 //!
-//! All new files are written and synced in a folder `.saving` inside of the library's folder. Renaming it to `.saved`
-//! makes the new library valid: its files are then moved into place, the project file last. The next access after a
-//! crash moves the remaining files.
+//! All new files are written and synced in a folder `.saving` inside of the library's folder. The new library is valid
+//! as soon as that folder is renamed to `.saved`: its files are then moved into place, the project file last. The next
+//! access after a crash moves the remaining files.
 
 use std::io::{self, Write};
 
