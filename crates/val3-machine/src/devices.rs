@@ -119,7 +119,7 @@ impl Devices {
         result
     }
 
-    /// Writes a line of the controller itself to the permanent event log.
+    /// Writes a line of the controller itself to the event log, where such lines are never lost.
     pub fn report(&mut self, text: &str, severity: Severity, now: Time) {
         self.state.log.report(text, severity, now);
         let logged = part_events::logged(&mut self.state.log);

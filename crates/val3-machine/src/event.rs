@@ -54,7 +54,7 @@ pub enum EventKind {
         /// The screen variable; empty for the default page.
         screen: String,
     },
-    /// A message has come up.
+    /// A message is shown.
     Popup {
         /// The message.
         text: String,
@@ -86,7 +86,7 @@ pub enum EventKind {
     Task {
         /// `created`, `ended`, `suspended`, `resumed`, `killed` or `error`.
         state: &'static str,
-        /// Its name.
+        /// Name of the task.
         name: String,
         /// The program that the named task is in.
         program: String,
@@ -101,9 +101,9 @@ pub enum EventKind {
     },
     /// A run-time error has stopped a task.
     Error {
-        /// Its number.
+        /// Number of the error.
         code: u16,
-        /// Its meaning.
+        /// Meaning of the error.
         message: &'static str,
         /// The program.
         program: String,
@@ -128,14 +128,14 @@ pub enum EventKind {
     },
     /// An input or output has changed its value.
     Io {
-        /// Its path.
+        /// Path of the signal.
         link: String,
         /// Value; 0 or 1 for a digital signal.
         value: f64,
     },
     /// Bytes went over a serial line or socket.
     Sio {
-        /// Its path.
+        /// Path of the serial line or socket.
         link: String,
         /// `in` or `out`.
         dir: &'static str,
@@ -144,7 +144,7 @@ pub enum EventKind {
     },
     /// A serial line or socket has returned an unusual result, which a replay requires.
     Line {
-        /// Its path.
+        /// Path of the serial line or socket.
         link: String,
         /// Call number and result.
         #[serde(flatten)]
@@ -244,7 +244,7 @@ pub enum EventKind {
 pub enum EndReason {
     /// The application has ended without a stop from outside.
     Finished,
-    /// It was stopped from outside.
+    /// The application was stopped from outside.
     Stopped,
     /// The time of the run was up.
     Limit,

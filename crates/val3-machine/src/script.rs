@@ -26,7 +26,7 @@
 //! force = [0, 0, -50]            # in N along the axes of world, or one number along the path of the move
 //! connect = true                 # the operator requests the return of the arm to its path
 //! stop = true
-//! receive = { "Socket\\host" = "START\r" }  # comes in over a line, whose other end is the script then; or bytes
+//! receive = { "Socket\\host" = "START\r" }  # received by a line, whose other end is then the script; or bytes
 //! ```
 //!
 //! With `silent = ["Socket\\host"]` at the top, the script is the other end of a line over which it sends nothing.

@@ -34,7 +34,7 @@ impl RobotArm {
     /// Reason why the arm rests before the end of the release and does not continue by itself.
     #[must_use]
     pub fn standstill(&self, drive: Drive) -> Option<ArmHold> {
-        // An arm that the monitor speed holds has a plan with a speed.
+        // An arm held by the monitor speed has a plan with a speed.
         if !self.is_at_rest() || self.motion.has_arrived() {
             return None;
         }

@@ -6,9 +6,9 @@ const MANUFACTURER: &str = "staubli";
 /// One profile.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Profile {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its password, in plain text; empty without one.
+    /// Password in plain text; empty without a password.
     pub password: String,
     /// Whether the operator may change the monitor speed.
     pub controls_speed: bool,

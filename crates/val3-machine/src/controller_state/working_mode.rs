@@ -60,7 +60,7 @@ impl WorkingMode {
         self as u8
     }
 
-    /// Its name.
+    /// Returns the name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -103,7 +103,7 @@ impl Outside {
         self.ask(|media| library.read(&media.roots, ""))
     }
 
-    /// Finds and compiles the library that a program of `from` names. Its files are returned with it.
+    /// Finds and compiles the library that a program of `from` names. Returns it with its files.
     pub(super) fn load(
         &mut self,
         time: &mut AccessTime,

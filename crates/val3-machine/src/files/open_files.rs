@@ -200,7 +200,7 @@ impl Reading {
         self.ahead.iter().take(bytes.len()).eq(bytes)
     }
 
-    /// Skips the end of the line if it is next.
+    /// Skips the end of the line if it is next. Returns whether it was.
     fn end_line(&mut self) -> bool {
         let end = [&b"\n"[..], b"\r\n"].into_iter().find(|end| self.accepts_bytes(end));
         self.ahead.drain(..end.map_or(0, <[u8]>::len));

@@ -49,7 +49,7 @@ struct Entry {
 /// A file or folder for the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Node {
-    /// It was deleted.
+    /// Deleted.
     Missing,
     Folder,
     File(FileId),

@@ -1,4 +1,4 @@
-//! A mounted folder on the disk, or the folder below an overlay.
+//! A mounted folder on the disk, with or without an overlay above it.
 //!
 //! Each result of the disk below an overlay passes through the recorder of external input, while the overlay is state:
 //! its changes are repeated when a run is executed again.

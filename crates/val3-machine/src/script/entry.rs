@@ -28,7 +28,7 @@ pub enum ScriptPlace {
     At(f64),
     /// The `[[when]]` that begins in this line of the file, from 1.
     When(usize),
-    /// The lines over which the script sends nothing.
+    /// Lines over which the script sends no bytes.
     Silent,
 }
 

@@ -256,7 +256,7 @@ impl Channel {
     /// Sets a parameter.
     ///
     /// # Errors
-    /// If the line does not support the value, or not in its current state.
+    /// If the line does not support the value, or cannot change it while it is connected.
     pub fn set(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         match setting {
             Setting::EndOfString(byte) => self.state.end_of_string = *byte,

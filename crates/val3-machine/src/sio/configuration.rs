@@ -82,7 +82,7 @@ impl ChannelConfig {
         self.socket(access).map(guarded)
     }
 
-    /// Inserts the settings of another configuration of the same channel, except port and target, before the own
+    /// Inserts the settings of another configuration of the same channel, except port and target, before the existing
     /// settings, which take precedence. If the kinds differ, only timeout and end of string are inserted.
     pub fn take_over(&mut self, other: &Self) {
         let stays = |setting: &&Setting| match setting {

@@ -8,7 +8,7 @@ use super::Setting;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LineKind {
-    /// A serial line. It is always open.
+    /// Serial line, which is always open.
     Serial,
     /// A socket that calls a server.
     Client,
@@ -86,7 +86,7 @@ pub trait ByteStream {
     /// Changes a parameter of the line.
     ///
     /// # Errors
-    /// If the line does not support the value, or not in its current state.
+    /// If the line does not support the value, or cannot change it while it is connected.
     fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal>;
 }
 

@@ -9,7 +9,7 @@ use rustix::termios::{ControlModes, OptionalActions, Termios, tcgetattr, tcsetat
 
 use super::{ByteStream, Connection, LineKind, Parity, Received, SendResult, Setting, SettingRefusal};
 
-/// A serial line. It is always open (3.7.1).
+/// Serial line, which is always open (3.7.1).
 #[derive(Debug)]
 pub struct SerialLine {
     port: std::fs::File,

@@ -20,7 +20,7 @@ pub struct TcpServer {
     clients: Vec<Stream>,
 }
 
-/// Maximum number of calls accepted in one turn, so that a flood of calls blocks nothing.
+/// Maximum number of calls accepted in one pass, so that a flood of calls blocks nothing.
 const CALLS: usize = 32;
 
 /// Maximum number of disconnected clients with unread bytes.

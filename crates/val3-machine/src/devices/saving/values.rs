@@ -185,7 +185,7 @@ impl Saver<'_> {
 }
 
 impl<'l> LoadedValue<'l> {
-    /// Returns the number and value that were loaded under a key; a missing value is the default of `kind`.
+    /// Returns the number and value that were loaded under a key; a missing value is replaced by the default of `kind`.
     fn value<'k>(&self, kind: &'k Kind, key: &str) -> (Option<u32>, &'k Element)
     where
         'l: 'k,

@@ -1,4 +1,4 @@
-//! Received unread bytes, with a limit, so that the operating system holds back a peer that floods the channel.
+//! Received unread bytes, with a fixed limit, so that a peer that floods the channel is held back on its own side.
 
 use std::collections::VecDeque;
 
