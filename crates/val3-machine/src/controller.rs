@@ -275,7 +275,7 @@ impl Controller {
         outcome
     }
 
-    /// Ends the run in the middle of a cycle: previous outputs and results of lines are recorded.
+    /// Ends the run in the middle of a cycle: outputs and results of lines up to now are recorded.
     pub fn break_off(&mut self) {
         if self.schedule.is_within_cycle() {
             self.devices.end_cycle(self.schedule.now);

@@ -26,7 +26,7 @@ impl RobotArm {
         self.motion.release_piece()
     }
 
-    /// Releases the arm to the end of the determined path.
+    /// Releases the arm to the end of the path that is determined now.
     pub fn release_determined(&mut self) {
         self.motion.release_determined();
     }
