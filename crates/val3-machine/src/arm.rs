@@ -31,26 +31,26 @@ pub use val3_motion::{MotionMode, MoveStage, PathPiece, PieceEnd, PieceKind};
 
 use feedback::{Feedback, difference};
 
-/// Moves that can be recorded ahead of the arm; then a move waits for the oldest one (model choice).
+/// Maximum number of moves recorded ahead of the arm; a further move waits for the oldest move (model choice).
 const CAPACITY: usize = 200;
 
-/// A compliant move at rest for this long only moves on by another force.
+/// Time at rest after which a compliant move continues only under another force.
 const WAITING: Time = SECOND;
 
-/// Speed of the arm when it is moved by hand, as a share of the nominal one (model choice).
+/// Speed of the arm when moved by hand, as a fraction of the nominal speed (model choice).
 const JOG: f64 = 0.1;
 
-/// An arm that is moved by hand has arrived when no axis is further away than this, in degrees or mm.
+/// Greatest axis distance to the destination at which an arm moved by hand has arrived, in degrees or mm.
 const ARRIVED: f64 = 1e-9;
 
-/// An arm nearer than this to its path returns to it by itself (10.6, model choice).
+/// Distance to the path below which the arm returns to it without a request (10.6, model choice).
 const DRIFT: (Millimetres, Degrees) = (Millimetres(2.0), Degrees(1.0));
 
 /// The arm.
 #[derive(Debug, Clone)]
 pub struct RobotArm {
     model: Arc<Arm>,
-    /// Whether the settings or the cell name the model; otherwise the model is the default of its kind.
+    /// Whether the settings or the cell name the model. Otherwise it is the default model for the kind of arm.
     is_chosen: bool,
     /// The note for the user when a program first needs the arm.
     notice: Option<String>,
@@ -58,7 +58,7 @@ pub struct RobotArm {
     /// Instructions of the moves that are not done, by serial number.
     origins: BTreeMap<u64, MoveOrigin>,
     next_id: f64,
-    /// Lines of moves whose descriptor allows more than the maximum speed of an axis.
+    /// Lines of moves whose descriptor exceeds an axis's maximum speed.
     too_fast: Vec<CodePlace>,
     connects_by_itself: bool,
     /// Whether the operator has requested the return to the path.
@@ -91,7 +91,7 @@ impl Default for RobotArm {
 }
 
 impl RobotArm {
-    /// The default arm of a kind, at joint position zero.
+    /// Creates the default arm of a kind, at joint position zero.
     #[must_use]
     pub(crate) fn of_kind(is_scara: bool) -> Self {
         let name = Self::default_name(is_scara);
@@ -104,7 +104,7 @@ impl RobotArm {
         Self { is_chosen: false, notice: Some(notice), ..Self::new(model) }
     }
 
-    /// The name of the default arm of a kind, as `getVersion` gives it.
+    /// Name of the default arm of a kind, as `getVersion` returns it.
     pub(crate) const fn default_name(is_scara: bool) -> &'static str {
         if is_scara { DEFAULT_SCARA } else { DEFAULT_SIX_AXIS }
     }
@@ -117,12 +117,12 @@ impl RobotArm {
         ));
     }
 
-    /// Takes the note for the user before a program uses the arm.
+    /// Removes and returns the note for the user before a program uses the arm.
     pub fn take_notice(&mut self) -> Option<String> {
         self.notice.take()
     }
 
-    /// An arm of this model, at joint position zero.
+    /// Creates an arm of this model, at joint position zero.
     #[must_use]
     pub fn new(model: Arm) -> Self {
         let model = Arc::new(model);
@@ -154,16 +154,16 @@ impl RobotArm {
         &self.model
     }
 
-    /// Whether the settings or the cell name the model; otherwise the model is the default of its kind.
+    /// Whether the settings or the cell name the model. Otherwise it is the default model for the kind of arm.
     #[must_use]
     pub const fn is_chosen(&self) -> bool {
         self.is_chosen
     }
 
-    /// Narrows the software limits to those of `minArmJointPos` and `maxArmJointPos`.
+    /// Narrows the software limits to `minArmJointPos` and `maxArmJointPos`.
     ///
     /// # Errors
-    /// No position of an axis would be left.
+    /// An axis would have an empty range.
     pub fn narrow(&mut self, lowest: &[f64], highest: &[f64]) -> Result<(), Violation> {
         let model = Arm::clone(&self.model).with_limits(lowest, highest)?;
         self.replace(model);
@@ -173,7 +173,7 @@ impl RobotArm {
     /// `setDH`.
     ///
     /// # Errors
-    /// The parameters differ too much from those of the arm type.
+    /// The parameters differ too much from the parameters of the arm type.
     pub fn set_dh(&mut self, dh: &Dh) -> Result<(), DhError> {
         let mut model = Arm::clone(&self.model);
         model.set_dh(dh)?;
@@ -355,7 +355,8 @@ impl RobotArm {
         Ok(Some(id))
     }
 
-    /// `waitEndMove` at a line: lets the last recorded move end without a blend. Whether every recorded move is done.
+    /// `waitEndMove` at a line: the last recorded move ends without a blend. Returns whether all recorded moves are
+    /// done.
     ///
     /// # Errors
     /// A recorded move cannot be done.
@@ -379,7 +380,7 @@ impl RobotArm {
         self.motion.restart();
     }
 
-    /// `resetMotion`: the next move starts at `start`, or wherever the arm is.
+    /// `resetMotion`: the next move starts at `start`, or at the current position of the arm.
     pub fn reset(&mut self, start: Option<Joints>) {
         match start {
             Some(start) => self.motion.reset_to(start),
@@ -459,7 +460,7 @@ impl RobotArm {
 
     /// Discards the instructions of moves that are done.
     pub(crate) fn discard_done(&mut self) {
-        // The move at whose end the arm waits is of interest though it is done, and so is one that shortens a blend.
+        // The move at whose end the arm waits is needed although it is done, and so is a move that shortens a blend.
         let queued = self.motion.moves().next();
         let shortening = queued.and_then(|queued| queued.leave?.shortening?.cause());
         let queued = queued.map(|queued| queued.serial);
@@ -469,7 +470,7 @@ impl RobotArm {
         }
     }
 
-    /// The fault of the path before which the arm has come to rest since the last call, with the instruction of its move.
+    /// Fault of the path before which the arm has come to rest since the last call, with the move's instruction.
     pub fn take_fault(&mut self) -> Option<(PathFault, Option<MoveOrigin>)> {
         let is_new = !std::mem::replace(&mut self.has_reported_fault, self.motion.stuck().is_some());
         self.motion.stuck().filter(|_| is_new).cloned().map(|fault| self.with_origin(fault))
@@ -507,7 +508,7 @@ impl RobotArm {
         Ok(())
     }
 
-    /// Moves the arm by hand for a cycle. It stops for moves of programs, and where it has arrived.
+    /// Moves the arm by hand for one cycle. It stops for moves of programs, and at its destination.
     fn advance_jog(&mut self) {
         let Some(target) = self.jog else { return };
         let (present, cycle) = (self.motion.joints(), seconds(CYCLE));

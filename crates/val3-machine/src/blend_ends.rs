@@ -1,10 +1,10 @@
-//! Requested and effective distances of blends, as events, debuggers and pages show them.
+//! Requested and effective blend distances for events, debuggers and pages.
 
 use std::fmt;
 
 use serde::Serialize;
 
-/// Both ends of the blend around the destination of a move.
+/// Both ends of the blend around a move's destination.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct BlendEnds {
     /// Distance to the destination at which the blend begins; `None` without a blend.
@@ -15,19 +15,19 @@ pub struct BlendEnds {
     pub reach: Option<BlendDistance>,
 }
 
-/// Distance of one end of a blend to the destination of its move.
+/// Distance of a blend end to the move's destination.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BlendDistance {
     /// Distance of the motion descriptor, in mm.
     pub requested: f64,
     /// Distance within which the arm rounds the corner, in mm.
     pub effective: f64,
-    /// Why the effective distance is shorter; `None` if it is not.
+    /// Reason why the effective distance is shorter; `None` if it is not.
     #[serde(flatten)]
     pub cut: Option<BlendCut>,
 }
 
-/// Why a blend is shorter than requested.
+/// Reason why a blend is shorter than requested.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct BlendCut {
     /// Kind of reason.
@@ -52,18 +52,18 @@ pub enum CutReason {
     ShortMove,
     /// The other distance of the blend is 0.
     StopAtTarget,
-    /// An instruction has let the move end at its destination, for example `waitEndMove`.
+    /// An instruction has ended the move at its destination, for example `waitEndMove`.
     Cancelled,
 }
 
 impl BlendEnds {
-    /// The ends that are shorter than requested, with their names.
+    /// Ends that are shorter than requested, with their names.
     pub fn cut(&self) -> impl Iterator<Item = (&'static str, &BlendDistance)> {
         let ends = [("leave", &self.leave), ("reach", &self.reach)];
         ends.into_iter().filter_map(|(name, end)| end.as_ref().filter(|end| end.cut.is_some()).map(|end| (name, end)))
     }
 
-    /// Why the blend is shorter than requested: `leave 40 → 19.5 mm (shared with the reach of start:12)`.
+    /// Reason why the blend is shorter than requested: `leave 40 → 19.5 mm (shared with the reach of start:12)`.
     ///
     /// `None` if both ends are as requested.
     #[must_use]
@@ -84,7 +84,7 @@ impl BlendEnds {
 }
 
 impl BlendDistance {
-    /// Why the end with this name, `leave` or `reach`, is shorter than requested.
+    /// Reason why the end with this name, `leave` or `reach`, is shorter than requested.
     #[must_use]
     pub fn reason(&self, name: &str) -> Option<String> {
         let cut = self.cut.as_ref()?;

@@ -40,41 +40,41 @@ pub struct Controller {
     schedule: Schedule,
     application: InstanceId,
     phase: Phase,
-    /// The task that executes `start`, later the one that executes `stop`.
+    /// Task that executes `start` and later `stop`.
     lead: Option<TaskNumber>,
     stopped: bool,
-    /// The application does not stop when its tasks have ended.
+    /// Whether the application continues when its tasks have ended.
     outlives_tasks: bool,
-    /// The script that the outside follows.
+    /// Script of the external events.
     pub(crate) script: Script,
     operations: Operations,
 }
 
-/// Where an application is in its life.
+/// Phase of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Phase {
-    /// Its tasks run.
+    /// The tasks run.
     Running,
-    /// `stop` runs; with others if it was stopped from outside.
+    /// `stop` runs; after a stop from outside together with other tasks.
     Stopping,
-    /// It has no tasks any more.
+    /// No task exists.
     Stopped,
 }
 
-/// Why a program cannot be started.
+/// Reason why a program cannot be started.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NotStarted {
-    /// The application has none of this name.
+    /// The application has no program with this name.
     NoProgram,
-    /// It has parameters without values, or fewer than values.
+    /// The program has more or fewer parameters than values.
     HasParameters,
     /// The run-time error with which its task would begin.
     Fault(Fault),
 }
 
 impl Controller {
-    /// An application in memory with the libraries that load with it; no task runs yet. `path` is its folder on the
-    /// media (`Disk://app`).
+    /// Loads an application into memory with its libraries; no task runs yet. `path` is its folder on the media
+    /// (`Disk://app`).
     ///
     /// # Errors
     /// 40 if the application needs more memory than a controller has.
@@ -99,7 +99,7 @@ impl Controller {
         })
     }
 
-    /// The name of the application.
+    /// Name of the application.
     #[must_use]
     pub fn name(&self) -> &str {
         self.vm.space.instance(self.application).map_or("", |instance| &instance.image.name)
@@ -120,20 +120,20 @@ impl Controller {
     /// Starts a program without parameters in the task `application~` (5.2).
     ///
     /// # Errors
-    /// It cannot be started.
+    /// The program cannot be started.
     pub fn start(&mut self, program: &str) -> Result<TaskNumber, NotStarted> {
         self.start_with(program, &[])
     }
 
-    /// As [`start`](Self::start), for a program with parameters of type `num` by value, which get `numbers`.
+    /// Like [`start`](Self::start), for a program with parameters of type `num` by value, which receive `numbers`.
     ///
     /// # Errors
-    /// It cannot be started.
+    /// The program cannot be started.
     pub fn start_with(&mut self, program: &str, numbers: &[f64]) -> Result<TaskNumber, NotStarted> {
         self.start_leading_task(program, numbers, |application| format!("{application}~"))
     }
 
-    /// Starts a program in the task that `start` or `stop` runs in, whose name derives from that of the application.
+    /// Starts a program in the task of `start` or `stop`, whose name derives from the application's name.
     fn start_leading_task(
         &mut self,
         program: &str,
@@ -165,14 +165,14 @@ impl Controller {
         }
     }
 
-    /// Kills a task from outside. One that is not there any more is none.
+    /// Kills a task from outside, without effect if the task does not exist.
     pub fn kill(&mut self, id: TaskNumber) {
         self.devices.origin(self.outside());
         self.vm.kill(id, &mut self.devices);
     }
 
-    /// Lets a task continue from outside at the line that begins with an operation of its innermost program, or at the
-    /// end of the program. `false` if there is no such task or line.
+    /// Continues a task from outside at the line that begins with operation `op` in the innermost program, or at the
+    /// end of the program. Returns whether the task and the line exist.
     pub fn continue_at(&mut self, id: TaskNumber, op: u32) -> bool {
         self.devices.origin(self.outside());
         self.vm.continue_at(id, op, &mut self.devices)
@@ -183,7 +183,7 @@ impl Controller {
         Origin { time: self.schedule.now, task: TaskNumber::default(), at: CodePlace::default() }
     }
 
-    /// Lets `stop` run in the task `~application` (5.2).
+    /// Starts `stop` in the task `~application` (5.2).
     fn begin_stop(&mut self) {
         self.phase = Phase::Stopping;
         if self.start_leading_task("stop", &[], |application| format!("~{application}")).is_err() {
@@ -212,7 +212,7 @@ impl Controller {
         }
     }
 
-    /// From now on the application does not stop when its tasks have ended, so that other programs can be started.
+    /// Keeps the application running when its tasks have ended, so that other programs can be started.
     pub fn outlive_tasks(&mut self) {
         self.outlives_tasks = true;
     }
@@ -233,7 +233,7 @@ impl Controller {
         self.outcome(outcome, is_over)
     }
 
-    /// As [`step`](Self::step), but the application does not stop when its tasks have ended.
+    /// Like [`step`](Self::step), but the application continues when its tasks have ended.
     pub fn step_tasks(&mut self) -> Outcome {
         let outcome = self.cycle();
         if self.schedule.is_within_cycle() {
@@ -243,7 +243,7 @@ impl Controller {
         self.outcome(outcome, is_over)
     }
 
-    /// The outcome of a cycle that is over, for the application as a whole.
+    /// Converts the outcome of a completed cycle to the outcome of the entire application.
     fn outcome(&mut self, cycle: Outcome, is_over: Option<Outcome>) -> Outcome {
         match is_over {
             _ if self.devices.take_missing_instruction() => Outcome::Lacking,
@@ -257,7 +257,7 @@ impl Controller {
         if self.stopped { Outcome::Stopped } else { Outcome::Finished }
     }
 
-    /// Begins a cycle or resumes the one that is not over.
+    /// Begins a cycle, or resumes the cycle that is not complete.
     fn cycle(&mut self) -> Outcome {
         if !self.schedule.is_within_cycle() {
             let start = self.schedule.now;
@@ -275,14 +275,14 @@ impl Controller {
         outcome
     }
 
-    /// Ends the run in the middle of a cycle: outputs and answers of lines up to now are recorded.
+    /// Ends the run in the middle of a cycle: outputs and results of lines up to now are recorded.
     pub fn break_off(&mut self) {
         if self.schedule.is_within_cycle() {
             self.devices.end_cycle(self.schedule.now);
         }
     }
 
-    /// Chooses when a cycle stops for the caller to look at a task.
+    /// Sets the condition under which a cycle stops so that the caller can inspect a task.
     pub fn watch(&mut self, watch: Watch) {
         self.schedule.watch = watch;
     }
@@ -298,12 +298,12 @@ impl Controller {
         self.schedule.limit = limit;
     }
 
-    /// Leaves out the time until the cycle of `time`: nothing can happen before.
+    /// Skips the time until the cycle of `time`, if nothing can happen before.
     pub fn jump(&mut self, time: Time) {
         self.schedule.now = self.schedule.now.max(time / CYCLE * CYCLE);
     }
 
-    /// The application, as the run time knows it.
+    /// Instance of the application in the run time.
     pub(crate) fn application(&self) -> InstanceId {
         self.application
     }
@@ -316,25 +316,25 @@ impl Controller {
         self.devices.next_due(now).into_iter().chain(outside).min()
     }
 
-    /// The time of the next script entry: the only thing that can still happen where no task can run.
+    /// Time of the next script entry, the only event that can still occur if no task can run.
     #[must_use]
     pub fn next_scripted(&self) -> Option<Time> {
         self.script.next_due()
     }
 
-    /// Something outside may speak at any time.
+    /// Whether external input can arrive at any time.
     #[must_use]
     pub fn hears_outside(&self) -> bool {
         self.devices.lines.are_in_use()
     }
 
-    /// An error has stopped a task, and nothing has changed that.
+    /// Whether an error has stopped a task and nothing has changed that.
     #[must_use]
     pub fn has_failed_tasks(&self) -> bool {
         self.vm.tasks().iter().any(|task| matches!(task.state, TaskState::Failed(_)))
     }
 
-    /// An error has stopped every task that is left.
+    /// Whether an error has stopped all remaining tasks.
     #[must_use]
     pub fn has_only_failed_tasks(&self) -> bool {
         self.vm.tasks().iter().all(|task| matches!(task.state, TaskState::Failed(_)))
@@ -348,12 +348,13 @@ impl Controller {
         }
     }
 
-    /// The task that executes `start` or `stop` exists.
+    /// Whether the task that executes `start` or `stop` exists.
     fn leads(&self) -> bool {
         self.vm.tasks().iter().any(|task| Some(task.id) == self.lead)
     }
 
-    /// The application has tasks. Those of its libraries do not keep it alive: they are killed after `stop` (2.1.3).
+    /// Whether the application has tasks. Tasks of its libraries do not keep it running: they are killed after `stop`
+    /// (2.1.3).
     fn has_tasks(&self) -> bool {
         self.vm.tasks().iter().any(|task| task.owner == self.application)
     }

@@ -1,4 +1,4 @@
-//! The state of the controller outside its programs: power, modes, safety, users, log, versions (4.3, chapter 8).
+//! State of the controller outside its programs: power, modes, safety, users, log, versions (4.3, chapter 8).
 
 mod cs9;
 mod date;

@@ -1,6 +1,6 @@
-//! The devices of the controller: the ports of instructions, each in a file of its own.
+//! Devices of the controller: the ports of the instructions, one file for each port.
 //!
-//! [`State`] is plain data that a snapshot copies. [`Lines`] and the media lead outside, and each of their answers passes
+//! [`State`] is plain data that a snapshot copies. [`Lines`] and the media access the outside, and each result passes
 //! through the recorder of [`Inputs`].
 
 mod access_time;
@@ -52,7 +52,7 @@ use cell::CellFile;
 use outside::Outside;
 use signal_reads::SignalReads;
 
-/// Everything of the controller but its programs.
+/// All parts of the controller except the programs.
 pub struct Devices {
     /// Inputs and outputs, pendant, power, log and the other parts that are plain data.
     pub state: State,
@@ -63,16 +63,16 @@ pub struct Devices {
     /// While set, the cycle is suspended after the current instruction, so that the caller can end the run even in a loop
     /// of slow instructions.
     pub interrupt: Arc<AtomicBool>,
-    /// How much the devices hold for programs.
+    /// Memory limits of the devices.
     pub limits: Limits,
-    /// The shapes of the base and of the links after it, where they are known.
+    /// Shapes of the base and the following links, if known.
     pub shapes: Vec<Option<LinkShape>>,
-    /// The libraries that are loaded in place of others.
+    /// Libraries that are loaded in place of other libraries.
     pub stand_ins: StandIns,
     signal_reads: SignalReads,
 }
 
-/// The record of a run while something is executed that is no part of it.
+/// Event record and related state, saved while code outside of the run is executed.
 pub(crate) struct RecordAside {
     record: record::Aside,
     lacks: bool,
@@ -80,7 +80,7 @@ pub(crate) struct RecordAside {
 }
 
 impl Devices {
-    /// Devices in their state after a start, with these media and this way to libraries.
+    /// Creates devices in their state after a start, with these media and this library compiler.
     #[must_use]
     pub fn new(roots: Roots, libraries: Box<dyn Libraries>) -> Self {
         let inputs = Inputs::default();
@@ -111,7 +111,7 @@ impl Devices {
         kinds.into_iter().for_each(|kind| self.record_outside(now, kind));
     }
 
-    /// Does something on the pendant for the task that runs, and records the changes.
+    /// Acts on the pendant for the running task, and records the changes.
     fn on_pendant<T>(&mut self, act: impl FnOnce(&mut Pendant) -> T) -> T {
         let result = act(&mut self.state.pendant);
         let seen = part_events::seen(&mut self.state.pendant);
@@ -119,7 +119,7 @@ impl Devices {
         result
     }
 
-    /// Writes a line of the controller itself to the event log, where nothing is lost.
+    /// Writes a line of the controller itself to the event log, where such lines are never lost.
     pub fn report(&mut self, text: &str, severity: Severity, now: Time) {
         self.state.log.report(text, severity, now);
         let logged = part_events::logged(&mut self.state.log);
@@ -140,14 +140,14 @@ impl Devices {
         }
     }
 
-    /// Keeps the files of an application or library as they were loaded, so that it can be saved.
+    /// Stores the loaded files of an application or library, so that it can be saved.
     pub fn keep_files(&mut self, instance: InstanceId, path: &str) {
         if let Ok(files) = self.outside.files(path) {
             self.state.loaded.keep_files(instance.0, files);
         }
     }
 
-    /// Writes the values at these places, which an operator has changed, into the files that they come from.
+    /// Writes values that an operator has changed into the files from which they were loaded.
     ///
     /// # Errors
     /// A file cannot be read or written, or belongs to an encrypted library.
@@ -156,30 +156,30 @@ impl Devices {
         saving::save((space, places), (io, &self.lines), loaded, &mut self.outside, overwrite)
     }
 
-    /// The changes of programs to files. From the first call on, they stay in memory.
+    /// Returns the file changes of programs. From the first call on, they stay in memory.
     pub(crate) fn media_state(&mut self) -> MediaState {
         self.outside.state(self.limits.changed)
     }
 
-    /// Returns to what programs had done to files.
+    /// Restores an earlier state of the file changes.
     pub(crate) fn restore_media(&mut self, state: &MediaState) {
         self.outside.restore(state);
     }
 
-    /// Writes the files that programs have changed since they stay in memory. The event log says what was not written,
-    /// and why.
+    /// Writes the file changes in memory to the media. The event log lists the files that were not written, with the
+    /// reason.
     pub(crate) fn write_files(&mut self, now: Time) {
         for message in self.outside.write() {
             self.report(&message, Severity::Warning, now);
         }
     }
 
-    /// From now on programs change the media again.
+    /// Ends the storage of file changes in memory: programs write to the media again.
     pub(crate) fn uncover_media(&mut self) {
         self.outside.uncover();
     }
 
-    /// Records the answers of lines.
+    /// Records the results of lines.
     pub(crate) fn record_lines(&mut self, now: Time) {
         if let Some(wall) = self.lines.take_peer_change() {
             self.record_outside(now, EventKind::Clock { wall });
@@ -199,13 +199,13 @@ impl Devices {
         self.state.record.take()
     }
 
-    /// Sets the events that were not taken aside, with the rest of the record's state.
+    /// Saves the pending events and the rest of the record's state.
     pub(crate) fn set_record_aside(&mut self) -> RecordAside {
         let signal_reads = std::mem::take(&mut self.signal_reads);
         RecordAside { record: self.state.record.set_aside(), lacks: self.state.lacks, signal_reads }
     }
 
-    /// Returns to the record that was set aside. What was recorded since must have been taken.
+    /// Restores the saved record. All events since must have been taken.
     pub(crate) fn resume_record(&mut self, aside: RecordAside) {
         self.state.record.resume(aside.record);
         self.state.lacks = aside.lacks;
@@ -213,18 +213,18 @@ impl Devices {
         self.state.access_time.take();
     }
 
-    /// The time of the instruction that is executed.
+    /// Time of the current instruction.
     fn now(&self) -> Time {
         self.state.record.origin().time
     }
 
-    /// The program, the line of the file and the file of a position in the code.
+    /// Program, line of the file and file of a code location.
     #[must_use]
     pub fn place(&self, at: CodePlace) -> (String, u32, String) {
         self.state.loaded.position(at)
     }
 
-    /// A task was at an instruction that this controller lacks, since the last call.
+    /// Whether a task has reached an unsupported instruction since the last call.
     pub(crate) fn take_missing_instruction(&mut self) -> bool {
         std::mem::take(&mut self.state.lacks)
     }

@@ -9,20 +9,20 @@ use val3_vm::Outcome;
 use crate::blend_ends::BlendEnds;
 use crate::sio::Entry;
 
-/// Something that has happened.
+/// Event of a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Event {
     /// Seconds since the controller was started.
     pub t: f64,
-    /// The task in whose turn it has happened; none for what comes from outside.
+    /// Task in whose turn the event occurred; `None` for external events.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub task: Option<String>,
-    /// The kind of an event, with its data.
+    /// Kind of the event, with its data.
     #[serde(flatten)]
     pub kind: EventKind,
 }
 
-/// The kind of an event, with its data.
+/// Kind of the event, with its data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum EventKind {
@@ -42,7 +42,7 @@ pub enum EventKind {
         /// The text.
         text: String,
     },
-    /// A user page has another title.
+    /// The title of a user page has changed.
     Title {
         /// The screen variable; empty for the default page.
         screen: String,
@@ -54,12 +54,12 @@ pub enum EventKind {
         /// The screen variable; empty for the default page.
         screen: String,
     },
-    /// A message has come up.
+    /// A message is shown.
     Popup {
         /// The message.
         text: String,
     },
-    /// A property of an element of a page made with HTML has another value (s8).
+    /// An element's property on an HTML page has changed (s8).
     Html {
         /// The page.
         page: String,
@@ -70,7 +70,7 @@ pub enum EventKind {
         /// The value as text.
         value: String,
     },
-    /// The run says something about itself that no controller would.
+    /// Note of the run itself, which no controller would report.
     Notice {
         /// A sentence.
         text: String,
@@ -86,11 +86,11 @@ pub enum EventKind {
     Task {
         /// `created`, `ended`, `suspended`, `resumed`, `killed` or `error`.
         state: &'static str,
-        /// Its name.
+        /// Name of the task.
         name: String,
         /// The program that the named task is in.
         program: String,
-        /// The line of its file at which the named task is, from 1.
+        /// Line in the file at which the named task is, from 1.
         line: u32,
         /// The number of the run-time error.
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -101,9 +101,9 @@ pub enum EventKind {
     },
     /// A run-time error has stopped a task.
     Error {
-        /// Its number.
+        /// Number of the error.
         code: u16,
-        /// Its meaning.
+        /// Meaning of the error.
         message: &'static str,
         /// The program.
         program: String,
@@ -111,11 +111,11 @@ pub enum EventKind {
         line: u32,
         /// The file.
         file: String,
-        /// Whether it is about a serial line or socket that the cell does not configure.
+        /// Whether the error concerns a serial line or socket that the cell does not configure.
         #[serde(skip)]
         is_line_missing: bool,
     },
-    /// A task is at an instruction that this controller does not have.
+    /// A task has reached an instruction that this controller does not support.
     Lacking {
         /// The instruction.
         instruction: String,
@@ -126,33 +126,33 @@ pub enum EventKind {
         /// The file.
         file: String,
     },
-    /// An input or output has another value.
+    /// An input or output has changed its value.
     Io {
-        /// Its path.
+        /// Path of the signal.
         link: String,
-        /// Its value; 0 or 1 for a digital one.
+        /// Value; 0 or 1 for a digital signal.
         value: f64,
     },
     /// Bytes went over a serial line or socket.
     Sio {
-        /// Its path.
+        /// Path of the serial line or socket.
         link: String,
         /// `in` or `out`.
         dir: &'static str,
         /// The bytes.
         bytes: Vec<u8>,
     },
-    /// A serial line or socket has answered otherwise than usual: what a replay needs to know of it.
+    /// A serial line or socket has returned an unusual result, which a replay requires.
     Line {
-        /// Its path.
+        /// Path of the serial line or socket.
         link: String,
-        /// The answer.
+        /// Call number and result.
         #[serde(flatten)]
         entry: Entry,
     },
-    /// Whose time passes from here on: that of the wall while a serial line or socket has a peer.
+    /// The time source has changed: the wall clock applies while a serial line or socket has a peer.
     Clock {
-        /// The clock on the wall decides, also in virtual time.
+        /// Whether the wall clock sets the time, also in virtual time.
         wall: bool,
     },
     /// A library was loaded, saved or deleted.
@@ -161,19 +161,19 @@ pub enum EventKind {
         op: &'static str,
         /// The library identifier; empty for the application itself.
         alias: String,
-        /// The path as the program gave it.
+        /// Path as the program passed it.
         path: String,
         /// The code of the instruction.
         code: u16,
     },
-    /// The arm was powered or is no longer.
+    /// The power of the arm was switched on or off.
     Power {
-        /// It has power.
+        /// Whether the arm has power.
         on: bool,
     },
-    /// Something has happened to a recorded move, or to the motion as a whole.
+    /// Event of a recorded move or of the entire motion.
     Move {
-        /// The id of the move; for the motion as a whole that of the present one.
+        /// Id of the move; for the entire motion, id of the current move.
         id: f64,
         /// `recorded`, `started`, `blend`, `reached`, `done`, `dropped`; `stopped`, `restarted`, `reset`, `error`.
         phase: &'static str,
@@ -184,12 +184,12 @@ pub enum EventKind {
         program: String,
         /// The line of the file, from 1.
         line: u32,
-        /// Distances of its blend, of `recorded`, `blend`, and `done` of a cancelled blend.
+        /// Blend distances in the phases `recorded` and `blend`, and in `done` after a cancelled blend.
         #[serde(flatten)]
         blend: BlendEnds,
     },
-    /// The arm has come to rest before a path that it cannot follow, or the application has ended before the arm was
-    /// there.
+    /// The arm has come to rest before a path that it cannot follow, or the application has ended before the arm has
+    /// reached this path.
     Fault {
         /// The id of the move whose path is impossible.
         id: f64,
@@ -205,17 +205,17 @@ pub enum EventKind {
         /// The file.
         file: String,
     },
-    /// The cell or the operator has done something.
+    /// Action of the cell or the operator.
     Act {
-        /// What, with the keys of a script where there are such.
+        /// Action, with the keys of a script as far as a script has such keys.
         keys: serde_json::Map<String, serde_json::Value>,
     },
     /// The working mode has changed.
     Mode {
-        /// The number that `workingMode` gives.
+        /// Number that `workingMode` returns.
         mode: u8,
     },
-    /// The run cannot continue, and this is where one of its tasks is.
+    /// The run cannot continue: location of a task.
     Stuck {
         /// The task.
         name: String,
@@ -231,26 +231,26 @@ pub enum EventKind {
         /// The file.
         file: String,
     },
-    /// The run is over.
+    /// The run has ended.
     End {
-        /// Why.
+        /// Reason.
         reason: EndReason,
     },
 }
 
-/// Why a run is over, as the record of a run has it: the serialised form of an [`Outcome`].
+/// End reason in the record of a run: the serialised form of an [`Outcome`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EndReason {
     /// The application has ended without a stop from outside.
     Finished,
-    /// It was stopped from outside.
+    /// The application was stopped from outside.
     Stopped,
     /// The time of the run was up.
     Limit,
-    /// No task could continue, or the controller lacks an instruction.
+    /// No task could continue, or the controller does not support an instruction.
     Error,
-    /// The application was not started because of its faults.
+    /// The application has faults and was not started.
     Refused,
 }
 
@@ -268,14 +268,15 @@ impl From<Outcome> for EndReason {
     }
 }
 
-/// Seconds of a time as people read it, rounded to a millisecond: lines take microseconds, which mean nothing in a message.
+/// Converts a time to seconds for messages, rounded to a millisecond: lines take microseconds, which mean nothing in a
+/// message.
 #[must_use]
 pub fn shown_seconds(time: Time) -> f64 {
     const MILLISECOND: Time = SECOND / 1000;
     seconds((time + MILLISECOND / 2) / MILLISECOND * MILLISECOND)
 }
 
-/// Seconds of a time.
+/// Converts a time to seconds.
 #[must_use]
 pub fn seconds(time: Time) -> f64 {
     #[allow(clippy::cast_precision_loss, reason = "exact to a nanosecond for a hundred days")]

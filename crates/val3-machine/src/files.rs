@@ -1,6 +1,6 @@
-//! The media of the controller: paths, libraries and files, all inside of the folders that were mounted (6.5 to 6.7).
+//! Media of the controller: paths, libraries and files, all inside of the mounted folders (6.5 to 6.7).
 //!
-//! Nothing here raises a run-time error: what goes wrong is a [`FileFault`], whose number the instructions return.
+//! This module raises no run-time errors: each failure is a [`FileFault`], whose number the instructions return.
 
 mod fault;
 mod library;

@@ -1,8 +1,8 @@
-//! The recorder of everything that comes from outside the controller.
+//! Recorder of external input.
 //!
-//! Lines, media and libraries are asked through it, in the same order in every execution. While it records, each answer
-//! gets the number of its question. After a snapshot is restored, the recorded answers are given again, and the outside
-//! is only asked for what comes after them: it is neither read nor changed twice.
+//! All calls to lines, media and the library compiler pass through it, in the same order in every execution. While
+//! recording is on, it stores each result under its call number. After a snapshot is restored, calls with a recorded
+//! result return that result, and only later calls reach the outside. No external read or write is executed twice.
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::rc::Rc;
 
-/// An answer of the outside.
+/// Result of a call to the outside.
 pub trait Answer: Clone + 'static {
-    /// The bytes that it holds outside of itself.
+    /// Heap memory of the result, in bytes.
     fn held_bytes(&self) -> usize {
         0
     }
@@ -33,20 +33,20 @@ impl<T: Answer, E: Clone + 'static> Answer for Result<T, E> {
     }
 }
 
-/// The recorder of inputs. Clones share one recording.
+/// Recorder of external input. Clones share one recording.
 #[derive(Clone, Default)]
 pub struct Inputs(Rc<RefCell<Recording>>);
 
 #[derive(Default)]
 struct Recording {
     is_on: bool,
-    /// The number of the next question.
+    /// Number of the next call.
     next: u64,
-    /// The number of recorded questions.
+    /// Number of recorded calls.
     recorded: u64,
-    /// Answers by the numbers of their questions. Usual ones are left out.
+    /// Results by call number. Usual results are omitted.
     answers: BTreeMap<u64, Recorded>,
-    /// The bytes of `answers`, as estimated.
+    /// Estimated size of the results, in bytes.
     bytes: u64,
 }
 
@@ -63,20 +63,20 @@ impl Recorded {
 }
 
 impl Inputs {
-    /// Begins to record, if it does not yet, and returns the number of the next question.
+    /// Starts the recording unless it is on, and returns the number of the next call.
     pub fn mark(&self) -> u64 {
         let mut recording = self.0.borrow_mut();
         recording.is_on = true;
         recording.next
     }
 
-    /// Returns to a mark: the answers that were recorded after it are given again.
+    /// Returns to a mark: the next calls return the results that were recorded after it.
     pub fn rewind(&self, mark: u64) {
         let mut recording = self.0.borrow_mut();
         recording.next = mark.min(recording.recorded);
     }
 
-    /// Forgets the answers before a mark, to which nothing can return any more.
+    /// Discards the results before a mark. No return to an earlier mark is possible afterwards.
     pub fn forget_before(&self, mark: u64) {
         let mut recording = self.0.borrow_mut();
         let kept = recording.answers.split_off(&mark);
@@ -84,7 +84,7 @@ impl Inputs {
         recording.bytes -= bytes(&forgotten);
     }
 
-    /// Returns to a mark, and forgets the answers after it: the outside is asked again.
+    /// Returns to a mark and discards the results after it, so that the next calls reach the outside again.
     pub(crate) fn rewind_anew(&self, mark: u64) {
         let mut recording = self.0.borrow_mut();
         let forgotten = recording.answers.split_off(&mark);
@@ -92,24 +92,24 @@ impl Inputs {
         (recording.next, recording.recorded) = (mark, mark);
     }
 
-    /// The bytes of the recorded answers, as estimated.
+    /// Estimated size of the recorded results, in bytes.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.0.borrow().bytes
     }
 
-    /// Ends the recording, and forgets what was recorded: every answer comes from the outside.
+    /// Ends the recording and discards its results, so that all calls reach the outside.
     pub fn end(&self) {
         let mut recording = self.0.borrow_mut();
         *recording = Recording { next: recording.next, recorded: recording.next, ..Recording::default() };
     }
 
-    /// The answer of the outside to a question.
+    /// Returns the recorded result of the call, or executes it.
     pub fn ask<T: Answer>(&self, question: impl FnOnce() -> T) -> T {
         self.answer(|recorded| recorded, question, |_| false)
     }
 
-    /// As [`ask`](Self::ask), where `usual` is the frequent answer, which takes no memory.
+    /// Like [`ask`](Self::ask). `usual` is the frequent result, which is not stored.
     pub fn ask_usual<T: Answer + PartialEq>(&self, usual: &T, question: impl FnOnce() -> T) -> T {
         self.answer(|recorded| recorded.or_else(|| Some(usual.clone())), question, |answer| answer == usual)
     }
@@ -130,9 +130,9 @@ impl Inputs {
 }
 
 impl Recording {
-    /// The recorded answer to the next question; `None` at the end of the recording.
+    /// Returns the recorded result of the next call; `None` at the end of the recording.
     ///
-    /// An execution that asks another question than the recorded one has left the recording, whose rest is dropped.
+    /// An execution with another call than the recorded call has left the recording, whose rest is dropped.
     fn replay<T: Clone + 'static>(&mut self, recorded: impl FnOnce(Option<T>) -> Option<T>) -> Option<T> {
         if self.next >= self.recorded {
             return None;
@@ -252,7 +252,7 @@ mod tests {
         assert_eq!(bytes, [0, one + 1, 2 * one + 4, 2 * one + 4, 3 * one + 9]);
         inputs.forget_before(marks[1]);
         assert_eq!(inputs.bytes(), 2 * one + 8);
-        // Another question leaves the recording.
+        // A different call ends the replay.
         inputs.rewind(marks[3]);
         inputs.ask(|| 1);
         assert!(inputs.bytes() < 2 * one + 8);

@@ -1,4 +1,4 @@
-//! The pendant as programs see it: user pages, keys and messages (chapter 4, 12.2).
+//! Pendant for programs: user pages, keys and messages (chapter 4, 12.2).
 
 mod ids;
 mod keyboard;

@@ -1,13 +1,13 @@
 //! A script of events from outside during a run: `val3 run --script`.
 //!
-//! A script is a TOML file. Each `[[at]]` says with `t` when something happens, in seconds since the start, and what:
+//! A script is a TOML file. Each `[[at]]` contains the time `t` of an event, in seconds since the start, and the event:
 //!
 //! ```toml
 //! [[at]]
 //! t = 1.5
 //! io = { "BasicIO-1\\%I0" = true, "Scale\\weight" = 3.2 }
 //! key = 270                # or a name: "Return", "F1"
-//! keys = "12.5"            # typed as the program asks for them
+//! keys = "12.5"            # typed as the program requests them
 //! set = { nCount = 4, "sNames[1]" = "bolt" }
 //! lock = "BasicIO-1\\%I1"  # or several, or with the values at which they are held
 //! unlock = ["BasicIO-1\\%I2"]
@@ -20,19 +20,19 @@
 //! safety_fault = "DOOR"   # the name of a signal, or false
 //! calibrated = false
 //! monitor_speed = 50
-//! move = true              # the operator lets recorded moves move the arm, in any mode; false holds it
-//! joints = [0, 0, 90, 0, 90, 0]  # where the arm stands from now on; its moves are forgotten
+//! move = true              # recorded moves may move the arm, in any mode; false holds it
+//! joints = [0, 0, 90, 0, 90, 0]  # position of the arm from now on; its moves are discarded
 //! jog = [10, 0, 90, 0, 90, 0]    # the operator moves the arm there by hand, while no move does
 //! force = [0, 0, -50]            # in N along the axes of world, or one number along the path of the move
-//! connect = true                 # the operator lets the arm return to its path
+//! connect = true                 # the operator requests the return of the arm to its path
 //! stop = true
-//! receive = { "Socket\\host" = "START\r" }  # comes in over a line, whose other end is the script then; or bytes
+//! receive = { "Socket\\host" = "START\r" }  # received by a line, whose other end is then the script; or bytes
 //! ```
 //!
-//! `silent = ["Socket\\host"]` at the top makes the script the other end of a line over which it sends nothing.
+//! With `silent = ["Socket\\host"]` at the top, the script is the other end of a line over which it sends nothing.
 //!
-//! Each `[[when]]` is a reaction. It happens each time that its condition becomes true, and at the start if the condition
-//! holds from the beginning:
+//! Each `[[when]]` is a reaction. It occurs each time that its condition becomes true, and at the start if the
+//! condition is true from the beginning:
 //!
 //! ```toml
 //! [[when]]
@@ -41,7 +41,7 @@
 //! sent = { "Socket\\host" = "GET" }                     # a task sends a text that contains it
 //! times = 1                # only the first time
 //! then = [
-//!   { io = { "BasicIO-1\\%I1" = true } },     # the keys of [[at]], at once
+//!   { io = { "BasicIO-1\\%I1" = true } },     # the keys of [[at]], immediately
 //!   { after = 0.5, key = "F1" },              # or some seconds later
 //! ]
 //! ```
@@ -79,10 +79,10 @@ pub use reaction::Rule;
 pub use sent::SentText;
 pub use values::{Level, Seconds, Value};
 
-/// The events at their times, and the reactions of the cell.
+/// Timed events, and the reactions of the cell.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Script {
-    /// In the order of their times.
+    /// Sorted by time.
     pending: VecDeque<Pending>,
     reactions: Vec<Reaction>,
     /// Lines whose other end is the script, also if it sends nothing.
@@ -93,7 +93,7 @@ pub struct Script {
     problems: Vec<String>,
 }
 
-/// A script as a file has it.
+/// Content of a script file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
@@ -105,7 +105,7 @@ struct File {
     silent: Vec<String>,
 }
 
-/// The reason why a script cannot be used: the place in the file, its text, and the possible texts.
+/// Error in a script: location in the file, its text, and the possible texts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScriptError(toml::de::Error);
 
@@ -118,8 +118,8 @@ impl fmt::Display for ScriptError {
 impl std::error::Error for ScriptError {}
 
 impl Script {
-    /// The script with these tables of the file with this text. Entries of one time keep their order. The script is the
-    /// other end of the `silent` lines, even if it never sends anything.
+    /// Creates a script from the tables of a file with this text. Entries with the same time keep their order. The
+    /// script is the other end of the `silent` lines, even if it never sends anything.
     #[must_use]
     pub fn new(mut at: Vec<TimedEntry>, when: Vec<Spanned<Rule>>, silent: Vec<String>, text: &str) -> Self {
         at.sort_by_key(|TimedEntry { t, .. }| t.time());
@@ -134,10 +134,10 @@ impl Script {
         Self { pending, reactions, silent, has_begun: false, problems: Vec::new() }
     }
 
-    /// Reads a script. Entries of one time happen in the order of the file.
+    /// Parses a script. Entries with the same time occur in file order.
     ///
     /// # Errors
-    /// The text is no TOML, or says what no script can say.
+    /// The text is no TOML, or contains keys or values that a script does not support.
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
         let File { at, when, silent } = toml::from_str(text).map_err(ScriptError)?;
         Ok(Self::new(at, when, silent, text))
@@ -152,7 +152,7 @@ impl Script {
         received.chain(&self.silent).map(String::as_str).chain(sent)
     }
 
-    /// When something happens next, without reactions whose condition does not hold yet.
+    /// Time of the next event, without reactions whose condition is not true yet.
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
         self.pending.front().map(|pending| pending.time)
@@ -168,7 +168,7 @@ impl Script {
         self.reactions.iter()
     }
 
-    /// Takes the present truth of the conditions, and schedules what has to happen.
+    /// Receives the current values of the conditions, and schedules the entries of the reactions that occur.
     fn react(&mut self, holding: &[bool], now: Time) {
         self.has_begun = true;
         let mut due = Vec::new();
@@ -180,7 +180,7 @@ impl Script {
         due.into_iter().for_each(|pending| self.schedule(pending));
     }
 
-    /// Adds an entry, after those of the same time.
+    /// Adds an entry after all entries with the same time.
     fn schedule(&mut self, pending: Pending) {
         let at = self.pending.partition_point(|other| other.time <= pending.time);
         self.pending.insert(at, pending);

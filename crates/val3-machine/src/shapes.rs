@@ -1,17 +1,17 @@
-//! The looks of an arm for viewers. They have no effect on its motion.
+//! Shapes of an arm for viewers, without effect on the motion.
 
 use std::sync::Arc;
 
 /// The shape of a link.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LinkShape {
-    /// The form of its bytes.
+    /// File format.
     pub format: ShapeFormat,
-    /// The contents of its file.
+    /// Content of the file.
     pub bytes: Arc<[u8]>,
 }
 
-/// A form of files that describe shapes.
+/// File format of a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShapeFormat {
     /// glTF in one binary file: metres, y up.
@@ -21,7 +21,7 @@ pub enum ShapeFormat {
 }
 
 impl ShapeFormat {
-    /// The ending of its files.
+    /// File extension.
     #[must_use]
     pub const fn extension(self) -> &'static str {
         match self {
@@ -30,7 +30,7 @@ impl ShapeFormat {
         }
     }
 
-    /// Whether the bytes of a file have this form, by its first bytes and its size.
+    /// Whether a file has this format, by the first bytes and the size.
     #[must_use]
     pub fn matches(self, bytes: &[u8]) -> bool {
         match self {
@@ -39,7 +39,7 @@ impl ShapeFormat {
         }
     }
 
-    /// The form of a file with this ending, in any letter case.
+    /// Returns the format for a file extension, in any letter case.
     #[must_use]
     pub fn of_extension(extension: &str) -> Option<Self> {
         [Self::Glb, Self::Stl].into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))

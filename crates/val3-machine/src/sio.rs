@@ -1,7 +1,7 @@
-//! Serial lines and sockets (3.7): what a program reads and writes through a `sio` variable.
+//! Serial lines and sockets (3.7), which programs access through `sio` variables.
 //!
-//! A [`Channel`] is what the variable is linked to: end of string, timeout and what has come in. Behind it a [`ByteStream`]
-//! moves bytes and never waits: an instruction that has to wait gets [`Attempt::Wait`] and asks again at its next turn.
+//! A variable is linked to a [`Channel`]: end of string, timeout and received bytes. Its [`ByteStream`] transfers bytes
+//! and never waits: a waiting instruction receives [`Attempt::Wait`] and calls again in its next turn.
 
 mod channel;
 mod configuration;

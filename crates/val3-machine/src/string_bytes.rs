@@ -1,20 +1,20 @@
-//! Bytes from outside as the strings of the language.
+//! Conversion of external bytes to strings of the language.
 
-/// The most bytes of a string (3.4.1).
+/// Maximum size of a string, in bytes (3.4.1).
 pub(crate) const STRING: usize = 128;
 
-/// The start of some bytes as a string.
+/// String from the beginning of a byte sequence.
 pub(crate) struct FilledString {
     /// At most [`STRING`] bytes.
     pub(crate) text: String,
-    /// How many bytes it was made of.
+    /// Number of consumed bytes.
     pub(crate) used: usize,
-    /// Nothing more fits.
+    /// Whether the string is full.
     pub(crate) full: bool,
 }
 
-/// Fills a string. Bytes that are no UTF-8 are passed over, and so is the zero that ends a string in memory. A
-/// character that does not fit whole is left for the next string.
+/// Fills a string. Bytes that are no UTF-8 are skipped, and so is the zero that ends a string in memory. A character
+/// that does not fit completely remains for the next string.
 pub(crate) fn fill(bytes: &[u8]) -> FilledString {
     let mut filled = FilledString { text: String::new(), used: 0, full: false };
     for chunk in bytes.utf8_chunks() {

@@ -1,7 +1,7 @@
-//! A process that is killed while it saves a library loses nothing.
+//! A process that is killed while it saves a library loses no data.
 //!
-//! The test starts itself again as that process, which ends itself with a signal that it cannot catch, before each
-//! step in turn.
+//! The test starts itself as that process, which ends itself before each step in turn with a signal that it cannot
+//! catch.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test tells its own process what to do")]
@@ -74,7 +74,7 @@ fn saves_and_is_killed() {
     part().save(&roots, &old, &changed(&old), &mut Kill { left }).unwrap();
 }
 
-/// Saves in a process of its own; `true` if it came to its end.
+/// Saves in a separate process; returns whether it has ended regularly.
 fn save_killed(disk: &Utf8Path, step: u32) -> bool {
     let mut command = Command::new(std::env::current_exe().unwrap());
     command.args(["--exact", "saves_and_is_killed", "--ignored"]);

@@ -1,43 +1,43 @@
-//! The conditions under which the arm moves, and the reasons why it rests.
+//! Conditions under which the arm moves, and reasons why it rests.
 
 use val3_motion::{MillimetresPerSecond, Percent};
 
-/// The conditions under which the arm moves in a cycle.
+/// Conditions under which the arm moves in a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drive {
-    /// It has power, and nothing holds it.
+    /// Whether the arm has power and is not held.
     pub may_move: bool,
-    /// An operator holds the key that moves the arm, as in every working mode but remote.
+    /// Whether an operator holds the key that moves the arm, as in every working mode except remote.
     pub is_attended: bool,
     /// The monitor speed.
     pub speed: Percent,
-    /// The greatest speed of the tool centre point and of the flange; `None` without a limit.
+    /// Maximum speed of the tool centre point and of the flange; `None` without a limit.
     pub tool_speed: Option<MillimetresPerSecond>,
 }
 
-/// Why an arm with recorded moves does not move.
+/// Reason why an arm with recorded moves does not move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArmHold {
-    /// It has no power.
+    /// The arm has no power.
     NoPower,
-    /// The working mode or the operator holds it.
+    /// The working mode or the operator holds the arm.
     Held,
     /// The monitor speed is 0.
     NoSpeed,
     /// `stopMove`.
     Stopped,
-    /// It is away from its path.
+    /// The arm is away from its path.
     Away,
-    /// In step mode it waits for a release.
+    /// In step mode the arm waits for a release.
     Step,
-    /// The force of a compliant move does not move it.
+    /// The force in a compliant move does not move the arm.
     NoForce,
-    /// It rests before a path that it cannot follow.
+    /// The arm rests before a path that it cannot follow.
     Fault,
 }
 
 impl ArmHold {
-    /// Sentences for an operator: why the arm rests, and what moves it.
+    /// Sentences for the operator: the reason, and the action that moves the arm.
     #[must_use]
     pub const fn operator_text(self) -> &'static str {
         match self {
@@ -52,7 +52,7 @@ impl ArmHold {
         }
     }
 
-    /// The rest of a sentence about the arm.
+    /// Remainder of a sentence about the arm.
     #[must_use]
     pub const fn text(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! Moves whose motion descriptor allows more than the maximum speed of an axis.
+//! Moves whose motion descriptor exceeds an axis's maximum speed.
 
 use val3_kinematics::{ExcessSpeed, Joints};
 use val3_lang::ports::{CodePlace, MoveRequest};
@@ -6,12 +6,12 @@ use val3_motion::PathShape;
 
 use super::RobotArm;
 
-/// An axis moves if it is this far from its start at the end of the move, in degrees or mm.
+/// Distance from the start at the end of the move from which an axis counts as moving, in degrees or mm.
 const MOVES: f64 = 1e-6;
 
 impl RobotArm {
-    /// The axis that a move, just recorded from `start` at a line, may move faster than its maximum speed. `None` also if
-    /// an earlier move of the line did.
+    /// Returns the axis that a move, just recorded from `start` at a line, may move faster than its maximum speed.
+    /// `None` also if an earlier move of the line did.
     pub(crate) fn excess_speed(&mut self, request: &MoveRequest, start: &Joints, at: CodePlace) -> Option<ExcessSpeed> {
         let end = self.motion.destination();
         let is_circle = request.path.shape() == PathShape::Circle;

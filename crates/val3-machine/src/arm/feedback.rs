@@ -1,4 +1,4 @@
-//! The arm as its encoders and motors see it (10.6, section (j) of the motion model): it follows its commands with a lag.
+//! Measured position and forces of the arm (10.6, section (j) of the motion model): it follows its commands with a lag.
 
 use val3_geometry::{IsometryMatrix3, Vector3};
 use val3_kinematics::{Arm, Joints};
@@ -10,47 +10,47 @@ use crate::event::seconds;
 /// Time constant of the lag, in seconds (model choice).
 const LAG: f64 = 0.008;
 
-/// An axis is in place if it is not further away from its command, in degrees or mm: 1 % of the greatest position error
-/// (model choice).
+/// Greatest position error of an axis that is in place, in degrees or mm: 1 % of the greatest position error (model
+/// choice).
 const IN_PLACE: f64 = 0.01;
 
-/// The arm is in place this long before it counts as settled (10.6).
+/// Time in place after which the arm counts as settled (10.6).
 const SETTLING: Time = 50_000_000;
 
-/// Smaller lags are none.
+/// Lags below this value are set to 0.
 const NO_LAG: f64 = 1e-9;
 
 /// Acceleration of gravity, in mm/s².
 const GRAVITY: f64 = 9810.0;
 
-/// Mass of the links, as a multiple of the nominal load, and the share of each link (model choice after the published
-/// masses of TX60, TX90 and RX160).
+/// Mass of the links, as a multiple of the nominal load, and each link's share (model choice after the published masses
+/// of TX60, TX90 and RX160).
 const MASS: f64 = 6.0;
 const SHARES: [f64; 6] = [0.38, 0.31, 0.19, 0.11, 0.009, 0.001];
 
-/// The last commands, and where the arm is.
+/// The last commands and the measured position.
 #[derive(Debug, Clone)]
 pub(super) struct Feedback {
-    /// The commands of the last three cycles, the newest first.
+    /// Commands of the last three cycles, the newest first.
     commanded: [Joints; 3],
     measured: Joints,
     in_place: Time,
 }
 
 impl Feedback {
-    /// An arm that rests at these joints.
+    /// Arm that rests at these joints.
     pub(super) fn at(joints: Joints) -> Self {
         Self { commanded: [joints; 3], measured: joints, in_place: SETTLING }
     }
 
-    /// A cycle has passed, at whose end the arm is commanded to be at these joints.
+    /// Advances by one cycle, at whose end the arm is commanded to be at these joints.
     pub(super) fn advance(&mut self, joints: Joints) {
         let [before, earlier, _] = self.commanded;
         self.commanded = [joints, before, earlier];
         let cycle = seconds(CYCLE);
         let decay = libm::exp(-cycle / LAG);
         for ((measured, now), before) in self.measured.iter_mut().zip(joints).zip(before) {
-            // The answer of the lag to a command that changes evenly.
+            // The response of the lag to a command that changes evenly.
             let lag = LAG * (now - before) / cycle;
             let error = (before - *measured - lag) * decay + lag;
             *measured = if error.abs() < NO_LAG { now } else { now - error };
@@ -59,7 +59,7 @@ impl Feedback {
         self.in_place = if is_in_place { self.in_place.saturating_add(CYCLE) } else { 0 };
     }
 
-    /// Where the encoders find each axis.
+    /// Axis positions measured by the encoders.
     pub(super) fn measured(&self) -> Joints {
         self.measured
     }
@@ -75,13 +75,13 @@ impl Feedback {
         self.in_place >= SETTLING
     }
 
-    /// The command did not change in the last cycle.
+    /// Whether the command did not change in the last cycle.
     pub(super) fn is_at_rest(&self) -> bool {
         let [now, before, _] = self.commanded;
         now == before
     }
 
-    /// Nothing would change without a new command.
+    /// Whether nothing would change without a new command.
     pub(super) fn is_quiet(&self) -> bool {
         let [commanded, ..] = self.commanded;
         self.is_settled() && self.measured == commanded
@@ -94,8 +94,8 @@ impl Feedback {
         (now - before).norm() / seconds(CYCLE)
     }
 
-    /// Torque of each axis in Nm, force of a linear axis in N: weight and inertia of the links, each as a mass in its
-    /// middle.
+    /// Axis torques in Nm, for a linear axis the force in N: weight and inertia of the links, each link as a mass in
+    /// its middle.
     pub(super) fn force(&self, arm: &Arm) -> Joints {
         let mass = MASS * arm.nominal_load();
         let [now, before, earlier] = self.commanded.map(|joints| centres(arm, &joints));
@@ -112,19 +112,19 @@ impl Feedback {
     }
 }
 
-/// The distance of an axis from one joint position to another.
+/// Signed axis distance between two joint positions.
 pub(super) fn difference(left: &Joints, right: &Joints, axis: usize) -> f64 {
     left.get(axis).copied().unwrap_or_default() - right.get(axis).copied().unwrap_or_default()
 }
 
-/// The middles of the links, in world.
+/// Centres of the links, in `world`.
 fn centres(arm: &Arm, joints: &Joints) -> Vec<Vector3<f64>> {
     let frames = arm.links(joints);
     let ends: Vec<_> = frames.iter().map(|frame| frame.translation.vector).collect();
     ends.windows(2).map(|pair| pair.iter().sum::<Vector3<f64>>() / 2.0).collect()
 }
 
-/// The work of the loads, in kg mm/s², for each unit of an axis: torque in Nm or force in N.
+/// Work of the loads, in kg mm/s², for each unit of an axis: torque in Nm or force in N.
 fn work(arm: &Arm, joints: &Joints, axis: usize, loads: &[Vector3<f64>]) -> f64 {
     const STEP: f64 = 1e-4;
     let moved = |by: f64| {

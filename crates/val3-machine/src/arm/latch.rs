@@ -1,34 +1,34 @@
-//! The position latch of a fast input (9.2.3).
+//! Position latch of a fast input (9.2.3).
 
-/// The latch: armed by `setLatch`, it keeps the position at the next rising edge of its input.
+/// Latch that `setLatch` arms and that stores the position at the next rising edge of its input.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Latch {
     input: u32,
-    /// The input was low since the latch was armed.
+    /// Whether the input was low since the latch was armed.
     was_low: bool,
     joint: Option<[f64; 6]>,
 }
 
 impl Latch {
-    /// A latch that waits for an input, by the number of its link.
+    /// Arms a latch for an input, by link number.
     #[must_use]
     pub const fn armed(input: u32) -> Self {
         Self { input, was_low: false, joint: None }
     }
 
-    /// Its input.
+    /// Link number of the input.
     #[must_use]
     pub const fn input(&self) -> u32 {
         self.input
     }
 
-    /// The position at the edge, once there was one.
+    /// Position at the edge; `None` before the edge.
     #[must_use]
     pub const fn joint(&self) -> Option<[f64; 6]> {
         self.joint
     }
 
-    /// The input is high or low while the arm is at `joint`.
+    /// Passes the state of the input while the arm is at `joint`.
     pub fn see(&mut self, is_high: bool, joint: [f64; 6]) {
         if is_high && self.was_low && self.joint.is_none() {
             self.joint = Some(joint);

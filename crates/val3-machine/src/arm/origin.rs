@@ -1,17 +1,17 @@
-//! The instruction of a recorded move.
+//! Instruction of a recorded move.
 
 use val3_lang::ports::CodePlace;
 use val3_lang::values::MdescValue;
 
-/// The instruction that has recorded a move.
+/// Instruction that has recorded a move.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MoveOrigin {
-    /// Its name: `movel`.
+    /// Name: `movel`.
     pub instruction: &'static str,
-    /// Its line.
+    /// Location in the code.
     pub at: CodePlace,
-    /// Its motion descriptor, with lengths in mm.
+    /// Motion descriptor, with lengths in mm.
     pub descriptor: MdescValue,
-    /// Line that has cancelled the blend at its destination.
+    /// Line that has cancelled the blend at the destination.
     pub cancelled_by: Option<CodePlace>,
 }

@@ -13,7 +13,7 @@ pub(super) fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {
     Move { path: path.clone(), tool: *tool, limits: limits(arm, descriptor), blend, id, manner: *manner }
 }
 
-/// Limits of a descriptor; its per cents refer to the nominal values of the arm (10.3.4).
+/// Limits of a descriptor, whose percentages refer to the nominal values of the arm (10.3.4).
 pub(super) fn limits(arm: &Arm, descriptor: &MdescValue) -> Limits {
     let share = |per_cent: f64, nominal: fn(&Arm, usize) -> f64| {
         std::array::from_fn(|axis| per_cent / 100.0 * nominal(arm, axis))

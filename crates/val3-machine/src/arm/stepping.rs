@@ -1,4 +1,4 @@
-//! The step mode of the arm (10.2.2).
+//! Step mode of the arm (10.2.2).
 
 use val3_motion::{Motion, MotionMode};
 
@@ -16,7 +16,7 @@ impl RobotArm {
         self.origins.get(&serial)
     }
 
-    /// Chooses the mode of the motion, also while the arm moves.
+    /// Sets the mode of the motion, also while the arm moves.
     pub fn set_mode(&mut self, mode: MotionMode) {
         self.motion.set_mode(mode);
     }
@@ -26,15 +26,15 @@ impl RobotArm {
         self.motion.release_piece()
     }
 
-    /// Releases the arm to the end of everything that is determined now.
+    /// Releases the arm to the end of the path that is determined now.
     pub fn release_determined(&mut self) {
         self.motion.release_determined();
     }
 
-    /// Why it rests before the end of what it was released to, and does not move on by itself.
+    /// Reason why the arm rests before the end of the release and does not continue by itself.
     #[must_use]
     pub fn standstill(&self, drive: Drive) -> Option<ArmHold> {
-        // An arm that the monitor speed holds has a plan with a speed.
+        // An arm held by the monitor speed has a plan with a speed.
         if !self.is_at_rest() || self.motion.has_arrived() {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Clicks on pages made with HTML (s8): each executes the programs that the bindings of the page name, as tasks.
+//! Clicks on HTML pages (s8): each click executes the programs in the bindings of the page, as tasks.
 
 use std::sync::Arc;
 
@@ -8,8 +8,8 @@ use super::{Controller, Phase};
 use crate::screen::HtmlCallback;
 
 impl Controller {
-    /// Clicks on an element of the page that is shown. The task of a program is called `page.element.event_program`, as
-    /// in the logs of controllers.
+    /// Clicks on an element of the displayed page. The task of a program is called `page.element.event_program`, as in
+    /// the logs of controllers.
     ///
     /// # Errors
     /// No page is shown, the element has no program, or the task cannot start.

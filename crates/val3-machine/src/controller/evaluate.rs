@@ -1,4 +1,4 @@
-//! Fragments that are executed between two operations of the run.
+//! Execution of fragments between two operations of the run.
 
 use std::sync::atomic::Ordering::Relaxed;
 
@@ -12,8 +12,8 @@ use crate::devices::Devices;
 use crate::event::Event;
 
 impl Controller {
-    /// Executes a fragment, as many lines of it as are granted, while tasks, clock and arm stand still. `look` sees the
-    /// value of an expression. The events are those of the fragment; the run's own are kept.
+    /// Executes the granted number of lines of a fragment, while tasks, clock and arm stand still. `look` receives the
+    /// value of an expression. The events belong to the fragment; the run's own events are kept.
     pub fn evaluate<T>(
         &mut self,
         fragment: &Fragment,

@@ -1,4 +1,4 @@
-//! The places of frames.
+//! Placements of frames.
 
 use val3_geometry::{IsometryMatrix3, chain};
 use val3_lang::call::FrameRef;
@@ -8,8 +8,8 @@ use val3_lang::types::BaseType;
 use super::Controller;
 
 impl Controller {
-    /// The present place of a frame in world, by its name: `fPallet`, `fPallets[2]`, `library:fPallet`. None if there is no
-    /// frame of this name, or if it has no reference.
+    /// Current placement of a frame in `world`, by name: `fPallet`, `fPallets[2]`, `library:fPallet`. `None` if the
+    /// frame does not exist or has no father.
     #[must_use]
     pub fn frame_in_world(&self, name: &str) -> Option<IsometryMatrix3<f64>> {
         let (place, _) = self.variable(name).filter(|(_, base)| *base == BaseType::Frame)?;

@@ -17,13 +17,13 @@ pub struct MotionStatus {
     pub mode: MotionMode,
     /// Whether the commanded position has changed in the last cycle.
     pub is_moving: bool,
-    /// Whether the arm has reached the end of its release, or of the determined path.
+    /// Whether the arm has reached the end of the release, or of the determined path.
     pub has_arrived: bool,
     /// Current piece, or the piece at whose end the arm waits; `None` before the first piece.
     pub piece: Option<MotionPiece>,
     /// Next piece; `None` if it is not determined yet.
     pub next: Option<MotionPiece>,
-    /// Reason why the arm rests before the end of its release.
+    /// Reason why the arm rests before the end of the release.
     pub hold: Option<ArmHold>,
 }
 
@@ -66,7 +66,7 @@ pub struct RecordedMove {
     pub source: Option<CodeSource>,
 }
 
-/// An end of a blend.
+/// Start or end of a blend.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BlendPoint {
     /// Effective distance of the tool centre point to the destination; 0 for a pure rotation.
@@ -113,14 +113,14 @@ impl Controller {
 
     /// Sets the mode of the motion, also while the arm moves.
     ///
-    /// In step mode the arm comes to rest at the end of each piece and waits there until it is released; it first
-    /// finishes the piece that it is in. In continuous mode nothing waits any more.
+    /// In step mode the arm first finishes the current piece. It then comes to rest at the end of each piece and waits
+    /// there until it is released. In continuous mode it does not wait.
     pub fn set_motion_mode(&mut self, mode: MotionMode) {
         self.devices.state.arm.set_mode(mode);
     }
 
-    /// Releases an arm that waits in step mode to the end of the next piece. Returns whether it waits before one that is
-    /// determined.
+    /// Releases an arm that waits in step mode to the end of the next piece. Returns whether the arm waits before a
+    /// determined piece.
     pub fn step_motion(&mut self) -> bool {
         self.devices.state.arm.release_piece()
     }
@@ -136,19 +136,19 @@ impl Controller {
         self.devices.state.arm.motion().waits_for_release()
     }
 
-    /// Number that grows when a move is recorded or more of the path is determined.
+    /// Revision of the recorded moves: grows when a move is recorded or more of the path is determined.
     #[must_use]
     pub fn motion_revision(&self) -> u64 {
         self.devices.state.arm.motion().revision()
     }
 
-    /// Whether the arm has reached the end of its release, or of the determined path.
+    /// Whether the arm has reached the end of the release, or of the determined path.
     #[must_use]
     pub fn motion_has_arrived(&self) -> bool {
         self.devices.state.arm.motion().has_arrived()
     }
 
-    /// Reason why the arm rests before the end of its release and does not continue by itself.
+    /// Reason why the arm rests before the end of the release and does not continue by itself.
     #[must_use]
     pub fn motion_hold(&self) -> Option<ArmHold> {
         self.devices.state.arm_standstill()

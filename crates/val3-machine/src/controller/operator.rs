@@ -1,4 +1,4 @@
-//! The actions of an operator while the application runs.
+//! Actions of the operator while the application runs.
 
 use serde_json::{Map, Value};
 use val3_lang::ports::Time;
@@ -6,7 +6,7 @@ use val3_lang::ports::Time;
 use super::Controller;
 use crate::event::EventKind;
 
-/// An action of the operator.
+/// Action of the operator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operation {
     /// Taps a key of the pendant.
@@ -20,7 +20,7 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// What it is in the record of a run. Scripts have no key for another page.
+    /// Returns the action as in the record of a run. Scripts have no key for another page.
     fn keys(self) -> Map<String, Value> {
         let (key, value): (&str, Value) = match self {
             Self::Tap(code) => ("key", code.into()),
@@ -32,7 +32,7 @@ impl Operation {
     }
 }
 
-/// The actions of the operator with the times of the cycles that they precede, so that a restored controller repeats them.
+/// Actions of the operator with the times of the next cycles, so that a restored controller repeats the actions.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Operations {
     recorded: Vec<(Time, Operation)>,
@@ -41,7 +41,7 @@ pub(super) struct Operations {
 }
 
 impl Operations {
-    /// Takes the next action whose time has come.
+    /// Returns the next action that is due.
     fn take_due(&mut self, now: Time) -> Option<Operation> {
         let (_, operation) = self.recorded.get(self.done).filter(|(time, _)| *time <= now)?;
         self.done += 1;
@@ -52,14 +52,14 @@ impl Operations {
         self.recorded.get(self.done).map(|(time, _)| *time)
     }
 
-    /// Returns to an earlier position. The actions after it take effect again.
+    /// Returns to an earlier position. Later actions take effect again.
     pub(super) fn rewind(&mut self, earlier: &Self) {
         self.done = earlier.done;
     }
 }
 
 impl Controller {
-    /// Lets the operator do something before the next cycle.
+    /// Adds an action of the operator before the next cycle.
     pub fn operate(&mut self, operation: Operation) {
         let time = if self.schedule.is_within_cycle() { self.schedule.cycle_end() } else { self.schedule.now };
         self.operations.recorded.push((time, operation));

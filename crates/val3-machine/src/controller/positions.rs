@@ -1,4 +1,4 @@
-//! Where each task is, and why it does not continue.
+//! Locations of the tasks, and the reasons why they do not continue.
 
 use std::fmt;
 
@@ -14,12 +14,12 @@ use super::Controller;
 use crate::arm::ArmHold;
 use crate::event::EventKind;
 
-/// Where a task is.
+/// Location of a task.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TaskPosition {
     /// The name of the task.
     pub name: String,
-    /// Its activity there.
+    /// Activity at this line.
     pub activity: Activity,
     /// The program.
     pub program: String,
@@ -32,26 +32,26 @@ pub struct TaskPosition {
 /// The activity of a task at its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Activity {
-    /// It executes lines.
+    /// Executes lines.
     Running,
-    /// It waits until a condition holds.
+    /// Waits until a condition is true.
     AwaitsCondition,
-    /// It waits until a condition about the arm holds, which does not move for this reason.
+    /// Waits until a condition about the arm is true; the arm does not move for this reason.
     AwaitsArmCondition(ArmHold),
-    /// It waits in this instruction.
+    /// Waits in this instruction.
     Awaits(String),
-    /// It waits in this instruction for the arm, which does not move for this reason.
+    /// Waits in this instruction for the arm, which does not move for this reason.
     AwaitsArm(String, ArmHold),
-    /// It waits until a file access has taken its time.
+    /// Waits for the duration of a file access.
     AwaitsMedium,
-    /// It was suspended, and no task resumes it.
+    /// Suspended, and no task resumes it.
     Suspended,
-    /// The run-time error with this number has stopped it.
+    /// Stopped by the run-time error with this number.
     Failed(u16),
 }
 
 impl Activity {
-    /// The word of the record.
+    /// Returns the word in the record.
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
@@ -81,14 +81,14 @@ impl Activity {
         }
     }
 
-    /// The thing that the task waits for; `None` where it does not wait.
+    /// Returns the awaited condition or object; `None` if the task does not wait.
     #[must_use]
     pub fn awaited(&self) -> Option<String> {
         let awaited = self.awaited_thing()?;
         Some(self.hold().map_or_else(|| awaited.clone(), |hold| format!("{awaited}, {}", hold.text())))
     }
 
-    /// The thing that the task waits for, without the reason why the arm does not move.
+    /// Returns the awaited condition or object, without the reason why the arm does not move.
     #[must_use]
     pub fn awaited_thing(&self) -> Option<String> {
         match self {
@@ -101,7 +101,7 @@ impl Activity {
         }
     }
 
-    /// Why the arm that the task waits for does not move.
+    /// Reason why the awaited arm does not move.
     #[must_use]
     pub fn hold(&self) -> Option<ArmHold> {
         match self {
@@ -111,7 +111,7 @@ impl Activity {
     }
 }
 
-/// The thing that a task waits for in an instruction.
+/// Returns the object for which an instruction waits.
 fn awaited_in(instruction: &str) -> String {
     let subject = match instructions::find(instruction) {
         Some(found) if motion::needs_arm(found) => "the arm",
@@ -137,7 +137,7 @@ impl fmt::Display for Activity {
 }
 
 impl Controller {
-    /// Where each task is, in the order of creation.
+    /// Locations of all tasks, in the order of creation.
     #[must_use]
     pub fn task_positions(&self) -> Vec<TaskPosition> {
         self.vm.tasks().iter().map(|task| self.position(task)).collect()
@@ -197,7 +197,7 @@ impl Controller {
         }
     }
 
-    /// Whether a task waits, without an end in time, in a line that asks for the arm.
+    /// Whether a task waits, without a timeout, in a line that requires the arm.
     #[must_use]
     pub fn awaits_arm(&self, id: TaskNumber) -> bool {
         let waits = |task: &&Task| task.id == id && task.thread.wait.is_some_and(|wait| wait.wake.is_none());

@@ -1,4 +1,4 @@
-//! Snapshots: the controller at one moment, to which it can return.
+//! Snapshots of the controller, which can be restored.
 
 use val3_lang::ports::TaskNumber;
 use val3_vm::{Schedule, Vm};
@@ -8,7 +8,7 @@ use super::{Controller, Phase};
 use crate::devices::{LinesState, MediaState, State};
 use crate::script::Script;
 
-/// A controller at one moment.
+/// State of a controller at one time.
 #[derive(Debug, Clone)]
 pub struct Snapshot {
     vm: Vm,
@@ -21,15 +21,15 @@ pub struct Snapshot {
     stopped: bool,
     script: Script,
     operations: Operations,
-    /// The position in the recording of inputs.
+    /// Position in the recording of external input.
     inputs: u64,
 }
 
-/// Bytes of the devices in a snapshot: arm, pendant, logs. An average.
+/// Average size of the devices in a snapshot, in bytes: arm, pendant, logs.
 const DEVICE_BYTES: u64 = 64 << 10;
 
 impl Snapshot {
-    /// An estimate of its bytes, without what snapshots share.
+    /// Estimated size in bytes, without memory shared between snapshots.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         DEVICE_BYTES + self.vm.copied_bytes() + self.media.bytes()
@@ -37,8 +37,8 @@ impl Snapshot {
 }
 
 impl Controller {
-    /// Takes a snapshot, also in the middle of a cycle. From the first one on, all inputs are recorded, and files that
-    /// programs change stay in memory until [`write_files`](Self::write_files).
+    /// Creates a snapshot, also in the middle of a cycle. From the first snapshot on, all external input is recorded,
+    /// and files that programs change stay in memory until [`write_files`](Self::write_files).
     pub fn snapshot(&mut self) -> Snapshot {
         Snapshot {
             vm: self.vm.clone(),
@@ -55,10 +55,10 @@ impl Controller {
         }
     }
 
-    /// Returns to a snapshot of this controller. The limit of the run stays.
+    /// Restores a snapshot of this controller. The limit of the run stays.
     ///
-    /// The inputs that were recorded after the snapshot are given again, so the controller does the same as before until
-    /// the moment at which this was called. The outside is neither read nor changed in that time.
+    /// The input that was recorded after the snapshot is replayed, so the controller repeats its behaviour until the
+    /// time of this call. No external read or write is executed in that time.
     pub fn restore(&mut self, snapshot: &Snapshot) {
         let Snapshot { vm, state, lines, media, schedule, phase, lead, stopped, script, operations, inputs } =
             snapshot.clone();
@@ -74,32 +74,32 @@ impl Controller {
         self.devices.lines.inputs().rewind(inputs);
     }
 
-    /// Returns to a snapshot of this controller for another course of events: the outside is asked again. Connections of
-    /// lines to the outside stay as they are.
+    /// Restores a snapshot of this controller for another sequence of events: calls reach the outside again.
+    /// Connections of lines to the outside stay unchanged.
     pub fn begin_again(&mut self, snapshot: &Snapshot) {
         self.restore(snapshot);
         self.devices.lines.inputs().rewind_anew(snapshot.inputs);
     }
 
-    /// Drops the inputs that were recorded before a snapshot: the controller returns to no earlier one.
+    /// Discards the input that was recorded before a snapshot. No earlier snapshot may be restored afterwards.
     pub fn forget_inputs_before(&mut self, snapshot: &Snapshot) {
         self.devices.lines.inputs().forget_before(snapshot.inputs);
     }
 
-    /// The bytes of the recorded inputs, as estimated.
+    /// Estimated size of the recorded input, in bytes.
     #[must_use]
     pub fn input_bytes(&self) -> u64 {
         self.devices.lines.inputs().bytes()
     }
 
-    /// Writes the files that programs have changed since the first snapshot. A file that something else has changed
-    /// meanwhile stays, and that of the program is written next to it, which the event log says.
+    /// Writes the files that programs have changed since the first snapshot. A file that another process has changed
+    /// meanwhile stays; the program's file is written next to it, and the event log reports it.
     pub fn write_files(&mut self) {
         self.devices.write_files(self.schedule.now);
     }
 
-    /// Ends the recording of inputs that the first snapshot has begun, and writes files. No snapshot may be restored any
-    /// more.
+    /// Ends the recording that the first snapshot has started, and writes files. No snapshot may be restored
+    /// afterwards.
     pub fn end_recording(&mut self) {
         self.write_files();
         self.devices.lines.inputs().end();

@@ -1,15 +1,15 @@
-//! The additions of CS9 controllers (s8). They are not in the manual: plain values that are set from outside.
+//! Additional features of CS9 controllers (s8). They are not in the manual: plain values that are set from outside.
 
 use std::collections::BTreeMap;
 
-/// The additions; they start with nothing to report.
+/// Additional features, initially with nothing to report.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Cs9 {
-    /// `getSafeRefStatus`: the state of the safety referencing.
+    /// `getSafeRefStatus`: state of the safety referencing.
     pub safe_reference: f64,
-    /// `hasCpuExtPowerSupply`: the processor has a power supply of its own.
+    /// `hasCpuExtPowerSupply`: whether the processor has a separate power supply.
     pub external_supply: bool,
-    /// `wakeUpRobot`: what it gives.
+    /// `wakeUpRobot`: result of the instruction.
     pub wake_up: f64,
     /// `setSafetyRestart`: whether a restart is accepted.
     pub accepts_restart: bool,

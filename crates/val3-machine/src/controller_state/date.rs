@@ -1,29 +1,29 @@
-//! The date of the controller (`getDate`, 4.3).
+//! Date of the controller (`getDate`, 4.3).
 
 use time::{Date, Duration, Month, PrimitiveDateTime, Time};
 use val3_lang::values::date::DateTime;
 
-/// The calendar of the controller: virtual time counted from a date.
+/// Calendar of the controller: virtual time counted from a date.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Calendar {
     start: PrimitiveDateTime,
 }
 
 impl Default for Calendar {
-    /// The controller is started on the first of January 2024 at midnight, so that runs are alike.
+    /// Start on the first of January 2024 at midnight, so that all runs are alike.
     fn default() -> Self {
         Self { start: new_year(2024) }
     }
 }
 
-/// The first moment of a year.
+/// Start of a year.
 fn new_year(year: i32) -> PrimitiveDateTime {
     let day = Date::from_calendar_date(year, Month::January, 1).unwrap_or(Date::MIN);
     PrimitiveDateTime::new(day, Time::MIDNIGHT)
 }
 
 impl Calendar {
-    /// The controller is started at this date; `None` if there is no such date.
+    /// Calendar with this start date; `None` if the date does not exist.
     #[must_use]
     pub fn starting_at(date: DateTime) -> Option<Self> {
         let DateTime { year, month, day, hour, minute, second } = date;
@@ -32,14 +32,14 @@ impl Calendar {
         Some(Self { start: PrimitiveDateTime::new(day, time) })
     }
 
-    /// The controller is started this number of seconds after 1970 (UTC).
+    /// Calendar that starts this number of seconds after 1970 (UTC).
     #[must_use]
     pub fn starting_at_unix(seconds: u64) -> Self {
         let seconds = Duration::seconds(i64::try_from(seconds).unwrap_or(i64::MAX));
         Self { start: new_year(1970).saturating_add(seconds) }
     }
 
-    /// The date `elapsed` nanoseconds after the start; the last one that exists, where that lies beyond it.
+    /// Returns the date `elapsed` nanoseconds after the start, limited to the last date that exists.
     #[must_use]
     pub fn after(&self, elapsed: u64) -> DateTime {
         let elapsed = Duration::nanoseconds(i64::try_from(elapsed).unwrap_or(i64::MAX));

@@ -1,31 +1,31 @@
-//! The event log of the controller and how fast programs may write it (`logMsg`, 4.3).
+//! Event log of the controller, and the rate limit for programs (`logMsg`, 4.3).
 
 use super::severity::Severity;
 
-/// The size of the date, the time and the mark of a message.
+/// Size of the date, the time and the mark of a message, in bytes.
 const STAMP: u64 = 32;
 
-/// The bytes that can wait to be written.
+/// Maximum number of bytes that wait to be written.
 const CAPACITY: u64 = 8192;
 
 /// Nanoseconds to write one byte.
 const PER_BYTE: u64 = 31_250;
 
-/// One message.
+/// Message in the event log.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LogEntry {
-    /// When it was logged, in nanoseconds.
+    /// Time of logging, in nanoseconds.
     pub at: u64,
-    /// Its kind.
+    /// Kind of the message.
     pub severity: Severity,
-    /// Its text.
+    /// Text of the message.
     pub text: String,
-    /// It comes from a program, not from the controller.
+    /// Whether the message is from a program, not from the controller.
     pub from_program: bool,
 }
 
 impl LogEntry {
-    /// The text as the log shows it: messages of programs are marked `USR`.
+    /// Displayed text: messages of programs are marked `USR`.
     #[must_use]
     pub fn line(&self) -> String {
         if self.from_program { format!("USR {}", self.text) } else { self.text.clone() }
@@ -34,9 +34,9 @@ impl LogEntry {
 
 /// The event log.
 ///
-/// The manual says that messages, long ones first, are lost when many are logged at once. Here 8,192 bytes can wait,
-/// each message with 32 for its date, and 32 bytes are written a millisecond: some 50 of the longest messages at once,
-/// then one each 5 ms.
+/// According to the manual, messages are lost when many are logged at the same time, long messages first. Here 8,192
+/// bytes can wait, each message with 32 for its date, and 32 bytes are written a millisecond: some 50 of the longest
+/// messages in a burst, then one each 5 ms.
 #[derive(Debug, Clone, Default)]
 pub struct EventLog {
     waiting: u64,
@@ -45,7 +45,7 @@ pub struct EventLog {
 }
 
 impl EventLog {
-    /// `logMsg`: `false` if the message was lost because too much waits to be written.
+    /// `logMsg`: returns `false` if the message was lost because too many bytes wait to be written.
     pub fn log(&mut self, text: &str, severity: Severity, now: u64) -> bool {
         self.write_out(now);
         let size = text.len() as u64 + STAMP;
@@ -57,7 +57,7 @@ impl EventLog {
         fits
     }
 
-    /// A message of the controller itself, which is never lost.
+    /// Adds a message of the controller itself, which is never lost.
     pub fn report(&mut self, text: &str, severity: Severity, now: u64) {
         self.entries.push(LogEntry { at: now, severity, text: text.to_owned(), from_program: false });
     }

@@ -1,9 +1,9 @@
-//! The language in which the controller speaks (`getLanguage`, `setLanguage`, 4.3).
+//! Language of the controller (`getLanguage`, `setLanguage`, 4.3).
 
-/// The languages of the manual's example, and Chinese, which another one asks for.
+/// Languages of the manual's example, and Chinese, which is in another example.
 const USUAL: [&str; 6] = ["english", "francais", "deutsch", "italiano", "espanol", "chinese"];
 
-/// The languages that are installed and the one that is active.
+/// Installed languages, and the active language.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Languages {
     installed: Vec<String>,
@@ -17,7 +17,7 @@ impl Default for Languages {
 }
 
 impl Languages {
-    /// The languages that are installed and the one that is active.
+    /// Installed languages, and the active language.
     #[must_use]
     pub fn new(installed: Vec<String>, active: &str) -> Self {
         Self { installed, active: active.to_owned() }
@@ -29,14 +29,14 @@ impl Languages {
         &self.active
     }
 
-    /// Adds a language, if it is missing.
+    /// Adds a language unless it is installed.
     pub fn install(&mut self, language: &str) {
         if !self.installed.iter().any(|known| known == language) {
             self.installed.push(language.to_owned());
         }
     }
 
-    /// `setLanguage`: `false` if it is not installed. Letter case counts.
+    /// `setLanguage`: returns `false` if the language is not installed. Letter case counts.
     pub fn change(&mut self, language: &str) -> bool {
         let installed = self.installed.iter().any(|known| known == language);
         if installed {

@@ -1,39 +1,39 @@
-//! The power of the arm (8.1).
+//! Power of the arm (8.1).
 
-/// How long it takes to come on, in nanoseconds: a second, well below the five of the manual's example.
+/// Time to switch on, in nanoseconds: a second, well below the five seconds of the manual's example.
 pub const POWER_ON_TIME: u64 = 1_000_000_000;
 
 /// The time from the standstill of the arm until the power is cut, in nanoseconds: 100 ms.
 pub const POWER_OFF_TIME: u64 = 100_000_000;
 
-/// The power of the arm; it changes with time alone, see [`Power::after`].
+/// Power of the arm. It changes only with time, see [`Power::after`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Power {
     /// Cut.
     #[default]
     Off,
-    /// It comes on.
+    /// Coming on.
     ComingOn {
-        /// When it is on.
+        /// Time at which the power is on.
         at: u64,
     },
     /// On.
     On,
-    /// It is cut as soon as the arm has stopped.
+    /// To be cut as soon as the arm has stopped.
     BeingCut {
-        /// The time at which it is off, if the arm has stopped by then.
+        /// Time at which the power is off, if the arm has stopped by then.
         at: u64,
     },
 }
 
 impl Power {
-    /// `isPowered`: on, or not yet cut.
+    /// `isPowered`: returns whether the power is on, or not yet cut.
     #[must_use]
     pub fn is_on(self) -> bool {
         matches!(self, Self::On | Self::BeingCut { .. })
     }
 
-    /// Its state at `now`.
+    /// Returns the state at `now`.
     pub(super) fn after(self, now: u64, arm_stands: bool) -> Self {
         match self {
             Self::ComingOn { at } if at <= now => Self::On,
@@ -42,7 +42,7 @@ impl Power {
         }
     }
 
-    /// It begins to be cut.
+    /// Begins to cut the power.
     pub(super) fn cut(self, now: u64) -> Self {
         match self {
             Self::ComingOn { .. } | Self::Off => Self::Off,

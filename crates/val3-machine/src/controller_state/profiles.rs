@@ -1,20 +1,20 @@
-//! Users and what they may do (`getProfile`, `setProfile`, 4.3).
+//! User profiles and their rights (`getProfile`, `setProfile`, 4.3).
 
-/// The manufacturer's profile; no program enters or leaves it.
+/// The manufacturer's profile, which no program can activate or deactivate.
 const MANUFACTURER: &str = "staubli";
 
 /// One profile.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Profile {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its password, in plain text; empty without one.
+    /// Password in plain text; empty without a password.
     pub password: String,
-    /// The operator may change the monitor speed.
+    /// Whether the operator may change the monitor speed.
     pub controls_speed: bool,
 }
 
-/// How `setProfile` ended; the number is its result.
+/// Result of `setProfile`; the number is the result in a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum ProfileChange {
@@ -22,7 +22,7 @@ pub enum ProfileChange {
     Done = 0,
     /// No profile has this name.
     Unknown = 1,
-    /// The password is another one.
+    /// The password is wrong.
     WrongPassword = 2,
     /// The manufacturer's profile cannot be entered this way.
     NotEntered = 3,
@@ -30,7 +30,7 @@ pub enum ProfileChange {
     NotLeft = 4,
 }
 
-/// The profiles of a controller and the one that is active.
+/// Profiles of a controller, with the active profile.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Profiles {
     known: Vec<Profile>,
@@ -38,8 +38,8 @@ pub struct Profiles {
 }
 
 impl Default for Profiles {
-    /// `default`, which is active and leaves the speed to programs, and `maintenance`, which does not; neither has a
-    /// password.
+    /// Creates `default`, which is active and in which programs control the speed, and `maintenance`, in which the
+    /// operator does. Both have no password.
     fn default() -> Self {
         let profile =
             |name: &str, controls_speed| Profile { name: name.to_owned(), password: String::new(), controls_speed };
@@ -49,7 +49,7 @@ impl Default for Profiles {
 }
 
 impl Profiles {
-    /// The profiles of a controller; `active` need not be among those that can be entered.
+    /// Creates the profiles of a controller; `active` may be a profile that `setProfile` cannot activate.
     #[must_use]
     pub fn new(known: Vec<Profile>, active: Profile) -> Self {
         Self { known, active }

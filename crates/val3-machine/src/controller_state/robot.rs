@@ -10,11 +10,11 @@ use super::power::{POWER_ON_TIME, Power};
 use super::working_mode::{Activity, WorkingMode};
 use crate::arm::Drive;
 
-/// Greatest speed of the tool in manual mode if the cell sets none: reduced speed in the sense of ISO 10218-1, which is
-/// also the value in the files of real cells.
+/// Maximum tool speed in manual mode if the cell sets none: reduced speed in the sense of ISO 10218-1, which is also
+/// the value in the files of real cells.
 const MANUAL_SPEED: MillimetresPerSecond = MillimetresPerSecond(250.0);
 
-/// The state of the robot that programs can ask. It starts without power, calibrated, in remote mode, at 100 %.
+/// State of the robot that programs can query. It starts without power, calibrated, in remote mode, at 100 %.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Robot {
     power: Power,
@@ -24,7 +24,7 @@ pub struct Robot {
     safety_fault: Option<String>,
     calibrated: bool,
     monitor_speed: f64,
-    /// The greatest speed of the tool in manual mode, and of programs in test mode below full speed.
+    /// Maximum tool speed in manual mode, and of programs in test mode below full speed.
     manual_speed: MillimetresPerSecond,
     events: Vec<RobotEvent>,
 }
@@ -47,8 +47,8 @@ impl Default for Robot {
 
 /// Instructions.
 impl Robot {
-    /// `enablePower`: works in remote mode alone. It acknowledges an emergency stop that was released, as the power key
-    /// does.
+    /// `enablePower`: works only in remote mode. It acknowledges an emergency stop that was released, like the power
+    /// key.
     pub fn enable_power(&mut self, now: u64) -> PowerRequest {
         if self.mode != WorkingMode::Remote {
             return PowerRequest::NotRemote;
@@ -77,19 +77,19 @@ impl Robot {
         self.power.is_on()
     }
 
-    /// The power is cut and does not come on.
+    /// Whether the power is cut and does not come on.
     #[must_use]
     pub fn is_power_off(&self) -> bool {
         self.power == Power::Off
     }
 
-    /// The power is being cut: the arm has to stop on its path.
+    /// Whether the power is being cut: the arm has to stop on its path.
     #[must_use]
     pub fn is_power_being_cut(&self) -> bool {
         matches!(self.power, Power::BeingCut { .. })
     }
 
-    /// The conditions under which programs move the arm now.
+    /// Current conditions for moves of programs.
     #[must_use]
     pub fn drive(&self) -> Drive {
         Drive {
@@ -100,7 +100,7 @@ impl Robot {
         }
     }
 
-    /// Whether the tool keeps the speed of the manual mode.
+    /// Whether the tool speed is limited as in manual mode.
     fn is_slow(&self) -> bool {
         match self.mode {
             WorkingMode::Manual => true,
@@ -109,7 +109,7 @@ impl Robot {
         }
     }
 
-    /// Sets the greatest speed of the tool in manual mode (`maxManuCartSpeed` of a cell).
+    /// Sets the maximum tool speed in manual mode (`maxManuCartSpeed` of a cell).
     pub fn set_manual_speed(&mut self, speed: MillimetresPerSecond) {
         self.manual_speed = speed;
     }
@@ -135,7 +135,7 @@ impl Robot {
         self.mode
     }
 
-    /// The state within the mode, as `workingMode(nStatus)` gives it.
+    /// State within the mode, as `workingMode(nStatus)` returns it.
     #[must_use]
     pub fn mode_state(&self) -> u8 {
         self.mode.state(self.activity)
@@ -159,8 +159,8 @@ impl Robot {
         self.monitor_speed
     }
 
-    /// `setMonitorSpeed`. `operator_controls`: the active profile gives the operator the speed keys, and a pendant is
-    /// connected.
+    /// `setMonitorSpeed`. `operator_controls`: whether the active profile assigns the speed keys to the operator, and a
+    /// pendant is connected.
     pub fn set_monitor_speed(&mut self, speed: f64, operator_controls: bool) -> SpeedChange {
         if !(0.0..=100.0).contains(&speed) {
             return SpeedChange::OutOfRange;
@@ -196,7 +196,7 @@ impl Robot {
         std::mem::take(&mut self.events)
     }
 
-    /// Power on or off at once, in any mode; on only without an emergency stop.
+    /// Switches the power on or off immediately, in any mode; on only without an emergency stop.
     pub fn set_power(&mut self, on: bool) {
         if !on {
             self.change_power(Power::Off);
@@ -206,7 +206,7 @@ impl Robot {
         }
     }
 
-    /// Another working mode. The power is cut, as on every change of the mode; the arm is held unless the mode is
+    /// Changes the working mode. The power is cut, as on every change of the mode; the arm is held unless the mode is
     /// remote.
     pub fn set_mode(&mut self, mode: WorkingMode, now: u64) {
         if self.mode != mode {
@@ -217,12 +217,13 @@ impl Robot {
         }
     }
 
-    /// The current activity of the arm.
+    /// Sets the current activity of the arm.
     pub fn set_activity(&mut self, activity: Activity) {
         self.activity = activity;
     }
 
-    /// The operator lets programs move the arm, or holds it (the key Move/Hold). In test mode they move it at full speed.
+    /// Allows moves of programs, or holds the arm, as the operator does (the key Move/Hold). In test mode programs then
+    /// move the arm at full speed.
     pub fn let_move(&mut self, allowed: bool) {
         self.activity = match self.mode {
             _ if !allowed => Activity::Hold,
@@ -231,28 +232,28 @@ impl Robot {
         };
     }
 
-    /// The emergency stop is pressed: the power is off at once.
+    /// Presses the emergency stop: the power is off immediately.
     pub fn press_emergency_stop(&mut self) {
         self.set_emergency_stop(EmergencyStop::Open);
         self.change_power(Power::Off);
     }
 
-    /// The emergency stop is released; it waits to be acknowledged.
+    /// Releases the emergency stop, which then waits to be acknowledged.
     pub fn release_emergency_stop(&mut self) {
         if self.emergency_stop == EmergencyStop::Open {
             self.set_emergency_stop(EmergencyStop::Released);
         }
     }
 
-    /// A released emergency stop is acknowledged.
+    /// Acknowledges a released emergency stop.
     pub fn acknowledge_emergency_stop(&mut self) {
         if self.emergency_stop == EmergencyStop::Released {
             self.set_emergency_stop(EmergencyStop::None);
         }
     }
 
-    /// A fault of the safety circuit, by the name of its signal, or its end. It cuts the power as an emergency stop
-    /// does.
+    /// Sets or ends a fault of the safety circuit, by the name of the signal. A fault cuts the power like an emergency
+    /// stop.
     pub fn set_safety_fault(&mut self, signal: Option<String>) {
         let before = self.es_status();
         self.safety_fault = signal;
@@ -265,12 +266,12 @@ impl Robot {
         }
     }
 
-    /// Whether every axis knows its position.
+    /// Sets whether all axes are calibrated.
     pub fn set_calibrated(&mut self, calibrated: bool) {
         self.calibrated = calibrated;
     }
 
-    /// The operator turns the monitor speed, in any mode; it is limited to 0 and 100 %.
+    /// Changes the monitor speed as the operator does, in any mode; it is limited to 0 and 100 %.
     pub fn turn_speed(&mut self, speed: f64) {
         self.turn_speed_to(speed.clamp(0.0, 100.0));
     }

@@ -1,6 +1,6 @@
-//! How grave a message is.
+//! Severity of messages.
 
-/// The kind of a message of `logMsg` and `popUpMsg` (s8); without it a message is an information.
+/// Severity of a message in `logMsg` and `popUpMsg` (s8); the default is information.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Severity {
     /// 1.
@@ -13,7 +13,7 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// The kind of this number; any number but 2 and 3 is an information.
+    /// Returns the severity with this number; any number except 2 and 3 is an information.
     #[must_use]
     pub fn from_number(number: f64) -> Self {
         if number == 2.0 {

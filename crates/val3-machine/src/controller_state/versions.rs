@@ -1,4 +1,4 @@
-//! Versions of the parts of the controller, and its licences (`getVersion` 8.1, `getLicence` 11.3.2).
+//! Versions of the controller's components, and licences (`getVersion` 8.1, `getLicence` 11.3.2).
 
 use std::collections::BTreeMap;
 
@@ -8,14 +8,14 @@ use val3_lang::components::{Component, LICENCES, OEM_LICENCE};
 /// The state of a licence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Licence {
-    /// It may be used for a while.
+    /// Usable for a limited time.
     Demo,
-    /// It is installed.
+    /// Installed.
     Enabled,
 }
 
 impl Licence {
-    /// The value that programs see.
+    /// Value that programs read.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
@@ -25,7 +25,7 @@ impl Licence {
     }
 }
 
-/// The result of `getLicence` where no licence of a machine builder can be tested.
+/// Result of `getLicence` if no licence of a machine builder can be tested.
 const OEM_DISABLED: &str = "oemLicenceDisabled";
 
 /// A licence that a machine builder made.
@@ -35,7 +35,8 @@ struct OemLicence {
     state: Licence,
 }
 
-/// The first version of a component: a controller of the manual's language with an arm from its examples, and no board.
+/// Initial versions of the components: a controller of the manual's language with an arm from its examples, and no
+/// board.
 const AT_FIRST: [(Component, &str); 7] = [
     (Component::Val3, "s7.11.0 - Jan 01 2024 - 00:00:00"),
     (Component::System, "s7.11.0"),
@@ -46,7 +47,7 @@ const AT_FIRST: [(Component, &str); 7] = [
     (Component::ArmSerial, "F24_000001_A_01"),
 ];
 
-/// Versions and licences; a controller has those that are set, and at first the licences that the manual names.
+/// Versions and licences that were set, initially with the licences that the manual names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Versions {
     parts: Vec<(Component, String)>,
@@ -63,13 +64,14 @@ impl Default for Versions {
 }
 
 impl Versions {
-    /// The version of a part, as `getVersion` gives it: the language as `s7.11.3 - Jan 01 2024 - 00:00:00`.
+    /// Sets the version of a component, as `getVersion` returns it: for the language `s7.11.3 - Jan 01 2024 -
+    /// 00:00:00`.
     pub fn set(&mut self, part: Component, version: &str) {
         self.parts.retain(|(known, _)| *known != part);
         self.parts.push((part, version.to_owned()));
     }
 
-    /// Installs a licence, or takes it away.
+    /// Installs or removes a licence.
     pub fn set_licence(&mut self, name: &str, licence: Option<Licence>) {
         match licence {
             Some(licence) => self.licences.insert(name.to_owned(), licence),
@@ -82,14 +84,14 @@ impl Versions {
         self.oem.insert(name.to_owned(), OemLicence { password: password.to_owned(), state });
     }
 
-    /// The state of a licence; `None` where it is missing, and its instructions are run-time error 250.
+    /// Returns the state of a licence; `None` if it is missing, so that its instructions are run-time error 250.
     #[must_use]
     pub fn licence(&self, name: &str) -> Option<Licence> {
         self.licences.get(name).copied()
     }
 
-    /// `getVersion`: the version of a part, empty where it is not set; of anything else the state of the licence, empty
-    /// where it is missing.
+    /// `getVersion`: returns the version of a component, empty if it is not set; for any other name the state of the
+    /// licence, empty if it is missing.
     #[must_use]
     pub fn version(&self, component: &str) -> &str {
         match Component::from_name(component) {

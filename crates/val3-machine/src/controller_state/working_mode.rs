@@ -1,4 +1,4 @@
-//! Working modes and what the arm does in them (`workingMode`, 8.1).
+//! Working modes and the activities of the arm in them (`workingMode`, 8.1).
 
 /// A working mode; the number is the result of `workingMode`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -20,9 +20,9 @@ pub enum WorkingMode {
 /// The activity of the arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Activity {
-    /// It follows the moves of programs; in test mode below 250 mm/s.
+    /// Follows the moves of programs; in test mode below 250 mm/s.
     Programmed,
-    /// It moves back to where it left its path.
+    /// Moves back to the point at which it left its path.
     Connection,
     /// Manual mode: the operator moves single axes.
     JointJog,
@@ -34,12 +34,12 @@ pub enum Activity {
     PointJog,
     /// Test mode: it follows the moves of programs above 250 mm/s.
     FastProgrammed,
-    /// It is held.
+    /// Held.
     Hold,
 }
 
 impl Activity {
-    /// Recorded moves may move the arm.
+    /// Whether recorded moves may move the arm.
     #[must_use]
     pub fn lets_programs_move(self) -> bool {
         matches!(self, Self::Programmed | Self::FastProgrammed | Self::Connection)
@@ -60,7 +60,7 @@ impl WorkingMode {
         self as u8
     }
 
-    /// Its name.
+    /// Returns the name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -83,8 +83,8 @@ impl WorkingMode {
         }
     }
 
-    /// The state that `workingMode(nStatus)` gives: 0 in a changing mode; what the arm cannot do in this mode counts as
-    /// held.
+    /// State that `workingMode(nStatus)` returns: 0 in a changing mode; an activity that is impossible in this mode
+    /// counts as held.
     #[must_use]
     pub fn state(self, activity: Activity) -> u8 {
         let place = |wanted| self.activities().iter().position(|known| *known == wanted);

@@ -1,9 +1,9 @@
-//! The time that instructions take on media.
+//! Duration of instructions on media.
 
 use val3_lang::ports::Time;
 use val3_vm::CYCLE;
 
-/// Time to find, create or delete something on a medium: a cycle, after which the run can be ended.
+/// Time to find, create or delete an entry on a medium: a cycle, after which the run can be ended.
 const ACCESS: Time = CYCLE;
 
 /// Time to read from or write to an open file, without the bytes.
@@ -12,7 +12,7 @@ const TRANSFER: Time = 100_000;
 /// Time for each byte: 4 MB in a second.
 const PER_BYTE: Time = 250;
 
-/// The time that the last instruction has taken outside the program.
+/// Time that the last instruction has spent outside the program.
 #[derive(Debug, Clone, Default)]
 pub(super) struct AccessTime {
     elapsed: Time,

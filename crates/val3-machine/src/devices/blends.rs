@@ -1,4 +1,4 @@
-//! Distances of blends, with the lines that shorten them.
+//! Blend distances, with the lines that shorten them.
 
 use val3_lang::ports::CodePlace;
 use val3_motion::{Corner, Millimetres, MoveEvent, QueuedMove, Shortening};
@@ -8,13 +8,13 @@ use crate::arm::MoveOrigin;
 use crate::blend_ends::{BlendCut, BlendDistance, BlendEnds, CutReason};
 
 impl Devices {
-    /// Requested and effective distances of the blend of a recorded move.
+    /// Requested and effective blend distances of a recorded move.
     #[must_use]
     pub fn blend_of(&self, queued: &QueuedMove, origin: Option<&MoveOrigin>) -> BlendEnds {
         self.blend_ends([queued.leave, queued.reach], queued.cancelled, origin)
     }
 
-    /// Requested and effective distances of the blend of a move at an event.
+    /// Requested and effective blend distances of a move at an event.
     pub(super) fn blend_at(&self, event: &MoveEvent, origin: Option<&MoveOrigin>) -> BlendEnds {
         self.blend_ends([event.leave, event.reach], event.cancelled, origin)
     }

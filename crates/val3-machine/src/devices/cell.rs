@@ -1,4 +1,4 @@
-//! The settings of the controller in the configuration files of a cell.
+//! Settings of the controller in a cell's configuration files.
 
 use val3_kinematics::{Arm, Violation};
 use val3_lang::components::Component;
@@ -8,10 +8,10 @@ use val3_syntax::xml::{self, Element};
 
 use super::state::State;
 
-/// The entries that `getVersion` shows, by their names in the files.
+/// Entries that `getVersion` returns, by their names in the files.
 const PARTS: [(&str, Component); 2] = [("tuning", Component::Tuning), ("mount", Component::Mounting)];
 
-/// The settings of a file such as `arm.cfx` or `cell.cfx` that concern the arm, its speed and the language.
+/// Settings for the arm, its speed and the language in a file such as `arm.cfx` or `cell.cfx`.
 #[derive(Debug, Default)]
 pub(super) struct CellFile {
     arm: ArmFile,
@@ -34,7 +34,7 @@ impl CellFile {
         Self { arm: ArmFile::read(file), settings: entries.filter_map(setting).collect() }
     }
 
-    /// Gives the controller these settings, and returns warnings about those without effect.
+    /// Applies the settings, and returns warnings about settings without effect.
     pub(super) fn apply(&self, state: &mut State) -> Vec<String> {
         if let Some(arm) = self.arm.model.as_ref().filter(|_| !state.arm.is_chosen()) {
             self.set_arm(arm, state);
@@ -58,7 +58,7 @@ impl CellFile {
         warnings
     }
 
-    /// The default arm stays if the named one is not known.
+    /// Sets the named arm. If it is unknown, the default arm stays.
     fn set_arm(&self, name: &str, state: &mut State) {
         match Arm::by_settings(name, self.arm.length_axis3.as_deref()) {
             Ok(model) => state.set_arm(model, name),
@@ -72,7 +72,7 @@ fn not_used(Violation { axis, position, min, max }: Violation) -> String {
     format!("arm.cfx: the limit {position} of axis {axis} leaves it no range within {min} to {max}; it is not used")
 }
 
-/// A speed above 0, in mm/s.
+/// Parses a speed above 0, in mm/s.
 fn manual_speed(text: &str) -> Option<MillimetresPerSecond> {
     let speed = text.parse().ok().filter(|speed: &f64| speed.is_finite() && *speed > 0.0);
     speed.map(MillimetresPerSecond)

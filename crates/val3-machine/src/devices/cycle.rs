@@ -1,4 +1,4 @@
-//! The work of the devices at the beginning and the end of a cycle (5.7).
+//! Actions of the devices at the beginning and end of a cycle (5.7).
 
 use val3_lang::ports::Time;
 
@@ -6,7 +6,8 @@ use super::Devices;
 use super::part_events::{changed, seen, switched};
 
 impl Devices {
-    /// The cycle begins: lines hear their peers, keys come up, power changes, programs see new inputs.
+    /// Begins a cycle: lines read from their peers, tapped keys are released, the power changes, and the inputs of
+    /// programs are updated.
     pub fn begin_cycle(&mut self, now: Time) {
         self.lines.attend();
         self.state.pendant.advance(now);
@@ -23,7 +24,7 @@ impl Devices {
         self.state.watch_latch();
     }
 
-    /// The cycle ends: the hardware gets new outputs.
+    /// Ends a cycle: writes the outputs to the hardware.
     pub fn end_cycle(&mut self, now: Time) {
         self.record_lines(now);
         let changes = self.state.io.refresh_outputs();
@@ -31,7 +32,8 @@ impl Devices {
         self.record_all_outside(now, changed);
     }
 
-    /// When a device does something of itself; `None` where all of them wait for programs or the outside.
+    /// Time of the next change in a device without an external cause; `None` if all devices wait for programs or the
+    /// outside.
     #[must_use]
     pub fn next_due(&self, now: Time) -> Option<Time> {
         let arm = self.state.arm.is_busy(self.state.robot.drive()).then_some(now);

@@ -1,4 +1,4 @@
-//! Inputs and outputs as instructions reach them (3.5, 3.6, 8.1).
+//! Access of instructions to inputs and outputs (3.5, 3.6, 8.1).
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::ports::{Io, IoDescription};
@@ -59,7 +59,7 @@ impl Io for Devices {
 }
 
 impl Devices {
-    /// The link of a `dio`, `aio` or `sio` variable; `None` where it has none.
+    /// Link of a `dio`, `aio` or `sio` variable; `None` without a link.
     #[must_use]
     pub fn port_name(&self, base: BaseType, port: u32) -> Option<&str> {
         match base {
@@ -68,13 +68,13 @@ impl Devices {
         }
     }
 
-    /// The state of the line of a `sio` variable, for users.
+    /// State of a `sio` variable's line, shown to users.
     #[must_use]
     pub fn line_state(&self, port: u32) -> &'static str {
         self.lines.state_of(port)
     }
 
-    /// The state of a `dio` variable.
+    /// Reads a `dio` variable.
     ///
     /// # Errors
     /// 123 not linked, 125 its device has failed.
@@ -82,7 +82,7 @@ impl Devices {
         self.state.io.read_digital(LinkId::from_number(port)).map_err(fault)
     }
 
-    /// The value of an `aio` variable.
+    /// Reads an `aio` variable.
     ///
     /// # Errors
     /// 123 not linked, 125 its device has failed.

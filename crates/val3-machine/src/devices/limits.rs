@@ -1,15 +1,16 @@
-//! Limits that keep a program from filling the memory of the computer.
+//! Limits that prevent programs from filling the memory of the computer.
 
-/// The largest amounts of data that the devices hold for programs, in bytes.
+/// Maximum amounts of data that the devices store for programs, in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Limits {
-    /// Events of a cycle. The cycle is then suspended, so that the caller can take the events.
+    /// Events in a cycle. The cycle is then suspended, so that the caller can take the events.
     pub recorded: usize,
-    /// Data that all tasks together have to send over lines. Beyond it, sending raises error 40.
+    /// Data that all tasks together have to send over lines. Beyond this limit, sending raises error 40.
     pub pending: usize,
-    /// Data of an application or library that `libSave` writes. Beyond it, the instruction returns code 38.
+    /// Data of an application or library that `libSave` writes. Beyond this limit, the instruction returns code 38.
     pub saved: u64,
-    /// The files that programs have changed since inputs are recorded, which stay in memory. Beyond it, writing fails.
+    /// Files that programs have changed since external input is recorded, which stay in memory. Beyond this limit,
+    /// writing fails.
     pub changed: u64,
 }
 

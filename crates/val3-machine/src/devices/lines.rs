@@ -1,4 +1,4 @@
-//! The serial lines and sockets of the controller, by the texts that variables link to (3.7).
+//! Serial lines and sockets of the controller, by link text (3.7).
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
@@ -15,38 +15,38 @@ use crate::sio::{
     Replay, ScriptedPeer, Sending, SettingRefusal, SocketGuard,
 };
 
-/// Every line that variables link to or that is configured.
+/// All lines that are configured or linked by variables.
 #[derive(Default)]
 pub struct Lines {
     pub(super) lines: Vec<NamedLine>,
     /// The bytes that tasks are sending.
     sending: BTreeMap<TaskNumber, Sending>,
-    /// The answers of lines since they were taken, if they are recorded.
+    /// Results of lines since the last `take_answers`, if they are recorded.
     answers: Option<Answers>,
     /// Whether a line had a peer at the last check.
     had_peer: bool,
-    /// The output of the cycle over lines whose other end is a script, by links.
+    /// Output of the cycle over lines whose other end is a script, by link.
     pub(super) output: BTreeMap<String, Vec<u8>>,
-    /// The answers that lines give instead of those outside.
+    /// Recorded results by link, which lines return instead of external results.
     replay: Option<BTreeMap<String, Vec<Entry>>>,
     pub(super) inputs: Inputs,
     /// Whether the current instruction has used a link that is not configured.
     is_missing: bool,
 }
 
-/// Answers with the links of the lines that gave them; each recorder holds it too.
+/// Results with the link of the line. Each recorder shares the list.
 type Answers = Rc<RefCell<Vec<(String, Entry)>>>;
 
-/// A line by the text of its link.
+/// Line with its link.
 pub(super) struct NamedLine {
     pub(super) link: String,
     /// `None` for a link that is not configured.
     pub(super) channel: Option<RecordedChannel>,
-    /// A program has used it, and it was not closed since.
+    /// Whether a program has used the line and not closed it since.
     in_use: bool,
-    /// The task that has used it last, for users.
+    /// Task that has used the line last, shown to users.
     user: Option<TaskNumber>,
-    /// Its input arrives by the clock on the wall.
+    /// Whether its input arrives in wall-clock time.
     is_outside: bool,
     /// Whether a variable or the configuration names it, not only a script.
     is_known: bool,
@@ -66,7 +66,7 @@ pub(super) struct RecordedChannel {
     recorder: Rc<Cell<RecorderState>>,
 }
 
-/// The state of all lines, as a snapshot has it.
+/// State of all lines in a snapshot.
 #[derive(Debug, Clone)]
 pub struct LinesState {
     lines: Vec<(Option<(ChannelState, RecorderState)>, bool)>,
@@ -77,12 +77,12 @@ pub struct LinesState {
 }
 
 impl Lines {
-    /// No lines yet; those that come are asked through this recorder.
+    /// Creates an empty list of lines, whose calls will pass through this recorder.
     pub(super) fn new(inputs: Inputs) -> Self {
         Self { inputs, ..Self::default() }
     }
 
-    /// The recorder through which lines are asked.
+    /// Recorder of the calls to lines.
     pub(crate) fn inputs(&self) -> &Inputs {
         &self.inputs
     }
@@ -99,7 +99,7 @@ impl Lines {
         }
     }
 
-    /// Returns to a state. Links that are newer than it are forgotten; those outside hear nothing of it.
+    /// Restores a state and removes newer links. Peers receive nothing.
     pub(crate) fn restore(&mut self, state: &LinesState) {
         self.lines.truncate(state.lines.len());
         for (line, (channel, in_use)) in self.lines.iter_mut().zip(&state.lines) {
@@ -117,26 +117,26 @@ impl Lines {
         self.output.clone_from(&state.output);
     }
 
-    /// The rest of what a task is sending.
+    /// Removes and returns the unsent bytes of a task.
     pub(super) fn take_sending(&mut self, task: TaskNumber) -> Option<Sending> {
         self.sending.remove(&task)
     }
 
-    /// Keeps what a task is sending until its next turn.
+    /// Stores the unsent bytes of a task until its next turn.
     pub(super) fn keep_sending(&mut self, task: TaskNumber, sending: Sending) {
         self.sending.insert(task, sending);
     }
 
-    /// A task is over.
+    /// Discards the unsent bytes of a task that has ended.
     pub(super) fn forget_sending(&mut self, task: TaskNumber) {
         self.sending.remove(&task);
     }
 
-    /// Opens the lines of a configuration that reach outside, within `reach`. A serial line stays without a device
-    /// until one is [attached](Self::attach). `guard_of` returns the guard whose consent the socket of a line needs.
+    /// Opens the configured lines to the outside, within `reach`. A serial line has no device until one is
+    /// [attached](Self::attach). `guard_of` returns the guard that has to permit the socket of a line.
     ///
     /// # Errors
-    /// The link of the first line that cannot do what is configured.
+    /// Link of the first line that does not support its configuration.
     pub fn configure(
         &mut self,
         configs: &[ChannelConfig],
@@ -153,10 +153,10 @@ impl Lines {
         Ok(())
     }
 
-    /// Connects a link to a line. `config` may have parameters for it.
+    /// Connects a link to a line. `config` may contain parameters of the line.
     ///
     /// # Errors
-    /// If the line cannot do what is configured.
+    /// If the line does not support its configuration.
     pub fn attach(
         &mut self,
         config: &ChannelConfig,
@@ -169,18 +169,18 @@ impl Lines {
         Ok(())
     }
 
-    /// Writes down what the lines answer that are configured from now on.
+    /// Records the results of lines that are configured from now on.
     pub fn record(&mut self) {
         self.answers = Some(Rc::default());
     }
 
-    /// Lets the lines that are configured from now on answer as recorded ones did, by their links; a line without
-    /// entries stays silent.
+    /// Replays recorded results, by link, on lines that are configured from now on. A line without entries stays
+    /// silent.
     pub fn replay(&mut self, entries: BTreeMap<String, Vec<Entry>>) {
         self.replay = Some(entries);
     }
 
-    /// The answers of recorded lines since the last call.
+    /// Results of recorded lines since the last call.
     pub(super) fn take_answers(&mut self) -> Vec<(String, Entry)> {
         self.answers.as_ref().map(|answers| std::mem::take(&mut *answers.borrow_mut())).unwrap_or_default()
     }
@@ -201,7 +201,7 @@ impl Lines {
         }
     }
 
-    /// A channel on a line that is asked through the recorder of inputs.
+    /// Channel on a line whose calls pass through the recorder of external input.
     pub(super) fn recorded(
         &self,
         config: &ChannelConfig,
@@ -225,7 +225,7 @@ impl Lines {
         }
     }
 
-    /// The number of a link, which variables hold.
+    /// Number of a link, which variables store.
     pub(super) fn number(&mut self, link: &str) -> u32 {
         let at = self.lines.iter().position(|known| known.link.eq_ignore_ascii_case(link)).unwrap_or_else(|| {
             let (link, script) = (link.to_owned(), None);
@@ -236,7 +236,7 @@ impl Lines {
         u32::try_from(at).unwrap_or(u32::MAX)
     }
 
-    /// As [`number`](Self::number), for a link of a variable or of the configuration.
+    /// Like [`number`](Self::number), for a link of a variable or of the configuration.
     pub(super) fn known_number(&mut self, link: &str) -> u32 {
         let number = self.number(link);
         if let Some(known) = self.lines.get_mut(number as usize) {
@@ -277,7 +277,7 @@ impl Lines {
         std::mem::take(&mut self.is_missing)
     }
 
-    /// Asks a channel for a task, which uses it from then on.
+    /// Calls a channel for a task, which uses the channel from then on.
     pub(super) fn ask<T>(
         &mut self,
         number: Option<u32>,
@@ -296,20 +296,20 @@ impl Lines {
         })
     }
 
-    /// The event of bytes that a program has exchanged with a line; `None` if there were none.
+    /// Event of the bytes exchanged with a line; `None` without bytes.
     pub(super) fn exchange(&self, number: Option<u32>, dir: &'static str, bytes: &[u8]) -> Option<EventKind> {
         let link = number.and_then(|number| self.link(number)).unwrap_or_default().to_owned();
         (!bytes.is_empty()).then(|| EventKind::Sio { link, dir, bytes: bytes.to_vec() })
     }
 
-    /// A program has closed the line.
+    /// Notes that a program has closed the line.
     pub(super) fn end_use(&mut self, number: Option<u32>) {
         if let Some(known) = number.and_then(|number| self.lines.get_mut(number as usize)) {
             known.in_use = false;
         }
     }
 
-    /// Looks after the lines that programs use: accepts callers, and takes in what has come.
+    /// Services the lines that programs use: accepts callers, and buffers received bytes.
     pub(crate) fn attend(&mut self) {
         for known in self.lines.iter_mut().filter(|known| known.in_use) {
             if let Some(RecordedChannel { channel, .. }) = &mut known.channel {
@@ -318,7 +318,7 @@ impl Lines {
         }
     }
 
-    /// A program uses a line: no time may be left out, as something can come in at any.
+    /// Whether a program uses a line. No time may be skipped then, because bytes can arrive at any time.
     #[must_use]
     pub fn are_in_use(&self) -> bool {
         self.lines.iter().any(|known| known.in_use)
@@ -336,13 +336,13 @@ impl Lines {
         self.lines.iter().any(|known| known.in_use && known.is_outside)
     }
 
-    /// Whether a line to the outside has a peer, whose bytes arrive by the clock on the wall.
+    /// Whether a line to the outside has a peer, whose bytes arrive in wall-clock time.
     #[must_use]
     pub fn have_outside_peer(&self) -> bool {
         self.outside_peer().is_some()
     }
 
-    /// Whether a line that a program uses has a peer, which may speak in any cycle.
+    /// Whether a line that a program uses has a peer, which may send in any cycle.
     #[must_use]
     pub fn have_peer(&self) -> bool {
         self.lines.iter().any(|known| known.in_use && known.has_peer())
@@ -375,7 +375,7 @@ impl Lines {
         self.links().any(|known| known.eq_ignore_ascii_case(link))
     }
 
-    /// The kinds of the lines, by their links.
+    /// Kinds of the lines, by link.
     pub fn kinds(&self) -> impl Iterator<Item = (&str, LineKind)> {
         self.lines.iter().filter_map(|known| Some((known.link.as_str(), known.channel.as_ref()?.channel.kind())))
     }

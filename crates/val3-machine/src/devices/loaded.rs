@@ -1,4 +1,4 @@
-//! The applications and libraries in memory: their names in the record of a run, and their files.
+//! Applications and libraries in memory: their names in the record of a run, and their files.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -9,14 +9,14 @@ use val3_lang::ports::CodePlace;
 
 use crate::files::LibraryFiles;
 
-/// The applications and libraries in memory.
+/// Applications and libraries in memory.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LoadedProjects {
-    /// By the numbers of their instances.
+    /// By instance number.
     instances: Vec<Option<LoadedInstance>>,
-    /// Their files as they were loaded, by the numbers of their instances.
+    /// Loaded files by instance number.
     sources: BTreeMap<u16, Arc<LibraryFiles>>,
-    /// The library that was read last, until it comes into memory.
+    /// The library that was read last, until it is loaded into memory.
     read: Option<(Arc<Image>, Arc<LibraryFiles>)>,
 }
 
@@ -28,22 +28,22 @@ struct LoadedInstance {
 }
 
 impl LoadedProjects {
-    /// Keeps the files of a library that comes into memory next.
+    /// Stores the files of the next library that will be loaded into memory.
     pub(super) fn keep_read(&mut self, image: &Arc<Image>, files: LibraryFiles) {
         self.read = Some((Arc::clone(image), Arc::new(files)));
     }
 
-    /// Keeps the files of an instance.
+    /// Stores the files of the instance.
     pub(super) fn keep_files(&mut self, instance: u16, files: LibraryFiles) {
         self.sources.insert(instance, Arc::new(files));
     }
 
-    /// The files of an instance as they were loaded.
+    /// Returns the loaded files of the instance.
     pub(super) fn files(&self, instance: u16) -> Option<Arc<LibraryFiles>> {
         self.sources.get(&instance).map(Arc::clone)
     }
 
-    /// Adds an application or library under the number of its instance.
+    /// Adds an application or library under its instance number.
     pub(super) fn add(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>) {
         let at = usize::from(instance);
         if self.instances.len() <= at {
@@ -58,7 +58,7 @@ impl LoadedProjects {
         }
     }
 
-    /// The program, the line of the file and the file of a position in the code.
+    /// Program, line of the file and file of a code location.
     pub(super) fn position(&self, at: CodePlace) -> (String, u32, String) {
         let instance = self.instances.get(usize::from(at.instance)).and_then(Option::as_ref);
         let found = instance.and_then(|LoadedInstance { image, .. }| {

@@ -1,4 +1,4 @@
-//! Files on the media as instructions reach them.
+//! Access of instructions to files on the media.
 
 use val3_lang::ports::Media;
 use val3_lang::values::Text;
@@ -11,7 +11,8 @@ use crate::files::{self, FileFault, LibraryPath, OpenMode, list};
 use crate::sio::byte_of;
 
 impl Devices {
-    /// The result of an instruction that may change files. If one did not fit into memory, the event log says so.
+    /// Returns the result of an instruction that may change files. If a change did not fit into memory, reports it in
+    /// the event log.
     pub(super) fn reported<T>(&mut self, result: T) -> T {
         if self.outside.take_overflow() {
             let limit = self.limits.changed >> 20;

@@ -17,7 +17,7 @@ use crate::controller_state::Severity;
 use crate::event::EventKind;
 use crate::io::LinkId;
 
-/// The result of the instructions of `alter` without its licence (11.2.6).
+/// Result of the `alter` instructions without the licence (11.2.6).
 const NO_ALTER: i8 = -2;
 
 /// The inputs that have a position latch (9.2.3).
@@ -126,7 +126,7 @@ impl Motion for Devices {
     }
 
     fn reset_motion(&mut self, start: Option<[f64; 6]>) {
-        // Programs call it in loops, where it changes nothing.
+        // Programs call it in loops, in which it changes nothing.
         if self.state.arm.is_stopped() || !self.state.arm.is_empty() || self.state.arm.move_id() != 0.0 {
             self.record_motion_here("reset", "resetMotion");
         }
@@ -182,7 +182,7 @@ impl Devices {
         self.state.versions.licence(name).map(drop).ok_or(Fault(NO_LICENCE))
     }
 
-    /// Says in the event log why a move is refused, and gives the run-time error.
+    /// Reports the reason of a rejected move in the event log, and returns the run-time error.
     fn refuse(&mut self, instruction: &'static str, error: &MoveError) -> Fault {
         let (text, code) = match error {
             MoveError::Earlier(cause) => (format!("a move recorded before cannot be done: {cause}"), MOTION_FAULT),
@@ -193,7 +193,7 @@ impl Devices {
         Fault(code)
     }
 
-    /// Warns once for each line whose descriptor allows more than the maximum speed of an axis that moves.
+    /// Warns once for each line whose descriptor exceeds the maximum speed of a moving axis.
     fn warn_of_speed(&mut self, request: &MoveRequest, start: &Joints, at: CodePlace) {
         if let Some(excess) = self.state.arm.excess_speed(request, start, at) {
             let (instruction, vel, most) = (request.instruction, request.descriptor.vel, excess.greatest_vel);
@@ -205,7 +205,7 @@ impl Devices {
         }
     }
 
-    /// Records what an instruction does to the motion as a whole.
+    /// Records the effect of an instruction on the entire motion.
     fn record_motion_here(&mut self, phase: &'static str, instruction: &'static str) {
         let id = self.state.arm.move_id();
         let (program, line, _) = self.place(self.state.record.origin().at);
@@ -235,8 +235,8 @@ impl Devices {
         }
     }
 
-    /// The application has ended: reports the recorded moves that are not done, and the fault of a path that the arm has
-    /// not reached.
+    /// Reports the recorded moves that are not done at the end of the application, and the fault of a path that the arm
+    /// has not reached.
     pub(crate) fn record_dropped_moves(&mut self, now: Time) {
         if let Some((fault, Some(origin))) = self.state.arm.take_unreached_fault() {
             self.report_path_fault(now, &fault, &origin, "the arm cannot follow a recorded path");

@@ -1,4 +1,4 @@
-//! Media and libraries: what the devices reach outside the controller, apart from lines.
+//! Media and libraries: the access of the devices to the outside, apart from lines.
 
 use std::rc::Rc;
 use std::sync::Arc;
@@ -10,17 +10,17 @@ use super::access_time::AccessTime;
 use crate::files::{ControllerPath, FileFault, LibraryFiles, LibraryPath, OpenFiles, Overlay, Roots};
 use crate::inputs::{Answer, Inputs};
 
-/// Finds and compiles libraries: the way from the run time to the analysis.
+/// Finds and compiles libraries: connects the run time to the analysis.
 pub trait Libraries {
-    /// The image of the library with these files.
+    /// Compiles the library with these files to an image.
     ///
     /// # Errors
-    /// A fault of its data or programs, as a line of the event log (code 12 of `libLoad`).
+    /// A fault in the data or programs, as a line of the event log (code 12 of `libLoad`).
     fn image(&mut self, path: &ControllerPath, files: LibraryFiles) -> Result<Arc<Image>, String>;
 }
 
-/// The media and libraries outside. While inputs are recorded, an overlay covers the media: changes are state, and each
-/// answer of the disk below it passes through the recorder, as those of libraries do.
+/// Media and libraries outside. While external input is recorded, an overlay covers the media: changes are state, and
+/// each result of the disk below passes through the recorder, as do results for libraries.
 pub(super) struct Outside {
     media: Media,
     inputs: Inputs,
@@ -36,7 +36,7 @@ pub(super) struct Media {
     pub(super) libraries: Box<dyn Libraries>,
 }
 
-/// The changes of programs to files, in memory. Contents are shared.
+/// File changes of programs, in memory. Contents are shared.
 #[derive(Debug, Clone)]
 pub struct MediaState {
     overlay: Option<Overlay>,
@@ -44,7 +44,7 @@ pub struct MediaState {
 }
 
 impl MediaState {
-    /// The bytes that it does not share with an earlier state.
+    /// Size of the memory that is not shared with an earlier state, in bytes.
     pub(crate) fn bytes(&self) -> u64 {
         self.overlay.as_ref().map_or(0, Overlay::fresh)
     }
@@ -55,7 +55,7 @@ impl Outside {
         Self { media: Media { roots, files: OpenFiles::default(), libraries }, inputs }
     }
 
-    /// The changes of programs to files. From the first call on, they stay in memory, and take no more than these
+    /// Returns the file changes of programs. From the first call on, they stay in memory, limited to this number of
     /// bytes.
     pub(super) fn state(&mut self, limit: u64) -> MediaState {
         let Media { roots, files, .. } = &mut self.media;
@@ -70,19 +70,19 @@ impl Outside {
         self.media.files = state.files.copy();
     }
 
-    /// Writes the changes that are in memory to the media.
+    /// Writes the changes in memory to the media.
     pub(super) fn write(&self) -> Vec<String> {
         self.media.roots.write()
     }
 
-    /// From now on changes go to the media again.
+    /// Uncovers the media: changes go to the media again.
     pub(super) fn uncover(&mut self) {
         let Media { roots, files, .. } = &mut self.media;
         roots.uncover();
         files.follow(roots);
     }
 
-    /// Whether a change was refused since the last call, because changes in memory would take too many bytes.
+    /// Whether a change was rejected since the last call, because changes in memory would exceed the limit.
     pub(super) fn take_overflow(&self) -> bool {
         self.media.roots.take_overflow()
     }
@@ -92,18 +92,18 @@ impl Outside {
         question(&mut self.media)
     }
 
-    /// Does something with an open file; the default answer for a number of no file.
+    /// Accesses an open file; returns the default value if the number belongs to no file.
     pub(super) fn of_file<T: Default>(&mut self, file: f64, act: impl FnOnce(&mut OpenFiles, usize) -> T) -> T {
         number(file).map(|file| self.ask(|media| act(&mut media.files, file))).unwrap_or_default()
     }
 
-    /// The files of an application or library.
+    /// Reads the files of an application or library.
     pub(super) fn files(&mut self, path: &str) -> Result<LibraryFiles, FileFault> {
         let library = LibraryPath::new(&controller_path("", path)?)?;
         self.ask(|media| library.read(&media.roots, ""))
     }
 
-    /// Finds and compiles the library that a program of `from` names. Its files are returned with it.
+    /// Finds and compiles the library that a program of `from` names. Returns it with its files.
     pub(super) fn load(
         &mut self,
         time: &mut AccessTime,
@@ -125,7 +125,7 @@ impl Outside {
     }
 }
 
-/// A compiled library. Its image takes about as many bytes as its files.
+/// Compiled library. The image has about the same size as the files.
 #[derive(Clone)]
 struct Compiled {
     image: Arc<Image>,
@@ -138,10 +138,10 @@ impl Answer for Compiled {
     }
 }
 
-/// Why a library cannot be loaded.
+/// Reason why a library cannot be loaded.
 pub(super) enum LoadFault {
     File(FileFault),
-    /// A fault of its data or programs, as a line of the event log.
+    /// A fault in the data or programs, as a line of the event log.
     Program(String),
 }
 
@@ -151,14 +151,14 @@ impl From<FileFault> for LoadFault {
     }
 }
 
-/// A path as a program of the application or library at `from` means it.
+/// Resolves a path in a program of the application or library at `from`.
 pub(super) fn controller_path(from: &str, path: &str) -> Result<ControllerPath, FileFault> {
     let from = ControllerPath::parse(from, &ControllerPath::root("Disk"))?;
     let is_file = from.has_extension("pjx") || from.has_extension("zip");
     ControllerPath::parse(path, &if is_file { from.parent() } else { from })
 }
 
-/// The number of a file; a number that is none is that of no file.
+/// Converts a number to a file number; an invalid number belongs to no file.
 fn number(file: f64) -> Option<usize> {
     let rounded = (file + 0.5).floor();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]

@@ -1,4 +1,4 @@
-//! The events of parts of the controller, in the form that the record of a run has.
+//! Events of the controller's parts, in the form of a run's record.
 
 use crate::controller_state::{EventLog, Robot, RobotEvent};
 use crate::event::EventKind;
@@ -33,7 +33,7 @@ pub(super) fn seen(pendant: &mut Pendant) -> Vec<EventKind> {
     events.into_iter().filter_map(|event| on_screen(pendant, event)).collect()
 }
 
-/// The form of an event in the record. A question has the form of a message.
+/// Converts an event to the form in the record. A question has the form of a message.
 fn on_screen(pendant: &Pendant, event: ScreenEvent) -> Option<EventKind> {
     let screen = |page| pendant.name(page).to_owned();
     let cell = |number| u8::try_from(number).unwrap_or(u8::MAX);

@@ -1,4 +1,4 @@
-//! The questions on the pendant that tasks wait for.
+//! Questions on the pendant for which tasks wait.
 
 use std::collections::BTreeMap;
 
@@ -6,19 +6,19 @@ use val3_lang::ports::{InputResult, TaskNumber};
 
 use crate::screen::{Pendant, ReadingId};
 
-/// The question of each task to the operator.
+/// Each task's question to the operator.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Questions {
     by_task: BTreeMap<TaskNumber, ReadingId>,
 }
 
 impl Questions {
-    /// A task begins to wait for an answer.
+    /// Notes that a task waits for an answer.
     pub(super) fn begin(&mut self, task: TaskNumber, question: ReadingId) {
         self.by_task.insert(task, question);
     }
 
-    /// The answer to the question of a task, once the operator has given it.
+    /// Returns the operator's answer to the question of a task, if it exists.
     pub(super) fn take_answer(&mut self, task: TaskNumber, pendant: &mut Pendant) -> Option<InputResult> {
         let answer = pendant.take_answer(*self.by_task.get(&task)?)?;
         self.by_task.remove(&task);

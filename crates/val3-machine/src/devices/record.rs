@@ -1,4 +1,4 @@
-//! The events of a run, until the caller takes them.
+//! Events of a run, until the caller takes them.
 
 use std::collections::BTreeMap;
 
@@ -6,18 +6,18 @@ use val3_lang::ports::{Origin, TaskNumber, Time};
 
 use crate::event::{Event, EventKind, seconds};
 
-/// The events of a run that were not taken, and the origin of the next ones.
+/// Events of a run that were not taken, and the origin of the next events.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Record {
     events: Vec<Event>,
-    /// The size of the events, roughly, in bytes.
+    /// Approximate size of the events, in bytes.
     bytes: usize,
     origin: Origin,
-    /// The names of tasks.
+    /// Names of tasks.
     names: BTreeMap<TaskNumber, String>,
 }
 
-/// Events that were set aside.
+/// Saved events.
 #[derive(Debug)]
 pub(super) struct Aside {
     events: Vec<Event>,
@@ -35,12 +35,12 @@ impl Record {
         self.origin = origin;
     }
 
-    /// Gives a task its name in events.
+    /// Sets the name of a task in events.
     pub(super) fn name(&mut self, task: TaskNumber, name: &str) {
         self.names.insert(task, name.to_owned());
     }
 
-    /// Forgets the name of a task that is over.
+    /// Removes the name of a task that has ended.
     pub(super) fn forget(&mut self, task: TaskNumber) {
         self.names.remove(&task);
     }
@@ -62,18 +62,18 @@ impl Record {
         self.events.push(event);
     }
 
-    /// The size of the events, roughly, in bytes.
+    /// Approximate size of the events, in bytes.
     pub(super) fn bytes(&self) -> usize {
         self.bytes
     }
 
-    /// Takes the events and their origin out, until [`resume`](Self::resume).
+    /// Removes and returns the events and their origin, until [`resume`](Self::resume).
     pub(super) fn set_aside(&mut self) -> Aside {
         let bytes = self.bytes;
         Aside { events: self.take(), bytes, origin: self.origin }
     }
 
-    /// Puts back what was set aside, in place of what was recorded since.
+    /// Restores saved events, in place of all later events.
     pub(super) fn resume(&mut self, aside: Aside) {
         (self.events, self.bytes, self.origin) = (aside.events, aside.bytes, aside.origin);
     }

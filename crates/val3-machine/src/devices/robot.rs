@@ -1,4 +1,4 @@
-//! Power, modes, speed, versions, users and dates as instructions reach them (4.3, 8.1).
+//! Access of instructions to power, modes, speed, versions, users and dates (4.3, 8.1).
 
 use val3_lang::ports::{Robot, Time};
 use val3_lang::values::Text;

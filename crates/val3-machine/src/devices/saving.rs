@@ -1,7 +1,7 @@
 //! `libSave` (6.7).
 //!
-//! The files of an application or library stay in memory as they were loaded, so that it can be saved where its files
-//! were deleted or changed. Unchanged values leave the bytes of their file unchanged.
+//! The loaded files of an application or library stay in memory, so that it can be saved after its files were deleted
+//! or changed. Unchanged values do not change the bytes of their file.
 
 mod chosen;
 mod links;
@@ -20,13 +20,13 @@ pub(super) use chosen::save;
 use links::Links;
 use values::Saver;
 
-/// Bytes of the global data of an application or library.
+/// Returns the size of the global data of an application or library, in bytes.
 fn data_bytes(space: &Space, saved: InstanceId) -> u64 {
     let data = space.instance(saved).map(|instance| instance.data.iter());
     data.into_iter().flatten().map(|store| space.memory.bytes(*store)).sum()
 }
 
-/// A save that a program asks for.
+/// Save request of a program.
 pub(super) struct Saving<'s> {
     pub(super) space: &'s Space,
     /// The instance whose program saves.
@@ -39,7 +39,7 @@ pub(super) struct Saving<'s> {
 }
 
 impl<'s> Saving<'s> {
-    /// Saves to the path that the program names, or to where the instance was loaded from.
+    /// Saves to the path that the program names, or to the path from which the instance was loaded.
     pub(super) fn save(
         &self,
         to: Option<&str>,

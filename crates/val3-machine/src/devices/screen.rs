@@ -1,4 +1,4 @@
-//! The pendant as instructions reach it (4.3).
+//! Access of instructions to the pendant (4.3).
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::Place;
@@ -15,7 +15,7 @@ impl Screen for Devices {
     }
 
     fn create_page(&mut self, variable: Place) -> u32 {
-        // A local screen and one in a field have no name.
+        // A local screen and a screen in a field have no name.
         let numbered = || format!("screen{}", self.state.pendant.pages().count());
         let name = self.state.loaded.screen(variable).unwrap_or_else(numbered);
         self.state.pendant.create(&name).number()

@@ -4,13 +4,14 @@ use super::Lines;
 use crate::sio::{ChannelConfig, LineKind, ScriptedLine};
 
 impl Lines {
-    /// Makes the script the other end of a line, in place of the outside. The line keeps its kind and its parameters.
+    /// Connects the script as the other end of a line, in place of the outside. The line keeps its kind and its
+    /// parameters.
     pub fn connect_script(&mut self, link: &str) {
         let known = self.channel_of(link).map(|channel| (channel.kind(), channel.state()));
         let kind = known.as_ref().map_or_else(|| kind_of(link), |(kind, _)| *kind);
         let (line, peer) = ScriptedLine::pair(kind);
         let config = ChannelConfig { link: link.to_owned(), kind, settings: Vec::new() };
-        // Only settings can be refused.
+        // Only settings can be rejected.
         let Ok(mut channel) = self.recorded(&config, Box::new(line)) else { return };
         if let Some((_, state)) = known {
             channel.channel.restore(state);
@@ -28,10 +29,10 @@ impl Lines {
         self.lines.iter().any(|known| known.script.is_some())
     }
 
-    /// Lets bytes come in over a line.
+    /// Sends bytes from the script to the controller over a line.
     ///
     /// # Errors
-    /// The script is not its other end.
+    /// The script is not the other end of the line.
     pub(crate) fn receive_from_script(&mut self, link: &str, bytes: &[u8]) -> Result<(), String> {
         let number = self.number(link) as usize;
         let peer = self.lines.get(number).and_then(|known| known.script.as_ref());
@@ -41,7 +42,7 @@ impl Lines {
         Ok(())
     }
 
-    /// Keeps what a task has sent over a line whose other end is a script.
+    /// Stores the output of a task over a line whose other end is a script.
     pub(super) fn keep_output(&mut self, number: Option<u32>, bytes: &[u8]) {
         let known = number.and_then(|number| self.lines.get(number as usize));
         if let Some(known) = known.filter(|known| known.script.is_some()) {
@@ -54,7 +55,7 @@ impl Lines {
         self.output.get(&link.to_ascii_lowercase()).map(Vec::as_slice).unwrap_or_default()
     }
 
-    /// Forgets the output of the cycle.
+    /// Discards the output of the cycle.
     pub(crate) fn forget_output(&mut self) {
         self.output.clear();
     }

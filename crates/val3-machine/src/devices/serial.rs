@@ -1,4 +1,4 @@
-//! Serial lines and sockets as instructions reach them (3.7).
+//! Access of instructions to serial lines and sockets (3.7).
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::ports::{LineValue, Outgoing, Reply, Serial, Time};
@@ -90,7 +90,7 @@ impl Serial for Devices {
     }
 }
 
-/// The timeout of `=` is a run-time error (3.7.2).
+/// Converts the timeout of `=` to a run-time error (3.7.2).
 fn done<T>(reply: Reply<std::result::Result<T, SioFault>>) -> Result<Reply<T>> {
     match reply {
         Reply::Done(Ok(value)) => Ok(Reply::Done(value)),

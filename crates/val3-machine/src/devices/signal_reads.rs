@@ -1,4 +1,4 @@
-//! The reads of signals that a debugger watches.
+//! Reads of signals that a debugger watches.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use val3_lang::ports::TaskNumber;
 use super::Devices;
 use crate::io::{LinkId, SignalId};
 
-/// The signals that are watched, and the tasks that have read them.
+/// Watched signals, and the tasks that have read them.
 #[derive(Debug, Default)]
 pub(super) struct SignalReads {
     watched: BTreeSet<SignalId>,
@@ -15,7 +15,7 @@ pub(super) struct SignalReads {
 }
 
 impl Devices {
-    /// Notes which tasks read these signals from now on.
+    /// Starts to record the tasks that read these signals.
     pub fn watch_signal_reads(&mut self, watched: BTreeSet<SignalId>) {
         self.signal_reads = SignalReads { watched, seen: BTreeSet::new() };
     }
@@ -25,7 +25,7 @@ impl Devices {
         std::mem::take(&mut self.signal_reads.seen)
     }
 
-    /// The task that runs reads what a link leads to.
+    /// Records that the running task reads the signal of a link.
     pub(super) fn note_read(&mut self, link: LinkId) {
         if self.signal_reads.watched.is_empty() {
             return;

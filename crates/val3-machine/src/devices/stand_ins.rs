@@ -1,22 +1,22 @@
-//! Libraries that are loaded in place of others.
+//! Libraries that are loaded in place of other libraries.
 
 use std::collections::BTreeMap;
 
 use val3_vm::LibraryRequest;
 
-/// The paths of libraries that are loaded in place of others, by library identifier.
+/// Paths of libraries that are loaded in place of other libraries, by library identifier.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct StandIns(BTreeMap<String, String>);
 
 impl StandIns {
-    /// From now on the library at `path` (`Disk://stubs/feeder`) is loaded under an identifier, whatever path programs and
-    /// projects name.
+    /// Loads the library at `path` (`Disk://stubs/feeder`) under an identifier from now on, independent of the path
+    /// that programs and projects name.
     pub fn insert(&mut self, identifier: String, path: String) {
         self.0.insert(identifier, path);
     }
 
-    /// The path that is loaded for the application or library at `from`. A stand-in itself gets what it names, so that it
-    /// can use the library whose place it takes.
+    /// Returns the path that is loaded for the application or library at `from`. A stand-in itself gets the path that
+    /// it names, so that it can use the library that it replaces.
     pub(super) fn path<'p>(&'p self, from: &str, library: LibraryRequest<'p>) -> &'p str {
         let stand_in = self.0.get(library.alias).filter(|path| !path.eq_ignore_ascii_case(from));
         stand_in.map_or(library.path, String::as_str)

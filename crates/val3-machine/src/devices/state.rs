@@ -34,53 +34,53 @@ pub struct State {
     pub versions: Versions,
     /// Date and time.
     pub calendar: Calendar,
-    /// The additions of CS9 controllers.
+    /// Additional features of CS9 controllers.
     pub cs9: Cs9,
     /// Events that the caller has not taken.
     pub(super) record: Record,
     /// The applications and libraries in memory.
     pub(super) loaded: LoadedProjects,
-    /// The questions on the pendant that tasks wait for.
+    /// Questions on the pendant for which tasks wait.
     pub(super) questions: Questions,
-    /// The time that the last instruction has taken outside the program.
+    /// Time that the last instruction has spent outside the program.
     pub(super) access_time: AccessTime,
-    /// A task is at an instruction that this controller lacks.
+    /// Whether a task has reached an instruction that this controller does not support.
     pub(super) lacks: bool,
 }
 
 impl State {
-    /// Gives the controller an arm, with the name that `getVersion` gives.
+    /// Sets the arm, with the name that `getVersion` returns.
     pub fn set_arm(&mut self, model: Arm, name: &str) {
         self.versions.set(Component::ArmType, name);
         self.arm = RobotArm::new(model);
     }
 
-    /// Gives the controller the default arm of a kind.
+    /// Sets the default arm of a kind.
     pub fn set_default_arm(&mut self, is_scara: bool) {
         self.versions.set(Component::ArmType, RobotArm::default_name(is_scara));
         self.arm = RobotArm::of_kind(is_scara);
     }
 
-    /// The arm moves on by a cycle, and its power follows.
+    /// Advances the arm by one cycle, and then its power.
     pub(super) fn advance_arm(&mut self, now: Time) {
         self.arm.advance(self.robot.drive());
         self.robot.set_away(self.arm.is_away());
         self.robot.advance(now, self.arm.is_at_rest());
     }
 
-    /// Why the arm does not move though there are moves to do.
+    /// Reason why the arm does not move although moves are not done.
     pub(crate) fn arm_hold(&self) -> Option<ArmHold> {
         let hold = self.arm.hold(self.robot.drive())?;
         Some(if self.robot.is_powered() { hold } else { ArmHold::NoPower })
     }
 
-    /// Why the arm does not move to where it was released to.
+    /// Reason why the arm does not move to the end of the release.
     pub(crate) fn arm_standstill(&self) -> Option<ArmHold> {
         let hold = self.arm.standstill(self.robot.drive())?;
         Some(if self.robot.is_powered() { hold } else { ArmHold::NoPower })
     }
 
-    /// The latch sees its input.
+    /// Passes the input signal to the latch.
     pub(super) fn watch_latch(&mut self) {
         let joint = self.arm.measured_joint();
         if let Some(latch) = self.arm.latch() {

@@ -1,4 +1,4 @@
-//! Events of tasks, and the services of the controller for the run time.
+//! Task events, and the services of the controller for the run time.
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering;

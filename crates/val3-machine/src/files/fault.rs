@@ -2,39 +2,39 @@
 
 use std::io;
 
-/// The faults that a program can meet, with the number that 6.6 gives them.
+/// Faults that a program can receive, with the number of 6.6.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(u16)]
 pub enum FileFault {
-    /// The identifier holds no library.
+    /// No library is loaded under the identifier.
     NoLibrary = 10,
     /// Faulty data or programs, a damaged archive, or a wrong password.
     CannotLoad = 12,
     /// The root of the path names no medium.
     BadRoot = 20,
-    /// The path cannot be followed, or would leave its medium.
+    /// The path cannot be resolved, or would leave its medium.
     BadPath = 21,
-    /// The last part of the path is no possible name.
+    /// The last part of the path is no valid name.
     BadName = 22,
-    /// An archive that is not encrypted, or not in the classic way.
+    /// The archive is not encrypted, or not with the classic encryption.
     NotEncrypted = 23,
     /// The medium failed in another way.
     Medium = 30,
-    /// The path to save to holds a library.
+    /// A library exists at the path to save to.
     LibraryThere = 31,
-    /// The device is not there.
+    /// The device does not exist.
     NoDevice = 32,
-    /// The device took too long.
+    /// The device has exceeded the timeout.
     TimedOut = 34,
-    /// The device takes no writes.
+    /// The device is write-protected.
     WriteProtected = 35,
-    /// No room is left.
+    /// The medium is full.
     DiskFull = 38,
     /// No such file.
     NotFound = 39,
-    /// The file takes no writes.
+    /// The file is read-only.
     ReadOnly = 40,
-    /// A server turned the connection down.
+    /// A server has rejected the connection.
     Refused = 41,
 }
 

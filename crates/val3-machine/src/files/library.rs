@@ -1,5 +1,5 @@
-//! Libraries on their media: where a path leads, what belongs to a library, and the storage half of the instructions
-//! of 6.7. This module handles files and does not know the meaning of a library.
+//! Libraries on their media: path resolution, library files, and the storage part of the instructions of 6.7. This
+//! module handles files, not the meaning of a library.
 
 mod archive;
 mod store;
@@ -16,7 +16,7 @@ use super::{ControllerPath, EntryKind, FileFault, MountedPath, Roots};
 pub use archive::unpack;
 pub use store::{Steps, Uninterrupted};
 
-/// Where a library is: the folder and the project file in it, or an encrypted archive (6.5, 6.6).
+/// Location of a library: the folder and the project file in it, or an encrypted archive (6.5, 6.6).
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct LibraryPath {
     /// The folder, or the archive.
@@ -25,29 +25,29 @@ pub struct LibraryPath {
     manifest: Option<SmolStr>,
 }
 
-/// The files of a library as they were read. The project file comes first.
+/// Files of a library as read from the medium, the project file first.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LibraryFiles {
-    /// Each file, by its path from the folder of the library.
+    /// Files with paths relative to the library's folder.
     pub files: Vec<LibraryFile>,
-    /// They come from an encrypted archive.
+    /// Whether the files come from an encrypted archive.
     pub encrypted: bool,
 }
 
-/// One file.
+/// File of a library.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LibraryFile {
-    /// Its path from the folder of the library.
+    /// Path relative to the library's folder.
     pub path: Utf8PathBuf,
-    /// Its bytes.
+    /// Content.
     pub bytes: Vec<u8>,
 }
 
 impl LibraryPath {
-    /// Reads a path as `libLoad` gets it: that of the folder, of the project file in it, or of an archive.
+    /// Parses a path in the forms that `libLoad` accepts: the folder, the project file in it, or an archive.
     ///
     /// # Errors
-    /// [`FileFault::BadName`] where it names no library, such as a root alone.
+    /// [`FileFault::BadName`] if the path names no library, for example only a root.
     pub fn new(path: &ControllerPath) -> Result<Self, FileFault> {
         let name = path.name().ok_or(FileFault::BadName)?;
         if path.has_extension("zip") {
@@ -59,8 +59,8 @@ impl LibraryPath {
         Ok(Self { folder: path.clone(), manifest: Some(format!("{name}.pjx").into()) })
     }
 
-    /// The path as `libPath` returns it, which identifies a library: the folder, or the archive; the project
-    /// file where it is not named as its folder.
+    /// Path as `libPath` returns it, which identifies a library: the folder, the archive, or the project file if its
+    /// name differs from the folder's name.
     #[must_use]
     pub fn path(&self) -> ControllerPath {
         let usual = self.folder.name().map(|name| format!("{name}.pjx"));
@@ -77,7 +77,7 @@ impl LibraryPath {
         &self.folder
     }
 
-    /// The place of the project file, or of the archive; steps that a crash interrupted are finished first.
+    /// Resolves the project file or the archive. Steps that a crash has interrupted are completed first.
     fn place<'r>(&self, roots: &'r Roots) -> Result<MountedPath<'r>, FileFault> {
         let folder = roots.place(&self.folder)?;
         match &self.manifest {
@@ -89,21 +89,21 @@ impl LibraryPath {
         }
     }
 
-    /// There is a library.
+    /// Whether the library exists.
     ///
     /// # Errors
-    /// If the path cannot be followed.
+    /// If the path cannot be resolved.
     pub fn exists(&self, roots: &Roots) -> Result<bool, FileFault> {
         Ok(self.place(roots)?.kind()? == EntryKind::File)
     }
 
-    /// Reads all files of the library; of an archive with its password, which is the ZIP password here.
+    /// Reads all files of the library. `password` is the ZIP password of the archive.
     ///
-    /// A missing file that the project names is left out; loading reports it.
+    /// Missing files that the project names are omitted; loading reports them.
     ///
     /// # Errors
-    /// [`FileFault::NotFound`] if there is none, [`FileFault::BadPath`] if not even the folder it would be in,
-    /// [`FileFault::NotEncrypted`] and [`FileFault::CannotLoad`] for archives as 6.6 says.
+    /// [`FileFault::NotFound`] if the library does not exist, [`FileFault::BadPath`] if its parent folder does not
+    /// exist either, [`FileFault::NotEncrypted`] and [`FileFault::CannotLoad`] for archives according to 6.6.
     pub fn read(&self, roots: &Roots, password: &str) -> Result<LibraryFiles, FileFault> {
         let place = self.place(roots)?;
         if place.kind()? != EntryKind::File {
@@ -117,11 +117,11 @@ impl LibraryPath {
         Ok(LibraryFiles { files: files_of(&place)?, encrypted: false })
     }
 
-    /// Deletes the library: its project file first, so that what a crash leaves is no library, and its folder if
-    /// nothing else is in it.
+    /// Deletes the library, and its folder if it contains nothing else. The project file is deleted first, so that no
+    /// partial library exists after a crash.
     ///
     /// # Errors
-    /// If the path cannot be followed or a file cannot be deleted. That there is no library is none.
+    /// If the path cannot be resolved or a file cannot be deleted. A missing library is no error.
     pub fn delete(&self, roots: &Roots) -> Result<(), FileFault> {
         let place = self.place(roots)?;
         if place.kind()? != EntryKind::File {
@@ -133,12 +133,13 @@ impl LibraryPath {
         }
     }
 
-    /// Saves a library where it was loaded from: the files of `new` that are not as in `old`, and those that are gone
-    /// from the medium. A crash at any time leaves the library of before or that of afterwards.
+    /// Saves a library to the path from which it was loaded: the files of `new` that differ from `old`, and files that
+    /// are missing on the medium. After a crash at any time, either the complete old or the complete new library
+    /// exists.
     ///
     /// # Errors
-    /// [`FileFault::ReadOnly`] for an archive, which is never written in clear; else what the medium says, and
-    /// nothing has changed then.
+    /// [`FileFault::ReadOnly`] for an archive, which is never written unencrypted, or the error of the medium. Nothing
+    /// has changed then.
     pub fn save(
         &self,
         roots: &Roots,
@@ -160,12 +161,12 @@ impl LibraryPath {
         if changed.is_empty() { Ok(()) } else { store::store(&folder, &changed, steps) }
     }
 
-    /// Saves a library under another path. The folder that is to hold its folder must be there.
+    /// Saves a library under another path. The parent of the library's folder must exist.
     ///
     /// # Errors
-    /// [`FileFault::LibraryThere`] if there is a library, [`FileFault::BadPath`] without the folder around,
-    /// [`FileFault::BadName`] for an archive, [`FileFault::ReadOnly`] if the library is an encrypted one, which is
-    /// never written in clear; else what the medium says.
+    /// [`FileFault::LibraryThere`] if the library exists, [`FileFault::BadPath`] if the parent folder does not exist,
+    /// [`FileFault::BadName`] for an archive, [`FileFault::ReadOnly`] for an encrypted library, which is never written
+    /// unencrypted, or the error of the medium.
     pub fn save_as(&self, roots: &Roots, new: &LibraryFiles, steps: &mut dyn Steps) -> Result<(), FileFault> {
         let manifest = self.manifest.as_ref().ok_or(FileFault::BadName)?;
         if self.exists(roots)? {
@@ -186,19 +187,19 @@ impl LibraryPath {
 }
 
 impl LibraryFiles {
-    /// Bytes of all files.
+    /// Total size of all files, in bytes.
     #[must_use]
     pub fn size(&self) -> usize {
         self.files.iter().map(|file| file.bytes.len()).sum()
     }
 
-    /// The file with this path from the folder of the library.
+    /// File with this path relative to the library's folder.
     #[must_use]
     pub fn file(&self, path: &Utf8Path) -> Option<&LibraryFile> {
         self.files.iter().find(|file| file.path == path)
     }
 
-    /// The same library with other values of its data.
+    /// Returns a copy of the library with these data values.
     #[must_use]
     pub fn with_data(&self, data: &[SavedData]) -> Self {
         let mut new = self.clone();
@@ -213,7 +214,7 @@ impl LibraryFiles {
     }
 }
 
-/// Lists what is in a folder, by name without regard to letter case (`libList`).
+/// Lists the names in a folder, sorted without regard to letter case (`libList`).
 ///
 /// # Errors
 /// [`FileFault::BadPath`] if there is no such folder.

@@ -1,23 +1,23 @@
-//! Files and folders as a whole: the instructions of the file add-on that copy, move and delete.
+//! Instructions of the file add-on that copy, move and delete entire files and folders.
 
 use std::io;
 
 use super::reserved::is_reserved;
 use super::{ControllerPath, EntryKind, FileFault, MountedPath, Roots};
 
-/// A file is there (`$fileExists`). A folder is none.
+/// Whether a file exists (`$fileExists`). A folder is no file.
 ///
 /// # Errors
-/// If the path cannot be followed.
+/// If the path cannot be resolved.
 pub fn file_exists(roots: &Roots, path: &ControllerPath) -> Result<bool, FileFault> {
     Ok(roots.place(path)?.kind()? == EntryKind::File)
 }
 
-/// Deletes a file, or a folder with all that is in it (`$delete`).
+/// Deletes a file, or a folder with its content (`$delete`).
 ///
 /// # Errors
-/// [`FileFault::NotFound`] if there is nothing, [`FileFault::BadName`] for a medium itself, [`FileFault::ReadOnly`] for a
-/// folder with a reserved name in it, and what the medium says.
+/// [`FileFault::NotFound`] if nothing exists at the path, [`FileFault::BadName`] for a medium itself,
+/// [`FileFault::ReadOnly`] for a folder that contains a reserved name, and the errors of the medium.
 pub fn delete(roots: &Roots, path: &ControllerPath) -> Result<(), FileFault> {
     let place = movable(roots, path)?;
     match place.kind()? {
@@ -35,11 +35,11 @@ fn check_free(folder: &MountedPath<'_>) -> Result<(), FileFault> {
     if folder.has_reserved()? { Err(FileFault::ReadOnly) } else { Ok(()) }
 }
 
-/// Copies a file, over one that is there, or a folder with all that is in it but reserved names (`$copy`).
+/// Copies a file, which replaces an existing file, or a folder with its content without reserved names (`$copy`).
 ///
 /// # Errors
-/// [`FileFault::NotFound`] if there is nothing to copy, [`FileFault::BadPath`] for a copy onto itself or into itself,
-/// onto a folder, or into a folder that is not there, and what the medium says; nothing half copied is left then.
+/// [`FileFault::NotFound`] if nothing exists at the path, [`FileFault::BadPath`] for a copy onto itself or into itself,
+/// onto a folder, or into a missing folder, and the errors of the medium. No partial copy remains then.
 pub fn copy(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Result<(), FileFault> {
     let (from, to) = (movable(roots, from)?, movable(roots, to)?);
     let kind = from.kind()?;
@@ -54,12 +54,12 @@ pub fn copy(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Result
     copy_all(&from, &to, kind)
 }
 
-/// Moves a file or a folder, or gives it another name (`$rename`); on another medium it is copied and then deleted.
+/// Moves or renames a file or a folder (`$rename`). A move to another medium is a copy followed by a deletion.
 ///
 /// # Errors
-/// [`FileFault::NotFound`] if there is nothing to move, [`FileFault::BadPath`] if something is at the new path
-/// already, or if that is in the folder itself or in one that is not there, [`FileFault::ReadOnly`] for a folder with a
-/// reserved name in it, and what the medium says.
+/// [`FileFault::NotFound`] if nothing exists at the path, [`FileFault::BadPath`] if the new path exists already, or is
+/// inside of the folder itself or of a missing folder, [`FileFault::ReadOnly`] for a folder that contains a reserved
+/// name, and the errors of the medium.
 pub fn rename(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Result<(), FileFault> {
     let name = to.name().ok_or(FileFault::BadName)?;
     let (from, to) = (movable(roots, from)?, movable(roots, to)?);
@@ -91,7 +91,7 @@ pub fn rename(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Resu
     }
 }
 
-/// A place that may be moved or deleted: not a medium itself.
+/// Resolves a path that may be moved or deleted: not a medium itself.
 fn movable<'r>(roots: &'r Roots, path: &ControllerPath) -> Result<MountedPath<'r>, FileFault> {
     let place = roots.place(path)?;
     if roots.is_base(&place) { Err(FileFault::BadName) } else { Ok(place) }

@@ -9,10 +9,10 @@ use super::volume::{InFile, OutFile};
 use super::{ControllerPath, EntryKind, FileFault, Roots};
 use crate::string_bytes::fill;
 
-/// The most files that are open at a time.
+/// Maximum number of open files.
 const MOST: usize = 10;
 
-/// The number of bytes that are skipped at once in a line without text.
+/// Number of bytes skipped in one step in a line without text.
 const PASSED: usize = 4_096;
 
 /// The files that a controller has open, by number.
@@ -48,12 +48,12 @@ struct Writing {
 #[derive(Debug)]
 struct Reading {
     file: InFile,
-    /// Bytes of the file that have been looked at and not read.
+    /// Bytes that were inspected but not read.
     ahead: VecDeque<u8>,
 }
 
 impl OpenMode {
-    /// The mode in a program, in any letter case; a final `b` or `t` changes nothing.
+    /// Parses the mode, in any letter case; a final `b` or `t` has no effect.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         match text.trim().to_ascii_lowercase().trim_end_matches(['b', 't']) {
@@ -66,10 +66,10 @@ impl OpenMode {
 }
 
 impl OpenFiles {
-    /// Opens a file and gives its number, 0 to 9 (`$fileOpen`).
+    /// Opens a file and returns its number, 0 to 9 (`$fileOpen`).
     ///
     /// # Errors
-    /// [`FileFault::Medium`] if ten files are open; else what the path or the medium says.
+    /// [`FileFault::Medium`] if ten files are open, or the error of the path or the medium.
     pub fn open(&mut self, roots: &Roots, path: &ControllerPath, mode: OpenMode) -> Result<usize, FileFault> {
         let number = self.files.iter().position(Option::is_none).ok_or(FileFault::Medium)?;
         let place = roots.place(path)?;
@@ -92,27 +92,28 @@ impl OpenFiles {
         Ok(number)
     }
 
-    /// Reads at most `most` lines; fewer at the end of the file, none of a file that is not open for reading
-    /// (`$fileGet`). A line that is longer than a string continues in the next one.
+    /// Reads at most `most` lines, fewer at the end of the file (`$fileGet`). A file that is not open for reading has
+    /// no lines. A line that is longer than a string continues in the next string.
     pub fn lines(&mut self, number: usize, most: usize) -> Vec<String> {
         let Some(reading) = self.reading(number) else { return Vec::new() };
         std::iter::from_fn(|| reading.line()).take(most).collect()
     }
 
-    /// Reads at most `most` bytes; fewer at the end of the file, none of a file that is not open for reading.
+    /// Reads at most `most` bytes, fewer at the end of the file. A file that is not open for reading has no bytes.
     pub fn bytes(&mut self, number: usize, most: usize) -> Vec<u8> {
         let Some(reading) = self.reading(number) else { return Vec::new() };
         std::iter::from_fn(|| reading.byte()).take(most).collect()
     }
 
-    /// Writes lines, each with a line end, and gives how many (`$fileSet`). Other instructions see them at once.
+    /// Writes lines, each with a line end, and returns their number (`$fileSet`). Other instructions can read them
+    /// immediately.
     pub fn write_lines<'t>(&mut self, number: usize, lines: impl IntoIterator<Item = &'t str>) -> usize {
         let Some(file) = self.writing(number) else { return 0 };
         let written = lines.into_iter().take_while(|line| writeln!(file, "{line}").is_ok()).count();
         if file.flush().is_ok() { written } else { 0 }
     }
 
-    /// Writes bytes and gives how many.
+    /// Writes bytes and returns their number.
     pub fn write_bytes(&mut self, number: usize, bytes: &[u8]) -> usize {
         let Some(file) = self.writing(number) else { return 0 };
         if file.write_all(bytes).and_then(|()| file.flush()).is_ok() { bytes.len() } else { 0 }
@@ -121,7 +122,7 @@ impl OpenFiles {
     /// Closes a file, after which everything written is on the medium (`$fileClose`).
     ///
     /// # Errors
-    /// [`FileFault::NotFound`] if no such file is open; else what the medium says, and the file is closed.
+    /// [`FileFault::NotFound`] if no such file is open, or the error of the medium; the file is closed then.
     pub fn close(&mut self, number: usize) -> Result<(), FileFault> {
         match self.files.get_mut(number).and_then(Option::take).ok_or(FileFault::NotFound)? {
             OpenFile::Reading(_) => Ok(()),
@@ -129,14 +130,14 @@ impl OpenFiles {
         }
     }
 
-    /// Later writes go to the overlay that covers the media now, or to the media that no overlay covers any more.
+    /// Redirects later writes to the overlay that now covers the media, or to the uncovered media.
     pub(crate) fn follow(&mut self, roots: &Roots) {
         for slot in &mut self.files {
             *slot = slot.take().and_then(|open| open.following(roots));
         }
     }
 
-    /// The same files with their positions, in memory.
+    /// Returns a copy of the files with their positions, in memory.
     pub(crate) fn copy(&self) -> Self {
         Self { files: std::array::from_fn(|number| self.files.get(number)?.as_ref()?.copy()) }
     }
@@ -157,8 +158,8 @@ impl OpenFiles {
 }
 
 impl OpenFile {
-    /// The file where changes go now, or with the rest of its content in memory. None where the medium fails, or has the
-    /// file no longer.
+    /// Returns the file at the present destination of changes, or with the rest of its content in memory; `None` if the
+    /// medium fails or no longer has the file.
     fn following(self, roots: &Roots) -> Option<Self> {
         match self {
             Self::Reading(Reading { file, ahead }) => Some(Self::Reading(Reading { file: file.into_memory(), ahead })),
@@ -185,12 +186,12 @@ impl OpenFile {
 }
 
 impl Reading {
-    /// The next byte; `None` at the end, and where the medium fails.
+    /// Returns the next byte; `None` at the end, or if the medium fails.
     fn byte(&mut self) -> Option<u8> {
         self.ahead.pop_front().or_else(|| self.file.byte())
     }
 
-    /// The next bytes are these.
+    /// Whether these bytes are next.
     fn accepts_bytes(&mut self, bytes: &[u8]) -> bool {
         while self.ahead.len() < bytes.len() {
             let Some(byte) = self.file.byte() else { return false };
@@ -199,15 +200,15 @@ impl Reading {
         self.ahead.iter().take(bytes.len()).eq(bytes)
     }
 
-    /// Passes over the end of the line if it comes next.
+    /// Skips the end of the line if it is next. Returns whether it was.
     fn end_line(&mut self) -> bool {
         let end = [&b"\n"[..], b"\r\n"].into_iter().find(|end| self.accepts_bytes(end));
         self.ahead.drain(..end.map_or(0, <[u8]>::len));
         end.is_some()
     }
 
-    /// The next line, or the part of it that fits a string. The end of a line that fills its string exactly goes with
-    /// it.
+    /// Returns the next line, or the part of the line that fits a string. The end of a line that fills its string
+    /// exactly is read together with the line.
     fn line(&mut self) -> Option<String> {
         let mut bytes = Vec::new();
         loop {

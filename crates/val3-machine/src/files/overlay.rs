@@ -1,7 +1,7 @@
-//! The files that a program has changed, in memory above the disk.
+//! Files that a program has changed, in memory above the disk.
 //!
-//! An overlay knows each file and folder that was changed, by its place. Everything else is as on the disk. A copy is a
-//! snapshot: it shares the contents.
+//! An overlay stores each changed file and folder by path. All other files are unchanged on the disk. A copy is a
+//! snapshot and shares the contents.
 
 mod content;
 mod write;
@@ -16,32 +16,32 @@ use super::volume::DiskState;
 
 pub(super) use content::{Content, Reader};
 
-/// The changed files and folders.
+/// Changed files and folders.
 #[derive(Debug, Clone)]
 pub struct Overlay {
     entries: Arc<BTreeMap<Place, Entry>>,
     contents: Arc<BTreeMap<FileId, Content>>,
     next: FileId,
-    /// The bytes of all contents.
+    /// Size of all contents, in bytes.
     bytes: u64,
-    /// The most bytes of all contents.
+    /// Maximum size of all contents, in bytes.
     limit: u64,
     /// Bytes that were written since the last copy.
     fresh: u64,
-    /// Something was not written since the last question for it, because it would go beyond the limit.
+    /// Whether a write was rejected since the last `take_overflow`, because it would exceed the limit.
     has_overflowed: bool,
 }
 
-/// Where a file or folder is: the number of its volume, and its path there.
+/// Location of a file or folder: volume number, and path in the volume.
 pub(super) type Place = (usize, Utf8PathBuf);
 
-/// A file with its content, whatever its name.
+/// A file with its content, independent of its name.
 pub(super) type FileId = u32;
 
 /// A file or folder that was changed.
 #[derive(Debug, Clone)]
 struct Entry {
-    /// The disk when it was changed first.
+    /// Entry on the disk before the first change.
     disk: DiskState,
     now: Node,
 }
@@ -49,14 +49,14 @@ struct Entry {
 /// A file or folder for the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Node {
-    /// It was deleted.
+    /// Deleted.
     Missing,
     Folder,
     File(FileId),
 }
 
 impl Overlay {
-    /// Without changes. All contents together have at most this many bytes.
+    /// Creates an overlay without changes. All contents together have at most this number of bytes.
     pub(super) fn new(limit: u64) -> Self {
         Self {
             entries: Arc::default(),
@@ -69,24 +69,24 @@ impl Overlay {
         }
     }
 
-    /// The bytes that were written since the last copy before this one.
+    /// Number of bytes written since the last copy before this one.
     pub(crate) fn fresh(&self) -> u64 {
         self.fresh
     }
 
-    /// A copy that shares everything with this one.
+    /// Returns a copy that shares all contents.
     pub(super) fn share(&mut self) -> Self {
         let copy = self.clone();
         self.fresh = 0;
         copy
     }
 
-    /// Whether something was not written since the last call, because it would go beyond the limit.
+    /// Whether a write was rejected since the last call, because it would exceed the limit.
     pub(super) fn take_overflow(&mut self) -> bool {
         std::mem::take(&mut self.has_overflowed)
     }
 
-    /// The entry at a place; `None` if it is as on the disk.
+    /// Returns the entry at a path; `None` if it is unchanged on the disk.
     pub(super) fn node(&self, volume: usize, path: &Utf8Path) -> Option<Node> {
         let mut place = (volume, path.to_owned());
         if let Some(entry) = self.entries.get(&place) {
@@ -94,7 +94,7 @@ impl Overlay {
         }
         while place.1.pop() {
             if let Some(entry) = self.entries.get(&place) {
-                // Nothing else is in a new folder, in one that was deleted, or in a file.
+                // A new folder, a deleted folder and a file contain no other entries.
                 let is_on_disk = entry.now == Node::Folder && entry.disk == DiskState::Folder;
                 return (!is_on_disk).then_some(Node::Missing);
             }
@@ -102,13 +102,13 @@ impl Overlay {
         None
     }
 
-    /// A path leads through a file.
+    /// Whether a parent of the path is a file.
     pub(super) fn is_in_file(&self, volume: usize, path: &Utf8Path) -> bool {
         let mut around = path.ancestors().skip(1).filter_map(|around| self.entries.get(&(volume, around.to_owned())));
         around.next().is_some_and(|entry| matches!(entry.now, Node::File(_)))
     }
 
-    /// The names in a folder that differ from those on the disk, each with whether it is there.
+    /// Names in a folder that differ from the disk, each with whether it exists.
     pub(super) fn names<'o>(
         &'o self,
         volume: usize,
@@ -120,14 +120,14 @@ impl Overlay {
         inside.filter_map(|((_, path), entry)| Some((path.file_name()?, entry.now != Node::Missing)))
     }
 
-    /// Changes what is at a place. `disk` gives what the disk has there.
+    /// Sets the entry at a path. `disk` returns the entry on the disk.
     pub(super) fn set(&mut self, place: Place, node: Node, disk: impl FnOnce() -> DiskState) {
         let entry = Arc::make_mut(&mut self.entries).entry(place);
         let entry = entry.or_insert_with(|| Entry { disk: disk(), now: Node::Missing });
         entry.now = node;
     }
 
-    /// Makes a content known as a file.
+    /// Adds a content as a file.
     pub(super) fn add(&mut self, content: Content) -> io::Result<FileId> {
         self.take_room(content.bytes())?;
         let id = self.next;

@@ -1,4 +1,4 @@
-//! Paths as programs and projects write them: `Disk://a/b`, `./part`, `../part`, `USB0://x`, `part` (6.6).
+//! Paths in programs and projects: `Disk://a/b`, `./part`, `../part`, `USB0://x`, `part` (6.6).
 
 use std::fmt;
 
@@ -8,11 +8,11 @@ use smol_str::SmolStr;
 use super::FileFault;
 use super::reserved::is_reserved;
 
-/// The root that a path without one means.
+/// Default root of a path without a root.
 pub(super) const DISK: &str = "Disk";
 
-/// A path of the controller in its normal form: a root and names. Steps up are only at its start, where a medium may
-/// know a folder above its own.
+/// Controller path in normal form: a root and names. Upward steps are only at the start, because a medium may have a
+/// folder above its start folder.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct ControllerPath {
     root: SmolStr,
@@ -20,17 +20,17 @@ pub struct ControllerPath {
 }
 
 impl ControllerPath {
-    /// The root of a medium itself.
+    /// Root of a medium.
     #[must_use]
     pub fn root(name: &str) -> Self {
         Self { root: name.into(), parts: Vec::new() }
     }
 
-    /// Reads a path. A path with `./` or `../` starts at `application`, every other at a root, which is
-    /// `Disk` unless the path names one. `\` separates as `/` does.
+    /// Parses a path. A path with `./` or `../` starts at `application`, every other path at a root, by default `Disk`.
+    /// `\` separates like `/`.
     ///
     /// # Errors
-    /// [`FileFault::BadName`] for a name that no medium of the controller can hold, and for reserved names.
+    /// [`FileFault::BadName`] for a name that no medium of the controller supports, and for reserved names.
     pub fn parse(text: &str, application: &Self) -> Result<Self, FileFault> {
         let text = text.trim().replace('\\', "/");
         let (mut path, rest) = match text.split_once("://") {
@@ -42,7 +42,7 @@ impl ControllerPath {
         Ok(path)
     }
 
-    /// Goes one part on.
+    /// Appends one part.
     fn push(&mut self, part: &str) -> Result<(), FileFault> {
         match part {
             "" | "." => {}
@@ -66,14 +66,14 @@ impl ControllerPath {
         Ok(path)
     }
 
-    /// The path of what is called `name` here. It was a name before.
+    /// Appends `name`, which is a valid name.
     pub(super) fn child(&self, name: &str) -> Self {
         let mut path = self.clone();
         path.parts.push(name.into());
         path
     }
 
-    /// The path with its last names as those of `spelled`.
+    /// Returns the path with its last names spelled as in `spelled`.
     pub(super) fn with_names(&self, spelled: &Utf8Path) -> Self {
         let mut path = self.clone();
         let names = path.parts.iter_mut().rev().take_while(|part| *part != "..");
@@ -81,7 +81,7 @@ impl ControllerPath {
         path
     }
 
-    /// The name of the medium, as it was written.
+    /// Name of the medium, in the written spelling.
     #[must_use]
     pub fn medium(&self) -> &str {
         &self.root
@@ -93,7 +93,7 @@ impl ControllerPath {
         &self.parts
     }
 
-    /// The last name; `None` for a root, or where steps up end the path.
+    /// Last name; `None` for a root, or if the path ends with an upward step.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
         self.parts.last().map(SmolStr::as_str).filter(|name| *name != "..")
@@ -106,7 +106,7 @@ impl ControllerPath {
         Self { root: self.root.clone(), parts: self.parts.iter().take(kept).cloned().collect() }
     }
 
-    /// The last name ends in `.` and `extension`, in any letter case.
+    /// Whether the last name ends in `.` and `extension`, in any letter case.
     #[must_use]
     pub fn has_extension(&self, extension: &str) -> bool {
         let found = self.name().and_then(|name| name.rsplit_once('.'));
@@ -128,7 +128,7 @@ fn starts_at_application(text: &str) -> bool {
     ["./", "../"].iter().any(|start| text.starts_with(start)) || matches!(text, "." | "..")
 }
 
-/// A name that every medium can hold: those of FAT, which sticks and floppies have.
+/// Whether every medium supports the name: the names of FAT, the file system of sticks and floppies.
 fn is_name(name: &str) -> bool {
     let odd = |character: char| character.is_control() || r#"<>:"|?*"#.contains(character);
     !name.contains(odd) && name.len() <= 255 && !name.ends_with([' ', '.'])

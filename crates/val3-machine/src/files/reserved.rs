@@ -1,16 +1,16 @@
-//! Names that programs cannot use, because the files steer tools outside of the controller.
+//! Names that programs cannot use, because these files configure tools outside of the controller.
 //!
-//! Where applications lie directly in a repository, `Disk://` is the repository: a program could write `.git/config`, and the
-//! next `git status` would execute a command of its choice. No program of a controller needs these names.
+//! If applications are directly in a repository, `Disk://` is the repository: a program could write `.git/config`, and
+//! the next `git status` would execute a command of its choice. No program of a controller needs these names.
 
-/// The files that steer the tools of this project, in lower case.
+/// Configuration files of this project's tools, in lower case.
 const SETTINGS: [&str; 2] = ["val3.toml", "cell.toml"];
 
-/// Most bytes of the first part of a short name of Windows: `VAL3~1`.
+/// Maximum size of the first part of a short name in Windows: `VAL3~1`.
 const SHORT: usize = 8;
 
-/// Whether a name begins with a dot or is that of a settings file, in any spelling that a file system treats alike: letter
-/// case, characters that macOS ignores, and the short names of Windows, such as `GIT~1` for `.git`.
+/// Whether a name begins with a dot or is the name of a settings file, in any spelling that a file system treats alike:
+/// letter case, characters that macOS ignores, and the short names of Windows, such as `GIT~1` for `.git`.
 pub(super) fn is_reserved(name: &str) -> bool {
     let name: String = name.chars().filter(|c| !is_ignored(*c)).flat_map(char::to_lowercase).collect();
     name.starts_with('.') || SETTINGS.contains(&name.as_str()) || is_short_name(&name)

@@ -1,5 +1,5 @@
-//! The media and their folders. A [`MountedPath`] is inside of its folder whatever the path was: steps up,
-//! links and absolute paths end at the folder, which the operating system itself holds (`cap-std`).
+//! Media and their folders. A [`MountedPath`] is always inside of its folder: upward steps, links and absolute paths
+//! end at the folder, which the operating system holds open (`cap-std`).
 
 use std::io;
 
@@ -18,7 +18,7 @@ use crate::inputs::Inputs;
 #[derive(Debug, Default)]
 pub struct Roots {
     media: Vec<Medium>,
-    /// The changes of programs, until they are written.
+    /// Changes of programs until they are written.
     overlay: SharedOverlay,
 }
 
@@ -27,16 +27,16 @@ struct Medium {
     name: String,
     /// The folder that no path can leave.
     volume: Volume,
-    /// Where paths start in it; each part may be left by one step up.
+    /// Start folder of paths in the volume; one upward step removes one part.
     start: Vec<String>,
 }
 
-/// A file or folder, there or not yet, inside of a mounted folder.
+/// Existing or missing file or folder inside of a mounted folder.
 #[derive(Debug, Clone)]
 pub struct MountedPath<'r> {
     /// The folder that no path can leave.
     pub(super) volume: &'r Volume,
-    /// From there on, with the letter case on the medium; never absolute and without steps up.
+    /// Path in the volume, in the letter case of the medium; never absolute and without upward steps.
     pub(super) path: Utf8PathBuf,
 }
 
@@ -52,7 +52,7 @@ pub enum EntryKind {
 }
 
 impl Roots {
-    /// Mounts `folder` as `name`, in place of any other.
+    /// Mounts `folder` as `name`, in place of any previous folder.
     ///
     /// # Errors
     /// If the folder cannot be opened.
@@ -60,8 +60,8 @@ impl Roots {
         self.mount_inside(name, folder, Utf8Path::new(""))
     }
 
-    /// Mounts the folder of the applications as `Disk`. That of a cell is `usr/usrapp`: its paths can go up to
-    /// `usr`, where the templates are, and no further.
+    /// Mounts the folder of the applications as `Disk`. The folder in a cell is `usr/usrapp`: its paths can go up to
+    /// `usr`, which contains the templates, and no further.
     ///
     /// # Errors
     /// If the folder cannot be opened.
@@ -75,8 +75,8 @@ impl Roots {
         }
     }
 
-    /// Mounts the folder `start` inside of `outer` as `name`. Its paths can go up to `outer`, as those of a cell
-    /// do that say `Disk://../templates`.
+    /// Mounts the folder `start` inside of `outer` as `name`. Its paths can go up to `outer`, for example
+    /// `Disk://../templates` in a cell.
     ///
     /// # Errors
     /// If the folder cannot be opened.
@@ -90,12 +90,12 @@ impl Roots {
         Ok(())
     }
 
-    /// The place of a path. Letter case does not count: where no name is spelt the same, the first by order
-    /// that differs in case alone is taken.
+    /// Resolves a path. Letter case does not count: if no name has the same spelling, the first name in order that
+    /// differs only in case is used.
     ///
     /// # Errors
-    /// [`FileFault::BadRoot`] for a medium that is not mounted, [`FileFault::BadPath`] for a path that would leave it
-    /// or that leads through a file.
+    /// [`FileFault::BadRoot`] for a medium that is not mounted, [`FileFault::BadPath`] for a path that would leave the
+    /// medium or that continues after a file.
     pub fn place(&self, path: &ControllerPath) -> Result<MountedPath<'_>, FileFault> {
         let medium = self.media.iter().find(|medium| medium.name.eq_ignore_ascii_case(path.medium()));
         let medium = medium.ok_or(FileFault::BadRoot)?;
@@ -119,7 +119,8 @@ impl Roots {
         Ok(path.with_names(&place.path))
     }
 
-    /// From now on all changes stay in memory, and each answer of the media is recorded. `false` if it was so before.
+    /// Covers the media: from now on all changes stay in memory, and each result of the media is recorded. Returns
+    /// `false` if the media were covered already.
     pub(crate) fn cover(&mut self, inputs: &Inputs, limit: u64) -> bool {
         let is_new = self.overlay.borrow().is_none();
         if is_new {
@@ -129,7 +130,7 @@ impl Roots {
         is_new
     }
 
-    /// From now on changes go to the media again. Those in memory are written or lost.
+    /// Uncovers the media: changes go to the media again. Changes in memory must have been written, or are lost.
     pub(crate) fn uncover(&self) {
         self.overlay.replace(None);
     }
@@ -139,23 +140,23 @@ impl Roots {
         self.media.iter().map(|medium| &medium.volume).find(|volume| volume.number == number)
     }
 
-    /// A copy of the changes that are in memory.
+    /// Returns a copy of the changes in memory.
     pub(crate) fn overlay(&self) -> Option<Overlay> {
         self.overlay.borrow_mut().as_mut().map(Overlay::share)
     }
 
-    /// Returns to a copy of the changes.
+    /// Restores a copy of the changes.
     pub(crate) fn restore(&self, overlay: Option<Overlay>) {
         self.overlay.replace(overlay);
     }
 
-    /// Whether a change was refused since the last call, because all changes together would take too much memory.
+    /// Whether a change was rejected since the last call, because all changes together would exceed the memory limit.
     pub(crate) fn take_overflow(&self) -> bool {
         self.overlay.borrow_mut().as_mut().is_some_and(Overlay::take_overflow)
     }
 
-    /// Writes all changes that are in memory to the media. Changes what the media have only where the program has changed
-    /// it: a file that something else has changed meanwhile stays. The result says what was not written, and why.
+    /// Writes all changes in memory to the media. A file that another process has changed meanwhile stays unchanged.
+    /// Returns the files that were not written, with the reason.
     pub fn write(&self) -> Vec<String> {
         let Some(overlay) = self.overlay() else { return Vec::new() };
         let volumes: Vec<(&str, &Volume)> =
@@ -163,7 +164,7 @@ impl Roots {
         overlay.write(&volumes)
     }
 
-    /// The place is a folder that a medium starts in, or one around it.
+    /// Whether the path is the start folder of a medium, or a parent of it.
     pub(super) fn is_base(&self, place: &MountedPath<'_>) -> bool {
         let start = |medium: &Medium| medium.start.iter().collect::<Utf8PathBuf>();
         self.media.iter().any(|medium| {
@@ -176,15 +177,15 @@ impl<'r> MountedPath<'r> {
     /// The kind of entry here.
     ///
     /// # Errors
-    /// [`FileFault::BadPath`] if a link leads out of the medium or the place cannot be looked at.
+    /// [`FileFault::BadPath`] if a link points out of the medium or the path cannot be inspected.
     pub fn kind(&self) -> Result<EntryKind, FileFault> {
         self.volume.kind(&self.path)
     }
 
-    /// The place called `name` in this folder, in any letter case. A name that does not exist keeps its spelling.
+    /// Returns the path of `name` in this folder, in any letter case. A name that does not exist keeps its spelling.
     ///
     /// # Errors
-    /// [`FileFault::BadPath`] if this is a file, or a link leads out of the medium.
+    /// [`FileFault::BadPath`] if this is a file, or a link points out of the medium.
     pub fn child(&self, name: &str) -> Result<Self, FileFault> {
         let exact = Self { volume: self.volume, path: self.path.join(name) };
         if exact.kind()? != EntryKind::Missing || self.kind()? == EntryKind::Missing {
@@ -195,7 +196,7 @@ impl<'r> MountedPath<'r> {
         Ok(found.map_or(exact, |found| Self { volume: self.volume, path: self.path.join(found) }))
     }
 
-    /// The place at `path` from this folder on, part by part as [`Self::child`].
+    /// Resolves `path` relative to this folder, part by part as [`Self::child`].
     ///
     /// # Errors
     /// [`FileFault::BadPath`] for a path that is absolute or steps up, [`FileFault::BadName`] for reserved names, and as
@@ -212,13 +213,13 @@ impl<'r> MountedPath<'r> {
     /// The names in this folder, sorted without regard to letter case.
     ///
     /// # Errors
-    /// If the folder cannot be read. A name that is no text is passed over.
+    /// If the folder cannot be read. A name that is no text is skipped.
     pub fn names(&self) -> Result<Vec<String>, FileFault> {
         Ok(self.volume.names(&self.path)?)
     }
 
-    /// Whether a reserved name is somewhere in this folder. Links are not followed, because they are deleted and moved
-    /// themselves.
+    /// Whether this folder contains a reserved name at any depth. Links are not followed, because a link itself is
+    /// deleted and moved.
     ///
     /// # Errors
     /// If a folder cannot be read.
@@ -250,7 +251,7 @@ impl<'r> MountedPath<'r> {
     /// The bytes of the file here.
     ///
     /// # Errors
-    /// If it cannot be read, or is larger than anything a controller holds.
+    /// If the file cannot be read, or exceeds the size that a controller can store.
     pub fn read(&self) -> Result<Vec<u8>, FileFault> {
         Ok(self.volume.read(&self.path)?)
     }

@@ -1,7 +1,7 @@
-//! A mounted folder: that of the disk, or the same below an overlay.
+//! A mounted folder on the disk, with or without an overlay above it.
 //!
-//! Each answer of the disk below an overlay passes through the recorder of inputs, while the overlay is state: it repeats
-//! its changes when a run is executed again.
+//! Each result of the disk below an overlay passes through the recorder of external input, while the overlay is state:
+//! its changes are repeated when a run is executed again.
 
 mod changes;
 mod files;
@@ -20,10 +20,10 @@ use crate::inputs::{Answer, Inputs};
 
 pub(super) use files::{InFile, OutFile};
 
-/// The overlay that the volumes of a controller share; none while they change the disk.
+/// Overlay that the volumes of a controller share; `None` while they change the disk.
 pub(super) type SharedOverlay = Rc<RefCell<Option<Overlay>>>;
 
-/// The most bytes of a file that is read whole.
+/// Maximum size of a file that is read completely, in bytes.
 pub(super) const LARGEST: u64 = 256 << 20;
 
 /// A folder that no path can leave. The empty path is the folder itself.
@@ -35,7 +35,7 @@ pub(super) struct Volume {
     pub(super) inputs: Inputs,
 }
 
-/// The entry of the disk at a place.
+/// Entry on the disk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum DiskState {
     Missing,
@@ -66,7 +66,7 @@ impl Volume {
         }
     }
 
-    /// Whether the entry at a path is a link itself. Changes in memory are none.
+    /// Whether the entry at a path is a link itself. Changes in memory are no links.
     pub(super) fn is_link(&self, path: &Utf8Path) -> bool {
         let is_link = |dir: &Dir| dir.symlink_metadata(relative(path)).is_ok_and(|found| found.is_symlink());
         self.node(path).is_none() && self.inputs.ask_usual(&false, || is_link(&self.dir))
@@ -76,7 +76,7 @@ impl Volume {
         match self.dir.metadata(relative(path)) {
             Ok(found) if found.is_dir() => Ok(EntryKind::Folder),
             Ok(found) if found.is_file() => Ok(EntryKind::File),
-            // A pipe or device would hold the run up.
+            // A pipe or device would block the run.
             Ok(_) => Err(FileFault::BadPath),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(EntryKind::Missing),
             Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Err(FileFault::BadPath),
@@ -84,7 +84,7 @@ impl Volume {
         }
     }
 
-    /// The names in a folder, sorted without regard to letter case. One that is no text is left out.
+    /// Names in a folder, sorted without regard to letter case. A name that is no text is omitted.
     pub(super) fn names(&self, folder: &Utf8Path) -> io::Result<Vec<String>> {
         let mut names = match self.node(folder) {
             Some(_) if self.state_on_disk(folder) != DiskState::Folder => Vec::new(),
@@ -121,7 +121,7 @@ impl Volume {
         }
     }
 
-    /// The entry of the overlay at a path; none if it is as on the disk.
+    /// Entry of the overlay at a path; `None` if it is unchanged on the disk.
     fn node(&self, path: &Utf8Path) -> Option<Node> {
         self.overlay.borrow().as_ref()?.node(self.number, path)
     }
@@ -134,7 +134,7 @@ impl Volume {
         self.inputs.ask(|| DiskState::of(&self.dir, path))
     }
 
-    /// Asks the disk. Below an overlay the answer is recorded.
+    /// Calls the disk. Below an overlay the result is recorded.
     fn ask<T: Answer>(&self, question: impl FnOnce(&Dir) -> io::Result<T>) -> io::Result<T> {
         self.inputs.ask(|| question(&self.dir).map_err(|error| error.kind())).map_err(io::Error::from)
     }
@@ -154,7 +154,7 @@ impl DiskState {
     }
 }
 
-/// The bytes of a file on the disk, unless it is larger than anything a controller holds.
+/// Reads a file on the disk, unless it exceeds the size that a controller can store.
 fn read(dir: &Dir, path: &Utf8Path) -> io::Result<Content> {
     match dir.metadata(relative(path))?.len() > LARGEST {
         true => Err(io::ErrorKind::Other.into()),
@@ -162,7 +162,7 @@ fn read(dir: &Dir, path: &Utf8Path) -> io::Result<Content> {
     }
 }
 
-/// The path as the system takes it: `.` for the folder itself.
+/// Returns the path for the operating system: `.` for the folder itself.
 pub(super) fn relative(path: &Utf8Path) -> &Utf8Path {
     if path.as_str().is_empty() { Utf8Path::new(".") } else { path }
 }

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use super::status::{IoStatus, SignalFault};
 use super::table::{Channel, IoTable};
 
-/// A device of a field bus that has failed.
+/// Failed device of a field bus.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DeviceFault {
-    /// Device and module, as paths begin: `J207\Box1`, or a device without modules: `BasicIO-1`.
+    /// Device and module, the beginning of a path: `J207\Box1`, or a device without modules: `BasicIO-1`.
     pub device: String,
-    /// The number of the fault, which depends on the bus.
+    /// Number of the fault, which depends on the bus.
     pub code: i32,
 }
 
@@ -22,16 +22,16 @@ impl DeviceFault {
 }
 
 impl IoTable {
-    /// A device or module fails with a number of its bus, or works again with `None`. All its signals have failed with
-    /// it.
+    /// Sets the fault number of a device or module, or `None` if it works again. All its signals fail with it.
     pub fn set_device_fault(&mut self, device: &str, code: Option<i32>) {
         self.device_faults.retain(|fault| fault.device != device);
         self.device_faults.extend(code.map(|code| DeviceFault { device: device.to_owned(), code }));
     }
 
-    /// `ioBusStatus`: a text for each device that has failed, `number:device\module`; their count is its result.
+    /// `ioBusStatus`: returns a text for each failed device, `number:device\module`; their count is the instruction's
+    /// result.
     ///
-    /// A module of which a signal has failed alone counts as well, with the number -3.
+    /// A module with only a failed signal counts as well, with the number -3.
     #[must_use]
     pub fn bus_faults(&self) -> Vec<String> {
         let failed = self.channels.iter().filter(|channel| channel.fault == Some(SignalFault::Failed));
@@ -42,7 +42,7 @@ impl IoTable {
         faults.into_iter().map(|(device, code)| format!("{code}:{device}")).collect()
     }
 
-    /// The fault of a signal: its own, or that of its device.
+    /// Fault of a signal or its device.
     pub(super) fn fault_of(&self, channel: &Channel) -> Option<SignalFault> {
         let of_device = || self.device_faults.iter().any(|fault| fault.holds(channel)).then_some(SignalFault::Failed);
         channel.fault.or_else(of_device)

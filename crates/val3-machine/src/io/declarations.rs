@@ -6,7 +6,7 @@ use super::signal::Signal;
 use super::table::IoTable;
 
 impl IoTable {
-    /// Declares the signals of a device in the configuration of the cell: the last part of the path, and the type of
+    /// Declares the signals of a device in the cell's configuration: the last part of the path, and the type of
     /// variable, `dio` or `aio`. Signals of other types are lines, which are no inputs or outputs.
     pub fn declare_device<'s>(&mut self, device: &str, signals: impl IntoIterator<Item = (&'s str, BaseType)>) {
         let io = |base: &BaseType| matches!(base, BaseType::Dio | BaseType::Aio);

@@ -7,18 +7,18 @@ use super::table::{Channel, IoTable, SignalId};
 /// Interventions of the operator and the controller in a signal, and its faults.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Forcing {
-    /// The operator holds it at a value.
+    /// Whether the operator locks the signal at a value.
     pub is_locked: bool,
-    /// The controller simulates it.
+    /// Whether the controller simulates the signal.
     pub is_simulated: bool,
-    /// It fails.
+    /// Fault of the signal.
     pub fault: Option<SignalFault>,
 }
 
 /// The hardware and the operator.
 impl IoTable {
-    /// The hardware sets a signal. Programs see an input of this value from the next cycle on; an output has it at
-    /// once, as when the other side of a field bus writes it.
+    /// Sets a signal as the hardware does. Programs read the value of an input from the next cycle on; an output has it
+    /// immediately, as when the other side of a field bus writes it.
     pub fn set(&mut self, id: SignalId, value: f64) {
         self.change(id, |channel| {
             let value = channel.signal.kind.fit(value);
@@ -29,27 +29,27 @@ impl IoTable {
         });
     }
 
-    /// The value at the terminal: an input's forced value, an output's last written value.
+    /// Value at the terminal: the forced value of the input, the last written value of the output.
     #[must_use]
     pub fn hardware(&self, id: SignalId) -> Option<f64> {
         self.channel(id).map(|channel| channel.hardware)
     }
 
-    /// The value that programs see.
+    /// Value that programs read.
     #[must_use]
     pub fn image(&self, id: SignalId) -> Option<f64> {
         self.channel(id).map(|channel| channel.image)
     }
 
-    /// The interventions in a signal.
+    /// Interventions in a signal.
     #[must_use]
     pub fn forcing(&self, id: SignalId) -> Option<Forcing> {
         let channel = self.channel(id)?;
         Some(Forcing { is_locked: channel.lock.is_some(), is_simulated: channel.simulated, fault: channel.fault })
     }
 
-    /// The operator holds a signal at `value`, or at the value it has. Of an input, programs see this value whatever
-    /// the hardware says; of an output, what programs write has no effect.
+    /// Locks a signal at `value`, or at its current value, as the operator does. Programs read the locked value of the
+    /// input independent of the hardware; writing a locked output has no effect.
     pub fn lock(&mut self, id: SignalId, value: Option<f64>) {
         self.change(id, |channel| {
             let value = value.map_or(channel.image, |value| channel.signal.kind.fit(value));
@@ -60,24 +60,24 @@ impl IoTable {
         });
     }
 
-    /// The operator lets a signal go. An input follows the hardware again; an output keeps its value until it is
-    /// written.
+    /// Unlocks a signal, as the operator does. An input follows the hardware again; an output keeps its value until it
+    /// is written.
     pub fn unlock(&mut self, id: SignalId) {
         self.change(id, |channel| channel.lock = None);
     }
 
-    /// Simulates a signal, or no longer. The hardware does not get a simulated output; a simulated input is set as any
-    /// other.
+    /// Starts or ends the simulation of a signal. The hardware does not receive a simulated output; a simulated input
+    /// is set like any other input.
     pub fn simulate(&mut self, id: SignalId, simulated: bool) {
         self.change(id, |channel| channel.simulated = simulated);
     }
 
-    /// Reserves an output for the system, or frees it. Programs that write a reserved output get run-time error 124.
+    /// Reserves an output for the system, or frees it. Writing a reserved output raises run-time error 124 in programs.
     pub fn protect(&mut self, id: SignalId, protected: bool) {
         self.change(id, |channel| channel.signal.protected = protected);
     }
 
-    /// A signal fails, or works again; its values stay.
+    /// Sets or clears the fault of a signal; its values stay.
     pub fn set_fault(&mut self, id: SignalId, fault: Option<SignalFault>) {
         self.change(id, |channel| channel.fault = fault);
     }

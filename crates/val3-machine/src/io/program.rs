@@ -1,4 +1,4 @@
-//! Inputs and outputs as programs read and write them (3.5.3, 3.6.2).
+//! Access of programs to inputs and outputs (3.5.3, 3.6.2).
 
 use super::signal::{Direction, Format, Kind};
 use super::status::{IoError, IoStatus, SignalFault};
@@ -8,7 +8,7 @@ use super::table::{Channel, IoTable, LinkId, SignalId};
 const ANALOG: Kind = Kind::Analog(Format::Float);
 
 impl IoTable {
-    /// The state of a `dio` variable.
+    /// Reads a `dio` variable.
     ///
     /// # Errors
     /// 123 not linked, 125 its device has failed.
@@ -24,7 +24,7 @@ impl IoTable {
         self.read(link, ANALOG)
     }
 
-    /// Writes a digital output; a locked one keeps its value.
+    /// Writes a digital output; a locked output keeps its value.
     ///
     /// # Errors
     /// 122 an input, 123 not linked, 124 an output of the system, 125 its device has failed.
@@ -32,8 +32,8 @@ impl IoTable {
         self.write(link, Kind::Digital, f64::from(u8::from(value))).map(|_| ())
     }
 
-    /// `aioSet`: writes an analog output and gives the value that it really has then: rounded and limited to its range,
-    /// or the one at which it is locked.
+    /// `aioSet`: writes an analog output and returns the resulting value: rounded and limited to its range, or the
+    /// value at which it is locked.
     ///
     /// # Errors
     /// 122 an input, 123 not linked, 124 an output of the system, 125 its device has failed.
@@ -41,10 +41,10 @@ impl IoTable {
         self.write(link, ANALOG, value)
     }
 
-    /// `dioGet`: the signals as a binary number, the first one the lowest bit.
+    /// `dioGet`: returns the signals as a binary number, the first signal as the lowest bit.
     ///
     /// # Errors
-    /// 123 a signal that is not linked, 125 one whose device has failed.
+    /// 123 a signal that is not linked, 125 a signal whose device has failed.
     pub fn read_bits(&self, links: &[LinkId]) -> Result<f64, IoError> {
         let mut number = 0.0;
         for link in links.iter().rev() {
@@ -53,12 +53,13 @@ impl IoTable {
         Ok(number)
     }
 
-    /// `dioSet`: writes the whole part of `value` in binary, the lowest bit first, and gives the number that the
-    /// outputs show then. Bits beyond the array are dropped; a negative number is written in two's complement. If one
-    /// signal cannot be written, none is.
+    /// `dioSet`: writes the integer part of `value` in binary, the lowest bit first, and returns the resulting number
+    /// of the outputs. Bits beyond the array are dropped; a negative number is written in two's complement. If one
+    /// signal cannot be written, no signal is written.
     ///
     /// # Errors
-    /// 122 an input, 123 a signal that is not linked, 124 an output of the system, 125 one whose device has failed.
+    /// 122 an input, 123 a signal that is not linked, 124 an output of the system, 125 a signal whose device has
+    /// failed.
     pub fn write_bits(&mut self, links: &[LinkId], value: f64) -> Result<f64, IoError> {
         for link in links {
             self.writable(*link, Kind::Digital)?;
@@ -84,8 +85,8 @@ impl IoTable {
         self.status(link, ANALOG)
     }
 
-    /// The description that `ioStatus` returns with the status; empty where the link leads nowhere. The physical path
-    /// is [`IoTable::text`].
+    /// Description that `ioStatus` returns with the status; empty if the link is unresolved. The physical path is
+    /// [`IoTable::text`].
     #[must_use]
     pub fn description(&self, link: LinkId) -> &str {
         self.signal_of(link).map_or("", |signal| signal.description.as_str())
@@ -99,7 +100,7 @@ impl IoTable {
         channel.map_or(IoStatus::Absent, |channel| self.status_of(channel))
     }
 
-    /// A fault counts before a lock, a lock before the simulation.
+    /// A fault precedes a lock, and a lock the simulation.
     pub(super) fn status_of(&self, channel: &Channel) -> IoStatus {
         match self.fault_of(channel) {
             Some(SignalFault::Absent) => IoStatus::Absent,

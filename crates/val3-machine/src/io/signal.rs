@@ -1,8 +1,8 @@
-//! The configuration of an input or output.
+//! Configuration of inputs and outputs.
 
 use val3_lang::io_paths::is_input;
 
-/// Whether programs may write it.
+/// Whether programs may write the signal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
     /// Read only.
@@ -11,7 +11,7 @@ pub enum Direction {
     Output,
 }
 
-/// The values that an analog signal takes.
+/// Value range of analog signals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Format {
     /// Any number.
@@ -26,7 +26,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The value that a signal really takes when `value` is written: rounded and limited.
+    /// Rounds and limits a written value to the value of the signal.
     #[must_use]
     pub fn fit(self, value: f64) -> f64 {
         match self {
@@ -36,7 +36,7 @@ impl Format {
     }
 }
 
-/// The type of variable that can be linked to it.
+/// Type of variable that can be linked to a signal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
     /// `dio`: 0 or 1.
@@ -52,7 +52,7 @@ impl Kind {
         matches!((self, other), (Self::Digital, Self::Digital) | (Self::Analog(_), Self::Analog(_)))
     }
 
-    /// The value that a signal really takes when `value` is written.
+    /// Converts a written value to the value of the signal.
     #[must_use]
     pub fn fit(self, value: f64) -> f64 {
         match self {
@@ -65,24 +65,24 @@ impl Kind {
 /// An input or output of the controller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Signal {
-    /// The physical path, as links in data files spell it: `BasicIO-1\%I0`, `FastIO\fOut0`, `valve1`.
+    /// Physical path as in the links of data files: `BasicIO-1\%I0`, `FastIO\fOut0`, `valve1`.
     pub path: String,
-    /// A free text, which `ioStatus` gives.
+    /// Free text, which `ioStatus` returns.
     pub description: String,
-    /// The values it takes.
+    /// Type and value range.
     pub kind: Kind,
-    /// Whether programs may write it.
+    /// Whether programs may write the signal.
     pub direction: Direction,
-    /// An output that is reserved for the system: writing it is run-time error 124.
+    /// Whether the output is reserved for the system: writing it is run-time error 124.
     pub protected: bool,
 }
 
 impl Signal {
-    /// The signal of a path of which nothing else is known.
+    /// Creates a signal from its path only.
     ///
-    /// The address, the last part of the path, gives the direction ([`is_input`]). All others
-    /// are outputs; they can also be set from outside. It also shows which analog signals are whole numbers: `B` has 8
-    /// bits, `W` 16, `DW` 32 (`%QW4`). It does not show whether they have a sign, so the range is that of both.
+    /// The address, the last part of the path, determines the direction ([`is_input`]). All other signals are outputs;
+    /// they can also be set from outside. The address also determines which analog signals are whole numbers: `B` has 8
+    /// bits, `W` 16, `DW` 32 (`%QW4`). It does not contain the sign, so the range covers signed and unsigned numbers.
     #[must_use]
     pub fn from_path(path: &str, digital: bool) -> Self {
         let address = path.rsplit('\\').next().unwrap_or(path);

@@ -1,16 +1,16 @@
-//! Whether an input or output works, and why it cannot be used (3.5.3, 12.1).
+//! Status of inputs and outputs, and errors of their use (3.5.3, 12.1).
 
 use val3_lang::runtime_errors::{NO_ANSWER, PROTECTED_OUTPUT, UNLINKED, WRITE_TO_INPUT};
 
-/// The state of an input or output; the number is the result of `ioStatus`.
+/// Status of a signal; the number is the result of `ioStatus`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(i8)]
 pub enum IoStatus {
-    /// It works.
+    /// The signal works.
     Works = 0,
-    /// It works; the operator holds it at a value.
+    /// The signal works; the operator has locked it at a value.
     Locked = 1,
-    /// It is simulated: it has no hardware.
+    /// The signal is simulated: it has no hardware.
     Simulated = 2,
     /// The variable has no link.
     Unlinked = -1,
@@ -28,12 +28,12 @@ impl IoStatus {
     }
 }
 
-/// The fault of an input or output.
+/// Fault of a signal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SignalFault {
-    /// Its device is not installed, or could not be initialised: status -2.
+    /// The device is not installed, or could not be initialised: status -2.
     Absent,
-    /// Its device has failed: status -3.
+    /// The device has failed: status -3.
     Failed,
 }
 
@@ -49,7 +49,7 @@ impl SignalFault {
     }
 }
 
-/// Why an input or output cannot be read or written.
+/// Reason why a signal cannot be read or written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IoError {
     /// 122: an input is written.
@@ -58,7 +58,7 @@ pub enum IoError {
     Unlinked,
     /// 124: an output of the system is written.
     Protected,
-    /// 125: the device does not answer.
+    /// 125: the device does not respond.
     NoAnswer,
 }
 

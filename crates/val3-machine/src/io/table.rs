@@ -1,4 +1,4 @@
-//! All inputs and outputs, their links, and the two images of their values.
+//! Inputs and outputs, with links and the two images of the values.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,33 +10,33 @@ use super::status::SignalFault;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SignalId(u32);
 
-/// The value of a `dio` or `aio` variable: the text of its link. Copying it is `dioLink` and `aioLink`.
+/// Value of a `dio` or `aio` variable: the text of the link. `dioLink` and `aioLink` copy it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct LinkId(u32);
 
 impl LinkId {
-    /// No link, which a variable holds at first.
+    /// No link, the initial value of a variable.
     pub const NONE: Self = Self(0);
 
-    /// The number that a variable keeps.
+    /// Number that a variable stores.
     #[must_use]
     pub const fn number(self) -> u32 {
         self.0
     }
 
-    /// The link whose number a variable keeps.
+    /// Link with the number that a variable stores.
     #[must_use]
     pub const fn from_number(number: u32) -> Self {
         Self(number)
     }
 }
 
-/// A signal has another value, seen from the program for an input, from the outside for an output.
+/// Changed value of a signal: an input as programs read it, or an output as the outside receives it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IoChange {
     /// The signal.
     pub signal: SignalId,
-    /// Its value; 0 or 1 for a digital one.
+    /// New value; 0 or 1 for a digital signal.
     pub value: f64,
 }
 
@@ -50,38 +50,38 @@ pub(super) struct Channel {
     pub(super) hardware: f64,
     /// The last reported value.
     told: f64,
-    /// The value at which the operator holds it.
+    /// Value at which the operator locks the signal.
     pub(super) lock: Option<f64>,
     pub(super) simulated: bool,
     pub(super) fault: Option<SignalFault>,
 }
 
-/// The text of a link and where it leads.
+/// Text of a link and the signal that it resolves to.
 #[derive(Debug, Clone)]
 struct Link {
     text: String,
     target: Option<SignalId>,
 }
 
-/// Inputs and outputs with two images (5.7): programs see inputs as they were when the cycle began, and the hardware
-/// gets outputs when it ends. A program reads back at once what it has written.
+/// Inputs and outputs with two images (5.7): programs read the inputs as of the start of the cycle, and the hardware
+/// receives the outputs at its end. A program reads a written output back immediately.
 #[derive(Debug, Clone, Default)]
 pub struct IoTable {
     pub(super) channels: Vec<Channel>,
     links: Vec<Link>,
     by_text: BTreeMap<String, LinkId>,
     by_path: BTreeMap<String, SignalId>,
-    /// Paths of signals by the names that the cell gives them.
+    /// Signal paths by the names in the cell's configuration.
     names: BTreeMap<String, String>,
     units: BTreeMap<String, String>,
-    /// The devices of declared signals; those of applications do not count.
+    /// Devices of declared signals, without signals that only an application names.
     devices: BTreeSet<String>,
     pub(super) device_faults: Vec<DeviceFault>,
     pub(super) to_refresh: BTreeSet<SignalId>,
 }
 
 impl IoTable {
-    /// Adds a signal, with the value 0. The first one of a path stays.
+    /// Adds a signal with the value 0. A signal that was declared before under the same path stays.
     pub fn declare(&mut self, signal: Signal) -> SignalId {
         if let Some((device, _)) = signal.path.split_once('\\') {
             self.devices.insert(device.to_owned());
@@ -100,7 +100,7 @@ impl IoTable {
         id
     }
 
-    /// Gives the signal of a path a name, which links, scripts and users may write instead: `bOut7`.
+    /// Sets the name of a signal. Links, scripts and users may write the name instead of the path: `bOut7`.
     pub fn name_signal(&mut self, name: &str, path: &str) {
         self.names.insert(name.to_owned(), path.to_owned());
         self.resolve_links();
@@ -111,18 +111,18 @@ impl IoTable {
         self.names.keys().map(String::as_str)
     }
 
-    /// Names the units of analog signals for people, by path. The signals need not be declared yet.
+    /// Sets the displayed units of analog signals, by path. The signals need not be declared yet.
     pub fn set_units(&mut self, units: BTreeMap<String, String>) {
         self.units = units;
     }
 
-    /// The unit of an analog signal, such as `bar`; none if it is not known.
+    /// Unit of an analog signal, such as `bar`; `None` if unknown.
     #[must_use]
     pub fn unit(&self, id: SignalId) -> Option<&str> {
         self.units.get(&self.signal(id)?.path).map(String::as_str)
     }
 
-    /// The link of this text. It need not lead anywhere; an empty one is [`LinkId::NONE`].
+    /// Returns the link with this text, also if no such signal exists. The empty text has the link [`LinkId::NONE`].
     pub fn link(&mut self, text: &str) -> LinkId {
         if text.is_empty() {
             return LinkId::NONE;
@@ -136,8 +136,8 @@ impl IoTable {
         id
     }
 
-    /// The link of a variable of an application. If nothing is configured of its device, the application knows best:
-    /// the signal is declared by [`Signal::from_path`].
+    /// Returns the link with this text. If no such signal exists and the cell does not configure its device, declares
+    /// the signal by [`Signal::from_path`].
     pub fn adopt(&mut self, text: &str, digital: bool) -> LinkId {
         if !text.is_empty() && self.find(text).is_none() && !self.knows_device_of(text) {
             self.add(Signal::from_path(text, digital));
@@ -145,7 +145,8 @@ impl IoTable {
         self.link(text)
     }
 
-    /// The signal of a path or of a name. A path without a device (`valve1`) finds the signal of this address in any device.
+    /// Finds a signal by path or name. A path without a device (`valve1`) finds the signal with this address in any
+    /// device.
     #[must_use]
     pub fn find(&self, path: &str) -> Option<SignalId> {
         let exact = self.by_path.get(path).or_else(|| self.by_path.get(self.names.get(path)?)).copied();
@@ -169,18 +170,18 @@ impl IoTable {
         self.known_link(link).map_or("", |link| link.text.as_str())
     }
 
-    /// The configuration of the signal of a link.
+    /// Configuration of the linked signal.
     pub(super) fn signal_of(&self, link: LinkId) -> Option<&Signal> {
         self.signal(self.target_of(link)?)
     }
 
-    /// Where a link leads.
+    /// Signal that the link resolves to.
     #[must_use]
     pub fn target_of(&self, link: LinkId) -> Option<SignalId> {
         self.known_link(link)?.target
     }
 
-    /// Where a link leads, if that suits a variable of this kind.
+    /// Signal that the link resolves to, if it suits a variable of this kind.
     pub(super) fn target(&self, link: LinkId, kind: Kind) -> Option<SignalId> {
         let id = self.target_of(link)?;
         self.channel(id).filter(|channel| channel.signal.kind.suits(kind)).map(|_| id)
@@ -194,17 +195,17 @@ impl IoTable {
         self.channels.get_mut(id.0 as usize)
     }
 
-    /// Begins a cycle: programs see the current inputs.
+    /// Begins a cycle: updates the inputs that programs read.
     pub fn refresh_inputs(&mut self) -> Vec<IoChange> {
         self.refresh(Direction::Input, Channel::refresh_input)
     }
 
-    /// The cycle ends: the hardware gets the outputs.
+    /// Ends a cycle: writes the outputs to the hardware.
     pub fn refresh_outputs(&mut self) -> Vec<IoChange> {
         self.refresh(Direction::Output, Channel::refresh_output)
     }
 
-    /// Refreshes the signals of one direction that have changed; gives those that `refresh` gives a new value.
+    /// Refreshes the changed signals in one direction. Returns the new values that `refresh` reports.
     fn refresh(&mut self, direction: Direction, refresh: fn(&mut Channel) -> Option<f64>) -> Vec<IoChange> {
         let mut changes = Vec::new();
         for id in std::mem::take(&mut self.to_refresh) {
@@ -220,12 +221,12 @@ impl IoTable {
         changes
     }
 
-    /// The configuration of the cell, and not the application alone, names the signals of the device of this path.
+    /// Whether the cell's configuration, not only the application, declares signals of the path's device.
     pub(crate) fn is_configured(&self, path: &str) -> bool {
         self.knows_device_of(path)
     }
 
-    /// A signal of this device or module exists.
+    /// Whether a signal of this device or module exists.
     pub(crate) fn has_device(&self, device: &str) -> bool {
         let holds = |path: &String| path.strip_prefix(device).is_some_and(|rest| rest.starts_with('\\'));
         self.by_path.keys().any(holds)
@@ -244,7 +245,7 @@ impl IoTable {
         self.links.get((link.0 as usize).checked_sub(1)?)
     }
 
-    /// Leads the links that led nowhere to a new signal.
+    /// Resolves the unresolved links again.
     fn resolve_links(&mut self) {
         let mut links = std::mem::take(&mut self.links);
         for link in links.iter_mut().filter(|link| link.target.is_none()) {
@@ -272,7 +273,7 @@ impl Channel {
         self.tell()
     }
 
-    /// The value, if it is another one than before.
+    /// Returns the value if it has changed since the last report.
     fn tell(&mut self) -> Option<f64> {
         (std::mem::replace(&mut self.told, self.image) != self.image).then_some(self.image)
     }

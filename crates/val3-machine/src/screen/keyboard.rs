@@ -1,18 +1,18 @@
-//! Which keys of the pendant are held down.
+//! Keys of the pendant that are held down.
 
 use std::collections::BTreeMap;
 
-/// How long a key that is only tapped is held down, in nanoseconds: 100 ms.
+/// Time for which a tapped key is held down, in nanoseconds: 100 ms.
 pub const TAP: u64 = 100_000_000;
 
-/// The keys that are down, each with the time of its release.
+/// Keys that are down, each with the time of its release.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Keyboard {
     down: BTreeMap<u16, Option<u64>>,
 }
 
 impl Keyboard {
-    /// A key goes down, until `release` or, for a tap, until a time.
+    /// Presses a key, until `release` or, for a tap, until a time.
     pub(super) fn press(&mut self, code: u16, until: Option<u64>) {
         self.down.insert(code, until);
     }
@@ -25,12 +25,12 @@ impl Keyboard {
         self.down.contains_key(&code)
     }
 
-    /// Lets the tapped keys up whose time has come.
+    /// Releases the tapped keys that are due.
     pub(super) fn advance(&mut self, now: u64) {
         self.down.retain(|_, until| until.is_none_or(|until| now < until));
     }
 
-    /// When the next tapped key comes up.
+    /// Time of the next release of a tapped key.
     pub(super) fn next_release(&self) -> Option<u64> {
         self.down.values().copied().flatten().min()
     }

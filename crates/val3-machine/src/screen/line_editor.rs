@@ -1,14 +1,14 @@
-//! One line of text that the operator edits (`get`, 4.3).
+//! Line of text that the operator edits (`get`, 4.3).
 
 use val3_lang::keys;
 
-/// The longest text, in bytes: that of a string variable.
+/// Maximum size of the text in bytes, as for a string variable.
 const LONGEST: usize = 128;
 
-/// Text with a place of editing.
+/// Text with a cursor.
 ///
-/// The manual does not name the keys that edit. Here a character goes in where the place of editing is, at first the
-/// end; Bksp deletes the character before it; Left, Right, Home and End move it. Other keys do nothing.
+/// The manual does not name the keys that edit. Here a character is inserted at the cursor, which is initially at the
+/// end; Bksp deletes the character before it; Left, Right, Home and End move it. Other keys have no effect.
 #[derive(Debug, Clone)]
 pub(super) struct LineEditor {
     before: String,
@@ -17,17 +17,17 @@ pub(super) struct LineEditor {
 }
 
 impl LineEditor {
-    /// Edits `text`; characters that `accepts` refuses cannot be typed.
+    /// Edits `text`; characters that `accepts` rejects cannot be typed.
     pub(super) fn new(text: &str, accepts: fn(char) -> bool) -> Self {
         Self { before: text.to_owned(), after: String::new(), accepts }
     }
 
-    /// The whole text.
+    /// Complete text.
     pub(super) fn text(&self) -> String {
         format!("{}{}", self.before, self.after)
     }
 
-    /// Applies a key; `true` if the text has changed.
+    /// Applies a key; returns whether the text has changed.
     pub(super) fn press(&mut self, code: u16) -> bool {
         match code {
             keys::BACKSPACE => self.before.pop().is_some(),

@@ -1,4 +1,4 @@
-//! A user page: 14 lines of 40 columns, a cursor and a title (4.1).
+//! User page: 14 lines of 40 columns, a cursor and a title (4.1).
 
 use super::row::{Cell, Row};
 use super::text_mode::TextMode;
@@ -10,17 +10,17 @@ pub const COLUMNS: usize = 40;
 /// Lines of a page.
 pub const ROWS: usize = 14;
 
-/// A place on a page; (0,0) is the upper left corner.
+/// Position on a page; (0,0) is the upper left corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Position {
-    /// Column, 0 to 39. The cursor is at 40 after the last column was written: only what is written next goes to the
-    /// next line. So a menu of 40 columns fits the last line, and `putln` of a full line leaves no empty one.
+    /// Column, 0 to 39. After writing the last column, the cursor is at 40, and only the next character goes to the
+    /// next line. A menu of 40 columns therefore fits the last line, and `putln` of a full line adds no empty line.
     pub column: usize,
     /// Line, 0 to 13.
     pub row: usize,
 }
 
-/// The content of a `screen` variable: text, cursor, text mode and title.
+/// Content of a `screen` variable: text, cursor, text mode and title.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Page {
     rows: [Row; ROWS],
@@ -30,19 +30,19 @@ pub struct Page {
 }
 
 impl Page {
-    /// Where the next character is written.
+    /// Position of the next character.
     #[must_use]
     pub fn cursor(&self) -> Position {
         self.cursor
     }
 
-    /// The title, whole; the pendant has 40 columns for it.
+    /// Complete title; the pendant displays 40 columns.
     #[must_use]
     pub fn title(&self) -> &str {
         &self.title
     }
 
-    /// The mode of what is written next.
+    /// Text mode of the next characters.
     #[must_use]
     pub fn mode(&self) -> TextMode {
         self.mode
@@ -63,26 +63,26 @@ impl Page {
         title.clone_into(&mut self.title);
     }
 
-    /// Chooses how text that is written from now on looks (`setTextMode`).
+    /// Sets the appearance of text that is written from now on (`setTextMode`).
     pub(super) fn set_mode(&mut self, mode: TextMode) {
         self.mode = mode;
     }
 
     /// Moves the cursor to column `x` modulo 40 and line `y` modulo 14 (`gotoxy`).
     ///
-    /// Numbers are rounded as an index is; a negative one counts from the other edge.
+    /// Numbers are rounded like an index; a negative number counts from the other edge.
     pub(super) fn go_to(&mut self, x: f64, y: f64) {
         self.cursor = Position { column: wrapped(x, COLUMNS), row: wrapped(y, ROWS) };
     }
 
-    /// Empties the page and puts the cursor into the corner (`cls`). Title and text mode stay.
+    /// Clears the page and moves the cursor to the corner (`cls`). Title and text mode stay.
     pub(super) fn clear(&mut self) {
         self.rows = Default::default();
         self.cursor = Position::default();
     }
 
-    /// Writes `text` at the cursor, continues in the next line at the end of each, and scrolls at the end of the page
-    /// (`put`). Returns where it began.
+    /// Writes `text` at the cursor, with line breaks at the right edge and scrolling at the end of the page (`put`).
+    /// Returns the start position.
     pub(super) fn put(&mut self, text: &str) -> Position {
         if let Some(first) = text.chars().next() {
             self.make_room(columns_of(first));
@@ -97,7 +97,7 @@ impl Page {
         start
     }
 
-    /// Moves the cursor to the beginning of the next line; in the last one the page moves up (`putln`).
+    /// Moves the cursor to the beginning of the next line; on the last line the page scrolls (`putln`).
     pub(super) fn end_line(&mut self) {
         self.cursor.column = 0;
         if self.cursor.row + 1 < ROWS {
@@ -110,8 +110,8 @@ impl Page {
         }
     }
 
-    /// Writes `text` at `start` and in the lines below it; what does not fit on the page is not shown. The cursor stays
-    /// and nothing scrolls.
+    /// Writes `text` at `start` and in the lines below; the part beyond the page is not shown. The cursor stays and
+    /// nothing scrolls.
     pub(super) fn write_over(&mut self, start: Position, text: &str) {
         let mut at = start;
         for character in text.chars() {

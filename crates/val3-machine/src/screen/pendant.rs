@@ -1,4 +1,4 @@
-//! All user pages, the one that is shown, and what programs do with them (4.2, 4.3).
+//! The pendant: user pages, displayed page, and the instructions for them (4.2, 4.3).
 
 mod event;
 mod html;
@@ -19,9 +19,9 @@ use super::text_mode::TextMode;
 use super::user_page::{Echo, UserPage};
 use crate::controller_state::Severity;
 
-/// The pendant: pages, keys, pop-up.
+/// Pendant: pages, keys, pop-up.
 ///
-/// It always shows a user page, the default one at first: the other pages of a real pendant do not exist here.
+/// It always shows a user page, initially the default page: the other pages of a real pendant do not exist here.
 #[derive(Debug, Clone)]
 pub struct Pendant {
     pages: BTreeMap<PageId, UserPage>,
@@ -35,7 +35,7 @@ pub struct Pendant {
     pop_up: Option<PopUp>,
     questions: VecDeque<html::Question>,
     html_pages: Vec<HtmlPage>,
-    /// The number of the page made with HTML that is shown.
+    /// Index of the displayed HTML page.
     shown_html: Option<usize>,
     answers: BTreeMap<ReadingId, InputResult>,
     events: Vec<ScreenEvent>,
@@ -64,7 +64,7 @@ impl Default for Pendant {
 
 /// Pages.
 impl Pendant {
-    /// A new page, for a `screen` variable of this name.
+    /// Creates a page for a `screen` variable of this name.
     pub fn create(&mut self, name: &str) -> PageId {
         let id = PageId::from_number(self.next_page);
         self.next_page += 1;
@@ -72,7 +72,8 @@ impl Pendant {
         id
     }
 
-    /// The variable of the page is gone. If it is shown, the default page is shown instead; that one stays.
+    /// Removes the page of a variable that no longer exists. If it is displayed, the default page replaces it; the
+    /// default page itself is never removed.
     pub fn remove(&mut self, page: PageId) {
         if page == PageId::DEFAULT {
             return;
@@ -89,7 +90,7 @@ impl Pendant {
         self.pages.get(&page).map(|user| &user.page)
     }
 
-    /// Every page, in the order in which they came into being.
+    /// Pages in the order of creation.
     pub fn pages(&self) -> impl Iterator<Item = PageId> {
         self.pages.keys().copied()
     }
@@ -137,8 +138,8 @@ impl Pendant {
         }
     }
 
-    /// `userPage(bool)`: keeps the operator on the user pages, or no longer. It names no page, so either way the
-    /// default page is shown.
+    /// `userPage(bool)`: keeps the operator on the user pages, or ends this. It names no page, so the default page is
+    /// shown in both cases.
     pub fn fix(&mut self, fixed: bool) {
         self.fixed = fixed;
         self.show(PageId::DEFAULT);
@@ -166,7 +167,7 @@ impl Pendant {
         }
     }
 
-    /// `put`, and `putln` if `ends_line`. A number comes as the text that shows it.
+    /// `put`, and `putln` if `ends_line`. A number is passed as its displayed text.
     pub fn put(&mut self, page: PageId, text: &str, ends_line: bool) {
         let Some(user) = self.pages.get_mut(&page) else { return };
         let at = user.page.put(text);
@@ -184,7 +185,7 @@ impl Pendant {
         }
     }
 
-    /// `popUpMsg`: a message until the operator confirms it. A newer one takes the place of one that is still there.
+    /// `popUpMsg`: shows a message until the operator confirms it. A newer message replaces an unconfirmed one.
     pub fn show_pop_up(&mut self, text: &str, severity: Severity) {
         let pop_up = PopUp { text: text.to_owned(), severity };
         self.events.push(ScreenEvent::PopUp(pop_up.clone()));
@@ -202,12 +203,12 @@ impl Pendant {
         id
     }
 
-    /// How a `get` ended; `None` while it waits.
+    /// Removes and returns the result of a `get`; `None` while it waits.
     pub fn take_answer(&mut self, reading: ReadingId) -> Option<InputResult> {
         self.answers.remove(&reading)
     }
 
-    /// The task of a `get` was killed.
+    /// Cancels a `get` whose task was killed.
     pub fn cancel_reading(&mut self, reading: ReadingId) {
         self.answers.remove(&reading);
         self.questions.retain(|question| question.id() != reading);
@@ -216,15 +217,16 @@ impl Pendant {
         }
     }
 
-    /// `getKey`: the last key pressed while the page was shown, since the last call; `None` for -1. A key that
-    /// ended a `get` counts as well.
+    /// `getKey`: returns the last key pressed while the page was shown, since the last call; `None` for -1. A key that
+    /// has ended a `get` counts as well.
     pub fn take_key(&mut self, page: PageId) -> Option<u16> {
         let key = self.pages.get_mut(&page).and_then(|user| user.last_key.take());
         self.polled |= key.is_none() && page == self.shown;
         key
     }
 
-    /// `isKeyPressed`: the key is held down and the page is shown; the keys 1, 2 and 3 count whatever is shown.
+    /// `isKeyPressed`: returns whether the key is held down and the page is shown; the keys 1, 2 and 3 count on any
+    /// page.
     pub fn is_key_pressed(&mut self, page: PageId, code: u16) -> bool {
         let seen = page == self.shown || keys::is_always_seen(code);
         let pressed = seen && self.keyboard.is_down(code);

@@ -1,11 +1,11 @@
-//! The input that a `get` waits for, and its end (4.3).
+//! Input for a waiting `get`, and its end (4.3).
 
 use val3_lang::keys;
 use val3_lang::ports::{Entry, InputKind, InputResult};
 
 use super::line_editor::LineEditor;
 
-/// A `get` under way.
+/// Waiting `get`.
 #[derive(Debug, Clone)]
 pub(super) struct Reading {
     asked: InputKind,
@@ -15,11 +15,11 @@ pub(super) struct Reading {
 /// The effect of a key on a `get`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum KeyEffect {
-    /// Nothing that can be seen.
+    /// No visible effect.
     Nothing,
     /// The text of the entry changed.
     Edited,
-    /// It ended.
+    /// The `get` has ended.
     Ended(InputResult),
 }
 
@@ -33,12 +33,12 @@ impl Reading {
         Self { asked, editor }
     }
 
-    /// The text on the page, if it is an entry.
+    /// Displayed text, if the `get` has an entry.
     pub(super) fn shown(&self) -> Option<String> {
         self.editor.as_ref().map(LineEditor::text)
     }
 
-    /// The operator presses a key.
+    /// Processes a key of the operator.
     pub(super) fn press(&mut self, key: u16) -> KeyEffect {
         if self.asked == InputKind::Key {
             return KeyEffect::Ended(InputResult { key, entry: Entry::Unchanged });
@@ -55,7 +55,7 @@ impl Reading {
         }
     }
 
-    /// A lone 0 gives way to what is typed, so that a sign or a point may follow.
+    /// A single 0 is replaced by the typed character, so that a sign or a point may follow.
     fn edit(&mut self, key: u16) -> KeyEffect {
         let Some(editor) = &mut self.editor else { return KeyEffect::Nothing };
         let types_number = keys::character(key).is_some_and(of_a_number);
@@ -65,8 +65,8 @@ impl Reading {
         if editor.press(key) { KeyEffect::Edited } else { KeyEffect::Nothing }
     }
 
-    /// The accepted value. An unedited number keeps the digits that are not shown; a text that is no number, such as
-    /// an empty entry, leaves the variable as it was.
+    /// Accepted value. An unedited number keeps its hidden digits; a text that is no number, such as an empty entry,
+    /// does not change the variable.
     fn entry(&self) -> Entry {
         let text = self.shown().unwrap_or_default();
         match &self.asked {
@@ -93,7 +93,7 @@ mod tests {
         InputKind::Number { value, shown: shown.to_owned() }
     }
 
-    /// The text that is shown at the end and what the `get` gave, if it ended with the last key.
+    /// Returns the text at the end and the result of the `get`, if the last key has ended it.
     fn read(asked: InputKind, codes: &[u16]) -> (Option<String>, Option<InputResult>) {
         let mut reading = Reading::new(asked);
         let mut answer = None;

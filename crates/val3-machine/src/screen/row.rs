@@ -1,24 +1,24 @@
-//! One line of a page: cells of one column each.
+//! Line of a page: cells with one column each.
 
 use smol_str::SmolStr;
 
 use super::page::COLUMNS;
 use super::text_mode::TextMode;
 
-/// The bytes of a character with its combining marks from which on no mark is added.
+/// Size of a character with combining marks, in bytes, from which on no mark is added.
 const LONGEST_CELL: usize = 16;
 
-/// The content of one column.
+/// Content of a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Cell {
     /// The character with its combining marks; empty for the right half of a wide character.
     pub text: SmolStr,
-    /// How it looks.
+    /// Appearance.
     pub mode: TextMode,
 }
 
 impl Cell {
-    /// The content of an unwritten column.
+    /// Content of an unwritten column.
     pub const BLANK: Self = Self { text: SmolStr::new_inline(" "), mode: TextMode::Standard };
 
     /// The right half of a wide character.
@@ -31,26 +31,25 @@ impl Cell {
     }
 }
 
-/// One line; it holds no cells until it is written.
+/// Line of a page; it has no cells until it is written.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Row {
     cells: Vec<Cell>,
 }
 
 impl Row {
-    /// The cells up to the last one that was ever written; those after it are blank.
+    /// Cells up to the last cell that was ever written; the following cells are blank.
     pub(super) fn cells(&self) -> &[Cell] {
         &self.cells
     }
 
-    /// The text without the blanks at its end.
+    /// Text without the blanks at the end.
     pub(super) fn text(&self) -> String {
         let text: String = self.cells.iter().map(|cell| cell.text.as_str()).collect();
         text.trim_end_matches(' ').to_owned()
     }
 
-    /// Writes a character of `columns` columns at `column`. The rest of a wide character that it cuts becomes
-    /// blank.
+    /// Writes a character with `columns` columns at `column`. The rest of a wide character that it cuts becomes blank.
     pub(super) fn write(&mut self, column: usize, character: char, columns: usize, mode: TextMode) {
         if self.cells.len() < column + columns {
             self.cells.resize(COLUMNS.max(column + columns), Cell::BLANK);
@@ -66,7 +65,7 @@ impl Row {
         }
     }
 
-    /// Adds a combining mark to the character that ends before `column`, as long as it has only a few.
+    /// Adds a combining mark to the character that ends before `column`, unless it has many marks already.
     pub(super) fn combine(&mut self, column: usize, mark: char) {
         let before = self.cells.iter_mut().take(column).rev().find(|cell| !cell.is_right_half());
         if let Some(cell) = before.filter(|cell| cell.text.len() < LONGEST_CELL) {

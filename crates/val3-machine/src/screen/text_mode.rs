@@ -1,6 +1,6 @@
-//! How text looks (`setTextMode`, 4.3).
+//! Appearance of text (`setTextMode`, 4.3).
 
-/// A text mode; `number as u8` is what `setTextMode` takes.
+/// Text mode; `number as u8` is the argument of `setTextMode`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum TextMode {
     /// 0: dark on light.
@@ -15,26 +15,26 @@ pub enum TextMode {
 }
 
 impl TextMode {
-    /// The mode of this number; `None` for any other number, which is run-time error 70.
+    /// Returns the mode with this number; `None` for any other number, which is run-time error 70.
     #[must_use]
     pub fn from_number(number: f64) -> Option<Self> {
         let modes = [Self::Standard, Self::Inverse, Self::Flashing, Self::InverseFlashing];
         modes.into_iter().find(|mode| f64::from(mode.number()) == number)
     }
 
-    /// The number that chooses it.
+    /// Returns the number of the mode.
     #[must_use]
     pub fn number(self) -> u8 {
         self as u8
     }
 
-    /// Light on dark.
+    /// Whether the text is light on dark.
     #[must_use]
     pub fn is_inverse(self) -> bool {
         matches!(self, Self::Inverse | Self::InverseFlashing)
     }
 
-    /// It flashes.
+    /// Whether the text flashes.
     #[must_use]
     pub fn is_flashing(self) -> bool {
         matches!(self, Self::Flashing | Self::InverseFlashing)

@@ -1,4 +1,4 @@
-//! A page with its keys: the context that a `screen` variable keeps (4.2).
+//! User page with its keys: the context of a `screen` variable (4.2).
 
 use std::collections::VecDeque;
 
@@ -9,7 +9,7 @@ use super::page::{Page, Position};
 use super::reading::{KeyEffect, Reading};
 use super::width::display_columns;
 
-/// A page, the keys it was given, and the `get` instructions that wait for one.
+/// Page, the keys that it has received, and the `get` instructions that wait for a key.
 #[derive(Debug, Clone, Default)]
 pub(super) struct UserPage {
     pub(super) name: String,
@@ -18,13 +18,13 @@ pub(super) struct UserPage {
     readings: VecDeque<Pending>,
 }
 
-/// A `get` that waits.
+/// Waiting `get`.
 #[derive(Debug, Clone)]
 struct Pending {
     id: ReadingId,
     reading: Reading,
     at: Position,
-    /// The most columns its text has taken so far: what it leaves when it becomes shorter is blanked.
+    /// Maximum width of its text so far, in columns: when the text becomes shorter, the rest is blanked.
     widest: usize,
 }
 
@@ -40,7 +40,7 @@ impl UserPage {
         !self.readings.is_empty()
     }
 
-    /// A `get` begins at the cursor and shows its text there.
+    /// Begins a `get` at the cursor, which shows its text there.
     pub(super) fn begin(&mut self, id: ReadingId, asked: InputKind) -> Option<Echo> {
         let mut pending = Pending { id, reading: Reading::new(asked), at: self.page.cursor(), widest: 0 };
         let echo = pending.show(&mut self.page);
@@ -48,12 +48,13 @@ impl UserPage {
         echo
     }
 
-    /// A `get` is given up; what it shows stays.
+    /// Cancels a `get`; its text stays on the page.
     pub(super) fn cancel(&mut self, id: ReadingId) {
         self.readings.retain(|pending| pending.id != id);
     }
 
-    /// A key is pressed while the page is shown. Of several `get` on one page the one that began first gets it.
+    /// Processes a key that is pressed while the page is shown. Of several `get` on one page the oldest one receives
+    /// it.
     pub(super) fn press(&mut self, key: u16) -> (Option<Echo>, Option<(ReadingId, InputResult)>) {
         self.last_key = Some(key);
         let Some(first) = self.readings.front_mut() else { return (None, None) };
@@ -70,7 +71,7 @@ impl UserPage {
 }
 
 impl Pending {
-    /// Writes the text where the `get` began; the cursor of the page stays.
+    /// Writes the text at the start position of the `get`; the cursor of the page stays.
     fn show(&mut self, page: &mut Page) -> Option<Echo> {
         let text = self.reading.shown()?;
         let columns = display_columns(&text);

@@ -1,18 +1,18 @@
-//! How many columns a text takes on the pendant.
+//! Text width on the pendant, in columns.
 
 use unicode_width::UnicodeWidthChar;
 
-/// The columns that `text` takes (`getDisplayLen`, 4.3).
+/// Returns the width of `text` in columns (`getDisplayLen`, 4.3).
 ///
-/// An ASCII character takes one, whichever it is, so that the result is the number of characters. Chinese, Japanese and
-/// Korean characters take two, combining marks none. Characters whose width depends on the font, such as lines of
-/// boxes, count one.
+/// Each ASCII character has one column, so that the result is the number of characters. Chinese, Japanese and Korean
+/// characters have two columns, combining marks have no column. Characters whose width depends on the font, such as box
+/// lines, count as one column.
 #[must_use]
 pub fn display_columns(text: &str) -> usize {
     text.chars().map(columns_of).sum()
 }
 
-/// The beginning of `text` that takes no more than `columns`.
+/// Returns the beginning of `text` that fits into `columns`.
 #[must_use]
 pub fn fitting(text: &str, columns: usize) -> &str {
     let mut taken = 0;
@@ -23,7 +23,7 @@ pub fn fitting(text: &str, columns: usize) -> &str {
     beyond.and_then(|(at, _)| text.get(..at)).unwrap_or(text)
 }
 
-/// The columns of one character: 0, 1 or 2.
+/// Width of one character in columns: 0, 1 or 2.
 pub(super) fn columns_of(character: char) -> usize {
     character.width().unwrap_or(1)
 }

@@ -20,7 +20,7 @@ use crate::event::EventKind;
 use crate::io::{IoTable, SignalFault, SignalId};
 
 impl Controller {
-    /// Sets the script, in place of the previous one. It becomes the other end of the lines that it sends to.
+    /// Sets the script, in place of the previous script. It becomes the other end of the lines that it sends to.
     pub fn follow(&mut self, script: Script) {
         script.lines().for_each(|link| self.devices.lines.connect_script(link));
         self.script = script;
@@ -36,8 +36,8 @@ impl Controller {
     /// Evaluates the conditions of reactions after a cycle, when outputs are at their terminals. Only cycles change
     /// signals and data, so nothing has to be evaluated in skipped time.
     ///
-    /// Entries without delay are applied at the beginning of the next cycle. So reactions that cause each other take a
-    /// cycle each.
+    /// Entries without delay are applied at the beginning of the next cycle, so reactions that cause each other need
+    /// one cycle each.
     pub(crate) fn react(&mut self, now: Time) {
         let holds = |reaction: &Reaction| {
             self.meets(reaction.condition())
@@ -73,10 +73,10 @@ impl Controller {
         }
     }
 
-    /// Does something from outside now. Inputs have their new values from the next cycle on.
+    /// Executes an external action now. Inputs have their new values from the next cycle on.
     ///
     /// # Errors
-    /// The problems. Nothing happens if a variable or signal does not exist.
+    /// The problems. The action has no effect if a variable or signal does not exist.
     pub fn act(&mut self, Action(entry): &Action) -> Result<(), Vec<String>> {
         let faults = self.entry_faults(entry, &|_| false, false);
         let problems = match faults.is_empty() {
@@ -116,7 +116,7 @@ impl Controller {
         problems
     }
 
-    /// Gives a global variable a value.
+    /// Sets a global variable.
     fn set(&mut self, name: &str, value: &Value) -> Result<(), String> {
         let (place, base) = self.variable(name).ok_or_else(|| format!("there is no variable `{name}`"))?;
         let memory = &mut self.vm.space.memory;
@@ -129,7 +129,7 @@ impl Controller {
         set.map_err(|fault| format!("`{name}`: error {}", fault.0))
     }
 
-    /// The value of a global variable of type `bool`, `num` or `string` as a text; `None` for other data.
+    /// Returns the value of a global variable of type `bool`, `num` or `string` as a text; `None` for other data.
     #[must_use]
     pub fn shown_value(&self, name: &str) -> Option<String> {
         let (place, base) = self.variable(name)?;
@@ -158,7 +158,7 @@ impl Controller {
     }
 }
 
-/// The message about a code that no signal fails with.
+/// Message for an invalid fault code of a signal.
 pub(super) fn no_fault(link: &str, code: i32) -> String {
     format!("`{link}` fails with -2 or -3 and works again with 0, not with {code}")
 }
@@ -240,7 +240,7 @@ fn change(io: &mut IoTable, link: &str, change: impl FnOnce(&mut IoTable, Signal
     }
 }
 
-/// A path of no signal is that of a device, whose faults have numbers of their own.
+/// Sets a fault. A path without a signal is a device path; devices have separate fault numbers.
 fn fail(io: &mut IoTable, FaultEntry { link, code }: &FaultEntry) -> Result<(), String> {
     let Some(signal) = io.find(link) else {
         io.set_device_fault(link, Some(*code).filter(|code| *code != 0));

@@ -1,4 +1,4 @@
-//! The bytes on a serial line or socket, as scripts and tests write them.
+//! Bytes on a serial line or socket in scripts and tests.
 //!
 //! ```toml
 //! receive = { "Socket\\host" = "START\r" }                                  # a text, in UTF-8
@@ -15,12 +15,12 @@ use serde::{Deserialize, Serialize, Serializer};
 use val3_lang::arguments::BINARY_FORMATS;
 use val3_lang::values::binary::Format;
 
-/// Bytes that come in or go out over a line.
+/// Bytes that a line receives or sends.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(try_from = "Pieces")]
 pub struct LineBytes(Vec<u8>);
 
-/// Bytes as a file has them.
+/// Content of bytes in a file.
 #[derive(Deserialize)]
 #[serde(
     untagged,
@@ -84,7 +84,7 @@ impl Piece {
     }
 }
 
-/// The bytes of pairs of hexadecimal digits, with blanks anywhere between them.
+/// Parses pairs of hexadecimal digits, with blanks anywhere between them.
 fn of_hex(text: &str) -> Result<Vec<u8>, String> {
     let digits: Vec<char> = text.chars().filter(|c| !c.is_whitespace()).collect();
     let byte = |pair: &[char]| match pair {
@@ -109,7 +109,7 @@ fn encoded(values: &[f64], name: &str) -> Result<Vec<u8>, String> {
 }
 
 impl LineBytes {
-    /// The bytes in their order.
+    /// Bytes in order.
     pub(crate) fn as_slice(&self) -> &[u8] {
         &self.0
     }
@@ -128,7 +128,7 @@ impl From<&str> for LineBytes {
 }
 
 impl LineBytes {
-    /// The bytes as a text, if they are one for people.
+    /// Returns the bytes as a text, if they are readable.
     #[must_use]
     pub fn text(&self) -> Option<&str> {
         std::str::from_utf8(&self.0).ok().filter(|text| !text.contains(is_binary))
@@ -164,7 +164,7 @@ impl fmt::Display for LineBytes {
     }
 }
 
-/// Control characters that no text for people has.
+/// Whether the character is a control character that readable texts do not contain.
 fn is_binary(c: char) -> bool {
     c.is_control() && !matches!(c, '\r' | '\n' | '\t' | '\u{2}' | '\u{3}' | '\u{4}' | '\u{6}' | '\u{15}' | '\u{1b}')
 }

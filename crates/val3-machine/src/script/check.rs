@@ -15,7 +15,7 @@ use crate::controller::Controller;
 use crate::io::NoSignal;
 use crate::io::SignalFault;
 
-/// A part of a script that no controller could carry out.
+/// Part of a script that no controller could execute.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScriptFault {
     /// The table of the script.
@@ -30,12 +30,12 @@ impl fmt::Display for ScriptFault {
     }
 }
 
-/// A part of an entry or a condition that does not fit the application.
+/// Part of an entry or condition that does not fit the application.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Misfit {
     /// The problem.
     pub message: String,
-    /// The name that is not known, with those that are; empty where the name is not at fault.
+    /// Unknown name with the known names; `None` if the name is not the problem.
     pub unknown: Option<(String, Vec<String>)>,
 }
 
@@ -46,10 +46,11 @@ impl From<String> for Misfit {
 }
 
 impl Controller {
-    /// The parts of a script that name no variable or no signal of the application, or give one a value that it does
-    /// not take. `is_resized` is true for data of the application that change their size: they may have an index later.
+    /// Returns the parts of a script that name no variable or signal of the application, or that contain an invalid
+    /// value. `is_resized` returns whether data of the application change their size, so that an index may become valid
+    /// later.
     ///
-    /// Data and signals of libraries that are loaded while the application runs are not judged.
+    /// Data and signals of libraries that are loaded while the application runs are not checked.
     #[must_use]
     pub fn script_faults(&self, script: &Script, is_resized: &dyn Fn(&str) -> bool) -> Vec<ScriptFault> {
         let may_come = self.loads_libraries();
@@ -68,14 +69,15 @@ impl Controller {
         scheduled.chain(reactions).chain(silent).collect()
     }
 
-    /// The problems with signals and lines of an entry that do not exist now.
+    /// Problems with an entry's signals and lines that do not exist now.
     pub(super) fn unknown_names(&self, entry: &Entry) -> Vec<String> {
         let signals = entry.signals().filter_map(|path| self.check_signal(path, false).err());
         let lines = entry.receive.keys().filter_map(|link| self.unknown_line(link, false));
         signals.chain(lines).map(|misfit| misfit.with_proposals()).collect()
     }
 
-    /// The reactions that could not happen until now, because what they wait for does not exist.
+    /// Reactions that could not occur until now, because their condition needs a signal, variable or line that does not
+    /// exist.
     pub(super) fn unmet_reactions(&self, script: &Script) -> Vec<ScriptFault> {
         let unmet = script.reactions.iter().flat_map(|reaction| {
             let condition = self.misfits(reaction.condition(), &|_| true, false).into_iter();
@@ -85,7 +87,7 @@ impl Controller {
         unmet.collect()
     }
 
-    /// The faults of an entry. `may_come` is true if devices that do not exist yet may come with a library.
+    /// Faults of an entry. `may_come` states whether devices that do not exist yet may be added by a library.
     pub(super) fn entry_faults(&self, entry: &Entry, is_resized: &dyn Fn(&str) -> bool, may_come: bool) -> Vec<Misfit> {
         let check_set =
             |(name, value): (&String, &Value)| self.check_variable(name, is_resized, |base| value.suits(base));
@@ -154,7 +156,7 @@ impl Controller {
         })
     }
 
-    /// The names that can be meant by an unknown one: data of the application, or of the library before its colon.
+    /// Possible names for an unknown name: data of the application, or of the library before the colon.
     fn variables(&self, name: &str) -> Vec<String> {
         let own = self.vm.space.instance(self.application());
         let (instance, prefix) = match name.split_once(':') {
@@ -176,7 +178,7 @@ impl Controller {
         Err(Misfit { message: NoSignal(path.to_owned()).to_string(), unknown: Some((path.to_owned(), known)) })
     }
 
-    /// A device may fail although the application uses none of its signals.
+    /// Checks the device or signal that fails. A device may fail although the application does not use its signals.
     fn check_fault(&self, FaultEntry { link, code }: &FaultEntry, may_come: bool) -> Result<(), Misfit> {
         let io = &self.devices.state.io;
         let is_of_known_device = link.split_once('\\').is_some_and(|(device, _)| io.has_device(device));
@@ -188,7 +190,7 @@ impl Controller {
         if known { Ok(()) } else { Err(super::apply::no_fault(link, *code).into()) }
     }
 
-    /// The identifier is declared, and no library is loaded under it yet.
+    /// Whether the identifier is declared, and no library is loaded under it yet.
     fn awaits_library(&self, alias: &str) -> bool {
         let own = self.vm.space.instance(self.application());
         let declares = |image: &val3_bytecode::Image| image.libraries.iter().any(|library| library.alias == alias);
@@ -200,7 +202,7 @@ impl Controller {
         (0u16..).map_while(|number| self.vm.space.instance(InstanceId(number)))
     }
 
-    /// The problem with a name that should be that of a program.
+    /// Returns the problem if the name is not a program's name.
     #[must_use]
     pub fn program_misfit(&self, name: &str) -> Option<Misfit> {
         let programs = || self.instances().flat_map(|instance| &instance.image.programs).map(|program| &program.name);
@@ -211,13 +213,14 @@ impl Controller {
         Some(Misfit { message: format!("there is no program `{name}`"), unknown })
     }
 
-    /// The problem with a text that should be the link of a serial line or socket.
+    /// Returns the problem if the text is not the link of a serial line or socket.
     #[must_use]
     pub fn line_misfit(&self, link: &str) -> Option<Misfit> {
         self.unknown_line(link, self.loads_libraries())
     }
 
-    /// As [`line_misfit`](Self::line_misfit). `may_come` is true if lines that do not exist yet may come with a library.
+    /// Like [`line_misfit`](Self::line_misfit). `may_come` states whether lines that do not exist yet may be added by a
+    /// library.
     pub(super) fn unknown_line(&self, link: &str, may_come: bool) -> Option<Misfit> {
         let lines = &self.devices.lines;
         if may_come || lines.has(link) {
@@ -227,7 +230,7 @@ impl Controller {
         Some(Misfit { message: format!("there is no serial line or socket `{link}`"), unknown })
     }
 
-    /// Libraries come into memory while the application runs, with variables that name further signals.
+    /// Whether libraries are loaded while the application runs, with variables that name further signals.
     pub(super) fn loads_libraries(&self) -> bool {
         let mut programs = self.instances().flat_map(|instance| &instance.image.programs);
         programs.any(|program| program.instructions.iter().any(|site| site.callee.name() == LIB_LOAD))
@@ -235,7 +238,7 @@ impl Controller {
 }
 
 impl Misfit {
-    /// The problem, with the names that an unknown one probably means.
+    /// Returns the problem with the probable names for an unknown name.
     #[must_use]
     pub fn with_proposals(&self) -> String {
         let proposed = |(name, known): &(String, Vec<String>)| {
@@ -247,7 +250,7 @@ impl Misfit {
 }
 
 impl Entry {
-    /// The paths of all signals that have to exist.
+    /// Paths of all signals that have to exist.
     fn signals(&self) -> impl Iterator<Item = &str> {
         let (held, locked) = match &self.lock {
             Locks::AsIs(links) => (links.all(), None),
@@ -260,7 +263,7 @@ impl Entry {
 }
 
 impl Value {
-    /// A variable of this type takes the value.
+    /// Whether a variable of this type accepts the value.
     pub(super) fn suits(&self, base: BaseType) -> bool {
         matches!(
             (self, base),
@@ -269,7 +272,7 @@ impl Value {
     }
 }
 
-/// Whole numbers with commas between them.
+/// Whether the text is an index: whole numbers with commas between them.
 fn is_index(text: &str) -> bool {
     text.split(',').all(|part| part.trim().parse::<u32>().is_ok())
 }

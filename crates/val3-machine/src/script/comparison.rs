@@ -1,4 +1,4 @@
-//! Comparisons of the values of signals and variables, as conditions write them.
+//! Comparisons of signal and variable values in conditions.
 
 use std::fmt;
 
@@ -37,14 +37,14 @@ pub enum LevelComparison {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(try_from = "Limits")]
 pub enum Range {
-    /// The numbers between two limits, of which one may be missing.
+    /// Numbers between two limits, of which one may be missing.
     Between {
         /// The number is greater.
         above: Option<f64>,
         /// The number is less.
         below: Option<f64>,
     },
-    /// The numbers that are not farther away.
+    /// Numbers within a distance.
     Near {
         /// The number in the middle.
         is: f64,
@@ -53,7 +53,7 @@ pub enum Range {
     },
 }
 
-/// A range as a file has it.
+/// Content of a range in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Limits {
@@ -118,7 +118,7 @@ impl Comparison {
         }
     }
 
-    /// Whether a value is as it must be.
+    /// Whether the comparison accepts a value.
     pub(super) fn accepts(&self, actual: &Value) -> bool {
         match (self, actual) {
             (Self::Is(expected), _) => expected == actual,
@@ -128,7 +128,7 @@ impl Comparison {
     }
 }
 
-/// The end of a sentence: `3`, `"bolt"`, `above 2 and below 5`.
+/// End of a sentence: `3`, `"bolt"`, `above 2 and below 5`.
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

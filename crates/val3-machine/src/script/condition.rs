@@ -26,7 +26,7 @@ pub struct Condition {
     parts: Vec<Part>,
 }
 
-/// A condition as a file has it.
+/// Content of a condition in a file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Tables {
@@ -44,7 +44,7 @@ impl TryFrom<Tables> for Condition {
     }
 }
 
-/// A clause: "`nState` is 3 and `nCount` is above 2".
+/// Clause of a sentence: "`nState` is 3 and `nCount` is above 2".
 impl fmt::Display for Condition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (part, number) in self.parts.iter().zip(0..) {
@@ -78,10 +78,10 @@ impl Subject {
 }
 
 impl Condition {
-    /// The condition that these signals and global variables have these values.
+    /// Creates the condition that these signals and global variables have these values.
     ///
     /// # Errors
-    /// It names nothing.
+    /// The condition names no signal or variable.
     pub fn new(io: BTreeMap<String, LevelComparison>, data: BTreeMap<String, Comparison>) -> Result<Self, String> {
         let signal = |(path, level): (_, LevelComparison)| (Subject::Signal(path), level.into());
         let signals = io.into_iter().map(signal);

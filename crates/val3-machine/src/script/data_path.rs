@@ -1,4 +1,4 @@
-//! Paths of data in scripts and expectations: `nCount`, `nCounts[2]`, `part:sNames["a"]`, `tState.nDone[1]`,
+//! Data paths in scripts and expectations: `nCount`, `nCounts[2]`, `part:sNames["a"]`, `tState.nDone[1]`,
 //! `pPick[3].trsf.x`.
 
 use val3_lang::memory::{Kind, KindBase, Lanes, Place, StoreId, field_offset};
@@ -6,32 +6,32 @@ use val3_lang::types::{self, BaseType};
 
 use crate::controller::Controller;
 
-/// What a path leads to.
+/// Resolved data path.
 pub(super) struct Located<'p> {
-    /// The container of the value.
+    /// Container of the value.
     pub(super) store: StoreId,
     /// The path of the container.
     pub(super) container: &'p str,
     /// The index or key in the container, without quotes.
     pub(super) index: Option<&'p str>,
-    /// The lanes of the value before the field of a built-in type.
+    /// Lanes before the field of a built-in type.
     offset: Lanes,
-    /// The type of the value; none for a user type.
+    /// Type of the value; `None` for a user type.
     pub(super) base: Option<BaseType>,
 }
 
-/// The part of a path that leads nowhere.
+/// Unresolved part of a path.
 pub(super) enum Lost<'p> {
     /// The variable at the beginning does not exist.
     Variable(&'p str),
-    /// The value before it has no such field; with the fields that it has.
+    /// The value has no such field; with the existing fields.
     Field(&'p str, Vec<String>),
     /// The container with this path has no value with this index or key.
     Index(&'p str, Option<&'p str>),
 }
 
 impl Controller {
-    /// Follows a path.
+    /// Resolves a path.
     pub(super) fn locate<'p>(&self, path: &'p str) -> Result<Located<'p>, Lost<'p>> {
         let (first, mut rest) = split_field(path);
         let (name, mut index) = split_index(first);
@@ -59,7 +59,7 @@ impl Controller {
         }
     }
 
-    /// The place and the type of the value at a path.
+    /// Returns the place and type of the value at a path.
     pub(crate) fn variable(&self, path: &str) -> Option<(Place, BaseType)> {
         let Located { store, index, offset, base, .. } = self.locate(path).ok()?;
         let found = self.vm.space.memory.store(store).ok()?;
@@ -68,7 +68,7 @@ impl Controller {
     }
 }
 
-/// The type of a field of a built-in type, and the lanes before it.
+/// Returns the type of a built-in type's field, and the lanes before it.
 fn built_in_field<'p>(kind: &Kind, path: &'p str) -> Result<(BaseType, Lanes), Lost<'p>> {
     let KindBase::Builtin(base, arm) = kind.base else { return Err(Lost::Field(path, Vec::new())) };
     let step = |(base, offset), name: &'p str| {
@@ -80,7 +80,7 @@ fn built_in_field<'p>(kind: &Kind, path: &'p str) -> Result<(BaseType, Lanes), L
     path.split('.').try_fold((base, Lanes::default()), step)
 }
 
-/// The first part of a path, and the rest behind its dot. Dots in keys separate nothing.
+/// Splits a path after its first part. Dots in keys are no separators.
 fn split_field(path: &str) -> (&str, Option<&str>) {
     let (mut is_key, mut depth) = (false, 0);
     let dot = path.find(|c| {
@@ -95,12 +95,12 @@ fn split_field(path: &str) -> (&str, Option<&str>) {
     dot.map_or((path, None), |dot| (path.get(..dot).unwrap_or(path), path.get(dot + 1..)))
 }
 
-/// The variable at the beginning of a path.
+/// Returns the variable at the beginning of a path.
 pub(super) fn root(path: &str) -> &str {
     split_index(split_field(path).0).0
 }
 
-/// The name of a variable or field, and its index or key without quotes.
+/// Splits a part into the name of the variable or field, and the index or key without quotes.
 fn split_index(name: &str) -> (&str, Option<&str>) {
     match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
         Some((name, at)) => (name, Some(at.trim_matches('"'))),
@@ -108,7 +108,7 @@ fn split_index(name: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// The beginning of a path up to the end of a part of it.
+/// Returns the beginning of a path up to the end of `part`.
 fn up_to<'p>(path: &'p str, part: &'p str) -> &'p str {
     let end = part.as_ptr().addr() - path.as_ptr().addr() + part.len();
     path.get(..end).unwrap_or(path)

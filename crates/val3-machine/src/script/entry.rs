@@ -1,4 +1,4 @@
-//! The entries of a script: the events at one time.
+//! Entries of a script: the events at one time.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -28,7 +28,7 @@ pub enum ScriptPlace {
     At(f64),
     /// The `[[when]]` that begins in this line of the file, from 1.
     When(usize),
-    /// The lines over which the script sends nothing.
+    /// Lines over which the script sends no bytes.
     Silent,
 }
 
@@ -66,7 +66,7 @@ impl TryFrom<Entry> for TimedEntry {
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Entry {
-    /// The time of an `[[at]]`.
+    /// Time in an `[[at]]`.
     #[serde(skip_serializing)]
     pub(super) t: Option<Seconds>,
     /// The delay in a `then`.
@@ -75,10 +75,10 @@ pub(crate) struct Entry {
     /// Inputs and outputs that get a value from the hardware.
     #[serde(default)]
     pub(super) io: BTreeMap<String, Level>,
-    /// Inputs and outputs that the operator holds.
+    /// Inputs and outputs that the operator locks.
     #[serde(default)]
     pub(super) lock: Locks,
-    /// Inputs and outputs that the operator lets go.
+    /// Inputs and outputs that the operator unlocks.
     #[serde(default)]
     pub(super) unlock: Links,
     /// Inputs and outputs that the controller simulates, or no longer.
@@ -98,38 +98,38 @@ pub(crate) struct Entry {
     pub(super) calibrated: Option<bool>,
     pub(super) mode: Option<Mode>,
     pub(super) monitor_speed: Option<Percent>,
-    /// Whether the operator lets recorded moves move the arm.
+    /// Whether the operator allows recorded moves.
     #[serde(rename = "move")]
     pub(super) lets_move: Option<bool>,
-    /// A joint position to which the arm is put at once; its recorded moves are forgotten.
+    /// Joint position that the arm gets immediately; its recorded moves are discarded.
     pub(super) joints: Option<Position>,
     /// A joint position to which the operator moves the arm by hand.
     pub(super) jog: Option<Position>,
-    /// A force on the arm, until another one.
+    /// Force on the arm, until the next force.
     pub(super) force: Option<Force>,
-    /// The operator lets the arm return to its path.
+    /// Whether the operator requests the return of the arm to its path.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub(super) connect: bool,
-    /// An element of the page made with HTML that is shown, on which the operator clicks.
+    /// Element of the displayed HTML page on which the operator clicks.
     pub(super) click: Option<String>,
-    /// A key that is tapped at once.
+    /// Key that is tapped immediately.
     pub(super) key: Option<Key>,
-    /// Keys that are tapped as the program asks for them.
+    /// Keys that are tapped as the program requests them.
     pub(super) keys: Option<Keys>,
-    /// The operator stops the application.
+    /// Whether the operator stops the application.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub(super) stop: bool,
-    /// Texts and other bytes that come in over serial lines and sockets.
+    /// Texts and other bytes that serial lines and sockets receive.
     #[serde(default)]
     pub(super) receive: BTreeMap<String, LineBytes>,
 }
 
-/// Something that the cell or the operator does at once. It has the keys of an `[[at]]`, without `t`.
+/// Immediate action of the cell or the operator. It has the keys of an `[[at]]`, without `t`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Action(pub(crate) Entry);
 
 impl Entry {
-    /// Its keys with their values, without its time.
+    /// Returns the keys with their values, without the time.
     pub(super) fn keys(&self) -> Map<String, Json> {
         let is_empty = |value: &Json| match value {
             Json::Null => true,
@@ -146,16 +146,16 @@ impl Entry {
 }
 
 impl Action {
-    /// The operator types these keys as the program asks for them.
+    /// Action of typing these keys as the program requests them.
     #[must_use]
     pub fn typing(codes: Vec<u16>) -> Self {
         Self(Entry { keys: Some(Keys(codes)), ..Entry::default() })
     }
 
-    /// Reads an action.
+    /// Parses an action.
     ///
     /// # Errors
-    /// A key is unknown, or does not take its value.
+    /// A key is unknown, or its value is invalid.
     pub fn from_json(keys: Map<String, Json>) -> serde_json::Result<Self> {
         let entry: Entry = serde_json::from_value(Json::Object(keys))?;
         match (entry.t, entry.after) {

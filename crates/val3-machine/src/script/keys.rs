@@ -1,8 +1,8 @@
-//! Keys as people write them.
+//! Keys in written form.
 
 use val3_lang::keys::{KEYS, character};
 
-/// The keys of a list of codes and names with commas between them: `97,270,F1`.
+/// Parses a list of key codes and names with commas between them: `97,270,F1`.
 ///
 /// # Errors
 /// The part that is neither the code nor the name of a key (12.2).
@@ -11,8 +11,8 @@ pub fn key_codes(list: &str) -> Result<Vec<u16>, String> {
     parts.map(|part| key_code(part).ok_or_else(|| no_key(part))).collect()
 }
 
-/// The keys that type a text. A list of codes and names, as [`key_codes`] reads it, is taken as one where it has a
-/// comma; within a text, names are in braces: `12.5{Return}`.
+/// Returns the keys that type a text. A text with a comma is read as a list of codes and names if [`key_codes`] accepts
+/// it; within a text, names are in braces: `12.5{Return}`.
 ///
 /// # Errors
 /// The character that no key writes, or the name that no key has.
@@ -38,7 +38,7 @@ pub fn typed_keys(text: &str) -> Result<Vec<u16>, String> {
     Ok(codes)
 }
 
-/// The text of these keys for [`typed_keys`]: their characters with names in braces, or else a list of codes.
+/// Returns the text of these keys for [`typed_keys`]: characters with names in braces, or else a list of codes.
 pub(super) fn key_text(codes: &[u16]) -> String {
     let named = |code: &u16| KEYS.iter().find(|key| key.code == *code).map(|key| format!("{{{}}}", key.name));
     let one = |code: &u16| character(*code).map(String::from).or_else(|| named(code)).unwrap_or_default();
@@ -49,7 +49,7 @@ pub(super) fn key_text(codes: &[u16]) -> String {
     codes.iter().map(|code| format!("{code},")).collect()
 }
 
-/// The key of a code or a name; the letter case of names does not matter.
+/// Parses the code or name of a key; the letter case of names does not matter.
 fn key_code(text: &str) -> Option<u16> {
     let known = |code: &u16| character(*code).is_some() || KEYS.iter().any(|key| key.code == *code);
     match text.parse() {

@@ -16,14 +16,14 @@ use super::values::Times;
 #[derive(Debug, PartialEq, Deserialize)]
 #[serde(try_from = "Table")]
 pub struct Rule {
-    /// Without parts where the text alone decides.
+    /// Without parts if the reaction depends only on the sent text.
     condition: Condition,
     sent: Option<SentText>,
     then: Vec<DelayedEntry>,
     times: Option<Times>,
 }
 
-/// A rule as a file has it.
+/// Content of a rule in a file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Table {
@@ -76,11 +76,11 @@ impl TryFrom<Entry> for DelayedEntry {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Reaction {
     rule: Arc<Rule>,
-    /// The line of the file.
+    /// Line in the file.
     line: usize,
-    /// Its condition held at the last look.
+    /// Whether the condition was true at the last evaluation.
     held: bool,
-    /// How often it has happened.
+    /// Number of occurrences.
     count: u64,
 }
 
@@ -106,7 +106,7 @@ impl Reaction {
         self.rule.then.iter().map(|delayed| delayed.entry.as_ref())
     }
 
-    /// The entries, if the reaction happens now.
+    /// Entries, if the reaction occurs now.
     pub(super) fn pending(&self, now: Time) -> impl Iterator<Item = Pending> {
         self.rule.then.iter().map(move |DelayedEntry { delay, entry }| Pending {
             time: now.saturating_add(*delay),
@@ -115,10 +115,10 @@ impl Reaction {
         })
     }
 
-    /// Takes the present truth of the condition. Returns whether the reaction happens now.
+    /// Updates the current value of the condition. Returns whether the reaction occurs now.
     pub(super) fn happens(&mut self, holds: bool) -> bool {
         let held = std::mem::replace(&mut self.held, holds);
-        // Each text is an event of its own.
+        // Each text is a separate event.
         let begins = !held || self.rule.sent.is_some();
         let happens = holds && begins && self.rule.times.is_none_or(|times| self.count < times.number());
         self.count += u64::from(happens);

@@ -1,4 +1,4 @@
-//! A text, or other bytes, that goes out over a serial line or socket.
+//! Text, or other bytes, that a task sends over a serial line or socket.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -8,7 +8,7 @@ use serde::Deserialize;
 use super::bytes::LineBytes;
 use crate::event::{Event, EventKind};
 
-/// A line with a text that it sends, as a table with one key.
+/// Line with a text that it sends, as a table with one key.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(try_from = "BTreeMap<String, LineBytes>")]
 pub struct SentText {
@@ -28,7 +28,7 @@ impl TryFrom<BTreeMap<String, LineBytes>> for SentText {
 }
 
 impl SentText {
-    /// A text that the line with this link sends.
+    /// Creates the condition that the line with this link sends a text.
     ///
     /// # Errors
     /// The text is empty.
@@ -59,7 +59,7 @@ impl SentText {
     }
 }
 
-/// A clause.
+/// Clause of a sentence.
 impl fmt::Display for SentText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} is sent over `{}`", self.text, self.link)

@@ -1,4 +1,4 @@
-//! The values in the entries of a script. Each error lists the values that are possible.
+//! Values in the entries of a script. Each error lists the possible values.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -9,7 +9,7 @@ use val3_lang::ports::{SECOND, Time};
 use super::keys::{key_codes, key_text, typed_keys};
 use crate::controller_state::WorkingMode;
 
-/// A number, with a message of its own for anything else.
+/// Number, with a separate message for other values.
 #[derive(Deserialize)]
 #[serde(untagged, expecting = "write a number")]
 enum Amount {
@@ -55,9 +55,9 @@ impl Seconds {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "an input or output is true, false or a number")]
 pub enum Level {
-    /// Of a digital signal.
+    /// Value of a digital signal.
     Digital(bool),
-    /// Of an analog signal.
+    /// Value of an analog signal.
     Analog(f64),
 }
 
@@ -92,9 +92,9 @@ impl SafetyFault {
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "a variable is set to true, false, a number or a text")]
 pub enum Value {
-    /// A `bool`, or the value of a digital signal.
+    /// A `bool`, or a digital signal's value.
     Bool(bool),
-    /// A `num`, or the value of an analog signal.
+    /// A `num`, or an analog signal's value.
     Num(f64),
     /// A `string`.
     Text(String),
@@ -110,7 +110,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// The number of times that something happens at most.
+/// Maximum number of occurrences.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(try_from = "Amount")]
 pub(super) struct Times(u64);
@@ -155,7 +155,7 @@ impl Links {
     }
 }
 
-/// Inputs and outputs that are held at the value that they have, or at another one.
+/// Inputs and outputs that are locked at the current value, or at a given value.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(
     untagged,
@@ -202,7 +202,7 @@ pub(super) enum Force {
     World([f64; 3]),
 }
 
-/// A joint position: a number an axis, those that are left out are 0.
+/// Joint position: one number for each axis; omitted numbers are 0.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(try_from = "Vec<f64>")]
 pub(super) struct Position(pub(super) [f64; 6]);

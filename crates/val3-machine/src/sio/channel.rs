@@ -1,7 +1,7 @@
-//! A channel: what the instructions of 3.7.2 and 3.7.3 do with a line.
+//! A serial line or socket as `sio` instructions use it (3.7.2, 3.7.3).
 //!
-//! An instruction that has to wait is asked again at each turn of its task, with the time it has waited so far. What
-//! has come in stays in the channel until it is complete, so any number of tasks may wait at one channel.
+//! A waiting instruction is called again in each turn of the task, with the elapsed waiting time. Received bytes stay
+//! in the channel's buffer until the value is complete, so several tasks can wait on one channel.
 
 mod input;
 
@@ -11,30 +11,30 @@ use super::setting::SettingFault;
 use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal, SettingValue};
 use input::Input;
 
-/// The answer to an instruction: a result, or the task waits and asks again.
+/// Result of a call by a waiting instruction.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Attempt<T> {
-    /// Nothing yet.
+    /// Not complete: the task waits and calls again.
     Wait,
-    /// The instruction is done.
+    /// Result of the completed instruction.
     Done(T),
 }
 
-/// Why reading or writing with `=` ends in a run-time error.
+/// Cause of the run-time error of reading or writing with `=`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SioFault {
     /// The timeout has passed.
     TimedOut,
 }
 
-/// Bytes on their way out, and how many of them are gone.
+/// Bytes to send, and the number of sent bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Sending {
     bytes: Vec<u8>,
     sent: usize,
 }
 
-/// A line or socket with its parameters and what it has received.
+/// Line or socket with its parameters and received bytes.
 pub struct Channel {
     line: Box<dyn ByteStream>,
     state: ChannelState,
@@ -44,15 +44,15 @@ pub struct Channel {
 #[derive(Debug, Clone)]
 pub struct ChannelState {
     input: Input,
-    /// The peer of what is in `input` has gone.
+    /// Whether the peer that sent `input` has disconnected.
     ended: bool,
-    /// A peer is connected or called.
+    /// Whether a peer is connected or called.
     has_peer: bool,
     end_of_string: u8,
     timeout: f64,
 }
 
-/// The byte that goes out for a number: the nearest whole one modulo 256 (3.7.2).
+/// Converts a number to the byte to send: the nearest integer modulo 256 (3.7.2).
 #[must_use]
 pub fn byte_of(number: f64) -> u8 {
     let whole = (number + 0.5).floor().rem_euclid(256.0);
@@ -68,13 +68,13 @@ impl Sending {
         Self { bytes, sent: 0 }
     }
 
-    /// How many bytes there are in all.
+    /// Number of bytes to send, including the sent bytes.
     #[must_use]
     pub fn total(&self) -> usize {
         self.bytes.len()
     }
 
-    /// The bytes that are gone.
+    /// Sent bytes.
     #[must_use]
     pub fn gone(&self) -> &[u8] {
         self.bytes.get(..self.sent).unwrap_or(&self.bytes)
@@ -86,8 +86,7 @@ impl Sending {
 }
 
 impl Channel {
-    /// A channel on `line`. Strings end with a carriage return and nothing limits a wait, until the configuration
-    /// or a program says otherwise.
+    /// Channel on `line`. By default, strings end with a carriage return and waiting has no limit.
     #[must_use]
     pub fn new(line: Box<dyn ByteStream>) -> Self {
         let state =
@@ -95,13 +94,13 @@ impl Channel {
         Self { line, state }
     }
 
-    /// A copy of its state.
+    /// Returns a copy of the state.
     #[must_use]
     pub fn state(&self) -> ChannelState {
         self.state.clone()
     }
 
-    /// Replaces its state. The line stays unchanged.
+    /// Replaces the state. The line stays unchanged.
     pub fn restore(&mut self, state: ChannelState) {
         self.state = state;
     }
@@ -112,20 +111,20 @@ impl Channel {
         self.line.kind()
     }
 
-    /// Whether a peer is connected, so that its bytes arrive by the clock on the wall, or a server was called and may answer.
-    /// A serial line has one, its device; a socket for datagrams has one since the first datagram.
+    /// Whether a peer is connected, whose bytes arrive in wall-clock time, or a called server may still accept. The
+    /// peer of a serial line is its device; a UDP socket has a peer from the first datagram.
     #[must_use]
     pub fn has_peer(&self) -> bool {
         self.state.has_peer
     }
 
-    /// How long an instruction waits, in seconds: 0 without limit, negative not at all.
+    /// Timeout of instructions, in seconds: 0 waits without limit, a negative value does not wait.
     #[must_use]
     pub fn timeout(&self) -> f64 {
         self.state.timeout
     }
 
-    /// Looks after the line without reading: accepts and turns down callers, and takes in what has come.
+    /// Services the line without reading: accepts and rejects callers, and buffers received bytes.
     pub fn attend(&mut self) -> Connection {
         if self.state.ended && self.state.input.is_empty() {
             self.state.ended = false;
@@ -151,11 +150,12 @@ impl Channel {
         }
     }
 
-    /// `sText = siInput`: a string, complete when its end has come or when it is as long as a string can be. The end
-    /// is taken out and not given; what is no character of a string is passed over.
+    /// `sText = siInput`: reads a string, which is complete at its end or at the maximum length of a string. The end is
+    /// removed; bytes that are no characters of a string are skipped.
     ///
-    /// The unfinished string of a peer that has gone is lost. A string that the limit has cut continues in the next
-    /// one; one of exactly 128 bytes is followed by an empty one, as its end is still to be read.
+    /// An unfinished string is discarded when its peer disconnects. A string that was cut at the maximum length
+    /// continues in the next string. A string of exactly 128 bytes is followed by an empty string, because its end is
+    /// still unread.
     pub fn read_text(&mut self, waited: f64) -> Attempt<Result<String, SioFault>> {
         if let Some(text) = self.next_text() {
             return Attempt::Done(Ok(text));
@@ -175,7 +175,7 @@ impl Channel {
         text
     }
 
-    /// `nData = siInput`: one byte.
+    /// `nData = siInput`: reads one byte.
     pub fn read_byte(&mut self, waited: f64) -> Attempt<Result<u8, SioFault>> {
         self.attend();
         match self.state.input.take(1).first() {
@@ -184,11 +184,11 @@ impl Channel {
         }
     }
 
-    /// `sioGet`: at most `most` bytes of what is there, at least one from a socket; `None`, which the instruction
-    /// gives as -1, after the timeout.
+    /// `sioGet`: reads at most `most` available bytes, at least one from a socket; `None`, for which the instruction
+    /// returns -1, after the timeout.
     ///
-    /// A serial line does not wait (3.7.3 says so of sockets alone). With a negative timeout a socket does not either:
-    /// nothing is received while it is connected, and -1 means that it is not.
+    /// A serial line does not wait, because 3.7.3 describes the wait only for sockets. With a negative timeout a socket
+    /// does not wait either: it returns no bytes while it is connected, and -1 means that it is not connected.
     pub fn read_bytes(&mut self, most: usize, waited: f64) -> Attempt<Option<Vec<u8>>> {
         let connection = self.attend();
         let bytes = self.state.input.take(most);
@@ -199,7 +199,7 @@ impl Channel {
         if self.is_over(waited) { Attempt::Done(None) } else { Attempt::Wait }
     }
 
-    /// A text with the end of string, for `siOutput = sText`.
+    /// Returns a string with its end, for `siOutput = sText`.
     #[must_use]
     pub fn text(&self, text: &str) -> Sending {
         let mut bytes = text.as_bytes().to_vec();
@@ -207,8 +207,8 @@ impl Channel {
         Sending::bytes(bytes)
     }
 
-    /// `siOutput = …` and `sioSet`: sends what is left. Gives how many bytes are gone in all, which are fewer than
-    /// there were if the connection failed half way.
+    /// `siOutput = …` and `sioSet`: sends the remaining bytes. Returns the total number of sent bytes, which is below
+    /// [`Sending::total`] if the connection failed half way.
     ///
     /// A connection that fails before any byte is sent is opened again, until the timeout.
     pub fn send(&mut self, sending: &mut Sending, waited: f64) -> Attempt<Result<usize, SioFault>> {
@@ -230,8 +230,8 @@ impl Channel {
         self.wait(waited)
     }
 
-    /// `clearBuffer`: how many bytes were thrown away. A socket is closed as well; `None`, which the instruction
-    /// gives as -1, if it was closed already.
+    /// `clearBuffer`: discards the unread bytes and returns their number. A socket is closed as well; `None`, for which
+    /// the instruction returns -1, if it was closed already.
     pub fn clear(&mut self) -> Option<usize> {
         let mut count = self.state.input.len();
         self.state.input.clear();
@@ -244,7 +244,7 @@ impl Channel {
         closed.then_some(count)
     }
 
-    /// `sioCtrl`: sets a parameter and gives the instruction's result, 0 or negative.
+    /// `sioCtrl`: sets a parameter and returns the instruction's result, 0 or negative.
     pub fn control(&mut self, name: &str, value: SettingValue<'_>) -> i8 {
         match Setting::read(name, value, self.kind()) {
             Ok(setting) => self.set(&setting).map_or_else(refused, |()| 0),
@@ -253,10 +253,10 @@ impl Channel {
         }
     }
 
-    /// Sets a parameter, as the configuration of the controller does.
+    /// Sets a parameter.
     ///
     /// # Errors
-    /// If the line cannot, or not now.
+    /// If the line does not support the value, or cannot change it while it is connected.
     pub fn set(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         match setting {
             Setting::EndOfString(byte) => self.state.end_of_string = *byte,
@@ -277,16 +277,16 @@ impl Channel {
         if self.is_over(waited) { Attempt::Done(Err(SioFault::TimedOut)) } else { Attempt::Wait }
     }
 
-    /// An instruction that has waited so long, in seconds, waits no more.
+    /// Whether an instruction that has waited for `waited` seconds has timed out.
     fn is_over(&self, waited: f64) -> bool {
         self.state.timeout < 0.0 || (self.state.timeout > 0.0 && waited >= self.state.timeout)
     }
 }
 
-/// A peer that never stops sending is not listened to for ever.
+/// Byte limit of `clearBuffer`, because a peer may never stop sending.
 const MOST_CLEARED: usize = 16 * input::CAPACITY;
 
-/// -5: the parameter is of another kind of channel.
+/// -5: the parameter belongs to another kind of channel.
 const OTHER_KIND: i8 = -5;
 
 fn refused(refused: SettingRefusal) -> i8 {

@@ -1,4 +1,4 @@
-//! The channels that a cell configures in its `sio.cfx`, by the names that data link to: `Socket\Motion`.
+//! Channels in a cell's `sio.cfx`, by the names that data link to: `Socket\Motion`.
 
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::rc::Rc;
@@ -11,19 +11,19 @@ use super::{
     setting::SettingFault,
 };
 
-/// The configuration of a channel.
+/// Configuration of a channel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChannelConfig {
     /// The text that data link to: `Socket\<name>`, `UdpSocket\<name>`, `Serial\<name>`.
     pub link: String,
     /// The kind of channel.
     pub kind: LineKind,
-    /// Its parameters, as a program could set them.
+    /// Parameters, as a program could set them.
     pub settings: Vec<Setting>,
 }
 
-/// Reads the channels of a configuration file. One without a name, and a parameter that its channel does not have, is
-/// passed over.
+/// Reads the channels of a configuration file. A channel without a name is skipped, and so is a parameter that its
+/// channel does not have.
 #[must_use]
 pub fn channels(text: &str) -> Vec<ChannelConfig> {
     let parse = val3_syntax::parse(text);
@@ -47,7 +47,7 @@ fn channel(element: Element<'_>) -> Option<ChannelConfig> {
     Some(ChannelConfig { link: format!("{device}\\{name}"), kind, settings })
 }
 
-/// The parameter that an entry gives.
+/// Parses an entry's parameter.
 fn setting(key: &str, value: &str, kind: LineKind) -> Option<Setting> {
     let key = key.to_ascii_lowercase();
     let name = NAMES.iter().find(|(known, _)| *known == key).map_or(key.as_str(), |(_, name)| name);
@@ -58,12 +58,12 @@ fn setting(key: &str, value: &str, kind: LineKind) -> Option<Setting> {
     read.find_map(Result::<_, SettingFault>::ok)
 }
 
-/// Parameters whose names in the file differ from those in programs.
+/// Parameters whose names differ between file and programs.
 const NAMES: [(&str, &str); 4] =
     [("portnumber", "port"), ("serverip", "target"), ("nbclients", "clients"), ("maxclients", "clients")];
 
 impl ChannelConfig {
-    /// The socket for the channel; `None` for a serial line, whose device the outside names.
+    /// Creates the socket for the channel; `None` for a serial line, whose device is set from outside.
     #[must_use]
     pub fn socket(&self, access: NetworkAccess) -> Option<Box<dyn ByteStream>> {
         let any = SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0));
@@ -75,15 +75,15 @@ impl ChannelConfig {
         }
     }
 
-    /// As [`socket`](Self::socket), opened only with the consent of `guard`.
+    /// Like [`socket`](Self::socket), opened only with the permission of `guard`.
     #[must_use]
     pub fn guarded(&self, access: NetworkAccess, guard: Rc<dyn SocketGuard>) -> Option<Box<dyn ByteStream>> {
         let guarded = |socket| -> Box<dyn ByteStream> { Box::new(GuardedSocket::new(socket, self, access, guard)) };
         self.socket(access).map(guarded)
     }
 
-    /// Takes over the parameters of another configuration of the same channel, but for its other end. Of a channel of
-    /// another kind those are taken over that every kind has.
+    /// Inserts the settings of another configuration of the same channel, except port and target, before the existing
+    /// settings, which take precedence. If the kinds differ, only timeout and end of string are inserted.
     pub fn take_over(&mut self, other: &Self) {
         let stays = |setting: &&Setting| match setting {
             Setting::Port(_) | Setting::Target(_) => false,
@@ -94,17 +94,17 @@ impl ChannelConfig {
         self.settings.splice(0..0, taken);
     }
 
-    /// The channel on `line`, with the parameters of the configuration.
+    /// Creates the channel on `line`, with the parameters of the configuration.
     ///
     /// # Errors
-    /// If the line cannot do what is configured.
+    /// If the line does not support its configuration.
     pub fn channel(&self, line: Box<dyn ByteStream>) -> Result<Channel, SettingRefusal> {
         let mut channel = Channel::new(line);
         self.settings.iter().try_for_each(|setting| channel.set(setting))?;
         Ok(channel)
     }
 
-    /// The port, where one is configured.
+    /// Returns the configured port.
     #[must_use]
     pub fn port(&self) -> Option<u16> {
         self.settings.iter().find_map(|setting| match setting {
@@ -113,7 +113,7 @@ impl ChannelConfig {
         })
     }
 
-    /// The address to call, where one is configured.
+    /// Returns the configured address to call.
     #[must_use]
     pub fn target(&self) -> Option<IpAddr> {
         self.settings.iter().find_map(|setting| match setting {

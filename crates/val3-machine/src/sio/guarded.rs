@@ -1,4 +1,4 @@
-//! A socket whose port the user has not named: each connection needs the consent of a guard.
+//! Socket whose port the user has not named: each connection requires the permission of a guard.
 
 use std::fmt::Debug;
 use std::net::SocketAddr;
@@ -8,29 +8,29 @@ use super::{
     ByteStream, ChannelConfig, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal,
 };
 
-/// A socket that is about to be opened.
+/// Socket that is about to be opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SocketRequest<'a> {
     /// The link of the line: `Socket\host`.
     pub link: &'a str,
     /// The kind of socket.
     pub kind: LineKind,
-    /// The address that a client connects to, and a datagram socket sends to; of a server the address at which it listens.
+    /// Address to which a client connects or a UDP socket sends; for a server the address at which it listens.
     pub address: SocketAddr,
 }
 
 /// Decides whether sockets may be opened.
 pub trait SocketGuard: Debug {
-    /// Whether the socket may be opened. The question is repeated as long as the program uses the line.
+    /// Whether the socket may be opened. The call is repeated as long as the program uses the line.
     fn admits(&self, request: SocketRequest<'_>) -> bool;
 }
 
-/// A socket behind a guard. Without consent it behaves as if no peer were there.
+/// Guarded socket. Without permission it behaves as if no peer existed.
 #[derive(Debug)]
 pub(super) struct GuardedSocket<L> {
     socket: L,
     link: String,
-    /// The address that the configuration or the program names.
+    /// Address in the configuration or the program.
     named: SocketAddr,
     access: NetworkAccess,
     guard: Rc<dyn SocketGuard>,

@@ -1,14 +1,14 @@
-//! The port: one end of a byte stream that leaves the controller.
+//! The port: one end of a byte stream from the controller to the outside.
 
 use serde::{Deserialize, Serialize};
 
 use super::Setting;
 
-/// The kind of a line; each has parameters of its own (3.7.3).
+/// Kind of a line, which determines its parameters (3.7.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LineKind {
-    /// A serial line. It is always open.
+    /// Serial line, which is always open.
     Serial,
     /// A socket that calls a server.
     Client,
@@ -22,9 +22,9 @@ pub enum LineKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Connection {
-    /// They can.
+    /// Bytes can pass.
     Open,
-    /// A server was called and has not answered yet.
+    /// A server was called and has not accepted yet.
     Calling,
     /// No peer is connected.
     Closed,
@@ -38,7 +38,7 @@ pub enum Received {
     Nothing,
     /// These bytes.
     Bytes(Vec<u8>),
-    /// The peer has gone; what comes next is from another one.
+    /// The peer has disconnected; later bytes are from a new peer.
     Ended,
 }
 
@@ -46,38 +46,38 @@ pub enum Received {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum SendResult {
-    /// This number of bytes; fewer than given, or none, if the other end does not take more for now.
+    /// Number of sent bytes, below the number of given bytes or 0 if the other end accepts no more for now.
     Taken(usize),
     /// The connection has failed.
     Lost,
 }
 
-/// Why a line does not take a setting.
+/// Reason why a line rejects a setting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum SettingRefusal {
-    /// It cannot do that.
+    /// The line does not support the value.
     Value,
-    /// Not while it is connected.
+    /// The setting cannot change while the line is connected.
     Busy,
 }
 
-/// One end of a byte stream. No method waits, and none takes or keeps more than it is asked for.
+/// One end of a byte stream. No method waits, and no method reads or stores more bytes than requested.
 pub trait ByteStream {
-    /// Its kind, which never changes.
+    /// Returns the kind, which never changes.
     fn kind(&self) -> LineKind;
 
-    /// Opens the line where it is closed, if possible now, and accepts callers.
+    /// Opens the line if it is closed and can be opened now, and accepts callers.
     fn open(&mut self) -> Connection;
 
-    /// Takes at most `room` bytes that have come in. `fresh` says that nothing received before is left unread: only
-    /// then may another peer be heard.
+    /// Reads at most `room` received bytes. `fresh` is set if all bytes received before were read: only then may
+    /// another peer be read.
     fn receive(&mut self, room: usize, fresh: bool) -> Received;
 
-    /// Sends as many of the bytes as the other end takes now.
+    /// Sends as many bytes as the other end accepts now.
     fn send(&mut self, bytes: &[u8]) -> SendResult;
 
-    /// Ends the connection; `false` if there was none.
+    /// Ends the connection; returns `false` if the line was not connected.
     fn close(&mut self) -> bool;
 
     /// Stops completely, as at the end of the application: no peer can connect any more.
@@ -86,7 +86,7 @@ pub trait ByteStream {
     /// Changes a parameter of the line.
     ///
     /// # Errors
-    /// If the line cannot, or not now.
+    /// If the line does not support the value, or cannot change it while it is connected.
     fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal>;
 }
 

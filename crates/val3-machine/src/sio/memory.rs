@@ -1,4 +1,4 @@
-//! A line whose other end is in the same program: for tests, and for what the outside feeds in by hand.
+//! Line whose other end is in the same process: for tests, and for input that is set by hand.
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -6,14 +6,14 @@ use std::rc::Rc;
 
 use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
 
-/// The controller's end.
+/// Controller's end of the line.
 #[derive(Debug)]
 pub struct MemoryLine {
     kind: LineKind,
     wire: Rc<RefCell<Wire>>,
 }
 
-/// The other end.
+/// Other end of the line.
 #[derive(Debug, Clone)]
 pub struct Peer {
     wire: Rc<RefCell<Wire>>,
@@ -22,17 +22,17 @@ pub struct Peer {
 #[derive(Debug, Default)]
 struct Wire {
     connected: bool,
-    /// The peer has gone, and the line has not reported it.
+    /// Whether the peer has disconnected and the line has not reported it.
     ended: bool,
     to_line: VecDeque<u8>,
     to_peer: Vec<u8>,
-    /// How many more bytes the peer takes.
+    /// Number of bytes that the peer still accepts.
     window: Option<usize>,
     settings: Vec<Setting>,
 }
 
 impl MemoryLine {
-    /// Both ends; no peer is connected.
+    /// Creates both ends; no peer is connected.
     #[must_use]
     pub fn pair(kind: LineKind) -> (Self, Peer) {
         let wire = Rc::new(RefCell::new(Wire::default()));
@@ -97,7 +97,7 @@ impl Peer {
         self.wire.borrow_mut().connected = true;
     }
 
-    /// Ends the connection; what was sent before still arrives.
+    /// Ends the connection; bytes sent before still arrive.
     pub fn disconnect(&self) {
         let mut wire = self.wire.borrow_mut();
         wire.connected = false;
@@ -109,13 +109,13 @@ impl Peer {
         self.wire.borrow_mut().to_line.extend(bytes.as_ref());
     }
 
-    /// Takes what the controller has sent.
+    /// Removes and returns the bytes that the controller has sent.
     #[must_use]
     pub fn take(&self) -> Vec<u8> {
         std::mem::take(&mut self.wire.borrow_mut().to_peer)
     }
 
-    /// Takes `bytes` more from the controller and then no more.
+    /// Accepts only this number of further bytes from the controller.
     pub fn stall_after(&self, bytes: usize) {
         self.wire.borrow_mut().window = Some(bytes);
     }
@@ -126,7 +126,7 @@ impl Peer {
         self.wire.borrow().settings.clone()
     }
 
-    /// The connection is open.
+    /// Whether the connection is open.
     #[must_use]
     pub fn is_connected(&self) -> bool {
         self.wire.borrow().connected

@@ -1,11 +1,11 @@
-//! How far sockets reach.
+//! Network access of sockets.
 
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 
-/// Whom the sockets of a run may talk to.
+/// Machines with which the sockets of a run may communicate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum NetworkAccess {
-    /// Programs on this machine alone: every address in a program or configuration means this machine.
+    /// Only programs on this machine: every address in a program or configuration means this machine.
     #[default]
     Loopback,
     /// Any machine with the address.
@@ -13,7 +13,7 @@ pub enum NetworkAccess {
 }
 
 impl NetworkAccess {
-    /// The address to use for one in a program.
+    /// Returns the address to use for an address in a program.
     #[must_use]
     pub fn address(self, named: SocketAddr) -> SocketAddr {
         match (self, named.ip()) {

@@ -1,8 +1,8 @@
-//! The recorded answers of lines, from which a run can be repeated without them.
+//! Recorded results of lines, for the replay of a run without the lines.
 //!
-//! The calls to a line are numbered. Only an answer that is not the usual one is written: a connection that opens or
-//! ends, bytes that came in, a send that did not take everything. So a line that is asked a million times and stays
-//! silent leaves nothing, and the program that asks in the same order hears the same.
+//! The calls to a line are numbered. Only an unusual result is recorded: a connection that opens or ends, received
+//! bytes, an incomplete send. A line that is polled a million times and stays silent therefore produces no entry, and a
+//! program with the same calls in the same order receives the same results.
 
 use std::cell::Cell;
 use std::collections::{BTreeMap, VecDeque};
@@ -13,28 +13,28 @@ use serde::{Deserialize, Serialize};
 use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
 use crate::inputs::{Answer, Inputs};
 
-/// An answer of a line that was not the usual one.
+/// Unusual result of a line.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Entry {
     /// The number of the call, from 0.
     pub call: u64,
-    /// The answer.
+    /// Result of the call.
     pub answer: LineAnswer,
 }
 
-/// The answer to one call.
+/// Result of one call.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LineAnswer {
-    /// The connection is another than at the last call.
+    /// The connection has changed since the last call.
     Connection(Connection),
-    /// Something came in, or the peer has gone.
+    /// Bytes were received, or the peer has disconnected.
     Received(Received),
-    /// Not everything went out.
+    /// Not all bytes were sent.
     Sent(SendResult),
-    /// There was a connection to end.
+    /// An open connection was closed.
     Closed,
-    /// A setting was not taken.
+    /// A setting was rejected.
     Refused(SettingRefusal),
 }
 
@@ -58,7 +58,7 @@ impl Answer for Received {
     }
 }
 
-/// A line that is asked through a recorder of inputs. Its unusual answers are passed to `tell`.
+/// Line whose calls pass through a recorder of external input. Unusual results are passed to `tell`.
 pub struct Recorder<L, F> {
     line: L,
     inputs: Inputs,
@@ -73,13 +73,13 @@ impl<L: ByteStream, F: FnMut(Entry)> Recorder<L, F> {
         Self { line, inputs, tell, state: Rc::new(Cell::new(state)) }
     }
 
-    /// The state, which others can save and restore.
+    /// Shared state, which its owner can save and restore.
     #[must_use]
     pub fn state(&self) -> Rc<Cell<RecorderState>> {
         Rc::clone(&self.state)
     }
 
-    /// Ends a call; `answer` is what was unusual about it.
+    /// Ends a call. `answer` is the result if it is unusual.
     fn ended(&mut self, answer: Option<LineAnswer>) {
         let RecorderState { call, connection } = self.state.get();
         if let Some(answer) = answer {
@@ -133,8 +133,8 @@ impl<L: ByteStream, F: FnMut(Entry)> ByteStream for Recorder<L, F> {
     }
 }
 
-/// The answers of lines by their links, from the record of a run (one event a line). The last line may be incomplete,
-/// since a run that is killed leaves it so.
+/// Reads the results of lines, by link, from the record of a run (one event a line). The last line is incomplete if the
+/// run was killed.
 ///
 /// # Errors
 /// The first line that is no event.
@@ -161,7 +161,7 @@ pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<Entry>>> 
     Ok(answers)
 }
 
-/// A line that answers as a recorded one did.
+/// Line that repeats recorded results.
 #[derive(Debug)]
 pub struct Replay {
     kind: LineKind,
@@ -171,13 +171,13 @@ pub struct Replay {
 }
 
 impl Replay {
-    /// Answers with `entries`, in the order of their calls.
+    /// Creates a line that returns the results of `entries`, in the order of the calls.
     #[must_use]
     pub fn new(kind: LineKind, entries: impl IntoIterator<Item = Entry>) -> Self {
         Self { kind, entries: entries.into_iter().collect(), call: 0, connection: Connection::Closed }
     }
 
-    /// The unusual answer to this call. A run that asks otherwise than the recorded one gets the usual ones.
+    /// Returns the unusual result of this call. A run with other calls than the recorded run receives usual results.
     fn answer(&mut self) -> Option<LineAnswer> {
         let call = self.call;
         self.call += 1;
@@ -234,7 +234,7 @@ mod tests {
     use super::*;
     use crate::sio::{Channel, MemoryLine, Peer, SettingValue};
 
-    /// A program: what it sees, turn by turn.
+    /// Executes a program and returns its result in each turn.
     fn run(channel: &mut Channel, mut outside: impl FnMut(u32)) -> Vec<String> {
         (0..12)
             .map(|turn| {

@@ -1,4 +1,4 @@
-//! A line whose other end is a script: it takes all output, and its input is what the script sends.
+//! Line whose other end is a script: it accepts all output, and its input is sent by the script.
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -6,21 +6,21 @@ use std::rc::Rc;
 
 use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
 
-/// The controller's end. It is always open.
+/// Controller's end of the line, which is always open.
 #[derive(Debug)]
 pub struct ScriptedLine {
     kind: LineKind,
     input: Rc<RefCell<VecDeque<u8>>>,
 }
 
-/// The end of the script.
+/// Script's end of the line.
 #[derive(Debug)]
 pub struct ScriptedPeer {
     input: Rc<RefCell<VecDeque<u8>>>,
 }
 
 impl ScriptedLine {
-    /// Both ends.
+    /// Creates both ends.
     #[must_use]
     pub fn pair(kind: LineKind) -> (Self, ScriptedPeer) {
         let input = Rc::<RefCell<VecDeque<u8>>>::default();

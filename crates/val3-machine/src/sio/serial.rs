@@ -1,4 +1,4 @@
-//! A serial line of the operating system: a port, or a pseudo terminal in its place.
+//! Serial line of the operating system: a port, or a pseudo terminal in its place.
 
 use std::fs::OpenOptions;
 use std::io::{self, ErrorKind, Read, Write};
@@ -9,7 +9,7 @@ use rustix::termios::{ControlModes, OptionalActions, Termios, tcgetattr, tcsetat
 
 use super::{ByteStream, Connection, LineKind, Parity, Received, SendResult, Setting, SettingRefusal};
 
-/// A serial line. It is always open (3.7.1).
+/// Serial line, which is always open (3.7.1).
 #[derive(Debug)]
 pub struct SerialLine {
     port: std::fs::File,
@@ -19,7 +19,7 @@ impl SerialLine {
     /// Opens the device for unchanged bytes: no echo, no conversion of line ends.
     ///
     /// # Errors
-    /// If there is no such device, or it is none of a serial line.
+    /// If the device does not exist, or is no serial line.
     pub fn open(device: &Utf8Path) -> io::Result<Self> {
         let flags = rustix::fs::OFlags::NOCTTY | rustix::fs::OFlags::NONBLOCK;
         let flags = i32::try_from(flags.bits()).map_err(|_| ErrorKind::Unsupported)?;
@@ -64,7 +64,7 @@ fn parity(parity: Parity) -> ControlModes {
     }
 }
 
-/// The flag, or none.
+/// Returns the flag, or no flag.
 fn only(flag: ControlModes, on: bool) -> ControlModes {
     if on { flag } else { ControlModes::empty() }
 }
@@ -106,7 +106,7 @@ impl ByteStream for SerialLine {
 
     fn shut_down(&mut self) {}
 
-    /// The line has the drivers of RS-232 alone.
+    /// The line has only RS-232 drivers.
     fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
         match setting {
             Setting::BaudRate(0) | Setting::Rs422(true) => Err(SettingRefusal::Value),

@@ -1,4 +1,4 @@
-//! The parameters of a channel, from the name and value that a program gives (3.7.3).
+//! Parameters of a channel, from the name and value in a program (3.7.3).
 
 use std::net::IpAddr;
 
@@ -16,7 +16,7 @@ pub enum SettingValue<'v> {
     Num(f64),
     /// A text.
     Text(&'v str),
-    /// A value of any other type, which no parameter takes.
+    /// Value of any other type, which is invalid for all parameters.
     Other,
 }
 
@@ -28,33 +28,33 @@ pub enum Setting {
     Port(u16),
     /// The address to call.
     Target(IpAddr),
-    /// How many clients may be connected to a server.
+    /// Maximum number of a server's clients.
     Clients(u16),
     /// The byte that ends a string.
     EndOfString(u8),
-    /// How long an instruction waits, in seconds: 0 without limit, negative not at all.
+    /// Timeout of instructions, in seconds: 0 waits without limit, a negative value does not wait.
     Timeout(f64),
     /// Bits per second.
     BaudRate(u32),
-    /// The check of each byte.
+    /// Parity bit.
     Parity(Parity),
     /// Bits a byte, 5 to 8.
     Bits(u8),
     /// Stop bits, 1 or 2.
     StopBits(u8),
-    /// RS-422 instead of RS-232.
+    /// Whether the line is RS-422 instead of RS-232.
     Rs422(bool),
-    /// The hardware holds the flow.
+    /// Whether hardware flow control is on.
     HardwareFlow(bool),
-    /// Small packets are gathered.
+    /// Whether small packets are collected (Nagle's algorithm).
     Nagle(bool),
 }
 
-/// The check of each byte of a serial line.
+/// Parity bit on a serial line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Parity {
-    /// There is none.
+    /// No parity bit.
     None,
     /// An even number of ones.
     Even,
@@ -62,19 +62,19 @@ pub enum Parity {
     Odd,
 }
 
-/// Why a program's name and value make no setting of a line.
+/// Reason why a name and value are no setting of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SettingFault {
     /// -1, -2, -3.
     Argument(SerialFault),
-    /// -5: the parameter is of another kind of channel.
+    /// -5: the parameter belongs to another kind of channel.
     Kind,
 }
 
 impl Setting {
-    /// Reads the parameter `name` with its value for a line of the given kind; letter case does not count.
+    /// Parses the parameter `name` with its value for a line of this kind; letter case does not count.
     ///
-    /// Where several things are wrong the name is looked at first, then the kind of channel, the type, the value.
+    /// Of several errors, the first in this order is returned: name, kind of channel, type, value.
     pub(super) fn read(name: &str, value: SettingValue<'_>, kind: LineKind) -> Result<Self, SettingFault> {
         let parameter = SerialParameter::find(name).ok_or(SettingFault::Argument(SerialFault::Unknown))?;
         let row = ROWS.iter().find(|row| row.name == parameter.name);
@@ -86,7 +86,7 @@ impl Setting {
     }
 }
 
-/// Which lines have a parameter, and how its value is read.
+/// Parameter with the kinds of lines that support it, and the parser of its value.
 struct Row {
     name: &'static str,
     kinds: &'static [LineKind],
@@ -101,7 +101,7 @@ enum Reader {
 }
 
 const TCP: &[LineKind] = &[LineKind::Client, LineKind::Server];
-/// UDP came with s8; it takes what a socket of its kind can use.
+/// UDP came with s8; it supports the parameters that apply to a UDP socket.
 const SOCKETS: &[LineKind] = &[LineKind::Client, LineKind::Server, LineKind::Udp];
 const CALLERS: &[LineKind] = &[LineKind::Client, LineKind::Udp];
 const SERVER: &[LineKind] = &[LineKind::Server];
@@ -157,7 +157,7 @@ fn byte(value: u32) -> Option<u8> {
     u8::try_from(value).ok()
 }
 
-/// A whole number as a number holds it.
+/// Converts a number that is a whole number.
 fn whole(value: f64) -> Option<u32> {
     let fits = value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is whole and fits")]

@@ -1,4 +1,4 @@
-//! One TCP connection, never waited for.
+//! Non-blocking TCP connection.
 
 use std::collections::VecDeque;
 use std::io::{ErrorKind, Read, Write};
@@ -6,10 +6,10 @@ use std::net::{Shutdown, TcpStream};
 
 use super::SendResult;
 
-/// The most that one connection may bring in before it is read, in bytes.
+/// Maximum size of a connection's unread input, in bytes.
 const CAPACITY: usize = 65_536;
 
-/// Bytes read from the system at once.
+/// Maximum number of bytes in one read from the system.
 const CHUNK: usize = 8_192;
 
 #[derive(Debug)]
@@ -20,7 +20,7 @@ pub(super) struct Stream {
 }
 
 impl Stream {
-    /// `None` if the connection has failed already.
+    /// Returns `None` if the connection has failed already.
     pub(super) fn new(tcp: TcpStream, nagle: bool) -> Option<Self> {
         tcp.set_nonblocking(true).ok()?;
         let mut stream = Self { tcp, input: VecDeque::new(), gone: false };
@@ -28,12 +28,12 @@ impl Stream {
         Some(stream)
     }
 
-    /// A connection that refuses the option has failed, which the next read reports.
+    /// Sets Nagle's algorithm. A connection that rejects the option has failed, which the next read reports.
     pub(super) fn set_nagle(&mut self, on: bool) {
         self.gone |= self.tcp.set_nodelay(!on).is_err();
     }
 
-    /// Takes in what has come, as long as there is room.
+    /// Reads received bytes as long as there is room.
     pub(super) fn listen(&mut self) {
         let mut chunk = [0; CHUNK];
         while !self.gone && self.input.len() + CHUNK <= CAPACITY {
@@ -51,7 +51,7 @@ impl Stream {
         !self.input.is_empty()
     }
 
-    /// The other end has closed, or the connection has failed. Bytes received before can still be read.
+    /// Whether the other end has closed or the connection has failed. Bytes received before can still be read.
     pub(super) fn is_gone(&self) -> bool {
         self.gone
     }
@@ -79,7 +79,7 @@ impl Stream {
 }
 
 impl Drop for Stream {
-    /// Sent bytes still arrive. The task no longer learns that the other end has closed first.
+    /// Sent bytes still arrive. The task is no longer notified when the other end closes first.
     fn drop(&mut self) {
         drop(self.tcp.shutdown(Shutdown::Write));
     }

@@ -1,4 +1,4 @@
-//! A socket that connects to a server, and connects again when the connection has ended and the program continues.
+//! Client socket. It reconnects after the end of a connection when the program continues.
 
 use std::net::SocketAddr;
 
@@ -7,7 +7,7 @@ use socket2::{Domain, Protocol, Socket, Type};
 use super::stream::Stream;
 use super::{ByteStream, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal};
 
-/// The client's end of a TCP connection.
+/// Client end of a TCP connection.
 #[derive(Debug)]
 pub struct TcpClient {
     server: SocketAddr,
@@ -24,7 +24,7 @@ enum State {
 }
 
 impl TcpClient {
-    /// A client of `server`, which is called when the program first reads or writes (3.7.1).
+    /// Creates a client of `server`, which is called at the first read or write of the program (3.7.1).
     #[must_use]
     pub fn new(server: SocketAddr, access: NetworkAccess) -> Self {
         Self { server, access, nagle: true, state: State::Closed }
@@ -43,7 +43,7 @@ impl TcpClient {
         }
     }
 
-    /// Checks whether a server has answered.
+    /// Checks whether a server has accepted.
     fn answer(&self, socket: Socket) -> State {
         match socket.take_error() {
             Ok(None) if socket.peer_addr().is_err() => State::Calling(socket),
@@ -64,7 +64,7 @@ fn is_under_way(error: &std::io::Error) -> bool {
     error.kind() == std::io::ErrorKind::WouldBlock
 }
 
-/// A call to an unused port can reach itself if it has the same local port.
+/// Whether the socket has connected to itself: a call to an unused port can do so if it has the same local port.
 fn calls_itself(socket: &Socket) -> bool {
     match (socket.local_addr(), socket.peer_addr()) {
         (Ok(local), Ok(peer)) => local.as_socket() == peer.as_socket(),

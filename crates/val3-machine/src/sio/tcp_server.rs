@@ -1,8 +1,8 @@
-//! A socket that clients call.
+//! Server socket.
 //!
-//! The manual limits how many clients are connected at a time and leaves open which of them is heard. Here the channel
-//! talks with one at a time: it hears any client that has sent something when nothing is left unread, and answers the one it
-//! heard last, at first the one that called first.
+//! The manual limits the number of connected clients but does not define which client is read. Here the channel
+//! communicates with one client at a time: when no bytes are unread, it reads from any client that has sent bytes. It
+//! writes to the client it has read from last, at first to the client that called first.
 
 use std::net::{SocketAddr, TcpListener};
 
@@ -16,25 +16,25 @@ pub struct TcpServer {
     limit: usize,
     nagle: bool,
     listener: Option<TcpListener>,
-    /// The client it talks with is first.
+    /// Clients, the current client first.
     clients: Vec<Stream>,
 }
 
-/// Calls that are looked at at once, so that a flood of them holds nothing up.
+/// Maximum number of calls accepted in one pass, so that a flood of calls blocks nothing.
 const CALLS: usize = 32;
 
-/// Clients that have gone and left something to read.
+/// Maximum number of disconnected clients with unread bytes.
 const LEFT: usize = 16;
 
 impl TcpServer {
-    /// A server for one client at `address`, which can be called from the first read or write on (3.7.1). Port 0
-    /// takes a free one.
+    /// Server for one client at `address`, which can be called from the first read or write on (3.7.1). Port 0 selects
+    /// a free port.
     #[must_use]
     pub fn new(address: SocketAddr, access: NetworkAccess) -> Self {
         Self { address: access.address(address), limit: 1, nagle: true, listener: None, clients: Vec::new() }
     }
 
-    /// Where it can be called; `None` before the first read or write, or if the port is taken.
+    /// Address of the server; `None` before the first read or write, or if the port is in use.
     #[must_use]
     pub fn local_address(&self) -> Option<SocketAddr> {
         self.listener.as_ref().and_then(|listener| listener.local_addr().ok())
@@ -47,21 +47,21 @@ impl TcpServer {
         }
     }
 
-    /// Reads from all clients. Those after the first that have gone without unread bytes are dropped.
+    /// Reads from all clients. Clients after the first that have disconnected without unread bytes are dropped.
     fn hear(&mut self) {
         self.clients.iter_mut().for_each(Stream::listen);
         let mut first = true;
         self.clients.retain(|client| std::mem::take(&mut first) || !client.is_gone() || client.has_input());
     }
 
-    /// Takes the calls that have come; above the limit they are ended at once.
+    /// Accepts the pending calls; calls above the limit are ended immediately.
     fn accept(&mut self) {
         for _ in 0..CALLS {
             let Some(Ok((tcp, _))) = self.listener.as_ref().map(TcpListener::accept) else { return };
             let gone = self.clients.iter().filter(|client| client.is_gone()).count();
             if self.clients.len() - gone < self.limit && gone < LEFT {
                 self.clients.extend(Stream::new(tcp, self.nagle));
-                // A client that has connected, sent and gone leaves its place to the next one.
+                // A client that has connected, sent and disconnected frees its slot for the next client.
                 self.hear();
             }
         }
@@ -71,7 +71,7 @@ impl TcpServer {
         self.clients.iter().any(|client| !client.is_gone())
     }
 
-    /// Turns to the first client that has something to say.
+    /// Selects the first client with unread bytes.
     fn turn(&mut self) {
         if let Some(at) = self.clients.iter().position(Stream::has_input) {
             let client = self.clients.remove(at);
@@ -111,7 +111,7 @@ impl ByteStream for TcpServer {
         self.clients.first_mut().map_or(SendResult::Lost, |client| client.send(bytes))
     }
 
-    /// The port stays open: the next client is heard at the next read or write.
+    /// The port stays open: the next client is accepted at the next read or write.
     fn close(&mut self) -> bool {
         let connected = self.is_connected();
         self.clients.clear();

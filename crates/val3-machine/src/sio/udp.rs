@@ -1,11 +1,11 @@
-//! A socket for datagrams. It sends to its target, and without one to the last sender.
+//! UDP socket. It sends to its target, or without a target to the last sender.
 
 use std::io::ErrorKind;
 use std::net::{SocketAddr, UdpSocket};
 
 use super::{ByteStream, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal};
 
-/// One end of an exchange of datagrams. The manual does not describe it; the controller has it since s8.
+/// UDP socket. The manual does not describe it; controllers have it since s8.
 #[derive(Debug)]
 pub struct UdpLine {
     local: SocketAddr,
@@ -15,17 +15,17 @@ pub struct UdpLine {
     socket: Option<UdpSocket>,
 }
 
-/// The longest datagram, in bytes.
+/// Maximum size of a datagram, in bytes.
 const LONGEST: usize = 65_507;
 
 impl UdpLine {
-    /// Hears at `local` and sends to `target` from the first read or write on. Port 0 takes a free one.
+    /// Receives at `local` and sends to `target` from the first read or write on. Port 0 selects a free port.
     #[must_use]
     pub fn new(local: SocketAddr, target: Option<SocketAddr>, access: NetworkAccess) -> Self {
         Self { local: access.address(local), target, heard: None, access, socket: None }
     }
 
-    /// Where it hears; `None` before the first read or write, or if the port is taken.
+    /// Local address; `None` before the first read or write, or if the port is in use.
     #[must_use]
     pub fn local_address(&self) -> Option<SocketAddr> {
         self.socket.as_ref().and_then(|socket| socket.local_addr().ok())
@@ -45,7 +45,7 @@ impl ByteStream for UdpLine {
         if self.socket.is_some() { Connection::Open } else { Connection::Closed }
     }
 
-    /// A datagram stays with the system until there is room for the longest; floods are dropped there.
+    /// A datagram stays in the system's buffer until there is room for the longest datagram; the system drops floods.
     fn receive(&mut self, room: usize, _fresh: bool) -> Received {
         let Some(socket) = self.socket.as_ref().filter(|_| room >= LONGEST) else { return Received::Nothing };
         let mut datagram = vec![0; LONGEST];
@@ -69,14 +69,14 @@ impl ByteStream for UdpLine {
             Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {
                 SendResult::Taken(0)
             }
-            // The error of an earlier datagram that was refused: this one has not been tried.
+            // Error of an earlier datagram that was rejected: this datagram was not sent.
             Err(error) if error.kind() == ErrorKind::ConnectionRefused => SendResult::Taken(0),
             Err(_) => SendResult::Lost,
         }
     }
 
-    /// Datagrams need no connection: the last sender stays the target, so that a program that clears its buffer in each
-    /// cycle can still answer.
+    /// UDP needs no connection: the last sender stays the target, so that a program that clears its buffer in each
+    /// cycle can still reply.
     fn close(&mut self) -> bool {
         self.socket.take().is_some()
     }
@@ -90,7 +90,7 @@ impl ByteStream for UdpLine {
         if self.socket.is_some() {
             return Err(SettingRefusal::Busy);
         }
-        // The manual has one port for a channel: here it is that of both ends.
+        // The manual has one port for a channel; here it applies to both ends.
         match setting {
             Setting::Port(port) => {
                 self.local.set_port(*port);

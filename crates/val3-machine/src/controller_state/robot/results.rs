@@ -1,4 +1,4 @@
-//! The results of instructions on the robot, and its events.
+//! Results of instructions on the robot, and its events.
 
 use crate::controller_state::WorkingMode;
 
@@ -20,18 +20,18 @@ pub enum EmergencyStop {
 pub enum PowerRequest {
     /// The power comes on.
     Started,
-    /// It is on, or coming on.
+    /// The power is on, or coming on.
     AlreadyOn,
     /// The robot is not in remote mode.
     NotRemote,
     /// The power is being cut.
     BeingCut,
-    /// An emergency stop or a safety fault keeps it off.
+    /// An emergency stop or a safety fault keeps the power off.
     Stopped,
 }
 
 impl PowerRequest {
-    /// The line of the event log about a request without effect.
+    /// Line of the event log for a request without effect.
     #[must_use]
     pub fn refusal(self) -> Option<&'static str> {
         match self {
@@ -43,29 +43,29 @@ impl PowerRequest {
     }
 }
 
-/// How `setMonitorSpeed` ended; the number is its result.
+/// Result of `setMonitorSpeed`; the number is the result in a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(i8)]
 pub enum SpeedChange {
     /// The speed is changed.
     Done = 0,
-    /// It would be higher, and the robot is not in remote mode.
+    /// The speed would be higher, and the robot is not in remote mode.
     NotRemote = -1,
-    /// It would be higher, and the operator controls the speed.
+    /// The speed would be higher, and the operator controls it.
     OperatorControls = -2,
-    /// It is not between 0 and 100.
+    /// The speed is not between 0 and 100.
     OutOfRange = -3,
 }
 
-/// An event of the robot.
+/// Event of the robot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RobotEvent {
-    /// The power is on or off.
+    /// The power was switched on or off.
     Power(bool),
-    /// Another working mode.
+    /// New working mode.
     Mode(WorkingMode),
-    /// Another state of the emergency stop circuit.
+    /// New state of the emergency stop circuit.
     EmergencyStop(EmergencyStop),
-    /// Another monitor speed, in per cent.
+    /// New monitor speed, in per cent.
     MonitorSpeed(f64),
 }

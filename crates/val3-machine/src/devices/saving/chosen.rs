@@ -1,4 +1,4 @@
-//! Values that an operator has changed, and saves to the files that they come from.
+//! Saves values that an operator has changed to the files from which they were loaded.
 
 use val3_lang::memory::Place;
 use val3_vm::{InstanceId, Space};
@@ -19,7 +19,7 @@ pub enum SavedValues {
     Conflict(Vec<String>),
 }
 
-/// The files of one application or library, as they are and as they are to be.
+/// Files of one application or library, on the medium and with the new values.
 struct Change {
     instance: InstanceId,
     path: LibraryPath,
@@ -27,8 +27,8 @@ struct Change {
     new: LibraryFiles,
 }
 
-/// Writes the values at these places into the files of their data, and nothing else. A file that has changed meanwhile
-/// is written only with `overwrite`, and keeps everything but these values then.
+/// Writes only the values at these places into the files of their data. A file that has changed meanwhile is written
+/// only with `overwrite`, and all its other values are kept then.
 ///
 /// # Errors
 /// A file cannot be read or written, or belongs to an encrypted library.
@@ -59,7 +59,8 @@ pub(in crate::devices) fn save(
         base.files.extend(known.files.iter().filter(|file| old.file(&file.path).is_none()).cloned());
         let new = base.with_data(&data);
         let name = |file: &str| format!("{}/{file}", path.folder());
-        // The files whose values are meant, whether they differ or not.
+        // The loaded files with the new values: a file that differs from its loaded version contains one of these
+        // values.
         let meant = known.with_data(&data);
         for file in &new.files {
             let is_written = old.file(&file.path) != Some(file);

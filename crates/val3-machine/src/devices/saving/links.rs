@@ -1,4 +1,4 @@
-//! Links of values as files write them: inputs, outputs and lines by their path, fathers by name and index.
+//! Links of values in files: inputs, outputs and lines by path, fathers by name and index.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -13,25 +13,25 @@ use val3_vm::{Instance, InstanceId, Space};
 use super::super::lines::Lines;
 use crate::io::{IoTable, LinkId};
 
-/// The names of what values can be linked to, and the links that were loaded.
+/// Names of link targets, and the loaded links.
 pub(super) struct Links<'s> {
     space: &'s Space,
     id: InstanceId,
     memory: &'s Memory,
     io: &'s IoTable,
     lines: &'s Lines,
-    /// The frames and tools of global data.
+    /// Frames and tools of global data.
     names: FxHashMap<StoreId, FrameContainer>,
-    /// The places of the fathers that files name, once they were looked up.
+    /// Places of the fathers that files name, cached after the lookup.
     fathers: RefCell<FxHashMap<FatherLink, Option<Place>>>,
     loaded: BTreeMap<LinkPath, &'s LinkTarget>,
 }
 
-/// A container of frames or tools.
+/// Container of frames or tools.
 struct FrameContainer {
-    /// As a reference begins: `tSlot["a"].fIn`.
+    /// Beginning of a reference: `tSlot["a"].fIn`.
     name: String,
-    /// The keys of a collection by the numbers of their values.
+    /// Keys of a collection by value number.
     keys: FxHashMap<u32, Text>,
 }
 
@@ -45,7 +45,7 @@ impl FrameContainer {
     }
 }
 
-/// A link among those of global data: the data, the way from it through fields, the value, and the link of the value.
+/// Identification of a link in global data: the data, the path through fields, the value, and the link of the value.
 pub(super) type LinkPath = (u32, Vec<(u32, u32)>, u32, u32);
 
 impl<'s> Links<'s> {
@@ -94,7 +94,7 @@ impl<'s> Links<'s> {
         }
     }
 
-    /// A link as a file writes it; `None` where there is none, or to what no file can name.
+    /// Returns a link as written in a file; `None` without a link, or if no file can name its target.
     pub(super) fn text(&self, link: Link, base: BaseType) -> Option<String> {
         match link {
             Link::None => None,
@@ -115,12 +115,13 @@ impl<'s> Links<'s> {
         }
     }
 
-    /// The link of a value as a file writes it. A father that was not there when it was loaded stays as it was written.
+    /// Returns a value's link as written in a file. A father that did not exist when the link was loaded keeps its
+    /// written text.
     pub(super) fn text_at(&self, spot: Option<&LinkPath>, link: Link, base: BaseType) -> Option<String> {
         self.text(link, base).or_else(|| self.missing(spot, link).map(reference))
     }
 
-    /// The father that the file names and that is not there.
+    /// Returns the father that the file names but that does not exist.
     fn missing(&self, spot: Option<&LinkPath>, link: Link) -> Option<&FatherLink> {
         match self.loaded.get(spot?)? {
             LinkTarget::Father(father) if link == Link::None && self.father(father).is_none() => Some(father),
@@ -128,7 +129,7 @@ impl<'s> Links<'s> {
         }
     }
 
-    /// The frame or tool that a file names.
+    /// Finds the frame or tool that a file names.
     fn father(&self, father: &FatherLink) -> Option<Place> {
         if let Some(known) = self.fathers.borrow().get(father) {
             return *known;
@@ -138,7 +139,7 @@ impl<'s> Links<'s> {
         place
     }
 
-    /// The value has the link that it was loaded with; `own` is that of the type.
+    /// Whether the value has its loaded link; `own` is the link of the type.
     pub(super) fn is_loaded(&self, spot: Option<&LinkPath>, link: Link, own: Link) -> bool {
         match spot.and_then(|spot| self.loaded.get(spot)) {
             Some(LinkTarget::Port(base, path)) => self.text(link, *base).as_ref() == Some(path),
@@ -155,7 +156,7 @@ impl<'s> Links<'s> {
     }
 }
 
-/// The values of a container with their indexes as a reference writes them: `2`, `1,3`, `"home"`.
+/// Returns the value numbers of a container with the indexes of a reference: `2`, `1,3`, `"home"`.
 fn indexes(shape: &Shape) -> Box<dyn Iterator<Item = (u32, String)> + '_> {
     match shape {
         Shape::Collection(keys) => Box::new(keys.iter().map(|(key, number)| (*number, format!("\"{key}\"")))),
@@ -163,7 +164,7 @@ fn indexes(shape: &Shape) -> Box<dyn Iterator<Item = (u32, String)> + '_> {
     }
 }
 
-/// The index of a value of an array: `2`, `1,3`.
+/// Returns the index of an array value: `2`, `1,3`.
 pub(super) fn index(dims: u8, [_, rows, columns]: [u32; 3], number: u32) -> String {
     let (rows, columns) = (rows.max(1), columns.max(1));
     let all = [number / columns / rows, number / columns % rows, number % columns];
@@ -171,14 +172,14 @@ pub(super) fn index(dims: u8, [_, rows, columns]: [u32; 3], number: u32) -> Stri
     used.collect::<Vec<_>>().join(",")
 }
 
-/// A father as a file writes it.
+/// Returns a father reference as written in a file.
 fn reference(father: &FatherLink) -> String {
     let library = father.library.as_ref().map(|library| format!("{library}:")).unwrap_or_default();
     let fields = father.fields.iter().map(|(name, at)| format!(".{name}[{}]", quoted(at)));
     format!("{library}{}[{}]{}", father.name, quoted(&father.at), fields.collect::<String>())
 }
 
-/// Keys have quotation marks, indexes do not.
+/// Quotes keys, but not indexes.
 fn quoted(at: &str) -> String {
     let is_index = at.chars().all(|character| character.is_ascii_digit() || matches!(character, ',' | ' '));
     if is_index { at.to_owned() } else { format!("\"{at}\"") }

@@ -1,4 +1,4 @@
-//! From global data to what files write: values with the attributes of their types.
+//! Converts global data to file content: values with the attributes of their types.
 
 use val3_bytecode::DataDef;
 use val3_data::{Content, SavedData, SavedField, SavedValue, number_text};
@@ -10,30 +10,30 @@ use val3_vm::Instance;
 
 use super::links::{LinkPath, Links, index};
 
-/// Reads the data of an application or library.
+/// Reader of an application's or library's data.
 pub(super) struct Saver<'s> {
     pub(super) memory: &'s Memory,
     pub(super) instance: &'s Instance,
     pub(super) links: Links<'s>,
 }
 
-/// A value within global data, as it was loaded.
+/// Value within global data, as loaded.
 #[derive(Clone)]
 struct LoadedValue<'l> {
-    /// The data and the way from it through fields; `None` for what was not there.
+    /// The data and the path from it through fields; `None` for a value that was not loaded.
     way: Option<(u32, Vec<(u32, u32)>)>,
     /// The container.
     init: Option<&'l PartInit>,
 }
 
 impl Saver<'_> {
-    /// All data. Data that no longer exist are left out, so that the file keeps its text for them.
+    /// Returns all data. Data that no longer exist are omitted, so that the file keeps its text for them.
     pub(super) fn all(&self) -> Vec<SavedData> {
         let data = self.instance.image.data.iter().zip(self.instance.data.iter()).zip(0u32..);
         data.filter_map(|((data, store), number)| self.data(data, *store, number).ok()).collect()
     }
 
-    /// The values at these places, of data in files.
+    /// Returns the values at these places, of data in files.
     pub(super) fn at(&self, places: &[Place]) -> Vec<SavedData> {
         let mut found = Vec::new();
         for ((data, store), number) in self.instance.image.data.iter().zip(self.instance.data.iter()).zip(0u32..) {
@@ -61,7 +61,7 @@ impl Saver<'_> {
         self.container(&data.name, store, &loaded).map(|(saved, _)| saved)
     }
 
-    /// A container, and whether it is as it was loaded.
+    /// Returns a container, and whether it is unchanged since it was loaded.
     fn container(&self, name: &str, id: StoreId, loaded: &LoadedValue<'_>) -> Result<(SavedData, bool)> {
         let store = self.memory.store(id)?;
         let mut unchanged = loaded.init.is_some_and(|init| is_like(&init.shape, &store.shape));
@@ -107,7 +107,7 @@ impl Saver<'_> {
         Ok((Content::Attributes(written), same))
     }
 
-    /// The text of an attribute; `None` where it has its default.
+    /// Returns an attribute as text; `None` if it has the default.
     fn attribute(
         &self,
         at: Place,
@@ -185,7 +185,7 @@ impl Saver<'_> {
 }
 
 impl<'l> LoadedValue<'l> {
-    /// The number that the value under a key was loaded with, and the value; one that was not there is that of `kind`.
+    /// Returns the number and value that were loaded under a key; a missing value is replaced by the default of `kind`.
     fn value<'k>(&self, kind: &'k Kind, key: &str) -> (Option<u32>, &'k Element)
     where
         'l: 'k,
@@ -195,14 +195,14 @@ impl<'l> LoadedValue<'l> {
         (number, found.and_then(Option::as_ref).unwrap_or(&kind.default))
     }
 
-    /// The first link of the value with this number.
+    /// Returns the first link of the value with this number.
     fn way(&self, number: Option<u32>) -> Option<LinkPath> {
         let (data, way) = self.way.clone()?;
         Some((data, way, number?, 0))
     }
 }
 
-/// The values of a container with their keys as an element writes them: `7`, `2,1`, `home`.
+/// Returns the value numbers of a container with the keys of an element: `7`, `2,1`, `home`.
 fn keys(shape: &Shape) -> Vec<(u32, String)> {
     match shape {
         Shape::Collection(keys) => keys.iter().map(|(key, number)| (*number, key.to_string())).collect(),
@@ -219,7 +219,7 @@ fn saved_shape(shape: &Shape) -> val3_data::Shape {
     }
 }
 
-/// The same sizes, or the same keys.
+/// Whether both have the same sizes, or the same keys.
 fn is_like(one: &Shape, other: &Shape) -> bool {
     match (one, other) {
         (Shape::Collection(one), Shape::Collection(other)) => one.keys().eq(other.keys()),
@@ -235,7 +235,7 @@ fn type_name(kind: &Kind) -> String {
     }
 }
 
-/// An enumerator as files spell it.
+/// Returns an enumerator in the spelling of files.
 fn choice(ty: BaseType, number: f64) -> &'static str {
     let mut values = enumerations::values(ty).zip(0u32..);
     values.find(|(_, at)| f64::from(*at) == number).map_or("", |(value, _)| value.file_name)

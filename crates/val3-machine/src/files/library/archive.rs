@@ -1,7 +1,7 @@
-//! Encrypted libraries: the folder of a library as a ZIP archive with the classic encryption (6.5).
+//! Encrypted libraries: a library's folder as a ZIP archive with the classic encryption (6.5).
 //!
-//! On a controller the public password is computed from the one of the archive; how is not known. Here both are the
-//! same.
+//! On a controller the public password is computed from the archive's password by an unknown method. Here both
+//! passwords are the same.
 
 use std::io::{Cursor, Read};
 
@@ -11,24 +11,24 @@ use zip::{CompressionMethod, ZipArchive};
 
 use super::{FileFault, LibraryFile, has_extension};
 
-/// More files than any library has.
+/// Maximum number of files in an archive; libraries have fewer.
 const MOST_FILES: usize = 4_096;
 
-/// The most bytes that an archive may unpack to.
+/// Maximum unpacked size of an archive, in bytes.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// The most bytes that one packed byte may become; text never comes near.
+/// Maximum compression ratio; text has a far lower ratio.
 const MOST_RATIO: u64 = 1_024;
 
-/// Bytes that any entry may unpack to, however small it is packed.
+/// Unpacked size in bytes that is allowed for any entry, independent of its packed size.
 const ANY_SIZE: u64 = 1 << 20;
 
 /// Unpacks an archive in memory, the project file first.
 ///
 /// # Errors
-/// [`FileFault::NotEncrypted`] if it is not a ZIP archive or an entry is not encrypted in the classic way,
-/// [`FileFault::CannotLoad`] if the password is wrong, the archive is damaged, holds no library, unpacks to more than
-/// a library can be, or has a name that leads out of its folder.
+/// [`FileFault::NotEncrypted`] if the bytes are no ZIP archive or an entry is not encrypted with the classic
+/// encryption, [`FileFault::CannotLoad`] if the password is wrong, or if the archive is damaged, contains no library,
+/// exceeds the size of a library, or contains a name outside of its folder.
 pub fn unpack(bytes: &[u8], password: &str) -> Result<Vec<LibraryFile>, FileFault> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| FileFault::NotEncrypted)?;
     if archive.len() > MOST_FILES {
@@ -77,7 +77,7 @@ fn fault(error: &ZipError) -> FileFault {
     }
 }
 
-/// The path of an entry, which stays in its folder.
+/// Returns an entry's path, which stays in its folder.
 fn path(name: &str) -> Result<Utf8PathBuf, FileFault> {
     let name = name.replace('\\', "/");
     let path = Utf8Path::new(&name);
@@ -86,7 +86,7 @@ fn path(name: &str) -> Result<Utf8PathBuf, FileFault> {
     if inside && !odd { Ok(path.components().collect()) } else { Err(FileFault::CannotLoad) }
 }
 
-/// The files of the folder that holds the project file. Some tools pack the folder itself, others what is in it.
+/// Returns the files of the folder with the project file. Some tools pack the folder itself, other tools its content.
 fn project_first(mut files: Vec<LibraryFile>) -> Result<Vec<LibraryFile>, FileFault> {
     let projects = files.iter().filter(|file| has_extension(&file.path, "pjx"));
     let project = projects.min_by_key(|file| file.path.components().count()).ok_or(FileFault::CannotLoad)?;

@@ -1,8 +1,8 @@
-//! Files onto a medium so that a crash at any step leaves all the old ones or all the new ones.
+//! Writes files to a medium so that after a crash at any step all files are old or all are new.
 //!
-//! All new files are written and synced in a folder `.saving` inside of that of the library. Renaming it to `.saved`
-//! is the moment from which on the new library counts: its files are then moved into place, the project file last,
-//! and the next access after a crash moves the rest.
+//! All new files are written and synced in a folder `.saving` inside of the library's folder. The new library is valid
+//! as soon as that folder is renamed to `.saved`: its files are then moved into place, the project file last. The next
+//! access after a crash moves the remaining files.
 
 use std::io::{self, Write};
 
@@ -11,22 +11,22 @@ use camino::{Utf8Path, Utf8PathBuf};
 use super::{EntryKind, FileFault, LibraryFile, MountedPath, has_extension};
 use crate::files::OpenMode;
 
-/// The files that are being written.
+/// Folder of files that are being written.
 const SAVING: &str = ".saving";
 
-/// The files that are written and count.
+/// Folder of complete files, which are valid.
 const SAVED: &str = ".saved";
 
-/// Is asked before each step that changes the medium: a test ends the work there, as a crash or a full disk does.
+/// Called before each step that changes the medium: a test ends the work there, like a crash or a full disk.
 pub trait Steps {
-    /// The next step.
+    /// Begins the next step.
     ///
     /// # Errors
     /// Ends the work with this error.
     fn next(&mut self) -> io::Result<()>;
 }
 
-/// Nothing comes between.
+/// Steps without an interruption.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Uninterrupted;
 
@@ -36,7 +36,7 @@ impl Steps for Uninterrupted {
     }
 }
 
-/// Writes the files of a library into its folder, which is made where it is missing.
+/// Writes the files of a library into its folder, which is created if it is missing.
 pub(super) fn store(folder: &MountedPath<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -> Result<(), FileFault> {
     recover(folder, steps)?;
     let made = folder.kind()? == EntryKind::Missing;
@@ -70,8 +70,8 @@ fn write_all(folder: &MountedPath<'_>, files: &[LibraryFile], steps: &mut dyn St
     Ok(saving.volume.sync(&saving.path)?)
 }
 
-/// Removes the files of a save that failed. Its fault is reported, unless the medium
-/// does not even let this be done.
+/// Removes the files of a failed save. An error means that the medium rejects the removal; otherwise the caller returns
+/// the fault of the save.
 fn clear_away(folder: &MountedPath<'_>, made: bool, steps: &mut dyn Steps) -> Result<(), FileFault> {
     let saving = MountedPath { volume: folder.volume, path: folder.path.join(SAVING) };
     if saving.kind()? == EntryKind::Folder {
@@ -85,7 +85,7 @@ fn clear_away(folder: &MountedPath<'_>, made: bool, steps: &mut dyn Steps) -> Re
     Ok(())
 }
 
-/// Finishes what a crash has interrupted.
+/// Completes a save that a crash has interrupted.
 pub(super) fn recover(folder: &MountedPath<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
     let inside = |name: &str| MountedPath { volume: folder.volume, path: folder.path.join(name) };
     if inside(SAVED).kind()? == EntryKind::Folder {
@@ -98,7 +98,7 @@ pub(super) fn recover(folder: &MountedPath<'_>, steps: &mut dyn Steps) -> Result
     Ok(())
 }
 
-/// Moves the files that count into their places, the project file last.
+/// Moves the valid files into place, the project file last.
 fn roll_forward(folder: &MountedPath<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
     let saved = MountedPath { volume: folder.volume, path: folder.path.join(SAVED) };
     let mut files = Vec::new();
@@ -117,7 +117,7 @@ fn roll_forward(folder: &MountedPath<'_>, steps: &mut dyn Steps) -> Result<(), F
     Ok(folder.volume.sync(&folder.path)?)
 }
 
-/// The files below `at`, as paths from `top`.
+/// Collects the files below `at`, as paths relative to `top`.
 fn collect(top: &MountedPath<'_>, at: &Utf8Path, files: &mut Vec<Utf8PathBuf>) -> Result<(), FileFault> {
     for name in (MountedPath { volume: top.volume, path: top.path.join(at) }).names()? {
         let path = at.join(name);
@@ -130,13 +130,13 @@ fn collect(top: &MountedPath<'_>, at: &Utf8Path, files: &mut Vec<Utf8PathBuf>) -
     Ok(())
 }
 
-/// Deletes the files of a library, the project file first; then the folders that are empty.
+/// Deletes the files of a library, the project file first, and then the empty folders.
 pub(super) fn delete(folder: &MountedPath<'_>, files: &[LibraryFile]) -> Result<(), FileFault> {
     for file in files {
         folder.volume.remove_file(&folder.path.join(&file.path))?;
     }
     let around = files.iter().filter_map(|file| file.path.parent());
-    // Without the separator that joining an empty path leaves at the end.
+    // Without the separator at the end, which results from joining an empty path.
     let around = around.map(|around| folder.path.join(around).components().collect::<Utf8PathBuf>());
     let mut folders: Vec<_> = around.filter(|path| path.as_str() != "").collect();
     folders.sort_by_key(|path| (std::cmp::Reverse(path.components().count()), path.clone()));

@@ -25,7 +25,7 @@ fn database(name: &str, value: u32) -> String {
     )
 }
 
-/// A medium with the library `part`, whose files are spelt in another letter case here and there.
+/// Medium with the library `part`, in which some files are spelled in another letter case.
 struct Medium {
     _folder: tempfile::TempDir,
     disk: Utf8PathBuf,
@@ -204,7 +204,7 @@ fn a_folder_is_listed() {
     assert_eq!(listed(&ControllerPath::root("Ftp")), Err(20));
 }
 
-/// Ends the work before the step with this number: for good, or as a full disk does.
+/// Ends the work before the step with this number: permanently, or like a full disk.
 struct Ends {
     at: usize,
     count: usize,
@@ -220,8 +220,8 @@ impl Steps for Ends {
     }
 }
 
-/// Saves two changed data files and a missing program, and ends before each step in turn. A program then reads
-/// the library of before or that of afterwards. The counts of both are compared.
+/// Saves two changed data files and a missing program, and ends before each step in turn. A program then reads the
+/// library before or after the save. Returns the counts of both.
 fn end_everywhere(kind: io::ErrorKind, once: bool, mut check: impl FnMut(&Medium, &LibraryFiles, u16)) -> [usize; 2] {
     let mut seen = [0, 0];
     for at in 1..100 {

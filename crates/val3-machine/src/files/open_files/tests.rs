@@ -24,7 +24,7 @@ impl Medium {
         self.files.open(&self.roots, &path, mode).map_err(FileFault::code)
     }
 
-    /// Reads a file that holds `bytes`.
+    /// Reads a file that contains `bytes`.
     fn reading(bytes: impl AsRef<[u8]>) -> Self {
         let mut medium = Self::new();
         std::fs::write(medium.disk.join("f"), bytes).unwrap();

@@ -1,21 +1,21 @@
-//! The content of a file in memory. Copies share it, and what is appended to one costs little.
+//! Content of a file in memory. Copies share it, and appending to a copy is cheap.
 
 use std::sync::Arc;
 
-/// The size at which the end of a content becomes a piece, in bytes.
+/// Size at which the end of a content becomes a piece, in bytes.
 const PIECE: usize = 16 << 10;
 
 /// The content of a file.
 #[derive(Debug, Clone, Default)]
 pub(in crate::files) struct Content {
-    /// The complete pieces. None of them is empty.
+    /// Complete pieces, which are never empty.
     pieces: Arc<Vec<Arc<Vec<u8>>>>,
     /// The rest.
     end: Arc<Vec<u8>>,
     bytes: u64,
 }
 
-/// A position from which a content is read.
+/// Content with a read position.
 #[derive(Debug, Clone)]
 pub(in crate::files) struct Reader {
     content: Content,
@@ -30,7 +30,7 @@ impl Content {
         content
     }
 
-    /// Its size in bytes.
+    /// Size in bytes.
     pub(in crate::files) fn bytes(&self) -> u64 {
         self.bytes
     }
@@ -59,7 +59,7 @@ impl Content {
         self.pieces().flatten().copied().collect()
     }
 
-    /// Reads from the beginning on.
+    /// Returns a reader from the beginning.
     pub(in crate::files) fn reader(&self) -> Reader {
         Reader { content: self.clone(), piece: 0, at: 0 }
     }

@@ -149,7 +149,7 @@ fn actions() -> impl Strategy<Value = Vec<Action>> {
         1 => path().prop_map(Action::DeleteLibrary),
     ];
     prop::collection::vec((action, path()), 0..24).prop_map(|actions| {
-        // A file that is open is not written in another way: the disk mixes the contents.
+        // An open file is not written through a second handle: the disk mixes the contents.
         let mut all = Vec::new();
         for (action, read) in actions {
             if let Action::Open(..) | Action::Copy(..) = action {
@@ -164,7 +164,7 @@ fn actions() -> impl Strategy<Value = Vec<Action>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
-    /// What a program does to files has the same results in an overlay and on the disk, and so has the disk after the
+    /// File operations of a program have the same results in an overlay and on the disk, and so has the disk after the
     /// overlay was written. Until then the disk is unchanged.
     #[test]
     fn a_written_overlay_is_what_the_disk_would_be(actions in actions()) {
@@ -181,7 +181,7 @@ proptest! {
         prop_assert_eq!(covered.listing(), disk.listing());
     }
 
-    /// Going back to a copy undoes everything since.
+    /// Restoring a copy undoes all later changes.
     #[test]
     fn a_copy_can_be_returned_to(first in actions(), second in actions()) {
         let (mut once, mut twice) = (Media::covered(), Media::covered());

@@ -1,7 +1,7 @@
-//! The changes of an overlay onto the disk.
+//! Writes the changes of an overlay to the disk.
 //!
-//! New content comes first and deletions follow, so that an interruption loses nothing. Each file is written under another
-//! name and then renamed, so that it is whole at any time.
+//! New content is written first and deletions follow, so that an interruption loses nothing. Each file is written under
+//! a temporary name and then renamed, so that it is complete at any time.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write as _};
@@ -12,14 +12,15 @@ use cap_std::fs_utf8::Dir;
 use super::{Content, DiskState, Entry, Node, Overlay, Place};
 use crate::files::volume::{Volume, relative};
 
-/// The end of the name of a file for which another one with the same name was left on the disk.
+/// Suffix of a file that is written next to a file of the same name, because the file on the disk must stay.
 const BESIDE: &str = ".debugged";
 
-/// The places that are left.
+/// Remaining changes.
 type Rest<'o> = BTreeMap<&'o Place, &'o Entry>;
 
 impl Overlay {
-    /// Writes all changes, and says what was not written and why. Volumes come with the names of their media.
+    /// Writes all changes and returns the failures with their reasons. `volumes` contains the volumes with the names of
+    /// their media.
     pub(in crate::files) fn write(&self, volumes: &[(&str, &Volume)]) -> Vec<String> {
         let mut messages = Vec::new();
         let mut rest: Rest<'_> = self.entries.iter().collect();
@@ -71,7 +72,7 @@ impl Overlay {
         }
     }
 
-    /// The disk does not distinguish letter case, and has something under another spelling that the program has left.
+    /// Whether the disk ignores letter case and has an entry of the program under another spelling.
     fn is_spelled_otherwise(&self, dir: &Dir, (volume, path): &Place) -> bool {
         let state = DiskState::of(dir, path);
         if state == DiskState::Folder && dir.read_dir(path).is_ok_and(|mut names| names.next().is_none()) {
@@ -85,25 +86,25 @@ impl Overlay {
     }
 }
 
-/// A part of the work.
+/// Pass of writing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pass {
-    /// Files and folders, except where something else is.
+    /// Files and folders, except at paths with an entry of the other kind.
     Write,
     Delete,
-    /// Files where folders were, and folders where files were.
+    /// Files in place of folders, and folders in place of files.
     Exchange,
 }
 
-/// The result for a place.
+/// Result of writing one entry.
 enum Done {
-    /// The disk is as the program has left it.
+    /// The disk has the program's state.
     Whole,
-    /// Something has to be deleted first.
+    /// Another entry has to be deleted first.
     Blocked,
-    /// Something else has changed the file. That of the program has this name.
+    /// Another process has changed the file. The program's file was written under this name.
     Beside(String),
-    /// Something else has changed the file that the program has deleted.
+    /// Another process has changed the file that the program has deleted.
     Kept,
 }
 
@@ -119,7 +120,7 @@ fn delete(dir: &Dir, path: &Utf8Path, before: DiskState) -> io::Result<Done> {
         DiskState::File(..) if now != before => Ok(Done::Kept),
         DiskState::File(..) => dir.remove_file(path).map(|()| Done::Whole),
         DiskState::Folder => match dir.remove_dir(path) {
-            // A file in it is new or has changed.
+            // A file in the folder is new or has changed.
             Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => Ok(Done::Kept),
             // A link to a folder is a file for the system.
             Err(error) if error.kind() == io::ErrorKind::NotADirectory => dir.remove_file(path).map(|()| Done::Whole),
@@ -128,8 +129,8 @@ fn delete(dir: &Dir, path: &Utf8Path, before: DiskState) -> io::Result<Done> {
     }
 }
 
-/// Deletes what the program has deleted at a place where something of another kind is now. What cannot be deleted blocks
-/// the place, which is reported then.
+/// Deletes an entry that the program has deleted and replaced by an entry of another kind. A failure blocks the path,
+/// which is reported then.
 fn make_room(dir: &Dir, path: &Utf8Path, entry: &Entry) {
     let is_left = DiskState::of(dir, path) == entry.disk;
     let _ = match (entry.disk, entry.now) {
@@ -153,7 +154,7 @@ fn put(dir: &Dir, path: &Utf8Path, before: DiskState, content: &Content) -> io::
     match now {
         DiskState::Folder => return Ok(Done::Blocked),
         DiskState::Missing if is_blocked(dir, path) => return Ok(Done::Blocked),
-        // A file that was deleted meanwhile holds nothing that could be lost.
+        // If the file was deleted meanwhile, no content can be lost.
         DiskState::Missing => replace(dir, path, content)?,
         DiskState::File(..) if is_same(dir, path, content)? => {}
         DiskState::File(..) if now == before => replace(dir, path, content)?,
@@ -166,7 +167,7 @@ fn put(dir: &Dir, path: &Utf8Path, before: DiskState, content: &Content) -> io::
     Ok(Done::Whole)
 }
 
-/// The folder around a path is not there yet.
+/// Whether the parent folder of a path does not exist yet.
 fn is_blocked(dir: &Dir, path: &Utf8Path) -> bool {
     path.parent().is_some_and(|around| DiskState::of(dir, around) != DiskState::Folder)
 }
@@ -175,7 +176,7 @@ fn is_same(dir: &Dir, path: &Utf8Path, content: &Content) -> io::Result<bool> {
     Ok(dir.metadata(path)?.len() == content.bytes() && dir.read(path)? == content.to_vec())
 }
 
-/// Writes a file with the permissions of the one that it replaces. A link stays a link.
+/// Writes a file with the permissions of the replaced file. A link stays a link.
 fn replace(dir: &Dir, path: &Utf8Path, content: &Content) -> io::Result<()> {
     let path = dir.canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let name = format!(".{}.writing", path.file_name().unwrap_or_default());

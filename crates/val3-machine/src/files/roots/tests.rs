@@ -1,7 +1,7 @@
 use super::*;
 use crate::files::volume::{LARGEST, relative};
 
-/// A medium `Disk` in a folder of its own, next to `secret`.
+/// A medium `Disk` in a separate folder, next to `secret`.
 fn disk() -> (tempfile::TempDir, Utf8PathBuf, Roots) {
     let folder = tempfile::tempdir().unwrap();
     let outer = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
@@ -107,7 +107,7 @@ fn a_file_of_any_size_is_refused() {
 }
 
 proptest::proptest! {
-    /// Any path that a program writes leads to a place inside.
+    /// Any path in a program resolves to a location inside the medium.
     #[test]
     fn no_path_leaves_its_medium(parts in proptest::collection::vec(
         proptest::sample::select(vec!["..", ".", "/", "\\\\", "//", "Disk://", "USB0:", "parts", "Bolt", "~", " ", "\0", "secret", "up"]),

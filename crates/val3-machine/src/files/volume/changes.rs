@@ -1,4 +1,4 @@
-//! Changes of files and folders: on the disk, or in the overlay above it.
+//! Changes of files and folders, on the disk or in the overlay above it.
 
 use std::io;
 
@@ -8,7 +8,7 @@ use super::{DiskState, EntryKind, Volume, relative};
 use crate::files::overlay::{Content, FileId, Node};
 
 impl Volume {
-    /// Changes go to the overlay.
+    /// Whether changes go to the overlay.
     pub(super) fn is_covered(&self) -> bool {
         self.overlay.borrow().is_some()
     }
@@ -27,7 +27,7 @@ impl Volume {
         }
     }
 
-    /// Deletes a folder in which nothing is.
+    /// Deletes an empty folder.
     pub(in crate::files) fn remove_dir(&self, path: &Utf8Path) -> io::Result<()> {
         if !self.is_covered() {
             return self.dir.remove_dir(relative(path));
@@ -39,7 +39,7 @@ impl Volume {
         Ok(())
     }
 
-    /// Deletes a folder with all that is in it.
+    /// Deletes a folder with its content.
     pub(in crate::files) fn remove_dir_all(&self, path: &Utf8Path) -> io::Result<()> {
         if !self.is_covered() {
             return self.dir.remove_dir_all(relative(path));
@@ -55,7 +55,7 @@ impl Volume {
         Ok(())
     }
 
-    /// Makes a folder.
+    /// Creates a folder.
     pub(in crate::files) fn create_dir(&self, path: &Utf8Path) -> io::Result<()> {
         if !self.is_covered() {
             return self.dir.create_dir(relative(path));
@@ -70,7 +70,7 @@ impl Volume {
         }
     }
 
-    /// Makes a folder and those around it, unless they exist.
+    /// Creates a folder and its parents, unless they exist.
     pub(in crate::files) fn create_dir_all(&self, path: &Utf8Path) -> io::Result<()> {
         if !self.is_covered() {
             return self.dir.create_dir_all(relative(path));
@@ -85,7 +85,7 @@ impl Volume {
         }
     }
 
-    /// Moves a file, over one that exists, or a folder.
+    /// Moves a file, which replaces an existing file, or a folder.
     ///
     /// # Errors
     /// [`CrossesDevices`](io::ErrorKind::CrossesDevices) if the disk cannot move to the other volume.
@@ -118,7 +118,7 @@ impl Volume {
         Ok(())
     }
 
-    /// Copies a file, over one that exists.
+    /// Copies a file, which replaces an existing file.
     pub(in crate::files) fn copy(&self, from: &Utf8Path, to: &Self, target: &Utf8Path) -> io::Result<()> {
         if !self.is_covered() {
             return self.dir.copy(relative(from), &to.dir, relative(target)).map(drop);
@@ -126,19 +126,19 @@ impl Volume {
         to.put(target, self.content(from)?).map(drop)
     }
 
-    /// Makes the content of a folder survive a power cut.
+    /// Writes the content of a folder to the physical medium, so that it survives a power cut.
     #[cfg(unix)]
     pub(in crate::files) fn sync(&self, folder: &Utf8Path) -> io::Result<()> {
         if self.is_covered() { Ok(()) } else { self.dir.open(relative(folder))?.sync_all() }
     }
 
-    /// The file system looks after it.
+    /// Does nothing, because the file system does it.
     #[cfg(not(unix))]
     pub(in crate::files) fn sync(&self, _folder: &Utf8Path) -> io::Result<()> {
         Ok(())
     }
 
-    /// Makes a file with this content, in place of another one.
+    /// Creates a file with this content, in place of any existing file.
     pub(super) fn put(&self, path: &Utf8Path, content: Content) -> io::Result<FileId> {
         self.check_parent(path)?;
         if self.kind_of(path)? == EntryKind::Folder {
@@ -150,7 +150,7 @@ impl Volume {
         Ok(file)
     }
 
-    /// A file as part of the overlay.
+    /// Adds a file to the overlay.
     pub(super) fn capture(&self, path: &Utf8Path) -> io::Result<FileId> {
         if let Some(Node::File(file)) = self.node(path) {
             return Ok(file);
@@ -164,7 +164,7 @@ impl Volume {
         self.in_overlay(|overlay| overlay.add(content)).unwrap_or(Err(io::ErrorKind::NotFound.into()))
     }
 
-    /// Changes what is at a path. The content of a file that was there is dropped.
+    /// Replaces the entry at a path. The content of a previous file is dropped.
     fn replace(&self, path: &Utf8Path, node: Node) {
         if let Some(Node::File(old)) = self.node(path) {
             self.in_overlay(|overlay| overlay.forget(old));
@@ -172,7 +172,7 @@ impl Volume {
         self.note(path, node);
     }
 
-    /// Changes what is at a path.
+    /// Sets the entry at a path.
     fn note(&self, path: &Utf8Path, node: Node) {
         let disk = || self.inputs.ask(|| DiskState::of(&self.dir, path));
         self.in_overlay(|overlay| overlay.set((self.number, path.to_owned()), node, disk));
@@ -196,7 +196,7 @@ impl Volume {
         }
     }
 
-    /// The folder around a path exists.
+    /// Checks that the parent folder of a path exists.
     fn check_parent(&self, path: &Utf8Path) -> io::Result<()> {
         match self.existing(path.parent().unwrap_or(Utf8Path::new("")))? {
             EntryKind::Folder => Ok(()),
@@ -204,7 +204,7 @@ impl Volume {
         }
     }
 
-    /// The disk would take writes to a file that it has.
+    /// Checks that the disk permits writes to an existing file.
     pub(super) fn check_writable(&self, path: &Utf8Path) -> io::Result<()> {
         if self.node(path).is_some() || self.kind_of(path)? == EntryKind::Missing {
             return Ok(());

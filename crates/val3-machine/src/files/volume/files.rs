@@ -1,4 +1,4 @@
-//! Open files: of the disk, or of the overlay above it.
+//! Open files on the disk or in the overlay above it.
 
 use std::io::{self, BufReader, BufWriter, Read, Write};
 
@@ -9,22 +9,22 @@ use super::{SharedOverlay, Volume, relative};
 use crate::files::overlay::{Content, FileId, Node, Reader};
 use crate::files::{EntryKind, OpenMode};
 
-/// A file that is read.
+/// File open for reading.
 #[derive(Debug)]
 pub(in crate::files) enum InFile {
     Disk(BufReader<File>),
-    /// As it was when it was opened.
+    /// Content at the time of opening.
     Memory(Reader),
 }
 
-/// A file that is written.
+/// File open for writing.
 #[derive(Debug)]
 pub(in crate::files) enum OutFile {
     Disk(BufWriter<File>),
     Overlay(OverlayFile),
 }
 
-/// A file of the overlay. Appended bytes can be read at once.
+/// File of the overlay. Appended bytes can be read immediately.
 #[derive(Debug, Clone)]
 pub(in crate::files) struct OverlayFile {
     overlay: SharedOverlay,
@@ -32,7 +32,7 @@ pub(in crate::files) struct OverlayFile {
 }
 
 impl Volume {
-    /// Opens a file to read it.
+    /// Opens a file for reading.
     pub(in crate::files) fn open(&self, path: &Utf8Path) -> io::Result<InFile> {
         match self.is_covered() {
             false => Ok(InFile::Disk(BufReader::new(self.dir.open(relative(path))?))),
@@ -40,7 +40,7 @@ impl Volume {
         }
     }
 
-    /// Opens a file to write it, and makes it if it does not exist.
+    /// Opens a file for writing, and creates it if it does not exist.
     pub(in crate::files) fn write(&self, path: &Utf8Path, mode: OpenMode) -> io::Result<OutFile> {
         if !self.is_covered() {
             let mut options = cap_std::fs::OpenOptions::new();
@@ -68,12 +68,12 @@ impl Volume {
 }
 
 impl InFile {
-    /// The same file with what is left of it in memory.
+    /// Converts the file to a file in memory with the unread content.
     pub(in crate::files) fn into_memory(self) -> Self {
         match self {
             Self::Disk(mut file) => {
                 let mut rest = Vec::new();
-                // As much as the medium gives, as when it fails while it is read.
+                // The readable part, as when the medium fails during reading.
                 let _ = file.read_to_end(&mut rest);
                 Self::Memory(Content::new(rest).reader())
             }
@@ -81,7 +81,7 @@ impl InFile {
         }
     }
 
-    /// The next byte; `None` at the end, and where the medium fails.
+    /// Returns the next byte; `None` at the end, or if the medium fails.
     pub(in crate::files) fn byte(&mut self) -> Option<u8> {
         match self {
             Self::Disk(file) => {
@@ -92,7 +92,7 @@ impl InFile {
         }
     }
 
-    /// A copy with the same position. None of a file on the disk.
+    /// Returns a copy with the same position; `None` for a file on the disk.
     pub(in crate::files) fn copy(&self) -> Option<Self> {
         match self {
             Self::Disk(_) => None,
@@ -102,7 +102,7 @@ impl InFile {
 }
 
 impl OutFile {
-    /// A copy. None of a file on the disk.
+    /// Returns a copy; `None` for a file on the disk.
     pub(in crate::files) fn copy(&self) -> Option<Self> {
         match self {
             Self::Disk(_) => None,
@@ -110,7 +110,7 @@ impl OutFile {
         }
     }
 
-    /// Makes what was written survive a power cut.
+    /// Writes the content to the physical medium, so that it survives a power cut.
     pub(in crate::files) fn sync_all(&mut self) -> io::Result<()> {
         match self {
             Self::Disk(file) => {

@@ -1,14 +1,14 @@
-//! The events of the pendant, for a view and for the record.
+//! Events of the pendant, for a view and for the record.
 
 use crate::controller_state::Severity;
 use crate::screen::{PageId, Position};
 
-/// A message above whatever the pendant shows (`popUpMsg`).
+/// Message above the displayed page (`popUpMsg`).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PopUp {
     /// The message.
     pub text: String,
-    /// Its kind.
+    /// Kind of the message.
     pub severity: Severity,
 }
 
@@ -21,24 +21,24 @@ pub enum ScreenEvent {
     Put {
         /// The page.
         page: PageId,
-        /// Where the text begins.
+        /// Start position of the text.
         at: Position,
         /// The text.
         text: String,
-        /// The cursor went to the next line after it.
+        /// Whether the cursor moved to the next line after it.
         ends_line: bool,
     },
-    /// A page has another title.
+    /// The title of a page has changed.
     Title(PageId, String),
     /// A page was emptied.
     Cleared(PageId),
-    /// A pop-up came up.
+    /// A pop-up is shown.
     PopUp(PopUp),
     /// The operator has confirmed the pop-up.
     PopUpConfirmed,
-    /// A page made with HTML is shown (s8).
+    /// An HTML page is shown (s8).
     HtmlShown(String),
-    /// A property of an element of a page made with HTML has another value (s8).
+    /// An element's property on an HTML page has changed (s8).
     HtmlSet {
         /// The page.
         page: String,
@@ -49,6 +49,6 @@ pub enum ScreenEvent {
         /// The value as text.
         value: String,
     },
-    /// The operator is asked a question (s8).
+    /// A question to the operator is shown (s8).
     Question(String),
 }

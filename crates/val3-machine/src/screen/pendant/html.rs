@@ -1,23 +1,23 @@
-//! Pages made with HTML and questions, as CS9 controllers have them. They are not in the manual; what programs in
-//! public use of them is there.
+//! HTML pages and questions of CS9 controllers. They are not in the manual; this module supports the features that
+//! public programs use.
 
 use super::{Pendant, ScreenEvent};
 use crate::screen::ReadingId;
 use crate::screen::reading::{KeyEffect, Reading};
 use val3_lang::ports::InputKind;
 
-/// A page made with HTML: `interface/<name>.html` and its bindings.
+/// HTML page: `interface/<name>.html` and its bindings.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct HtmlPage {
     /// Name of the page.
     pub name: String,
-    /// Data that elements show.
+    /// Data that elements display.
     pub values: Vec<HtmlValue>,
     /// Programs that events of elements execute.
     pub callbacks: Vec<HtmlCallback>,
 }
 
-/// Data that an attribute of an element shows.
+/// Data that an element's attribute displays.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct HtmlValue {
     /// Id of the element.
@@ -28,7 +28,7 @@ pub struct HtmlValue {
     pub path: String,
 }
 
-/// A program that an event of an element executes.
+/// Program that an element's event executes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct HtmlCallback {
     /// Id of the element.
@@ -37,7 +37,7 @@ pub struct HtmlCallback {
     pub event: String,
     /// Program of the application, without parameters.
     pub program: String,
-    /// Priority of its task, 1 to 100.
+    /// Priority of the program's task, 1 to 100.
     pub priority: u32,
 }
 
@@ -69,20 +69,20 @@ impl Pendant {
         self.html_pages.push(page);
     }
 
-    /// The pages made with HTML.
+    /// HTML pages.
     #[must_use]
     pub fn html_pages(&self) -> &[HtmlPage] {
         &self.html_pages
     }
 
-    /// The page made with HTML that is shown.
+    /// Displayed HTML page.
     #[must_use]
     pub fn shown_html(&self) -> Option<&HtmlPage> {
         self.html_pages.get(self.shown_html?)
     }
 
-    /// `userPage(string)`: shows a page; 0, or -1 if the application has none of this name, in any letter
-    /// case. The user page below it stays the one that gets keys.
+    /// `userPage(string)`: shows a page. Returns 0, or -1 if the application has no page with this name, in any letter
+    /// case. The user page below the HTML page still receives the keys.
     pub fn show_html(&mut self, name: &str) -> i8 {
         let page = self.html_pages.iter().position(|page| page.name.eq_ignore_ascii_case(name));
         if page.is_none() {
@@ -99,8 +99,8 @@ impl Pendant {
         self.events.push(ScreenEvent::HtmlSet { page, id, attribute, value });
     }
 
-    /// `userPageConfirm` with [`InputKind::Confirmation`], `userPagePrompt` with [`InputKind::Text`]: asks a question.
-    /// [`Pendant::take_answer`] gives the answer; the instruction gives whether it is accepted.
+    /// `userPageConfirm` with [`InputKind::Confirmation`], `userPagePrompt` with [`InputKind::Text`]: displays a
+    /// question. [`Pendant::take_answer`] returns the answer; the instruction returns whether it is accepted.
     pub fn ask(&mut self, text: &str, asked: InputKind) -> ReadingId {
         let id = self.new_reading();
         self.events.push(ScreenEvent::Question(text.to_owned()));
@@ -108,13 +108,13 @@ impl Pendant {
         id
     }
 
-    /// The question that is shown, and what is entered so far.
+    /// Displayed question and the text entered so far.
     #[must_use]
     pub fn question(&self) -> Option<(&str, Option<String>)> {
         self.questions.front().map(|question| (question.text.as_str(), question.reading.shown()))
     }
 
-    /// Gives a key to the question that was asked first; `false` if there is none.
+    /// Passes a key to the oldest question. Returns `false` if no question is open.
     pub(super) fn answer_question(&mut self, key: u16) -> bool {
         let Some(question) = self.questions.front_mut() else { return false };
         if let KeyEffect::Ended(answer) = question.reading.press(key) {

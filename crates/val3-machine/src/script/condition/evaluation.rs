@@ -1,4 +1,4 @@
-//! Conditions on a controller: whether they fit its application, and whether they hold.
+//! Evaluation of conditions on a controller: whether they fit its application, and whether they are true.
 
 use std::fmt;
 
@@ -15,11 +15,11 @@ use crate::script::Value;
 /// A signal or variable that does not have its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mismatch {
-    /// Its path or name.
+    /// Path or name.
     pub name: String,
     /// The value that it should have: `3`, `"bolt"`, `above 2 and below 5`.
     pub expected: String,
-    /// Its value; none if it does not exist.
+    /// Value; `None` if the signal or variable does not exist.
     pub actual: Option<Value>,
 }
 

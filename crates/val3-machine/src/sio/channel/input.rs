@@ -1,11 +1,10 @@
-//! Received bytes that were not read: never more than a fixed number, so that a peer that floods the
-//! channel is held back by its own side.
+//! Received unread bytes, with a fixed limit, so that a peer that floods the channel is held back on its own side.
 
 use std::collections::VecDeque;
 
 use crate::string_bytes::fill;
 
-/// The most that waits to be read, in bytes: as much as one datagram can hold.
+/// Maximum number of unread bytes: the maximum size of a datagram.
 pub(super) const CAPACITY: usize = 65_536;
 
 #[derive(Debug, Clone, Default)]
@@ -39,7 +38,7 @@ impl Input {
         self.bytes.drain(..count).collect()
     }
 
-    /// The first string if it is complete.
+    /// Removes and returns the first string if it is complete.
     pub(super) fn take_text(&mut self, end: u8) -> Option<String> {
         let bytes: &[u8] = self.bytes.make_contiguous();
         let at = bytes.iter().position(|byte| *byte == end);
@@ -54,7 +53,7 @@ impl Input {
         Some(filled.text)
     }
 
-    /// Without room for more, what is no part of a string goes.
+    /// Removes bytes that are no part of a string if the buffer is full.
     fn shrink(&mut self, text: &str) {
         if self.room() == 0 {
             self.bytes = text.bytes().collect();
