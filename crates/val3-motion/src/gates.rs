@@ -1,6 +1,6 @@
 //! Gates of a timeline: in step mode the arm comes to rest before each piece of its path, and waits until it is released.
 //!
-//! A piece is the nominal part of a move or the blend around its destination (manual 10.2.2). Gates change speeds alone:
+//! A piece is the nominal part of a move or the blend around its destination (manual 10.2.2). Gates change only speeds:
 //! spans, and with them the positions that the arm passes, are those of the continuous mode.
 
 use crate::plan::Index;

@@ -82,7 +82,7 @@ impl Shortening {
     }
 }
 
-/// Change of the stage of a move.
+/// Stage change of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveEvent {
     /// Serial number of the move.
@@ -93,7 +93,7 @@ pub struct MoveEvent {
     pub kind: MoveEventKind,
     /// Time since the start of the cycle.
     pub at: Seconds,
-    /// Ends of the blend of the move, as in [`QueuedMove`].
+    /// Blend ends of the move, as in [`QueuedMove`].
     pub leave: Option<Corner>,
     /// See `leave`.
     pub reach: Option<Corner>,
