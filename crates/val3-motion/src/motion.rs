@@ -203,7 +203,8 @@ impl Motion {
         self.departure.as_mut().and_then(Departure::motion)
     }
 
-    /// Brakes on the path and removes all recorded moves (`resetMotion`). The next move starts where the arm comes to rest.
+    /// Brakes on the path and removes all recorded moves (`resetMotion`).
+    /// The next move starts where the arm comes to rest.
     pub fn reset(&mut self) {
         self.queue.forget();
         match self.departure.take() {

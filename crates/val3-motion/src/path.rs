@@ -112,7 +112,7 @@ impl Path {
     /// Records a move under a number.
     ///
     /// # Errors
-    /// The destination cannot be reached, in this configuration or at all. Nothing is recorded then.
+    /// The destination cannot be reached, or not in this configuration. Nothing is recorded then.
     pub(crate) fn record(&mut self, model: &Model<'_>, request: &Move, serial: u64) -> Result<Determined, Cause> {
         let (segment, fault) = self.segment(model, request)?;
         let mut determined = Determined::default();

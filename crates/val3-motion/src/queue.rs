@@ -159,7 +159,7 @@ impl Queue {
         });
     }
 
-    /// Sets the end of the previous blend and the start of the blend of a move whose path was determined.
+    /// Sets the previous blend's end and the blend start of a move whose path was determined.
     pub(crate) fn lay_out(&mut self, serial: u64, reach: Option<Corner>, leave: Option<Corner>) {
         if let (Some(reach), Some(before)) = (reach, self.open()) {
             before.reach = Some(reach);

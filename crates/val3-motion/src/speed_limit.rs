@@ -119,7 +119,7 @@ pub(crate) enum ActingLimit {
     OnPath(PathState),
 }
 
-/// The state of an arm that follows its path, at full monitor speed.
+/// State of an arm on its path, at full monitor speed.
 #[derive(Clone, Debug)]
 pub(crate) struct PathState {
     span: Arc<Span>,
