@@ -19,7 +19,7 @@ const PLACES: u32 = 16;
 
 /// The alter mode.
 impl Motion {
-    /// Enters the alter mode on the alterable path that is executed (`alterBegin`). `limits` apply to the deviated path.
+    /// Enters the alter mode on the executed alterable path (`alterBegin`). `limits` apply to the deviated path.
     pub fn alter_begin(&mut self, reference: AlterReference, limits: Limits) -> AlterStatus {
         match &self.alteration {
             _ if self.fault.is_some() => AlterStatus::Fault,
