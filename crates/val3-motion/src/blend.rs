@@ -20,7 +20,7 @@ use crate::segment::{Course, IN_PLACE, Segment};
 /// From this change of orientation on, in degrees, a Cartesian blend has several solutions (manual 10.1.2.3).
 const HALF_TURN: f64 = 180.0 - 0.01;
 
-/// Up to this turn in degrees a Cartesian blend follows arcs alone.
+/// Up to this turn in degrees a Cartesian blend follows only arcs.
 const ROUND_TURN: f64 = 100.0;
 
 /// From this turn in degrees on a Cartesian blend has no arcs.
@@ -38,7 +38,7 @@ const ROUNDING: f64 = 1e-6;
 /// Parts of either segment at whose ends the change of orientation is checked.
 const ORIENTATIONS: u32 = 32;
 
-/// A curve from the leave point of one segment to the reach point of the next, by u from 0 to 1.
+/// Curve from a segment's leave point to the next segment's reach point, by u from 0 to 1.
 #[derive(Clone, Debug)]
 pub(crate) enum BlendCurve {
     Joint(Box<Quintic<6>>),

@@ -12,10 +12,10 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-/// Axes of an arm, at most.
+/// Greatest number of arm axes.
 pub(crate) const AXES: usize = 6;
 
-/// Below this share of the fastest axis an axis counts as not moving: its acceleration then limits x alone.
+/// Below this share of the fastest axis an axis counts as not moving: its acceleration then limits only x.
 const AT_REST: f64 = 1e-9;
 
 /// Greatest x where nothing limits the speed.
@@ -125,7 +125,7 @@ struct IntervalBounds {
 }
 
 impl BoundsTable {
-    /// The bounds from each point to the next one, which is `step` apart. The last point has those of the interval before it.
+    /// The bounds from each point to the next one, which is `step` apart. The last point repeats the previous ones.
     pub(crate) fn between(points: &[IntervalEnd], step: f64) -> Self {
         let mut table = Self { axes: Vec::new(), intervals: Vec::with_capacity(points.len()) };
         for (start, end) in points.iter().zip(points.iter().skip(1)) {
@@ -219,7 +219,7 @@ impl Bounds<'_> {
         self.axes.iter().map(|axis| axis.low_at(x)).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Whether x can stay as it is.
+    /// Whether x can stay constant.
     pub(crate) fn allows_constant(&self, x: f64) -> bool {
         self.lowest(x) <= 0.0 && self.highest(x) >= 0.0
     }

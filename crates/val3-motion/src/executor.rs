@@ -28,7 +28,7 @@ impl Default for Executor {
 }
 
 impl Executor {
-    /// Chooses the monitor speed; it comes into force as a ramp, or at once while the arm rests.
+    /// Chooses the monitor speed; it comes into force as a ramp, or immediately while the arm rests.
     pub(crate) fn set_monitor_speed(&mut self, speed: Percent, at_rest: bool) {
         self.chosen = (speed.0 / 100.0).max(0.0);
         if at_rest && !self.is_halting {

@@ -1,6 +1,6 @@
-//! Gates of a timeline: in step mode the arm comes to rest before each piece of its path, and waits until it is released.
+//! Gates of a timeline: in step mode the arm comes to rest before each piece of its path, and waits for a release.
 //!
-//! A piece is the nominal part of a move or the blend around its destination (manual 10.2.2). Gates change speeds alone:
+//! A piece is the nominal part of a move or the blend around its destination (manual 10.2.2). Gates change only speeds:
 //! spans, and with them the positions that the arm passes, are those of the continuous mode.
 
 use crate::plan::Index;
@@ -85,7 +85,7 @@ impl Timeline {
             .map(|(_, timed)| timed)
     }
 
-    /// The number of the first span of the next piece after the one that the arm is in.
+    /// Number of the first span of the piece after the arm's current piece.
     pub(crate) fn next_piece(&self) -> Option<usize> {
         let next = self.gate_of_arm().unwrap_or_else(|| self.piece(0).count());
         (next < self.spans.len()).then_some(next)

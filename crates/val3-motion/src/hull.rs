@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-9;
 /// Least rate: with a rate of 0 the path would have no direction.
 const LEAST_RATE: f64 = 1e-6;
 
-/// The range of each axis on the nominal pieces of a corner.
+/// Axis ranges on the nominal pieces of a corner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hull {
     least: Axes,

@@ -6,7 +6,7 @@ use val3_kinematics::{Arm, Configuration, Joints, RequestedConfiguration, Unreac
 
 use crate::fault::Cause;
 
-/// Joint positions in degrees (linear axes: mm); 0 for axes that the arm lacks.
+/// Joint positions in degrees (linear axes: mm); 0 for axes that the arm does not have.
 pub(crate) type Axes = SVector<f64, 6>;
 
 /// The full turns by which axes differ between two positions, in degrees.

@@ -50,13 +50,13 @@ pub struct Motion {
     /// `getMoveId` once everything recorded is done.
     done_id: f64,
     tool: IsometryMatrix3<f64>,
-    /// State of an arm that is not on its path.
+    /// State of an arm that is away from the path.
     departure: Option<Departure>,
-    /// Of the tool centre point over the last cycle, in mm/s.
+    /// Speed of the tool centre point over the last cycle, in mm/s.
     speed: f64,
-    /// Between `stopMove` and `restartMove`.
+    /// Whether the motion is between `stopMove` and `restartMove`.
     is_stopped: bool,
-    /// Between an emergency stop and the power that comes back.
+    /// Whether the motion is between an emergency stop and the return of power.
     is_braked: bool,
     external_force: ExternalForce,
     /// Greatest speed of the tool centre point and of the flange; `None` without a limit.
@@ -64,7 +64,7 @@ pub struct Motion {
     /// The deviation from an alterable path.
     alteration: Option<Alteration>,
     deferred: Option<Deferred>,
-    /// Commanded at the end of the last cycle.
+    /// Commanded state at the end of the last cycle.
     commanded: Axes,
     /// See [`Motion::speed_limit`].
     acting: ActingLimit,
@@ -81,7 +81,7 @@ pub struct Sample {
     pub speed: MillimetresPerSecond,
     /// `getMoveId`.
     pub id: f64,
-    /// The kind of motion.
+    /// Kind of motion.
     pub phase: MotionPhase,
 }
 
@@ -203,7 +203,8 @@ impl Motion {
         self.departure.as_mut().and_then(Departure::motion)
     }
 
-    /// Brakes on the path and forgets everything recorded (`resetMotion`). The next move starts where the arm comes to rest.
+    /// Brakes on the path and removes all recorded moves (`resetMotion`).
+    /// The next move starts where the arm comes to rest.
     pub fn reset(&mut self) {
         self.queue.forget();
         match self.departure.take() {

@@ -1,4 +1,4 @@
-//! From recorded moves to spans. The moves alone fix the path, and a span is made once they determine it.
+//! From recorded moves to spans. Only the moves determine the path, and a span is made once they determine it.
 
 use std::sync::Arc;
 
@@ -54,7 +54,7 @@ pub(crate) struct Determined {
     pub(crate) fault: Option<Cause>,
     /// Number of the move whose blend is among them.
     pub(crate) blended: Option<u64>,
-    /// Whether `fault` is that of the blend.
+    /// Whether `fault` is the fault of the blend.
     pub(crate) has_blend_fault: bool,
     /// Where the blend of the move before ends, and where that of this move begins.
     pub(crate) reach: Option<Corner>,
@@ -93,7 +93,7 @@ impl Path {
         self.open.as_ref().map(|open| open.serial)
     }
 
-    /// Requested leave and reach of the blend of that move.
+    /// Requested leave and reach for the blend of the move in [`Self::open_serial`].
     pub(crate) fn open_distances(&self) -> Option<[Millimetres; 2]> {
         let (leave, reach) = self.open.as_ref()?.blend.distances()?;
         Some([leave, reach].map(Millimetres))
@@ -112,7 +112,7 @@ impl Path {
     /// Records a move under a number.
     ///
     /// # Errors
-    /// The destination cannot be reached, in this configuration or at all. Nothing is recorded then.
+    /// The destination cannot be reached, or not in this configuration. Nothing is recorded then.
     pub(crate) fn record(&mut self, model: &Model<'_>, request: &Move, serial: u64) -> Result<Determined, Cause> {
         let (segment, fault) = self.segment(model, request)?;
         let mut determined = Determined::default();

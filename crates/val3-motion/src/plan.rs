@@ -76,7 +76,7 @@ impl Timeline {
         }
     }
 
-    /// Brings the arm to rest on its path. `braking` gives the smallest p̈ that the arm can do at p and ṗ².
+    /// Brings the arm to rest on its path. `braking` returns the smallest p̈ that the arm can do at p and ṗ².
     ///
     /// `pace` is the share of the planned speed at which the arm moves. From here to the halt, speeds are real ones.
     pub(crate) fn halt(&mut self, pace: f64, braking: impl Fn(&Span, f64, f64) -> f64) {

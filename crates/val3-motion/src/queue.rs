@@ -82,7 +82,7 @@ impl Shortening {
     }
 }
 
-/// Change of the stage of a move.
+/// Stage change of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveEvent {
     /// Serial number of the move.
@@ -93,7 +93,7 @@ pub struct MoveEvent {
     pub kind: MoveEventKind,
     /// Time since the start of the cycle.
     pub at: Seconds,
-    /// Ends of the blend of the move, as in [`QueuedMove`].
+    /// Blend ends of the move, as in [`QueuedMove`].
     pub leave: Option<Corner>,
     /// See `leave`.
     pub reach: Option<Corner>,
@@ -159,7 +159,7 @@ impl Queue {
         });
     }
 
-    /// Sets the end of the previous blend and the start of the blend of a move whose path was determined.
+    /// Sets the previous blend's end and the blend start of a move whose path was determined.
     pub(crate) fn lay_out(&mut self, serial: u64, reach: Option<Corner>, leave: Option<Corner>) {
         if let (Some(reach), Some(before)) = (reach, self.open()) {
             before.reach = Some(reach);

@@ -23,15 +23,15 @@ pub struct Move {
 /// Greatest speeds and accelerations of a move, as absolute values of the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Speed of each axis, in degrees (linear axes: mm) per second.
+    /// Axis speeds, in degrees (linear axes: mm) per second.
     pub speed: [f64; 6],
-    /// Increase of speed of each axis, per second squared.
+    /// Axis accelerations, per second squared.
     pub acceleration: [f64; 6],
-    /// Decrease of speed of each axis, per second squared.
+    /// Axis decelerations, per second squared.
     pub deceleration: [f64; 6],
     /// `tvel`: speed of the tool centre point.
     pub translation: MillimetresPerSecond,
-    /// `rvel`: speed of rotation of the tool.
+    /// `rvel`: rotation speed of the tool.
     pub rotation: DegreesPerSecond,
 }
 

@@ -52,7 +52,7 @@ impl Curve {
     }
 }
 
-/// The part of the recorded moves that a span executes; ids are those of `getMoveId`.
+/// The part of the recorded moves that a span executes; ids are as in `getMoveId`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
     /// The nominal path of a move.
@@ -71,7 +71,7 @@ pub(crate) enum Part {
     },
 }
 
-/// One of the moves of a blend.
+/// A move of a blend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BlendPart {
     /// Number of the move.

@@ -14,15 +14,15 @@ const FULL_PACE: f64 = 0.98;
 /// The limit that determines the speed of the arm. Axes count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SpeedLimit {
-    /// Greatest increase of the speed of an axis.
+    /// Greatest acceleration of an axis.
     Acceleration(usize),
-    /// Greatest decrease of the speed of an axis, before a slower part of the path or a stop.
+    /// Greatest deceleration of an axis, before a slower part of the path or a stop.
     Deceleration(usize),
     /// Greatest speed of an axis.
     AxisSpeed(usize),
     /// Greatest speed of the tool centre point.
     Translation,
-    /// Greatest speed of rotation of the tool.
+    /// Greatest rotation speed of the tool.
     Rotation,
     /// An axis accelerates as much as it can because a blend bends.
     Corner,
@@ -79,7 +79,7 @@ impl SpeedLimit {
         }
     }
 
-    /// The limit with this name; `None` if there is none.
+    /// Limit with this name; `None` if no limit has it.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::all().find(|limit| limit.to_string() == name)
@@ -119,7 +119,7 @@ pub(crate) enum ActingLimit {
     OnPath(PathState),
 }
 
-/// The state of an arm that follows its path, at full monitor speed.
+/// State of an arm on its path, at full monitor speed.
 #[derive(Clone, Debug)]
 pub(crate) struct PathState {
     span: Arc<Span>,

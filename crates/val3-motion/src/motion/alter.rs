@@ -19,7 +19,7 @@ const PLACES: u32 = 16;
 
 /// The alter mode.
 impl Motion {
-    /// Enters the alter mode on the alterable path that is executed (`alterBegin`). `limits` are those of the deviated path.
+    /// Enters the alter mode on the executed alterable path (`alterBegin`). `limits` apply to the deviated path.
     pub fn alter_begin(&mut self, reference: AlterReference, limits: Limits) -> AlterStatus {
         match &self.alteration {
             _ if self.fault.is_some() => AlterStatus::Fault,
@@ -115,7 +115,7 @@ impl Motion {
         let Some(alteration) = self.alteration.as_mut() else { return };
         (alteration.is_ended, alteration.locks_in) = (true, None);
         let axes = alteration.axes();
-        // After a failure the arm rests already. Where the braking cannot deviate, it stops at once.
+        // After a failure the arm rests already. Where the braking cannot deviate, it stops immediately.
         let end = if alteration.has_failed { None } else { self.deviated_end().ok() };
         if end.is_none() {
             (self.timeline, self.rest) = (Timeline::default(), axes);
