@@ -125,7 +125,7 @@ struct IntervalBounds {
 }
 
 impl BoundsTable {
-    /// The bounds from each point to the next one, which is `step` apart. The last point repeats the previous ones.
+    /// Bounds from each point to the next, which is `step` apart. The last point has those of the preceding interval.
     pub(crate) fn between(points: &[IntervalEnd], step: f64) -> Self {
         let mut table = Self { axes: Vec::new(), intervals: Vec::with_capacity(points.len()) };
         for (start, end) in points.iter().zip(points.iter().skip(1)) {

@@ -93,7 +93,7 @@ impl Path {
         self.open.as_ref().map(|open| open.serial)
     }
 
-    /// Requested leave and reach for the blend of the move in [`Self::open_serial`].
+    /// Requested leave and reach for the blend of the move in `open_serial`.
     pub(crate) fn open_distances(&self) -> Option<[Millimetres; 2]> {
         let (leave, reach) = self.open.as_ref()?.blend.distances()?;
         Some([leave, reach].map(Millimetres))
