@@ -34,7 +34,7 @@ use trial::Verdict;
 /// Executes the tests, then those mistakes that the arguments ask for, and reports the ones that survive.
 ///
 /// # Errors
-/// The format is none of this report, or it cannot be written.
+/// The format is none of this report, an application can no longer be read, or the report cannot be written.
 pub(super) fn run(
     args: &TestArgs,
     tests: &[TestFile<'_>],
@@ -53,7 +53,7 @@ pub(super) fn run(
     if results.early_end.is_some() || results.failed() > 0 {
         return unmutated(&results, args, paths, color);
     }
-    let mutants = mutants(&originals);
+    let mutants = mutants(&originals)?;
     if mutants.all.is_empty() {
         return Err(UserError::new("the tests execute no line of a tested program in which a mistake can be made")
             .with_help("`val3 test --coverage` shows the lines that tests execute"));

@@ -15,6 +15,7 @@ use super::data_sites::{DataSites, data_sites};
 use super::original::{Original, Originals};
 use super::site::Site;
 use super::used_names::{project_file, text};
+use crate::user_error::UserError;
 
 /// A file with a mistake that tests execute or use.
 pub(super) struct Mutant {
@@ -50,7 +51,10 @@ impl Mutant {
 }
 
 /// The mistakes in all lines that tests execute, and in the values of all variables that they use.
-pub(super) fn mutants(originals: &Originals<'_>) -> Mutants {
+///
+/// # Errors
+/// An application whose tests were executed can no longer be read.
+pub(super) fn mutants(originals: &Originals<'_>) -> Result<Mutants, UserError> {
     let mut mutants = Mutants::default();
     for (file, program) in originals.coverage.programs() {
         // Only a test has written the others, in the memory of the controller.
@@ -60,10 +64,10 @@ pub(super) fn mutants(originals: &Originals<'_>) -> Mutants {
             mutants.add(Place { file, project_file: &program.project_file, element: None, text: &text }, site, tests);
         }
     }
-    for file in data_of_projects(originals) {
+    for file in data_of_projects(originals)? {
         mutants.add_data(&originals.tests, &file);
     }
-    mutants
+    Ok(mutants)
 }
 
 /// A file that gets mistakes.
@@ -122,12 +126,11 @@ impl Mutants {
 }
 
 /// The data files of all tested projects, sorted by path.
-fn data_of_projects(originals: &Originals<'_>) -> Vec<DataFile> {
+fn data_of_projects(originals: &Originals<'_>) -> Result<Vec<DataFile>, UserError> {
     let manifests: BTreeSet<&Utf8Path> = originals.tests.iter().map(|original| original.test.manifest).collect();
     let mut files = BTreeMap::new();
     for manifest in manifests {
-        // Its tests have passed, so that it can be read.
-        let Ok(application) = Application::open(&Disk, manifest, None) else { continue };
+        let application = Application::open_with_stand_ins(&Disk, manifest, &BTreeMap::new())?;
         let db = application.db();
         let projects = tested_projects(&application);
         let types: Vec<Project> =
@@ -142,7 +145,7 @@ fn data_of_projects(originals: &Originals<'_>) -> Vec<DataFile> {
             }
         }
     }
-    files.into_values().collect()
+    Ok(files.into_values().collect())
 }
 
 /// The numbers of the items that are chosen.
