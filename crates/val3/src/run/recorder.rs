@@ -2,6 +2,7 @@
 
 use std::thread::{self, JoinHandle};
 
+use camino::Utf8PathBuf;
 use serde_json::{Map, Value};
 use val3_lang::ports::Time;
 use val3_machine::event::{Event, EventKind, seconds};
@@ -12,7 +13,6 @@ use crate::paths::current_folder;
 use crate::serve::Command;
 use crate::test::{ServedRun, record_served};
 use crate::user_error::UserError;
-use camino::Utf8PathBuf;
 
 /// Maximum number of events of a run that can be recorded: several hours of a usual cell, about 100 MB.
 const MAX_EVENTS: usize = 500_000;
