@@ -15,7 +15,7 @@ const NESTING: usize = 8;
 pub struct WrittenVariable<'g> {
     /// Name.
     pub name: String,
-    /// Fathers of its values, without indexes: `fTray`, `lib:fTray`.
+    /// Fathers of the values, without indexes: `fTray`, `lib:fTray`.
     pub fathers: Vec<String>,
     /// Written attributes, in the order of the file, without fathers.
     pub attributes: Vec<WrittenAttribute<'g>>,

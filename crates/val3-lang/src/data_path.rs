@@ -60,10 +60,10 @@ impl<'t> DataPath<'t> {
         let mut rest = Some(self.0);
         std::iter::from_fn(move || {
             let text = rest?;
-            let (name, behind) = text.split_at(text.find(['[', '.']).unwrap_or(text.len()));
-            rest = match behind.chars().next() {
-                Some('.') => behind.get(1..),
-                _ => behind.find("].").and_then(|end| behind.get(end + 2..)),
+            let (name, tail) = text.split_at(text.find(['[', '.']).unwrap_or(text.len()));
+            rest = match tail.chars().next() {
+                Some('.') => tail.get(1..),
+                _ => tail.find("].").and_then(|end| tail.get(end + 2..)),
             };
             Some(DataPathStep { offset: self.0.len() - text.len(), name })
         })

@@ -1,4 +1,4 @@
-//! `goto`: lets a task continue at another line.
+//! `goto`: continues a task at another line.
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
