@@ -5,12 +5,18 @@ const { join } = require("node:path");
 const { test } = require("node:test");
 const { BOXES, now, served, until } = require("./served.js");
 
+const pose = (page) => page.evaluate(() => window.val3View.pose());
+
+/** Until the arm is away from a pose by more than 5 mm or degrees. The program rests at places, so that no time proves a motion. */
+const hasMoved = (page, from) => page.waitForFunction(
+  (from) => window.val3View.pose().some((part, axis) => Math.abs(part - from[axis]) > 5), from);
+
 test("the arm is seen to move, and its poses are those of the trace", () => served([...BOXES, "--trace", "trace.csv"], async (run) => {
   const page = await run.open();
   const picture = page.locator("canvas").first();
   await until(page, 0.2);
   const still = await picture.screenshot();
-  await until(page, 3);
+  await hasMoved(page, await pose(page));
   assert.notDeepEqual(await picture.screenshot(), still);
   await page.evaluate(() => (window.val3View.store.chosen.value = 0));
   await until(page, 6);
@@ -36,16 +42,13 @@ test("the arm is seen to move, and its poses are those of the trace", () => serv
 test("an emergency stop holds the arm until it is released and the power is on again", () => served(BOXES, async (run) => {
   const page = await run.open();
   await page.getByText("State    running").waitFor();
-  const pose = () => page.evaluate(() => window.val3View.pose());
   await until(page, 2);
-  const moving = await pose();
-  await until(page, 3);
-  assert.notDeepEqual(await pose(), moving);
+  await hasMoved(page, await pose(page));
   await page.getByRole("button", { name: "E-stop" }).click();
   await until(page, (await now(page)) + 1);
-  const held = await pose();
+  const held = await pose(page);
   await until(page, (await now(page)) + 1);
-  assert.deepEqual(await pose(), held);
+  assert.deepEqual(await pose(page), held);
   await page.getByRole("button", { name: "Release E-stop" }).click();
   await page.getByRole("button", { name: "Power off" }).click();
   await page.getByRole("button", { name: "Power on" }).waitFor();
@@ -53,7 +56,7 @@ test("an emergency stop holds the arm until it is released and the power is on a
   if (await move.isVisible()) {
     await move.click();
   }
-  await page.waitForFunction((held) => window.val3View.pose().some((part, axis) => Math.abs(part - held[axis]) > 5), held);
+  await hasMoved(page, held);
 }));
 
 test("the time is moved back while the run continues", () => served(BOXES, async (run) => {
