@@ -324,7 +324,7 @@ export interface RecordScenario {
 export interface Recorded {
   /** Path of the scenario. */
   file: string;
-  /** What the scenario does not repeat. */
+  /** What the scenario does not repeat or expect. */
   remarks: readonly string[];
   /** Content of the scenario. */
   text: string;

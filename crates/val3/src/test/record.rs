@@ -19,7 +19,7 @@ use val3_files::{FileClass, replace};
 use val3_lang::test_names::TESTS;
 use val3_session::Application;
 
-use self::draft::Draft;
+use self::draft::{Draft, NOTHING_EXPECTED};
 use self::run_record::RunRecord;
 pub(crate) use self::served::{ServedRun, record_served};
 use self::trial::Trial;
@@ -49,7 +49,7 @@ struct NewScenario<'r> {
 #[derive(Debug)]
 struct WrittenScenario {
     text: String,
-    /// What the scenario does not repeat.
+    /// What the scenario does not repeat or expect.
     remarks: Vec<String>,
 }
 
@@ -101,7 +101,8 @@ impl NewScenario<'_> {
         let text = draft.text();
         fs::create_dir_all(folder).map_err(|error| refused(shown, &error.to_string()))?;
         replace(path, text.as_bytes()).map_err(|error| refused(shown, &error.to_string()))?;
-        Ok(WrittenScenario { text, remarks: draft.remarks().to_vec() })
+        let nothing = draft.expects_nothing().then(|| NOTHING_EXPECTED.to_owned());
+        Ok(WrittenScenario { text, remarks: draft.remarks().iter().cloned().chain(nothing).collect() })
     }
 }
 

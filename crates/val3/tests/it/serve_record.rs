@@ -73,7 +73,10 @@ fn a_quiet_run_is_recorded_up_to_now() {
     assert!(now > 0.05, "{now}");
     let answer = viewer.command(record(2, "quiet"));
     assert_eq!(answer["error"], Value::Null, "{answer}");
+    let remarks = answer["remarks"].as_array().unwrap();
+    assert!(remarks.iter().any(|remark| remark.as_str().unwrap().starts_with("Nothing is expected")), "{answer}");
     let text = answer["text"].as_str().unwrap();
+    assert!(text.contains("# Nothing is expected"), "{text}");
     let until: f64 = text.lines().find_map(|line| line.strip_prefix("until = ")).unwrap().parse().unwrap();
     assert!((now..now + 0.0011).contains(&until), "{now} {text}");
     run.signal(Signal::INT);

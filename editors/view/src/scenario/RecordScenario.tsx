@@ -86,7 +86,7 @@ function WrittenScenario({ scenario, onClose }: { scenario: Scenario; onClose: (
   return (
     <>
       <p role="status">Wrote {scenario.file}. The application has passed it once. Execute it with <code>val3 test {scenario.file}</code>.</p>
-      {scenario.remarks.length === 0 ? null : <ul aria-label="Not repeated">{scenario.remarks.map((remark) => <li key={remark}>Not repeated: {remark}.</li>)}</ul>}
+      {scenario.remarks.length === 0 ? null : <><p>The scenario has a comment about each of these differences:</p><ul aria-label="Differences from the run">{scenario.remarks.map((remark) => <li key={remark}>{remark}.</li>)}</ul></>}
       <pre tabIndex={0} aria-label="Text of the scenario">{scenario.text}</pre>
       <div class="row"><button type="button" ref={close} onClick={onClose}>Close</button></div>
     </>

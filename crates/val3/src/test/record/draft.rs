@@ -19,6 +19,10 @@ const BYTES: usize = 200;
 /// The seconds that an application may take to end by itself, without a limit of its own.
 const BY_ITSELF: f64 = 50.0;
 
+/// Sentence about a scenario without expectations.
+pub(super) const NOTHING_EXPECTED: &str =
+    "Nothing is expected: the run has shown, printed, logged, sent and set nothing that a scenario repeats";
+
 /// A scenario that is written.
 pub(super) struct Draft<'r> {
     run: &'r RunRecord,
@@ -92,6 +96,12 @@ impl<'r> Draft<'r> {
         &self.remarks
     }
 
+    /// Whether no line is an expectation, so that the scenario only proves that the application runs.
+    pub(super) fn expects_nothing(&self) -> bool {
+        let mut expected = [&self.screen, &self.expected, &self.outputs, &self.sent].into_iter().flatten();
+        expected.all(|line| line.trim_start().starts_with('#'))
+    }
+
     /// Makes the expectations that are not met comments. Returns a failure that is not of a line of them.
     pub(super) fn comment_out<'f>(&mut self, failures: &'f [Failure]) -> Option<&'f Failure> {
         let text = self.text();
@@ -124,6 +134,9 @@ impl<'r> Draft<'r> {
     pub(super) fn text(&self) -> String {
         let remarks = self.remarks.iter().map(|remark| format!("# Not repeated: {remark}"));
         let mut lines: Vec<String> = [format!("# {}", self.heading)].into_iter().chain(remarks).collect();
+        if self.expects_nothing() {
+            lines.push(format!("# {NOTHING_EXPECTED}"));
+        }
         lines.extend_from_slice(&self.head);
         lines.extend_from_slice(&self.events);
         lines.extend([String::new(), "[expect]".to_owned()]);
