@@ -23,7 +23,7 @@ use val3_analysis::items::project::folder;
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Disk;
 use val3_bytecode::Image;
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::EventKind;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -151,7 +151,7 @@ fn run(images: &BTreeMap<String, Arc<Image>>, application: &Application) -> Stri
     controller.start("start").expect("a program start");
     let mut printed = String::new();
     loop {
-        let outcome = controller.step();
+        let status = controller.step();
         for event in controller.devices.take_events() {
             match event.kind {
                 EventKind::Print { text } => printed = text,
@@ -159,11 +159,11 @@ fn run(images: &BTreeMap<String, Arc<Image>>, application: &Application) -> Stri
                 _ => {}
             }
         }
-        match outcome {
-            Outcome::Finished => return printed,
-            Outcome::Waiting(Some(wake)) => controller.jump(wake),
-            Outcome::Waiting(None) => panic!("the program does not end"),
-            outcome if outcome.is_final() => panic!("the program ends with {outcome:?}"),
+        match status {
+            RunStatus::Finished => return printed,
+            RunStatus::Waiting(Some(wake)) => controller.jump(wake),
+            RunStatus::Waiting(None) => panic!("the program does not end"),
+            status if status.is_final() => panic!("the program ends with {status:?}"),
             _ => {}
         }
     }

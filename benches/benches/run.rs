@@ -14,7 +14,7 @@ use camino::Utf8Path;
 use divan::Bencher;
 use val3_analysis::system::Disk;
 use val3_bytecode::Image;
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::EventKind;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -84,9 +84,9 @@ fn run(image: Arc<Image>) -> Option<String> {
             }
         }
         match step {
-            Outcome::Finished => return logged,
-            Outcome::Waiting(wake) if Pace::default().wait(&mut controller, wake).is_some() => {}
-            Outcome::Waiting(_) | Outcome::Stuck | Outcome::Lacking => panic!("the application does not end"),
+            RunStatus::Finished => return logged,
+            RunStatus::Waiting(wake) if Pace::default().wait(&mut controller, wake).is_some() => {}
+            RunStatus::Waiting(_) | RunStatus::Stuck | RunStatus::Unsupported => panic!("the application does not end"),
             _ => {}
         }
     }

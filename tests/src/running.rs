@@ -6,7 +6,7 @@ use camino::Utf8PathBuf;
 use val3_analysis::system::Memory;
 use val3_bytecode::Image;
 use val3_lang::ports::{SECOND, Time};
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, EventKind};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -114,12 +114,12 @@ impl Running {
 
     /// Runs a cycle, and skips the time without activity. Returns whether the application can continue.
     fn step(&mut self) -> bool {
-        let outcome = self.controller.step();
+        let status = self.controller.step();
         self.events.append(&mut self.controller.devices.take_events());
-        match outcome {
-            Outcome::Waiting(wake) => Pace::default().wait(&mut self.controller, wake).is_some(),
-            Outcome::Stuck => Pace::default().wait(&mut self.controller, None).is_some(),
-            outcome => !outcome.is_final(),
+        match status {
+            RunStatus::Waiting(wake) => Pace::default().wait(&mut self.controller, wake).is_some(),
+            RunStatus::Stuck => Pace::default().wait(&mut self.controller, None).is_some(),
+            status => !status.is_final(),
         }
     }
 

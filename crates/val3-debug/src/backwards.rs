@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use val3_lang::ports::{TaskNumber, Time};
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_vm::Watch;
 
 use crate::debugger::{Debugger, Stop};
@@ -22,7 +22,7 @@ pub enum Goal {
 /// Result of [`Debugger::replay`].
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Replayed {
-    pub(crate) outcome: Outcome,
+    pub(crate) status: RunStatus,
     /// Whether the arm came to rest before a path that it cannot follow, which stops the run.
     is_path_fault: bool,
 }
@@ -92,16 +92,16 @@ impl Debugger {
     /// cancels the search; the run then stays at its present moment.
     pub fn search_back(&mut self, goal: Goal, watcher: Watcher<'_>) -> Option<Stop> {
         let Goal::Line(task, kind) = goal else {
-            return self.back_to_last(self.watch_of_data(), watcher, |debugger, replayed| match replayed.outcome {
-                Outcome::AtStop(task) => debugger.stop_before(task),
-                Outcome::Seen(task) => debugger.follow_data(Some(task), true),
+            return self.back_to_last(self.watch_of_data(), watcher, |debugger, replayed| match replayed.status {
+                RunStatus::AtStop(task) => debugger.stop_before(task),
+                RunStatus::Seen(task) => debugger.follow_data(Some(task), true),
                 _ => debugger.follow_data(None, true).or_else(|| debugger.stop_at_path_fault(replayed)),
             });
         };
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
         let Some(step) = found.map(|task| Step::new(task, kind)) else { return Some(self.back_to_the_beginning()) };
-        self.back_to_last(Watch::Lines, watcher, |debugger, replayed| match replayed.outcome {
-            Outcome::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm) => Some(Stop::Step { task }),
+        self.back_to_last(Watch::Lines, watcher, |debugger, replayed| match replayed.status {
+            RunStatus::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm) => Some(Stop::Step { task }),
             _ => debugger.stop_at_path_fault(replayed),
         })
     }
@@ -176,7 +176,7 @@ impl Debugger {
     ) -> Option<Stop> {
         let task = self.history.as_ref()?.changed_at(moment)?;
         self.go_to(moment);
-        let stop = is_wanted(self, Replayed { outcome: Outcome::AtStop(task), is_path_fault: false })?;
+        let stop = is_wanted(self, Replayed { status: RunStatus::AtStop(task), is_path_fault: false })?;
         self.controller.vm.pass_stop(task);
         Some(stop)
     }
@@ -218,9 +218,9 @@ impl Debugger {
         self.restore_marks();
         self.settle_data();
         for _ in 0..count {
-            match next(self).map(|replayed| replayed.outcome) {
-                Some(Outcome::AtStop(task)) => self.hit_again(task),
-                Some(Outcome::Seen(task)) => drop(self.follow_data(Some(task), false)),
+            match next(self).map(|replayed| replayed.status) {
+                Some(RunStatus::AtStop(task)) => self.hit_again(task),
+                Some(RunStatus::Seen(task)) => drop(self.follow_data(Some(task), false)),
                 Some(_) => drop(self.follow_data(None, false)),
                 None => break,
             }
@@ -251,16 +251,16 @@ impl Debugger {
         let had_fault = has_fault(self);
         self.controller.watch(watch);
         self.controller.set_limit(Some(end.time));
-        let outcome = self.controller.step();
+        let status = self.controller.step();
         self.controller.set_limit(None);
         drop(self.controller.devices.take_events());
         let is_path_fault = !had_fault && has_fault(self);
-        if let Outcome::Waiting(wake) = outcome
+        if let RunStatus::Waiting(wake) = status
             && !is_path_fault
         {
             self.pass_idle_time(wake, end.time);
         }
-        Some(Replayed { outcome, is_path_fault })
+        Some(Replayed { status, is_path_fault })
     }
 
     /// Skips the time without any activity. If a waiting line may receive external input, no time is skipped, so that

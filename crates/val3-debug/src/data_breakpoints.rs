@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 
 use val3_lang::ports::TaskNumber;
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_vm::Frame;
 
 use crate::breakpoints::{BreakpointId, HitCondition};
@@ -191,9 +191,9 @@ impl Debugger {
         }
         let limit = self.controller.limit();
         self.controller.set_limit(Some(self.controller.now()));
-        let outcome = self.controller.step();
+        let status = self.controller.step();
         self.controller.set_limit(limit);
-        debug_assert_eq!(outcome, Outcome::Limit, "no task begins a line");
+        debug_assert_eq!(status, RunStatus::Limit, "no task begins a line");
         self.follow_data(None, false)
     }
 }

@@ -3,7 +3,7 @@
 use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::MotionMode;
-use val3_machine::controller::{Controller, MotionFault, Outcome};
+use val3_machine::controller::{Controller, MotionFault, RunStatus};
 use val3_vm::{TaskState, Watch};
 
 use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, ConditionFault, LoggedMessage, Placed};
@@ -46,8 +46,8 @@ pub struct Debugger {
 /// Result of [`Debugger::advance`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum Progress {
-    /// The controller continues. No time passes after an outcome [within a cycle](Outcome::is_within_cycle).
-    Ran(Outcome),
+    /// The controller continues. No time passes after a status [within a cycle](RunStatus::is_within_cycle).
+    Ran(RunStatus),
     /// The run has stopped.
     Stopped(Stop),
 }
@@ -212,7 +212,7 @@ impl Debugger {
             self.follow_motion(revision, progress)
         });
         match (&progress, self.controller.motion_fault()) {
-            (Progress::Ran(Outcome::Busy | Outcome::Waiting(_)), Some(fault))
+            (Progress::Ran(RunStatus::Busy | RunStatus::Waiting(_)), Some(fault))
                 if !was_stuck && self.errors.contain_path_faults() =>
             {
                 self.step = None;
@@ -234,19 +234,19 @@ impl Debugger {
             self.step = None;
             return Progress::Stopped(stop);
         }
-        let outcome = self.controller.step();
-        if outcome == Outcome::Busy {
+        let status = self.controller.step();
+        if status == RunStatus::Busy {
             self.pass_cycle();
         }
-        if let Outcome::AtStop(task) | Outcome::Seen(task) = outcome {
+        if let RunStatus::AtStop(task) | RunStatus::Seen(task) = status {
             self.last = Some(task);
         }
-        let stop = match outcome {
-            Outcome::AtStop(task) => self.at_stop(task),
-            Outcome::Seen(task) => self.seen(task),
+        let stop = match status {
+            RunStatus::AtStop(task) => self.at_stop(task),
+            RunStatus::Seen(task) => self.seen(task),
             _ => None,
         };
-        stop.map_or(Progress::Ran(outcome), |stop| {
+        stop.map_or(Progress::Ran(status), |stop| {
             // If a stop pauses only one task, the steps of other tasks continue.
             self.step = self.step.filter(|step| self.stops_alone && stop.task_alone() != Some(step.task));
             Progress::Stopped(stop)

@@ -43,7 +43,7 @@ pub fn end_message<T>(end: &FragmentEnd<T>) -> String {
         FragmentEnd::Waiting => "it waits for an event that cannot happen while the run is stopped".to_owned(),
         FragmentEnd::Limit => "it was ended because it executes too many lines, probably in an endless loop".to_owned(),
         FragmentEnd::Interrupted => "it was interrupted, or it has printed too much".to_owned(),
-        FragmentEnd::Lacking => "it uses an instruction that this controller does not have".to_owned(),
+        FragmentEnd::Unsupported => "it uses an instruction that this controller does not have".to_owned(),
         FragmentEnd::Gone => "the stack frame no longer exists".to_owned(),
         FragmentEnd::Value(_) | FragmentEnd::Done => String::new(),
     }

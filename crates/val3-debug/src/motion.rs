@@ -11,7 +11,7 @@
 
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::{ArmHold, MotionMode};
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 
 use crate::debugger::{Debugger, Progress, Stop};
 use crate::history::Cause;
@@ -54,8 +54,8 @@ impl Debugger {
         }
         let is_more_determined = self.controller.motion_revision() != revision;
         let task = match progress {
-            Progress::Ran(Outcome::Seen(task)) if is_more_determined => Some(task),
-            Progress::Ran(Outcome::Busy | Outcome::Waiting(_)) => self.task_that_awaits_arm(),
+            Progress::Ran(RunStatus::Seen(task)) if is_more_determined => Some(task),
+            Progress::Ran(RunStatus::Busy | RunStatus::Waiting(_)) => self.task_that_awaits_arm(),
             Progress::Stopped(Stop::Step { task } | Stop::Breakpoints { task, .. }) if is_more_determined => Some(task),
             _ => None,
         };
@@ -75,9 +75,9 @@ impl Debugger {
         match self.end_travel() {
             // The line has changed the queue without a motion.
             Some(Progress::Stopped(Stop::Motion(stop))) if then == Then::StopForMotion && stop.hold.is_none() => {
-                Progress::Ran(Outcome::Busy)
+                Progress::Ran(RunStatus::Busy)
             }
-            end => end.unwrap_or(Progress::Ran(Outcome::Busy)),
+            end => end.unwrap_or(Progress::Ran(RunStatus::Busy)),
         }
     }
 
@@ -103,14 +103,14 @@ impl Debugger {
         if let Some(end) = self.end_travel() {
             return Some(end);
         }
-        let outcome = self.controller.step();
+        let status = self.controller.step();
         self.pass_cycle();
-        if outcome.is_final() && outcome != Outcome::Stuck {
+        if status.is_final() && status != RunStatus::Stuck {
             self.travel = None;
             self.controller.rest_tasks(false);
-            return Some(Progress::Ran(outcome));
+            return Some(Progress::Ran(status));
         }
-        Some(self.end_travel().unwrap_or(Progress::Ran(Outcome::Busy)))
+        Some(self.end_travel().unwrap_or(Progress::Ran(RunStatus::Busy)))
     }
 
     /// Ends a motion during which all tasks rest, if the arm has arrived or does not continue.
@@ -125,7 +125,7 @@ impl Debugger {
         let pending = self.pending.take().filter(|_| then == Then::Stop);
         let stop = match (pending, hold) {
             (None, None) if then == Then::Continue && self.step.is_some() => {
-                return Some(Progress::Ran(Outcome::Busy));
+                return Some(Progress::Ran(RunStatus::Busy));
             }
             (Some(stop), None) => stop,
             (Some(stop @ Stop::Breakpoints { .. }), Some(_)) => stop,

@@ -5,7 +5,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use val3_lang::ports::TaskNumber;
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_vm::Watch;
 
 use crate::debugger::{Debugger, Stop};
@@ -51,10 +51,10 @@ impl Debugger {
             return Ok(Stop::Step { task });
         }
         let stop = self.back_to_last(Watch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| {
-            match replayed.outcome {
+            match replayed.status {
                 // A program is called by the task itself. Its first program is entered when another task creates the
                 // task.
-                Outcome::Seen(seen) if (seen == task || entered == 1) && debugger.has_just_entered(task, entered) => {
+                RunStatus::Seen(seen) if (seen == task || entered == 1) && debugger.has_just_entered(task, entered) => {
                     Some(Stop::Step { task })
                 }
                 _ => None,

@@ -13,12 +13,12 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Time};
-use val3_vm::{CYCLE, Host as _, InstanceId, Schedule, TaskState, Vm, Watch};
+use val3_vm::{CYCLE, CycleEnd, Host as _, InstanceId, Schedule, TaskState, Vm, Watch};
 
 use crate::devices::Devices;
 use crate::script::Script;
 
-pub use val3_vm::Outcome;
+pub use crate::run_status::RunStatus;
 
 pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus, RecordedMove};
 pub use operator::Operation;
@@ -219,46 +219,46 @@ impl Controller {
 
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     ///
-    /// After an outcome [within the cycle](Outcome::is_within_cycle) the next call resumes it.
-    pub fn step(&mut self) -> Outcome {
+    /// After a status [within the cycle](RunStatus::is_within_cycle) the next call resumes it.
+    pub fn step(&mut self) -> RunStatus {
         if self.outlives_tasks {
             return self.step_tasks();
         }
-        let outcome = self.cycle();
-        if self.schedule.is_within_cycle() {
-            return outcome;
+        let end = self.cycle();
+        if end.is_within_cycle() {
+            return end.into();
         }
         self.advance_phase();
         let is_over = (self.phase == Phase::Stopped).then_some(self.end_of_application());
-        self.outcome(outcome, is_over)
+        self.status(end, is_over)
     }
 
     /// Like [`step`](Self::step), but the application continues when its tasks have ended.
-    pub fn step_tasks(&mut self) -> Outcome {
-        let outcome = self.cycle();
-        if self.schedule.is_within_cycle() {
-            return outcome;
+    pub fn step_tasks(&mut self) -> RunStatus {
+        let end = self.cycle();
+        if end.is_within_cycle() {
+            return end.into();
         }
-        let is_over = self.vm.tasks().is_empty().then_some(Outcome::Finished);
-        self.outcome(outcome, is_over)
+        let is_over = self.vm.tasks().is_empty().then_some(RunStatus::Finished);
+        self.status(end, is_over)
     }
 
-    /// Converts the outcome of a completed cycle to the outcome of the entire application.
-    fn outcome(&mut self, cycle: Outcome, is_over: Option<Outcome>) -> Outcome {
+    /// Returns the status of the run after a complete cycle.
+    fn status(&mut self, cycle: CycleEnd, is_over: Option<RunStatus>) -> RunStatus {
         match is_over {
-            _ if self.devices.take_missing_instruction() => Outcome::Lacking,
-            Some(outcome) => outcome,
-            None if self.is_stuck() => Outcome::Stuck,
-            None => cycle,
+            _ if self.devices.take_missing_instruction() => RunStatus::Unsupported,
+            Some(status) => status,
+            None if self.is_stuck() => RunStatus::Stuck,
+            None => cycle.into(),
         }
     }
 
-    fn end_of_application(&self) -> Outcome {
-        if self.stopped { Outcome::Stopped } else { Outcome::Finished }
+    fn end_of_application(&self) -> RunStatus {
+        if self.stopped { RunStatus::Stopped } else { RunStatus::Finished }
     }
 
     /// Begins a cycle, or resumes the cycle that is not complete.
-    fn cycle(&mut self) -> Outcome {
+    fn cycle(&mut self) -> CycleEnd {
         if !self.schedule.is_within_cycle() {
             let start = self.schedule.now;
             self.follow_operator(start);
@@ -267,12 +267,12 @@ impl Controller {
             self.devices.begin_cycle(start);
         }
         let end = self.schedule.cycle_end();
-        let outcome = self.schedule.cycle(&mut self.vm, &mut self.devices);
+        let cycle_end = self.schedule.cycle(&mut self.vm, &mut self.devices);
         if !self.schedule.is_within_cycle() {
             self.devices.end_cycle(end);
             self.react(end);
         }
-        outcome
+        cycle_end
     }
 
     /// Ends the run in the middle of a cycle: outputs and results of lines up to now are recorded.

@@ -2,9 +2,9 @@
 //!
 //! An event is one JSON object a line in the record. docs/events.md describes the stable format.
 
+use crate::run_status::RunStatus;
 use serde::{Deserialize, Serialize};
 use val3_lang::ports::{SECOND, Time};
-use val3_vm::Outcome;
 
 use crate::blend_ends::BlendEnds;
 use crate::sio::Entry;
@@ -238,7 +238,7 @@ pub enum EventKind {
     },
 }
 
-/// End reason in the record of a run: the serialised form of an [`Outcome`].
+/// End reason in the record of a run: the serialised form of a [`RunStatus`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EndReason {
@@ -254,16 +254,15 @@ pub enum EndReason {
     Refused,
 }
 
-impl From<Outcome> for EndReason {
-    fn from(outcome: Outcome) -> Self {
-        match outcome {
-            Outcome::Finished => Self::Finished,
-            Outcome::Limit => Self::Limit,
-            Outcome::Stopped | Outcome::Suspended | Outcome::AtStop(_) | Outcome::Seen(_) => Self::Stopped,
-            Outcome::Refused => Self::Refused,
-            Outcome::Stuck | Outcome::Lacking | Outcome::Failed(_) | Outcome::Halted => Self::Error,
+impl From<RunStatus> for EndReason {
+    fn from(status: RunStatus) -> Self {
+        match status {
+            RunStatus::Finished => Self::Finished,
+            RunStatus::Limit => Self::Limit,
+            RunStatus::Stopped | RunStatus::Suspended | RunStatus::AtStop(_) | RunStatus::Seen(_) => Self::Stopped,
+            RunStatus::Stuck | RunStatus::Unsupported => Self::Error,
             // The caller has ended a run that could continue.
-            Outcome::Busy | Outcome::Waiting(_) | Outcome::Pausing(_) => Self::Stopped,
+            RunStatus::Busy | RunStatus::Waiting(_) => Self::Stopped,
         }
     }
 }

@@ -9,6 +9,7 @@ pub mod event;
 pub mod files;
 pub mod inputs;
 pub mod io;
+mod run_status;
 pub mod screen;
 pub mod script;
 pub mod shapes;

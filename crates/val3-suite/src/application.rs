@@ -2,7 +2,7 @@
 
 use toml::Spanned;
 use val3_lang::ports::{TaskNumber, Time};
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 
 use crate::execute::{Supervision, wait};
 use crate::expect::{Cycle, Observer, written_page};
@@ -42,13 +42,13 @@ fn run(
     let until = scenario.run.until.as_ref().map(|until| until.get_ref().time());
     let name = task_name(controller, task).unwrap_or_default();
     let mut run = Run { controller, name, observer: scenario.observer(), journal: Journal::default(), killed: None };
-    let outcome = run.cycles(until.unwrap_or(limit), supervision.may_go_on)?;
+    let status = run.cycles(until.unwrap_or(limit), supervision.may_go_on)?;
     let Run { controller, observer, journal, killed, .. } = run;
     // An application may end itself in this way; then its expectations determine the result.
     let killed = killed.filter(|_| scenario.expectations.is_empty());
-    let has_ended = matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking);
+    let has_ended = matches!(status, RunStatus::Finished | RunStatus::Stopped | RunStatus::Unsupported);
     let endless = (until.is_none() && !has_ended)
-        .then_some(Unfinished { limit, has_time: outcome == Outcome::Limit })
+        .then_some(Unfinished { limit, has_time: status == RunStatus::Limit })
         .map(|unfinished| unfinished.failure(controller, task, supervision.conditions));
     let errors = observer.unexpected_errors().iter().cloned();
     let failures: Vec<Failure> =
@@ -87,28 +87,28 @@ struct Run<'c> {
 
 impl Run<'_> {
     /// Executes cycles until the application ends, nothing can happen any more, or the clock has reached `end`. Returns
-    /// the reason: [`Outcome::Stuck`] or [`Outcome::Limit`] if the application could not or did not end; `None` if it may
+    /// the reason: [`RunStatus::Stuck`] or [`RunStatus::Limit`] if the application could not or did not end; `None` if it may
     /// not go on.
-    fn cycles(&mut self, end: Time, may_go_on: &dyn Fn() -> bool) -> Option<Outcome> {
+    fn cycles(&mut self, end: Time, may_go_on: &dyn Fn() -> bool) -> Option<RunStatus> {
         self.controller.set_limit(Some(end));
         loop {
             let start = self.controller.now();
-            let outcome = self.controller.step();
-            let is_over = outcome == Outcome::Limit || self.controller.now() >= end;
+            let status = self.controller.step();
+            let is_over = status == RunStatus::Limit || self.controller.now() >= end;
             if is_over {
                 self.controller.break_off();
             }
             self.see(start);
-            match outcome {
-                Outcome::Finished | Outcome::Stopped | Outcome::Lacking => return Some(outcome),
-                _ if is_over => return Some(Outcome::Limit),
+            match status {
+                RunStatus::Finished | RunStatus::Stopped | RunStatus::Unsupported => return Some(status),
+                _ if is_over => return Some(RunStatus::Limit),
                 _ => {}
             }
             if !may_go_on() {
                 return None;
             }
-            if !wait(self.controller, outcome, self.observer.next_due(), end) {
-                return Some(Outcome::Stuck);
+            if !wait(self.controller, status, self.observer.next_due(), end) {
+                return Some(RunStatus::Stuck);
             }
         }
     }

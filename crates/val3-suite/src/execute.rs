@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use val3_lang::ports::{TaskNumber, Time};
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 use val3_session::{LineCondition, Pace};
 
 use crate::application;
@@ -66,7 +66,7 @@ fn execute_program(
     controller.set_limit(Some(end));
     loop {
         let start = controller.now();
-        let outcome = controller.step_tasks();
+        let status = controller.step_tasks();
         let events = controller.devices.take_events();
         stages.see(Cycle { start, events: &events, controller });
         if stages.follow(controller) != Transition::None {
@@ -75,7 +75,7 @@ fn execute_program(
         if !(supervision.may_go_on)() {
             return ControlFlow::Break(());
         }
-        let waits = wait(controller, outcome, stages.next_due(), end);
+        let waits = wait(controller, status, stages.next_due(), end);
         if !waits || controller.now() >= end {
             stages.give_up(controller, Unfinished { limit, has_time: waits }, supervision.conditions);
             stages.follow(controller);
@@ -86,11 +86,11 @@ fn execute_program(
 
 /// Advances the clock after a cycle until something can happen, a cycle is due, or the run ends. Returns whether anything
 /// can.
-pub(crate) fn wait(controller: &mut Controller, outcome: Outcome, due: Option<Time>, end: Time) -> bool {
+pub(crate) fn wait(controller: &mut Controller, status: RunStatus, due: Option<Time>, end: Time) -> bool {
     let pace = Pace { until: due.into_iter().chain([end]).min(), ..Pace::default() };
-    match outcome {
-        Outcome::Waiting(wake) => pace.wait(controller, wake).is_some(),
-        Outcome::Stuck => pace.wait_for_operator(controller).is_some(),
+    match status {
+        RunStatus::Waiting(wake) => pace.wait(controller, wake).is_some(),
+        RunStatus::Stuck => pace.wait_for_operator(controller).is_some(),
         _ => true,
     }
 }

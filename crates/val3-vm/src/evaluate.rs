@@ -14,7 +14,7 @@ use crate::instance::FRAGMENT;
 use crate::operands::{Scope, on_frame};
 use crate::task::{Base, Thread};
 use crate::turn_context::TurnContext;
-use crate::{Frame, Grant, Host, InstanceId, Outcome, Vm};
+use crate::{Frame, Grant, Host, InstanceId, TurnEnd, Vm};
 
 /// Context of a fragment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,7 +52,7 @@ pub enum FragmentEnd<T> {
     /// The host has interrupted statements.
     Interrupted,
     /// The fragment has reached an instruction that the controller does not support.
-    Lacking,
+    Unsupported,
     /// The task, stack frame, application or library does not exist.
     Gone,
 }
@@ -67,7 +67,7 @@ impl<T> FragmentEnd<T> {
             Self::Waiting => FragmentEnd::Waiting,
             Self::Limit => FragmentEnd::Limit,
             Self::Interrupted => FragmentEnd::Interrupted,
-            Self::Lacking => FragmentEnd::Lacking,
+            Self::Unsupported => FragmentEnd::Unsupported,
             Self::Gone => FragmentEnd::Gone,
         }
     }
@@ -173,30 +173,27 @@ impl FragmentRun<'_, '_> {
     fn execute(&mut self, thread: &mut Thread, grants: &mut dyn Iterator<Item = u32>) -> Result<FragmentEnd<Argument>> {
         loop {
             match self.context.interpret(thread)? {
-                Outcome::AtStop(_) if self.is_at_end(thread) => {
+                TurnEnd::AtStop(_) if self.is_at_end(thread) => {
                     return self.value().map(FragmentEnd::Value);
                 }
-                Outcome::Waiting(Some(wake)) | Outcome::Pausing(wake) => {
+                TurnEnd::Waiting(Some(wake)) | TurnEnd::Pausing(wake) => {
                     // Only the fragment's own clock advances.
                     self.context.end = self.context.end.max(wake);
                     thread.wait = None;
                 }
-                Outcome::Waiting(None) => return Ok(FragmentEnd::Waiting),
-                Outcome::Finished | Outcome::Halted => return Ok(FragmentEnd::Done),
+                TurnEnd::Waiting(None) => return Ok(FragmentEnd::Waiting),
+                TurnEnd::Finished | TurnEnd::Halted => return Ok(FragmentEnd::Done),
                 // An interrupt does not end an expression, because its number of lines is limited.
-                Outcome::Suspended if self.fragment.value.is_some() => {}
-                Outcome::Suspended => return Ok(FragmentEnd::Interrupted),
-                Outcome::Failed(fault) => return Ok(FragmentEnd::Failed(fault)),
-                Outcome::Lacking => return Ok(FragmentEnd::Lacking),
-                Outcome::Busy | Outcome::Limit => match grants.next() {
+                TurnEnd::Suspended if self.fragment.value.is_some() => {}
+                TurnEnd::Suspended => return Ok(FragmentEnd::Interrupted),
+                TurnEnd::Failed(fault) => return Ok(FragmentEnd::Failed(fault)),
+                TurnEnd::Unsupported => return Ok(FragmentEnd::Unsupported),
+                TurnEnd::Busy => match grants.next() {
                     Some(lines) => self.context.extend(lines),
                     None => return Ok(FragmentEnd::Limit),
                 },
                 // Breakpoints in called programs have no effect.
-                Outcome::AtStop(_) => {}
-                Outcome::Seen(_) | Outcome::Stuck | Outcome::Stopped | Outcome::Refused => {
-                    return Err(Fault::INTERPRETER);
-                }
+                TurnEnd::AtStop(_) => {}
             }
         }
     }

@@ -19,7 +19,7 @@ use crate::operands::{Scope, located};
 use crate::registers::{FixedRegisters, Registers};
 use crate::task::Thread;
 use crate::turn_context::TurnContext;
-use crate::{Frame, Instance, Outcome};
+use crate::{Frame, Instance, TurnEnd};
 
 /// Position of the interpreter, and the remaining budget.
 pub(crate) struct Cursor {
@@ -37,7 +37,7 @@ pub(crate) enum Leave {
     /// libraries.
     Elsewhere,
     /// The turn has ended.
-    Turn(Outcome),
+    Turn(TurnEnd),
 }
 
 /// Returns a local container or a library's container; `None` if it does not exist. These are rarer than global data
@@ -58,7 +58,7 @@ fn container(kind: ContainerKind, frame: &Frame, parts: &[StoreId], instance: &I
 
 impl TurnContext<'_> {
     /// Executes lines until the budget is used up or the turn ends.
-    pub(crate) fn interpret(&mut self, thread: &mut Thread) -> Result<Outcome> {
+    pub(crate) fn interpret(&mut self, thread: &mut Thread) -> Result<TurnEnd> {
         loop {
             // An instruction that loads a library replaces the instances, and `instances` becomes stale.
             let instances = Arc::clone(&self.space.instances);
@@ -204,9 +204,9 @@ impl TurnContext<'_> {
                 LineMark::Within => {}
                 LineMark::CountedSide(counter) => self.space.counts.add(instance.first_counter, program, counter),
                 LineMark::Line | LineMark::Stop | LineMark::CountedLine(_) => {
-                    let Some(left) = at.budget.checked_sub(1) else { return Ok(Leave::Turn(Outcome::Busy)) };
+                    let Some(left) = at.budget.checked_sub(1) else { return Ok(Leave::Turn(TurnEnd::Busy)) };
                     if step.mark == LineMark::Stop && thread.meets_stop() {
-                        return Ok(Leave::Turn(Outcome::AtStop(self.task)));
+                        return Ok(Leave::Turn(TurnEnd::AtStop(self.task)));
                     }
                     if let LineMark::CountedLine(counter) = step.mark {
                         self.space.counts.add(instance.first_counter, program, counter);
@@ -415,7 +415,7 @@ impl TurnContext<'_> {
                     leave(&mut self.space.memory, &frame.base);
                     let [.., caller, _] = thread.frames.as_slice() else {
                         // The frame remains, because it contains the position at which the task ended.
-                        return Ok(Leave::Turn(Outcome::Finished));
+                        return Ok(Leave::Turn(TurnEnd::Finished));
                     };
                     (at.next, at.line) = (frame.back as usize, frame.back_line);
                     let caller = *caller;
@@ -425,7 +425,7 @@ impl TurnContext<'_> {
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     if let Some(leave) = outside!(self.instruction(thread, scope!(), (&frame, at.line), site))? {
-                        at.next -= usize::from(matches!(leave, Leave::Turn(Outcome::Waiting(_))));
+                        at.next -= usize::from(matches!(leave, Leave::Turn(TurnEnd::Waiting(_))));
                         return Ok(leave);
                     }
                 }
@@ -437,14 +437,14 @@ impl TurnContext<'_> {
                     if nums.get(condition)? == 0.0 {
                         thread.wait = Some(Wait::default());
                         at.next = retry as usize;
-                        return Ok(Leave::Turn(Outcome::Waiting(None)));
+                        return Ok(Leave::Turn(TurnEnd::Waiting(None)));
                     }
                 }
                 Op::Watch { to, condition, seconds, retry } => {
                     let (holds, seconds) = (nums.get(condition)? != 0.0, nums.get(seconds)?);
                     let Some(answer) = outside!(self.watch(thread, holds, seconds)) else {
                         at.next = retry as usize;
-                        return Ok(Leave::Turn(Outcome::Waiting(thread.wait.and_then(|wait| wait.wake))));
+                        return Ok(Leave::Turn(TurnEnd::Waiting(thread.wait.and_then(|wait| wait.wake))));
                     };
                     nums.set(to, truth(answer))?;
                 }

@@ -12,7 +12,7 @@ use crate::operands::Scope;
 use crate::services::{Changes, Services};
 use crate::task::Thread;
 use crate::turn_context::TurnContext;
-use crate::{Frame, Outcome, TaskState};
+use crate::{Frame, TaskState, TurnEnd};
 
 impl TurnContext<'_> {
     /// Executes an instruction; `Some` if the interpreter has to leave the program afterwards.
@@ -27,7 +27,7 @@ impl TurnContext<'_> {
         self.ports.origin(self.origin(now, frame, line));
         let Some(Handler(run)) = site.run else {
             self.ports.lacking(site.callee.name());
-            return Ok(Some(Leave::Turn(Outcome::Lacking)));
+            return Ok(Some(Leave::Turn(TurnEnd::Unsupported)));
         };
         let memory = &self.space.memory;
         let mut arguments = SmallVec::<[Argument; 4]>::new();
@@ -64,22 +64,22 @@ impl TurnContext<'_> {
             Flow::Wait(wait) => {
                 thread.waiting = Some(Waiting::then(thread.waiting, wait, now));
                 thread.wait = Some(wait);
-                return Ok(Some(Leave::Turn(Outcome::Waiting(wait.wake))));
+                return Ok(Some(Leave::Turn(TurnEnd::Waiting(wait.wake))));
             }
         }
-        let stop = if is_stopped { Some(Outcome::Halted) } else { self.pause(thread, now) };
+        let stop = if is_stopped { Some(TurnEnd::Halted) } else { self.pause(thread, now) };
         Ok(stop.map(Leave::Turn).or(leave))
     }
 
     /// Ends the turn after an instruction that used time outside the program, or suspends it if the host interrupts.
-    fn pause(&mut self, thread: &mut Thread, now: Time) -> Option<Outcome> {
+    fn pause(&mut self, thread: &mut Thread, now: Time) -> Option<TurnEnd> {
         let elapsed = self.ports.take_elapsed();
         if elapsed == 0 {
-            return self.ports.is_interrupted().then_some(Outcome::Suspended);
+            return self.ports.is_interrupted().then_some(TurnEnd::Suspended);
         }
         let wake = now.saturating_add(elapsed);
         thread.wait = Some(Wait { wake: Some(wake), sleeps: true, part: 0 });
-        Some(Outcome::Pausing(wake))
+        Some(TurnEnd::Pausing(wake))
     }
 
     /// Whether the task has halted or killed itself.

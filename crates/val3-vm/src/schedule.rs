@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 
 use val3_lang::ports::{TaskNumber, Time};
 
-use crate::{Host, Outcome, TurnReport, Vm};
+use crate::{CycleEnd, Host, TurnEnd, TurnReport, Vm};
 use asynchronous::Rounds;
 use synchronous::DueTasks;
 
@@ -39,7 +39,7 @@ pub struct Schedule {
     cycle: Option<Cycle>,
 }
 
-/// Events at which a cycle stops with [`Outcome::Seen`], so that the caller can inspect a task.
+/// Events at which a cycle stops with [`CycleEnd::Seen`], so that the caller can inspect a task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Watch {
     /// None.
@@ -61,8 +61,8 @@ struct Cycle {
     rounds: Option<Rounds>,
 }
 
-/// Result for a part of a cycle: the cycle continues, or stops with an outcome.
-type Flow = ControlFlow<Outcome>;
+/// Result for a part of a cycle: the cycle continues, or ends.
+type Flow = ControlFlow<CycleEnd>;
 
 impl Schedule {
     /// Creates a scheduler with the clock at 0.
@@ -93,20 +93,20 @@ impl Schedule {
 
     /// Runs tasks until the end of the cycle. The last turn may exceed the end by part of a line.
     ///
-    /// After an outcome [within the cycle](Outcome::is_within_cycle) the next call resumes it. The cycle then executes
+    /// After an end [within the cycle](CycleEnd::is_within_cycle) the next call resumes it. The cycle then executes
     /// the same lines at the same times as without the stop.
-    pub fn cycle(&mut self, vm: &mut Vm, host: &mut dyn Host) -> Outcome {
+    pub fn cycle(&mut self, vm: &mut Vm, host: &mut dyn Host) -> CycleEnd {
         let mut cycle = self.cycle.take().unwrap_or_else(|| self.begin(vm));
-        let outcome = match self.resume(&mut cycle, vm, host) {
-            Flow::Break(outcome) => outcome,
-            Flow::Continue(()) => Outcome::Busy,
+        let end = match self.resume(&mut cycle, vm, host) {
+            Flow::Break(end) => end,
+            Flow::Continue(()) => CycleEnd::Busy,
         };
-        if outcome.is_within_cycle() {
+        if end.is_within_cycle() {
             self.cycle = Some(cycle);
-            return outcome;
+            return end;
         }
         self.now = self.now.max(cycle.end);
-        if cycle.has_due_tasks { Outcome::Busy } else { outcome }
+        if cycle.has_due_tasks { CycleEnd::Busy } else { end }
     }
 
     fn begin(&self, vm: &Vm) -> Cycle {
@@ -116,7 +116,7 @@ impl Schedule {
 
     fn resume(&mut self, cycle: &mut Cycle, vm: &mut Vm, host: &mut dyn Host) -> Flow {
         if self.tasks_rest {
-            return Flow::Break(Outcome::Waiting(None));
+            return Flow::Break(CycleEnd::Waiting(None));
         }
         if cycle.rounds.is_none() {
             self.synchronous(&mut cycle.due, vm, host)?;
@@ -142,26 +142,26 @@ impl Schedule {
 
     /// Stops the cycle after a turn that the caller watches.
     fn check_watch(&self, task: TaskNumber, turn: &TurnReport) -> Flow {
-        let is_seen = match (self.watch, turn.outcome) {
+        let is_seen = match (self.watch, turn.end) {
             (Watch::Nothing, _) => false,
-            (_, Outcome::Failed(_)) => true,
+            (_, TurnEnd::Failed(_)) => true,
             (Watch::Failures, _) => false,
-            (Watch::Lines, outcome) => turn.lines > 0 || outcome == Outcome::Busy,
+            (Watch::Lines, end) => turn.lines > 0 || end == TurnEnd::Busy,
         };
-        if is_seen { Flow::Break(Outcome::Seen(task)) } else { Flow::Continue(()) }
+        if is_seen { Flow::Break(CycleEnd::Seen(task)) } else { Flow::Continue(()) }
     }
 
     /// Stops the cycle between two turns if the host interrupts it or the limit of the run is reached.
     fn check_interrupts(&self, host: &dyn Host) -> Flow {
         if host.is_interrupted() {
-            return Flow::Break(Outcome::Suspended);
+            return Flow::Break(CycleEnd::Suspended);
         }
         self.check_limit()
     }
 
     fn check_limit(&self) -> Flow {
         if self.limit.is_some_and(|limit| self.now >= limit) {
-            return Flow::Break(Outcome::Limit);
+            return Flow::Break(CycleEnd::Limit);
         }
         Flow::Continue(())
     }

@@ -1,15 +1,15 @@
 //! Lines that a task may execute, and the result of a turn (5.4).
 
-use crate::Outcome;
+use crate::TurnEnd;
 
 /// Result of a turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TurnReport {
-    /// Reason why the turn has stopped.
-    pub outcome: Outcome,
+    /// Reason why the turn has ended.
+    pub end: TurnEnd,
     /// Number of executed lines.
     pub lines: u32,
-    /// Number of remaining lines after [`Busy`](Outcome::Busy) or [`Suspended`](Outcome::Suspended); otherwise 0.
+    /// Number of remaining lines after [`Busy`](TurnEnd::Busy) or [`Suspended`](TurnEnd::Suspended); otherwise 0.
     pub left: u32,
     /// Whether the task has read the clock.
     pub reads_clock: bool,

@@ -11,7 +11,7 @@ use crate::enter::leave;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, TASK_BYTES, Thread};
 use crate::turn_context::TurnContext;
-use crate::{Grant, Host, InstanceId, Outcome, Rate, Space, Task, TaskState, TurnReport};
+use crate::{Grant, Host, InstanceId, Rate, Space, Task, TaskState, TurnEnd, TurnReport};
 
 /// The virtual machine: applications and libraries in memory, and their tasks.
 #[derive(Debug, Clone, Default)]
@@ -90,23 +90,23 @@ impl Vm {
         (now, line_cost): (Time, Time),
         host: &mut dyn Host,
     ) -> TurnReport {
-        let nothing = TurnReport { outcome: Outcome::Waiting(None), lines: 0, left: 0, reads_clock: false };
+        let nothing = TurnReport { end: TurnEnd::Waiting(None), lines: 0, left: 0, reads_clock: false };
         let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) else { return nothing };
         let stack_size = task.stack_size;
         let mut thread = std::mem::replace(&mut task.thread, self.idle.take().unwrap_or_default());
         thread.wait = None;
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
         let mut context = self.turn_context(id, grant, (now, line_cost), stack_size, host);
-        let outcome = context.interpret(&mut thread).unwrap_or_else(Outcome::Failed);
+        let end = context.interpret(&mut thread).unwrap_or_else(TurnEnd::Failed);
         if let Some(frame) = thread.frames.last() {
             context.ports.origin(context.origin(context.now(), frame, thread.line));
         }
         let lines = context.granted - context.budget;
-        let is_unfinished = matches!(outcome, Outcome::Busy | Outcome::Suspended | Outcome::AtStop(_));
+        let is_unfinished = matches!(end, TurnEnd::Busy | TurnEnd::Suspended | TurnEnd::AtStop(_));
         let left = if is_unfinished { grant.left(lines) } else { 0 };
-        let report = TurnReport { outcome, lines, left, reads_clock: context.reads_clock };
+        let report = TurnReport { end, lines, left, reads_clock: context.reads_clock };
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
-        self.settle(id, thread, outcome, host);
+        self.settle(id, thread, end, host);
         report
     }
 
@@ -135,20 +135,20 @@ impl Vm {
     }
 
     /// Returns the thread to its task after the turn.
-    fn settle(&mut self, id: TaskNumber, mut thread: Box<Thread>, outcome: Outcome, host: &mut dyn Host) {
+    fn settle(&mut self, id: TaskNumber, mut thread: Box<Thread>, end: TurnEnd, host: &mut dyn Host) {
         let Some(at) = self.roster.position(id) else { return };
         let Some(task) = self.roster.tasks.get_mut(at) else { return };
-        match outcome {
-            Outcome::Failed(fault) => {
+        match end {
+            TurnEnd::Failed(fault) => {
                 task.state = TaskState::Failed(fault);
                 thread.go_to_line(thread.line);
                 host.task(id, &task.name, TaskChange::Failed(fault), None);
             }
-            Outcome::Lacking => task.state = TaskState::Failed(Fault::INTERPRETER),
+            TurnEnd::Unsupported => task.state = TaskState::Failed(Fault::INTERPRETER),
             _ => {}
         }
         self.idle = Some(std::mem::replace(&mut task.thread, thread));
-        if outcome == Outcome::Finished
+        if end == TurnEnd::Finished
             && let Some(task) = self.roster.end(at)
         {
             host.task(id, &task.name, TaskChange::Ended, None);

@@ -91,7 +91,7 @@ fn is_option(text: &str) -> bool {
     known.is_some_and(|mut known| known.any(|option| option.get_long() == Some(name)))
 }
 
-/// Outcome of a text.
+/// RunStatus of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum TextOutcome {
     /// The text was evaluated.
@@ -138,8 +138,8 @@ fn command(evaluator: &Evaluator, text: &str, color: Color) -> Result<Option<Tex
 
 /// Evaluates one text and shows its results as they arrive.
 fn evaluate(evaluator: &mut Evaluator, text: &str, color: Color) -> Result<TextOutcome, UserError> {
-    if let Some(outcome) = command(evaluator, text, color)? {
-        return Ok(outcome);
+    if let Some(status) = command(evaluator, text, color)? {
+        return Ok(status);
     }
     let mut display = Display { text, color, shown: Ok(TextOutcome::Sound) };
     evaluator.evaluate(text, &mut display);
@@ -150,7 +150,7 @@ fn evaluate(evaluator: &mut Evaluator, text: &str, color: Color) -> Result<TextO
 struct Display<'t> {
     text: &'t str,
     color: Color,
-    /// Outcome so far, or a write error.
+    /// RunStatus so far, or a write error.
     shown: Result<TextOutcome, UserError>,
 }
 

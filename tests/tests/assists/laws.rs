@@ -59,7 +59,7 @@ const MAY_COME: [(&str, &str); 16] = [
 
 /// Result at one range.
 #[derive(Debug, Default)]
-pub(crate) struct Outcome {
+pub(crate) struct RunStatus {
     /// Broken laws.
     pub(crate) failures: Vec<String>,
     /// Texts of the edits, if there are failures.
@@ -92,19 +92,19 @@ impl Laws {
     }
 
     /// Applies the assist `id` at a range, and then its inverse.
-    pub(crate) fn check(&mut self, id: &str, place: FileRange) -> Outcome {
-        let mut outcome = Outcome::default();
+    pub(crate) fn check(&mut self, id: &str, place: FileRange) -> RunStatus {
+        let mut status = RunStatus::default();
         let Some(change) = resolve_assist(self.cell.db(), id, place) else {
-            outcome.failures.push("it is offered and changes nothing".to_owned());
-            return outcome;
+            status.failures.push("it is offered and changes nothing".to_owned());
+            return status;
         };
-        if let Err(failure) = self.judge(id, place, &change, &mut outcome) {
-            outcome.failures.push(failure);
+        if let Err(failure) = self.judge(id, place, &change, &mut status) {
+            status.failures.push(failure);
         }
-        if !outcome.failures.is_empty() {
-            outcome.texts = change.edits.into_iter().map(|edit| edit.text).collect();
+        if !status.failures.is_empty() {
+            status.texts = change.edits.into_iter().map(|edit| edit.text).collect();
         }
-        outcome
+        status
     }
 
     fn judge(
@@ -112,26 +112,26 @@ impl Laws {
         id: &str,
         place: FileRange,
         change: &SourceChange,
-        outcome: &mut Outcome,
+        status: &mut RunStatus,
     ) -> Result<(), String> {
-        outcome.failures.extend(self.lost(change)?);
-        outcome.failures.extend(self.undo_differs(change)?);
+        status.failures.extend(self.lost(change)?);
+        status.failures.extend(self.undo_differs(change)?);
         let laid_out: Vec<File> =
             change.edits.iter().map(|edit| edit.file).filter(|file| self.keeps_layout(id, *file)).collect();
         let before = self.cell.apply(change)?;
-        outcome.failures.extend(change.new_name.and_then(|name| self.not_renamed(name)));
+        status.failures.extend(change.new_name.and_then(|name| self.not_renamed(name)));
         let disordered = laid_out.into_iter().find(|file| !self.is_laid_out(*file));
-        outcome.failures.extend(disordered.map(|file| format!("another layout: {}", file.path(self.cell.db()))));
+        status.failures.extend(disordered.map(|file| format!("another layout: {}", file.path(self.cell.db()))));
         let (old, new) = (comparable(id, &self.findings), comparable(id, &self.cell.findings()));
         let added = surplus(&new, &old).into_iter().filter(|found| !may_come(id, found));
-        outcome.failures.extend(added.map(|finding| format!("new finding: {finding}")));
-        outcome.removed = surplus(&old, &new);
+        status.failures.extend(added.map(|finding| format!("new finding: {finding}")));
+        status.removed = surplus(&old, &new);
         let inverse = INVERSES.iter().find(|(one, _)| *one == id).map(|(_, inverse)| *inverse);
         if let Some(inverse) = inverse {
             let places = return_places(place, change);
-            outcome.returned = self.returns(inverse, &places, &before);
-            if outcome.returned.is_some_and(|returned| returned < required(id)) {
-                outcome.failures.push(format!("`{inverse}` does not give back every byte"));
+            status.returned = self.returns(inverse, &places, &before);
+            if status.returned.is_some_and(|returned| returned < required(id)) {
+                status.failures.push(format!("`{inverse}` does not give back every byte"));
             }
         }
         self.cell.restore(&before);

@@ -14,7 +14,7 @@ use camino::Utf8PathBuf;
 use val3_analysis::db::FileRange;
 
 use crate::assists::edited_cell::{EditedCell, Files};
-use crate::assists::laws::{Laws, Outcome, Returned, has_inverse};
+use crate::assists::laws::{Laws, Returned, RunStatus, has_inverse};
 use crate::assists::places::offering;
 use crate::assists::task_names;
 
@@ -45,9 +45,9 @@ fn the_laws_hold_in_public_programs() {
 
 /// Prints an assist's row and failures, and returns the number of failed ranges.
 fn report(laws: &mut Laws, id: &str, places: &[FileRange]) -> usize {
-    let outcomes: Vec<(FileRange, Outcome)> = places.iter().map(|place| (*place, laws.check(id, *place))).collect();
-    let failed = outcomes.iter().filter(|(_, outcome)| !outcome.failures.is_empty()).count();
-    let back = |wanted| outcomes.iter().filter(|(_, outcome)| outcome.returned == Some(wanted)).count();
+    let outcomes: Vec<(FileRange, RunStatus)> = places.iter().map(|place| (*place, laws.check(id, *place))).collect();
+    let failed = outcomes.iter().filter(|(_, status)| !status.failures.is_empty()).count();
+    let back = |wanted| outcomes.iter().filter(|(_, status)| status.returned == Some(wanted)).count();
     println!(
         "| {id} | {} places | {failed} failed | returned: {} bytes, {} lines, {} other | findings gone: {} |",
         outcomes.len(),
@@ -56,12 +56,12 @@ fn report(laws: &mut Laws, id: &str, places: &[FileRange]) -> usize {
         back(Returned::Other),
         gone(&outcomes),
     );
-    for (place, outcome) in outcomes.iter().filter(|(_, outcome)| !outcome.failures.is_empty()).take(SHOWN) {
+    for (place, status) in outcomes.iter().filter(|(_, status)| !status.failures.is_empty()).take(SHOWN) {
         println!("    {}", shown(&laws.cell, *place));
-        outcome.failures.iter().take(SHOWN).for_each(|failure| println!("        {failure}"));
-        outcome.texts.iter().take(SHOWN).for_each(|text| println!("        edit: {text:?}"));
+        status.failures.iter().take(SHOWN).for_each(|failure| println!("        {failure}"));
+        status.texts.iter().take(SHOWN).for_each(|text| println!("        edit: {text:?}"));
     }
-    let stuck = outcomes.iter().filter(|(_, outcome)| has_inverse(id) && outcome.returned.is_none());
+    let stuck = outcomes.iter().filter(|(_, status)| has_inverse(id) && status.returned.is_none());
     stuck.take(SHOWN).for_each(|(place, _)| println!("    no way back: {}", shown(&laws.cell, *place)));
     failed
 }
@@ -85,9 +85,9 @@ fn report_tasks(laws: &mut Laws) -> usize {
 }
 
 /// Formats the codes of the removed findings with their numbers.
-fn gone(outcomes: &[(FileRange, Outcome)]) -> String {
+fn gone(outcomes: &[(FileRange, RunStatus)]) -> String {
     let mut codes: BTreeMap<&str, usize> = BTreeMap::new();
-    let removed = outcomes.iter().flat_map(|(_, outcome)| &outcome.removed);
+    let removed = outcomes.iter().flat_map(|(_, status)| &status.removed);
     removed.for_each(|finding| *codes.entry(finding.split(' ').next().unwrap_or("")).or_default() += 1);
     codes.into_iter().map(|(code, count)| format!("{code} {count} ")).collect()
 }

@@ -11,7 +11,7 @@ use val3_analysis::problem::ProblemKind;
 use val3_analysis::system::Memory;
 use val3_bytecode::Image;
 use val3_lang::ports::Time;
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, EventKind};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -130,8 +130,8 @@ pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Cont
         let step = controller.step();
         events.extend(controller.devices.take_events());
         match step {
-            outcome if outcome.is_final() => return events,
-            Outcome::Waiting(Some(wake)) if !controller.hears_outside() => controller.jump(wake),
+            status if status.is_final() => return events,
+            RunStatus::Waiting(Some(wake)) if !controller.hears_outside() => controller.jump(wake),
             _ => {}
         }
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use expect_test::{Expect, expect};
 use val3_bytecode::Image;
 use val3_lang::ports::Time;
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, EventKind};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -46,8 +46,8 @@ pub(crate) fn rest(controller: &mut Controller) -> Vec<Event> {
         let step = controller.step();
         events.extend(controller.devices.take_events());
         match step {
-            outcome if outcome.is_final() => return events,
-            Outcome::Waiting(Some(wake)) => controller.jump(wake),
+            status if status.is_final() => return events,
+            RunStatus::Waiting(Some(wake)) => controller.jump(wake),
             _ => {}
         }
     }

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_machine::event::EventKind;
 
 use crate::cell::Cell;
@@ -261,13 +261,13 @@ fn stops_at_its_limit(start: &str) {
     let cell = Cell::new(&format!("{WRITING}program start()\nbegin\n{start}\nend\n"));
     let mut controller = cell.controller();
     controller.set_limit(Some(LIMIT));
-    while controller.step() != Outcome::Limit {}
+    while controller.step() != RunStatus::Limit {}
     let written =
         controller.devices.take_events().iter().filter(|event| matches!(event.kind, EventKind::Print { .. })).count();
     assert!((LIMIT..LIMIT + 200_000).contains(&controller.now()), "{}", controller.now());
     assert!((9..50).contains(&written), "{written}");
     controller.set_limit(Some(2 * LIMIT));
-    while controller.step() != Outcome::Limit {}
+    while controller.step() != RunStatus::Limit {}
     assert!(controller.now() >= 2 * LIMIT);
 }
 

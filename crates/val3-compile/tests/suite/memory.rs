@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_compile::Limit;
 use val3_lang::memory::MEMORY;
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::event::EventKind;
 
 use crate::execution::{LINE_COST, started};
@@ -34,8 +34,8 @@ fn run(controller: &mut Controller) -> String {
             }
         }
         match step {
-            outcome if outcome.is_final() => return shown,
-            Outcome::Waiting(Some(wake)) => controller.jump(wake),
+            status if status.is_final() => return shown,
+            RunStatus::Waiting(Some(wake)) => controller.jump(wake),
             _ => {}
         }
     }

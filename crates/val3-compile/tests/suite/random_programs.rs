@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering::Relaxed;
 
 use proptest::prelude::*;
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_machine::event::Event;
 
 use crate::execution::{LINE_COST, events, rest, run_at, started};
@@ -217,11 +217,11 @@ proptest! {
             let (time, is_interrupted) = stops.next().unwrap();
             controller.set_limit(Some(controller.now() + time));
             controller.devices.interrupt.store(is_interrupted, Relaxed);
-            let outcome = controller.step();
+            let status = controller.step();
             resumed.append(&mut controller.devices.take_events());
-            match outcome {
-                Outcome::Waiting(Some(wake)) => controller.jump(wake),
-                outcome if outcome.is_final() => break,
+            match status {
+                RunStatus::Waiting(Some(wake)) => controller.jump(wake),
+                status if status.is_final() => break,
                 _ => {}
             }
         }

@@ -5,7 +5,7 @@ use val3_debug::{
     Breakpoint, BreakpointId, Debugger, Errors, HitCondition, PastLimits, Progress, StepKind, Stop, frames,
 };
 use val3_lang::ports::TaskNumber;
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_session::Pace;
 use val3_tests::running::Running;
 
@@ -46,10 +46,10 @@ pub(crate) fn run(debugger: &mut Debugger) -> Option<Stop> {
     for _ in 0..1_000_000 {
         match debugger.advance() {
             Progress::Stopped(stop) => return Some(stop),
-            Progress::Ran(Outcome::Waiting(wake)) => {
+            Progress::Ran(RunStatus::Waiting(wake)) => {
                 Pace::default().wait(&mut debugger.controller, wake)?;
             }
-            Progress::Ran(outcome) if outcome.is_final() => return None,
+            Progress::Ran(status) if status.is_final() => return None,
             Progress::Ran(_) => {}
         }
     }

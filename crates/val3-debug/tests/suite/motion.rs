@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use val3_debug::{Breakpoint, BreakpointId, Debugger, MotionStop, PastLimits, Progress, StepKind, Stop, frames};
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::{ArmHold, MotionMode, MoveStage};
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_session::Pace;
 use val3_tests::running::Running;
 
@@ -69,10 +69,10 @@ fn run(debugger: &mut Debugger) -> Option<Stop> {
     for _ in 0..100_000 {
         match debugger.advance() {
             Progress::Stopped(stop) => return Some(stop),
-            Progress::Ran(Outcome::Waiting(wake)) => {
+            Progress::Ran(RunStatus::Waiting(wake)) => {
                 Pace::default().wait(&mut debugger.controller, wake)?;
             }
-            Progress::Ran(outcome) if outcome.is_final() => return None,
+            Progress::Ran(status) if status.is_final() => return None,
             Progress::Ran(_) => {}
         }
     }

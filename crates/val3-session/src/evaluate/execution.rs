@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering::Relaxed;
 
 use val3_bytecode::Image;
 use val3_lang::ports::TaskNumber;
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 use val3_vm::TaskState;
 
 use super::answer::EvaluationOutput;
@@ -65,13 +65,13 @@ impl Execution {
     /// Runs until the task has ended. Returns the reason if it did not reach its end.
     fn run_task(&mut self, task: TaskNumber, is_string: bool, listener: &mut dyn Listener) -> Option<String> {
         let end = loop {
-            let outcome = self.controller.step_tasks();
+            let status = self.controller.step_tasks();
             let events = self.controller.devices.take_events();
             let mut answers = events.iter().filter_map(|event| EvaluationOutput::of(event, is_string));
             if answers.try_for_each(|answer| listener.answer(&answer)).is_break() {
                 break None;
             }
-            match self.next(task, outcome) {
+            match self.next(task, status) {
                 ControlFlow::Continue(delay) => listener.wait(delay),
                 ControlFlow::Break(end) => break end,
             }
@@ -83,17 +83,17 @@ impl Execution {
 
     /// Advances the time to the next possible event. `Break` if the evaluation has ended, with the reason if it did not
     /// reach its end.
-    fn next(&mut self, task: TaskNumber, outcome: Outcome) -> ControlFlow<Option<String>, Delay> {
+    fn next(&mut self, task: TaskNumber, status: RunStatus) -> ControlFlow<Option<String>, Delay> {
         let state = self.controller.vm.tasks().iter().find(|known| known.id == task).map(|task| task.state);
-        let delay = match (state, outcome) {
+        let delay = match (state, status) {
             (None | Some(TaskState::Failed(_)), _) => return ControlFlow::Break(None),
             _ if self.interrupt.swap(false, Relaxed) => return ControlFlow::Break(Some("interrupted".to_owned())),
-            (_, Outcome::Lacking) => {
+            (_, RunStatus::Unsupported) => {
                 self.controller.kill_tasks();
                 return ControlFlow::Break(None);
             }
-            (_, Outcome::Waiting(wake)) => self.pace.wait(&mut self.controller, wake),
-            (_, outcome) if outcome.is_final() => None,
+            (_, RunStatus::Waiting(wake)) => self.pace.wait(&mut self.controller, wake),
+            (_, status) if status.is_final() => None,
             _ => Some(self.pace.follow(&self.controller)),
         };
         match delay {

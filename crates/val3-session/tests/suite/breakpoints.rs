@@ -4,7 +4,7 @@ use val3_debug::{
     Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Debugger, Format, PastLimits, ProgramBreakpoint, Progress,
     StepKind, Stop, WatchedData,
 };
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_session::{FrameEvaluator, Pace, Purpose};
 use val3_tests::running::{Running, application};
 use val3_vm::FragmentContext;
@@ -43,8 +43,8 @@ fn run(debugger: &mut Debugger) -> Option<Stop> {
     loop {
         match debugger.advance() {
             Progress::Stopped(stop) => return Some(stop),
-            Progress::Ran(outcome) if outcome.is_final() => return None,
-            Progress::Ran(Outcome::Waiting(wake)) => {
+            Progress::Ran(status) if status.is_final() => return None,
+            Progress::Ran(RunStatus::Waiting(wake)) => {
                 Pace::default().wait(&mut debugger.controller, wake)?;
             }
             Progress::Ran(_) => {}

@@ -23,11 +23,11 @@ fn two_boxes(is_counted: bool) -> (String, Controller) {
     controller.set_limit(pace.until);
     let mut record = String::new();
     while controller.now() < 11 * SECOND {
-        let outcome = controller.step();
+        let status = controller.step();
         for event in controller.devices.take_events() {
             record += &(serde_json::to_string(&event).unwrap() + "\n");
         }
-        if let val3_machine::controller::Outcome::Waiting(wake) = outcome {
+        if let val3_machine::controller::RunStatus::Waiting(wake) = status {
             let _ = pace.wait(&mut controller, wake);
         }
     }

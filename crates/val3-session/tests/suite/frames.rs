@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 use val3_debug::{Errors, Format, Progress, Stop};
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_session::{EvaluationError, Pace, Purpose};
 use val3_vm::FragmentContext;
 
@@ -276,10 +276,10 @@ fn the_run_does_not_notice_evaluations() {
                         assert_eq!(before, format!("{:?}", stopped.debugger.controller.vm.tasks()));
                     }
                 }
-                Progress::Ran(Outcome::Waiting(wake)) => {
+                Progress::Ran(RunStatus::Waiting(wake)) => {
                     Pace::default().wait(&mut stopped.debugger.controller, wake);
                 }
-                Progress::Ran(outcome) if outcome.is_final() => break,
+                Progress::Ran(status) if status.is_final() => break,
                 Progress::Ran(_) => {}
             }
             events.append(&mut stopped.debugger.controller.devices.take_events());
@@ -312,7 +312,7 @@ fn statements_may_stop_tasks() {
     assert_eq!(stopped.execute("taskKill(\"main~\")\n? nCount"), "3");
     assert_eq!(stopped.watch("nCount"), "the stack frame no longer exists");
     let outcomes: Vec<_> = (0..5).map(|_| stopped.debugger.advance()).collect();
-    assert!(outcomes.contains(&Progress::Ran(Outcome::Finished)), "{outcomes:?}");
+    assert!(outcomes.contains(&Progress::Ran(RunStatus::Finished)), "{outcomes:?}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use val3_analysis::system::Disk;
 use val3_debug::{Debugger, Progress, Stop};
 use val3_lang::ports::SECOND;
 use val3_machine::arm::MotionMode;
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_machine::script::Script;
 use val3_session::{Application, ControllerSettings, Pace, Tape};
 
@@ -34,8 +34,8 @@ fn the_palletiser_steps_from_move_to_move() {
                 let source = found.source.unwrap();
                 *arrivals.entry(source.program).or_default() += 1;
             }
-            Progress::Ran(Outcome::Waiting(wake)) => drop(Pace::default().wait(&mut debugger.controller, wake)),
-            Progress::Ran(outcome) => assert!(!outcome.is_final(), "{outcome:?}"),
+            Progress::Ran(RunStatus::Waiting(wake)) => drop(Pace::default().wait(&mut debugger.controller, wake)),
+            Progress::Ran(status) => assert!(!status.is_final(), "{status:?}"),
             Progress::Stopped(stop) => panic!("{stop:?}"),
         }
     }

@@ -1,5 +1,5 @@
 use serde_json::{Value, json};
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_tests::running::Running;
 
 use super::*;
@@ -45,7 +45,7 @@ fn run(listing: &str) -> Vec<Message> {
     let mut feed = Feed::new(&controller, Role::Operator);
     while controller.now() < 1_000_000_000 {
         let start = controller.now();
-        if let Outcome::Waiting(Some(wake)) = controller.step() {
+        if let RunStatus::Waiting(Some(wake)) = controller.step() {
             controller.jump(wake.min(start + CYCLE));
         }
         let events = controller.devices.take_events();
@@ -139,7 +139,7 @@ fn tools_have_the_name_of_their_data() {
     let mut feed = Feed::new(&running.controller, Role::Operator);
     while running.controller.now() < 2_000_000_000 {
         let start = running.controller.now();
-        if let Outcome::Waiting(Some(wake)) = running.controller.step() {
+        if let RunStatus::Waiting(Some(wake)) = running.controller.step() {
             running.controller.jump(wake.min(start + CYCLE));
         }
         feed.see(start, &[], &running.controller);

@@ -3,7 +3,7 @@
 use val3_lang::ports::{TaskNumber, Time};
 
 use super::{Flow, Schedule};
-use crate::{Grant, Host, Outcome, Rate, Task, Vm};
+use crate::{CycleEnd, Grant, Host, Rate, Task, TurnEnd, Vm};
 
 /// Rounds of a cycle. In a round each task that can run has one turn.
 #[derive(Debug, Clone)]
@@ -57,19 +57,20 @@ impl Schedule {
         let turn = vm.turn(id, grant, (self.now, self.line_cost), host);
         self.now += Time::from(turn.lines) * self.line_cost;
         vm.set_left(id, turn.left);
-        let is_suspended = matches!(turn.outcome, Outcome::Suspended | Outcome::AtStop(_));
+        let suspension = turn.end.cycle_end();
+        let is_suspended = suspension.is_some();
         rounds.suspended = is_suspended.then_some(id);
         self.next = if turn.left > 0 || is_suspended { id } else { TaskNumber(id.0 + 1) };
         // A task that ends directly after its wait executes no line, but its end is visible to other tasks.
-        let has_run = turn.lines > 0 || !(is_suspended || matches!(turn.outcome, Outcome::Waiting(_)));
+        let has_run = turn.lines > 0 || !(is_suspended || matches!(turn.end, TurnEnd::Waiting(_)));
         rounds.round.has_run |= has_run;
         rounds.round.reads_clock |= turn.reads_clock;
         rounds.any |= has_run;
-        if is_suspended {
-            return Flow::Break(turn.outcome);
+        if let Some(end) = suspension {
+            return Flow::Break(end);
         }
         if host.is_interrupted() {
-            return Flow::Break(Outcome::Suspended);
+            return Flow::Break(CycleEnd::Suspended);
         }
         self.check_watch(id, &turn)
     }
@@ -85,8 +86,8 @@ impl Schedule {
         match wake.filter(|wake| *wake < end) {
             Some(wake) => self.now = self.now.max(wake),
             // No time may be skipped while a task polls the clock.
-            None if rounds.any || round.reads_clock => return Flow::Break(Outcome::Busy),
-            None => return Flow::Break(Outcome::Waiting(wake)),
+            None if rounds.any || round.reads_clock => return Flow::Break(CycleEnd::Busy),
+            None => return Flow::Break(CycleEnd::Waiting(wake)),
         }
         Flow::Continue(())
     }

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use val3_lang::ports::{TaskNumber, Time};
 
 use super::{Flow, Schedule};
-use crate::{Grant, Host, Outcome, Rate, Task, Vm};
+use crate::{Grant, Host, Rate, Task, TurnEnd, Vm};
 
 /// Largest number of lines that a synchronous task executes in a cycle (5.5).
 const SYNCHRONOUS_LINES: u32 = 3000;
@@ -86,10 +86,12 @@ impl Schedule {
             let report = vm.turn(turn.id, Grant::once(lines), (self.now, self.line_cost), host);
             self.now += Time::from(report.lines) * self.line_cost;
             turn.lines = turn.lines.saturating_sub(report.lines);
-            match report.outcome {
-                Outcome::Suspended | Outcome::AtStop(_) => return Flow::Break(report.outcome),
-                Outcome::Busy => turn.is_over = turn.lines == 0,
-                Outcome::Pausing(wake) => {
+            if let Some(end) = report.end.cycle_end() {
+                return Flow::Break(end);
+            }
+            match report.end {
+                TurnEnd::Busy => turn.is_over = turn.lines == 0,
+                TurnEnd::Pausing(wake) => {
                     self.now = self.now.max(wake);
                     self.check_interrupts(host)?;
                 }

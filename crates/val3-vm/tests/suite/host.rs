@@ -9,7 +9,7 @@ use val3_lang::library_errors::NO_LIBRARY;
 use val3_lang::memory::StoreId;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
 use val3_lang::types::BaseType;
-use val3_vm::{InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, Outcome, Schedule, Space, Vm};
+use val3_vm::{CycleEnd, InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, Schedule, Space, Vm};
 
 /// Duration of a line, in ns. A cycle has 2,000 lines.
 pub(crate) const LINE: Time = 2_000;
@@ -126,7 +126,7 @@ impl Bench {
     }
 
     /// Runs one cycle, or the rest of a cycle.
-    pub(crate) fn cycle(&mut self) -> Outcome {
+    pub(crate) fn cycle(&mut self) -> CycleEnd {
         self.schedule.cycle(&mut self.vm, &mut self.host)
     }
 
@@ -135,7 +135,7 @@ impl Bench {
     pub(crate) fn run(mut self) -> Self {
         while self.vm.tasks().iter().any(|task| task.state == val3_vm::TaskState::Running) {
             assert!(self.schedule.now < LONGEST, "it does not end: {}", self.host.record);
-            if let Outcome::Waiting(wake) = self.cycle() {
+            if let CycleEnd::Waiting(wake) = self.cycle() {
                 let wake = wake.unwrap_or_else(|| panic!("all tasks wait: {}", self.host.record));
                 self.schedule.now = self.schedule.now.max(wake / val3_vm::CYCLE * val3_vm::CYCLE);
             }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use expect_test::expect;
 use val3_lang::ports::TaskNumber;
-use val3_vm::{Outcome, Watch};
+use val3_vm::{CycleEnd, Watch};
 
 use crate::host::{Bench, LINE};
 
@@ -73,8 +73,8 @@ fn stops(bench: &mut Bench, until: u64) -> String {
     bench.schedule.limit = Some(until);
     loop {
         match bench.cycle() {
-            Outcome::AtStop(task) => stops.push(position(bench, task)),
-            Outcome::Limit => return stops.join(" "),
+            CycleEnd::AtStop(task) => stops.push(position(bench, task)),
+            CycleEnd::Limit => return stops.join(" "),
             _ => {}
         }
     }
@@ -96,7 +96,7 @@ fn a_task_stops_before_each_marked_line_once() {
 fn a_removed_mark_stops_no_task() {
     let mut bench = Bench::new(TASKS);
     stop_at(&mut bench, "add", &[2]);
-    assert!(matches!(bench.cycle(), Outcome::AtStop(_)));
+    assert!(matches!(bench.cycle(), CycleEnd::AtStop(_)));
     stop_at(&mut bench, "add", &[]);
     stop_at(&mut bench, "add", &[2]);
     expect!["add:2 add:2 add:2"].assert_eq(&stops(&mut bench, 200 * LINE));
@@ -128,7 +128,7 @@ fn a_cycle_can_stop_after_each_line() {
     bench.schedule.watch = Watch::Lines;
     bench.schedule.limit = Some(6 * LINE);
     let mut seen = Vec::new();
-    while let Outcome::Seen(task) = bench.cycle() {
+    while let CycleEnd::Seen(task) = bench.cycle() {
         let name = bench.vm.tasks().iter().find(|known| known.id == task).map_or("", |task| &task.name);
         seen.push(format!("{name} {}", position(&bench, task)));
     }
@@ -140,17 +140,17 @@ fn a_cycle_can_stop_after_each_line() {
 fn a_held_task_gets_no_turns_and_continues_where_it_was() {
     let mut bench = Bench::new(TASKS);
     stop_at(&mut bench, "add", &[1]);
-    let Outcome::AtStop(start) = bench.cycle() else { panic!() };
+    let CycleEnd::AtStop(start) = bench.cycle() else { panic!() };
     bench.vm.hold(start, true);
     let status = bench.vm.tasks()[0].status();
     bench.schedule.limit = Some(100 * LINE);
-    assert_eq!(bench.cycle(), Outcome::Limit);
+    assert_eq!(bench.cycle(), CycleEnd::Limit);
     assert_eq!((bench.host.record.as_str(), position(&bench, start).as_str()), ("", "add:1"));
     assert_eq!(bench.vm.tasks()[0].status(), status);
     stop_at(&mut bench, "add", &[]);
     bench.vm.hold(start, false);
     bench.schedule.limit = Some(200 * LINE);
-    assert_eq!(bench.cycle(), Outcome::Limit);
+    assert_eq!(bench.cycle(), CycleEnd::Limit);
     assert_eq!(bench.host.record.lines().count(), 3);
 }
 
@@ -162,11 +162,11 @@ fn a_watched_task_stops_after_the_line_that_it_has_waited_in() {
          line 3 Return\nend",
     );
     bench.schedule.limit = Some(100 * LINE);
-    assert_eq!(bench.cycle(), Outcome::Limit);
+    assert_eq!(bench.cycle(), CycleEnd::Limit);
     bench.schedule.limit = None;
     bench.schedule.watch = Watch::Lines;
     let mut seen = Vec::new();
-    while let Outcome::Seen(task) = bench.cycle() {
+    while let CycleEnd::Seen(task) = bench.cycle() {
         let is_left = bench.vm.tasks().iter().any(|known| known.id == task);
         seen.push(if is_left { position(&bench, task) } else { "end".to_owned() });
     }
@@ -177,7 +177,7 @@ fn a_watched_task_stops_after_the_line_that_it_has_waited_in() {
 fn a_cycle_can_stop_after_a_run_time_error() {
     let mut bench = Bench::new("program start\nframe n2\nline 1 Line\nline 4 Divide n0 n0 n1\nReturn\nend");
     bench.schedule.watch = Watch::Failures;
-    assert_eq!(bench.cycle(), Outcome::Seen(bench.start));
+    assert_eq!(bench.cycle(), CycleEnd::Seen(bench.start));
     assert!(bench.schedule.is_within_cycle());
 }
 

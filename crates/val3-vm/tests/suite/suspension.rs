@@ -1,6 +1,6 @@
 //! Turns and cycles that stop and resume: budgets, interrupts, limits.
 
-use val3_vm::{Grant, Outcome, TaskState};
+use val3_vm::{CycleEnd, Grant, TaskState, TurnEnd};
 
 use crate::host::{Bench, LINE};
 
@@ -29,7 +29,7 @@ fn turn(bench: &mut Bench, lines: u32) -> val3_vm::TurnReport {
 fn a_turn_executes_the_lines_of_its_grant() {
     let mut bench = Bench::new(COUNT);
     let report = turn(&mut bench, 7);
-    assert_eq!((report.outcome, report.lines, report.left), (Outcome::Busy, 7, 0));
+    assert_eq!((report.end, report.lines, report.left), (TurnEnd::Busy, 7, 0));
     assert_eq!(count(&bench), 7.0);
 }
 
@@ -46,7 +46,7 @@ fn a_turn_resumes_after_the_last_line_of_the_previous_one() {
 fn a_turn_ends_with_the_program() {
     let mut bench = Bench::new("program start\nline 1 Line\nline 2 Return\nend");
     let report = turn(&mut bench, 10);
-    assert_eq!((report.outcome, report.lines), (Outcome::Finished, 2));
+    assert_eq!((report.end, report.lines), (TurnEnd::Finished, 2));
     assert!(bench.vm.tasks().is_empty());
 }
 
@@ -54,7 +54,7 @@ fn a_turn_ends_with_the_program() {
 fn a_turn_ends_with_an_error_that_the_task_keeps() {
     let mut bench = Bench::new("program start\nframe n2\nline 1 Line\nline 4 Divide n0 n0 n1\nReturn\nend");
     let report = turn(&mut bench, 10);
-    assert_eq!((report.outcome, report.lines), (Outcome::Failed(val3_lang::fault::Fault(10)), 2));
+    assert_eq!((report.end, report.lines), (TurnEnd::Failed(val3_lang::fault::Fault(10)), 2));
     assert_eq!(bench.vm.tasks()[0].state, TaskState::Failed(val3_lang::fault::Fault(10)));
     assert_eq!(bench.host.record, "error 10 at row 4\n");
 }
@@ -63,20 +63,20 @@ fn a_turn_ends_with_an_error_that_the_task_keeps() {
 fn a_turn_that_waits_reports_the_time_of_its_end() {
     let mut bench = Bench::new("program start\nframe n1\nnums n0=0.5\nline 1 Instruction delay (num n0)\nReturn\nend");
     let report = turn(&mut bench, 10);
-    assert_eq!((report.outcome, report.lines), (Outcome::Waiting(Some(LINE + 500_000_000)), 1));
+    assert_eq!((report.end, report.lines), (TurnEnd::Waiting(Some(LINE + 500_000_000)), 1));
 }
 
 #[test]
 fn a_turn_stops_at_an_instruction_that_the_controller_lacks() {
     let mut bench = Bench::new("program start\nline 1 Line\nline 2 Instruction lacking \"odd\" ()\nReturn\nend");
-    assert_eq!(turn(&mut bench, 10).outcome, Outcome::Lacking);
+    assert_eq!(turn(&mut bench, 10).end, TurnEnd::Unsupported);
     assert_eq!(bench.host.record, "no odd\n");
 }
 
 #[test]
 fn a_cycle_lasts_4_ms() {
     let mut bench = Bench::new(COUNT);
-    assert_eq!(bench.cycle(), Outcome::Busy);
+    assert_eq!(bench.cycle(), CycleEnd::Busy);
     assert_eq!((count(&bench), bench.schedule.now), (2000.0, 4_000_000));
 }
 
@@ -84,10 +84,10 @@ fn a_cycle_lasts_4_ms() {
 fn a_cycle_stops_at_the_limit_and_resumes_with_a_later_one() {
     let mut bench = Bench::new(COUNT);
     bench.schedule.limit = Some(100 * LINE);
-    assert_eq!((bench.cycle(), count(&bench)), (Outcome::Limit, 100.0));
+    assert_eq!((bench.cycle(), count(&bench)), (CycleEnd::Limit, 100.0));
     assert!(bench.schedule.is_within_cycle());
     bench.schedule.limit = None;
-    assert_eq!((bench.cycle(), count(&bench)), (Outcome::Busy, 2000.0));
+    assert_eq!((bench.cycle(), count(&bench)), (CycleEnd::Busy, 2000.0));
     assert!(!bench.schedule.is_within_cycle());
 }
 
@@ -116,12 +116,12 @@ end
 fn an_interrupted_turn_stops_after_the_current_instruction() {
     let mut bench = Bench::new(PRINT);
     bench.schedule.limit = Some(4 * LINE);
-    assert_eq!(bench.cycle(), Outcome::Limit);
+    assert_eq!(bench.cycle(), CycleEnd::Limit);
     bench.host.record.clear();
     bench.schedule.limit = None;
     bench.host.is_interrupted = true;
     for _ in 0..3 {
-        assert_eq!(bench.cycle(), Outcome::Suspended);
+        assert_eq!(bench.cycle(), CycleEnd::Suspended);
     }
     assert_eq!(bench.host.record.lines().count(), 3);
 }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use val3_dap::{DebuggedRun, NextAction};
 use val3_debug::{Debugger, Progress};
 use val3_lang::ports::nanoseconds;
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_machine::event::{EndReason, EventKind};
 use val3_session::{Delay, FrameEvaluator, Pace};
 use val3_suite::{Stages, Transition};
@@ -109,15 +109,15 @@ impl<'a> Course<'a> {
                 self.wait_for_outside(guide);
                 continue;
             }
-            let Some(outcome) = self.advance(guide)? else { continue };
+            let Some(status) = self.advance(guide)? else { continue };
             self.tempo.end_cycle();
             match self.follow_test() {
                 Transition::None => {}
                 Transition::Started => continue,
-                Transition::Over => break Ok(End::Controller(Outcome::Finished)),
+                Transition::Over => break Ok(End::Controller(RunStatus::Finished)),
             }
-            if matches!(outcome, Outcome::Finished | Outcome::Stopped | Outcome::Lacking) {
-                break Ok(End::Controller(outcome));
+            if matches!(status, RunStatus::Finished | RunStatus::Stopped | RunStatus::Unsupported) {
+                break Ok(End::Controller(status));
             }
             if let Some(end) = self.broken_off(signals)? {
                 break Ok(end);
@@ -125,8 +125,8 @@ impl<'a> Course<'a> {
             if self.tempo.pace.keeps_time(&self.debugger.controller) {
                 self.observers.flush(self.debugger.controller.now())?;
             }
-            let Some(delay) = self.next(outcome) else {
-                break Ok(End::Controller(Outcome::Stuck));
+            let Some(delay) = self.next(status) else {
+                break Ok(End::Controller(RunStatus::Stuck));
             };
             self.note_waits(guide);
             let time = self.tempo.wait_time(delay);
@@ -168,17 +168,17 @@ impl<'a> Course<'a> {
 
     /// Advances the clock until something can happen, or a cycle is due that a debugged test has to see. `None` if nothing
     /// can happen.
-    fn next(&mut self, outcome: Outcome) -> Option<Delay> {
+    fn next(&mut self, status: RunStatus) -> Option<Delay> {
         let due = self.test.as_ref().and_then(Stages::next_due);
         let pace = Pace { until: self.tempo.pace.until.into_iter().chain(due).min(), ..self.tempo.pace };
         let debugger = &mut self.debugger;
-        match outcome {
+        match status {
             // Only the client lets tasks continue that are paused one by one.
-            Outcome::Waiting(None) | Outcome::Stuck if !debugger.paused_tasks().is_empty() => {
+            RunStatus::Waiting(None) | RunStatus::Stuck if !debugger.paused_tasks().is_empty() => {
                 Some(Delay::For(ATTENTION))
             }
-            Outcome::Waiting(wake) => pace.wait(&mut debugger.controller, wake),
-            Outcome::Stuck => pace.wait_for_operator(&mut debugger.controller),
+            RunStatus::Waiting(wake) => pace.wait(&mut debugger.controller, wake),
+            RunStatus::Stuck => pace.wait_for_operator(&mut debugger.controller),
             _ => Some(pace.follow(&debugger.controller)),
         }
     }
@@ -188,7 +188,7 @@ impl<'a> Course<'a> {
     }
 
     /// Runs to the end of a cycle; none if the debugger has stopped the run, or before the cycle is over.
-    fn advance(&mut self, guide: &mut dyn Guide) -> Result<Option<Outcome>, UserError> {
+    fn advance(&mut self, guide: &mut dyn Guide) -> Result<Option<RunStatus>, UserError> {
         let start = self.debugger.controller.now();
         // Stepping back removes the limit.
         self.debugger.controller.set_limit(self.tempo.pace.until);
@@ -222,8 +222,8 @@ impl<'a> Course<'a> {
                 self.observers.flush(self.debugger.controller.now())?;
                 Ok(None)
             }
-            Progress::Ran(outcome) if outcome.is_within_cycle() && outcome != Outcome::Limit => Ok(None),
-            Progress::Ran(outcome) => Ok(Some(outcome)),
+            Progress::Ran(status) if status.is_within_cycle() && status != RunStatus::Limit => Ok(None),
+            Progress::Ran(status) => Ok(Some(status)),
         }
     }
 
@@ -255,7 +255,7 @@ impl<'a> Course<'a> {
         let now = self.debugger.controller.now();
         match self.observers.recording() {
             _ if self.args.until.is_some_and(|until| now >= nanoseconds(until)) => {
-                Some(End::Controller(Outcome::Limit))
+                Some(End::Controller(RunStatus::Limit))
             }
             Some(recording) if recording.is_over(now) => Some(End::Recorded(recording.reason())),
             _ => None,
@@ -266,8 +266,8 @@ impl<'a> Course<'a> {
         let controller = &mut self.debugger.controller;
         controller.report_unmet_reactions();
         match end {
-            End::Controller(Outcome::Stuck) => controller.record_stuck_tasks(),
-            End::Controller(Outcome::Finished) if self.test.is_none() && self.has_failed_test.is_none() => {
+            End::Controller(RunStatus::Stuck) => controller.record_stuck_tasks(),
+            End::Controller(RunStatus::Finished) if self.test.is_none() && self.has_failed_test.is_none() => {
                 controller.record_dropped_moves();
             }
             _ => {}
@@ -308,10 +308,10 @@ impl<'a> Course<'a> {
             End::BrokenOff(code) => code,
             End::Unread | End::Left | End::Restart => 0,
             End::Controller(_) if let Some(has_failed) = self.has_failed_test => u8::from(has_failed),
-            End::Controller(Outcome::Stuck | Outcome::Lacking) => 1,
+            End::Controller(RunStatus::Stuck | RunStatus::Unsupported) => 1,
             _ if has_failed => 1,
-            End::Controller(Outcome::Limit) | End::Recorded(_) if self.debugger.controller.has_failed_tasks() => 1,
-            End::Controller(Outcome::Limit) if !self.args.until_ok => EXIT_LIMIT,
+            End::Controller(RunStatus::Limit) | End::Recorded(_) if self.debugger.controller.has_failed_tasks() => 1,
+            End::Controller(RunStatus::Limit) if !self.args.until_ok => EXIT_LIMIT,
             End::Controller(_) | End::Recorded(_) => 0,
         }
     }
@@ -353,8 +353,8 @@ fn is_shown(event: &EventKind) -> bool {
 /// Reason of the end for the event record.
 fn reason(end: End) -> EndReason {
     match end {
-        End::Controller(outcome) => outcome.into(),
+        End::Controller(status) => status.into(),
         End::Recorded(reason) => reason,
-        End::Unread | End::Left | End::Restart | End::BrokenOff(_) => Outcome::Stopped.into(),
+        End::Unread | End::Left | End::Restart | End::BrokenOff(_) => RunStatus::Stopped.into(),
     }
 }

@@ -1,13 +1,13 @@
 //! End reasons of a run.
 
-use val3_machine::controller::Outcome;
+use val3_machine::controller::RunStatus;
 use val3_machine::event::EndReason;
 
 /// End reason of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
-    /// The controller, with its last outcome.
-    Controller(Outcome),
+    /// The controller, with its last status.
+    Controller(RunStatus),
     /// The replayed recording has ended, for this reason.
     Recorded(EndReason),
     /// The output is closed.

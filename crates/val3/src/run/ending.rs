@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use val3_machine::controller::{CodeSource, Controller, Outcome, TaskPosition};
+use val3_machine::controller::{CodeSource, Controller, RunStatus, TaskPosition};
 use val3_machine::event::shown_seconds;
 
 use super::console::Console;
@@ -44,11 +44,11 @@ impl Console {
         let now = shown_seconds(controller.now());
         match end {
             // The errors of tasks are shown with their lines.
-            End::Controller(Outcome::Stuck) if controller.has_only_failed_tasks() => {}
-            End::Controller(Outcome::Stuck) => {
+            End::Controller(RunStatus::Stuck) if controller.has_only_failed_tasks() => {}
+            End::Controller(RunStatus::Stuck) => {
                 self.list(&format!("error: no task can continue after {now} s"), UNSTICK, controller);
             }
-            End::Controller(Outcome::Limit) if !args.until_ok => {
+            End::Controller(RunStatus::Limit) if !args.until_ok => {
                 self.list(&format!("note: the run was ended after {now} s (--until)"), EXPECTED, controller);
             }
             End::BrokenOff(_) if !args.interactive => {
@@ -57,7 +57,7 @@ impl Console {
             End::Left => {
                 self.list(&format!("note: the debugger has ended the run after {now} s"), RECORDED, controller)
             }
-            End::Controller(Outcome::Finished) => self.list_dropped_moves(controller),
+            End::Controller(RunStatus::Finished) => self.list_dropped_moves(controller),
             End::Controller(_) | End::Recorded(_) | End::Unread | End::Restart | End::BrokenOff(_) => {}
         }
     }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use val3_lang::ports::Time;
-use val3_machine::controller::{Controller, Outcome};
+use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::event::{Event, seconds};
 
 use super::console::Console;
@@ -55,7 +55,7 @@ impl Observers {
     /// Sends the last events of a run. If the run ends at its limit or is aborted, a longer recording is not compared
     /// further.
     pub(super) fn notify_end(&mut self, end: End, events: &[Event]) -> Result<(), UserError> {
-        if matches!(end, End::Controller(Outcome::Limit) | End::BrokenOff(_) | End::Unread | End::Left) {
+        if matches!(end, End::Controller(RunStatus::Limit) | End::BrokenOff(_) | End::Unread | End::Left) {
             let recording = self.recording.take();
             self.notify(events)?;
             self.recording = recording;

@@ -76,7 +76,7 @@ fn random_requests_never_hang() {
             }
             for _ in 0..random(200) {
                 match debugger.advance() {
-                    Progress::Ran(outcome) if !outcome.is_final() => {}
+                    Progress::Ran(status) if !status.is_final() => {}
                     _ => break,
                 }
             }
