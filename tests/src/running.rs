@@ -99,7 +99,7 @@ impl Running {
         let mut runs = true;
         while runs {
             runs = self.step();
-            samples.push(*self.controller.devices.state.arm.sample());
+            samples.push(*self.controller.arm().sample());
             assert!(self.controller.now() < LIMIT, "the application does not end");
         }
         (self, samples)

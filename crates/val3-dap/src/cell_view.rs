@@ -98,7 +98,7 @@ fn robot(controller: &Controller) -> Vec<Property> {
 
 /// The branch of the joint position, with the words of the type `config`.
 fn configuration(controller: &Controller) -> String {
-    let arm = &controller.devices.state.arm;
+    let arm = controller.arm();
     let found = arm.model().configuration(&arm.joint());
     let text = match arm.model().is_scara() {
         true => format!("{:?}", found.shoulder),

@@ -124,7 +124,7 @@ struct BlendEnd {
 impl ArmSample {
     /// Returns the present sample, with this time.
     pub(crate) fn new(t: f64, controller: &Controller) -> Self {
-        let arm = &controller.devices.state.arm;
+        let arm = controller.arm();
         let sample = arm.sample();
         let moving = controller.motion_status().piece.and_then(|piece| piece.source);
         Self {

@@ -267,7 +267,7 @@ impl Debugger {
     /// the cycles are the recorded ones.
     fn pass_idle_time(&mut self, wake: Option<Time>, end: Time) {
         let next = wake.into_iter().chain(self.controller.next_due()).fold(end, Time::min);
-        if !self.controller.hears_outside() {
+        if !self.controller.devices.lines.are_in_use() {
             self.controller.jump(next);
         }
     }

@@ -110,7 +110,7 @@ impl Debugger {
     #[must_use]
     pub fn new(controller: Controller) -> Self {
         Self {
-            mode: controller.motion_mode(),
+            mode: controller.arm().motion().mode(),
             controller,
             breakpoints: Breakpoints::default(),
             errors: Errors::default(),
@@ -207,7 +207,7 @@ impl Debugger {
         }
         let was_stuck = self.controller.motion_fault().is_some();
         let progress = self.advance_travel().unwrap_or_else(|| {
-            let revision = self.controller.motion_revision();
+            let revision = self.controller.arm().motion().revision();
             let progress = self.advance_tasks();
             self.follow_motion(revision, progress)
         });

@@ -27,7 +27,7 @@ impl Debugger {
     /// Sets the motion mode, also while the arm moves. Discards the recorded future.
     pub fn set_motion_mode(&mut self, mode: MotionMode) {
         if std::mem::replace(&mut self.mode, mode) != mode {
-            self.controller.set_motion_mode(mode);
+            self.controller.arm_mut().set_mode(mode);
             self.begin_new_future();
         }
     }
@@ -36,14 +36,14 @@ impl Debugger {
     pub(crate) fn settle_motion(&mut self) {
         self.travel = None;
         self.controller.rest_tasks(false);
-        self.controller.set_motion_mode(MotionMode::Continuous);
-        self.controller.set_motion_mode(self.mode);
+        self.controller.arm_mut().set_mode(MotionMode::Continuous);
+        self.controller.arm_mut().set_mode(self.mode);
     }
 
     /// Releases one piece of the path while all tasks rest. The run then stops with [`Stop::Motion`], also if no piece
     /// is determined or the arm is held. A moving arm continues to the end of the piece.
     pub fn step_motion(&mut self) {
-        self.controller.step_motion();
+        self.controller.arm_mut().release_piece();
         self.travel(Travel { task: None, then: Then::StopForMotion });
     }
 
@@ -52,7 +52,7 @@ impl Debugger {
         if self.mode == MotionMode::Continuous {
             return progress;
         }
-        let is_more_determined = self.controller.motion_revision() != revision;
+        let is_more_determined = self.controller.arm().motion().revision() != revision;
         let task = match progress {
             Progress::Ran(RunStatus::Seen(task)) if is_more_determined => Some(task),
             Progress::Ran(RunStatus::Busy | RunStatus::Waiting(_)) => self.task_that_awaits_arm(),
@@ -70,7 +70,7 @@ impl Debugger {
             Progress::Ran(_) if self.step.is_some() => Then::Continue,
             Progress::Ran(_) => Then::StopForMotion,
         };
-        self.controller.release_motion();
+        self.controller.arm_mut().release_determined();
         self.travel(Travel { task, then });
         match self.end_travel() {
             // The line has changed the queue without a motion.
@@ -87,7 +87,7 @@ impl Debugger {
         let mut tasks = controller.vm.tasks().iter().filter(|task| !task.is_held).map(|task| task.id);
         let is_asked =
             |task: &TaskNumber| self.step.is_none_or(|step| step.task == *task) && controller.awaits_arm(*task);
-        controller.motion_awaits_release().then(|| tasks.find(is_asked)).flatten()
+        controller.arm().motion().waits_for_release().then(|| tasks.find(is_asked)).flatten()
     }
 
     fn travel(&mut self, travel: Travel) {
@@ -115,8 +115,8 @@ impl Debugger {
 
     /// Ends a motion during which all tasks rest, if the arm has arrived or does not continue.
     fn end_travel(&mut self) -> Option<Progress> {
-        let hold = self.controller.motion_hold();
-        if hold.is_none() && !self.controller.motion_has_arrived() {
+        let hold = self.controller.devices.state.arm_standstill();
+        if hold.is_none() && !self.controller.arm().motion().has_arrived() {
             return None;
         }
         let Travel { task, then } = self.travel.take()?;

@@ -322,12 +322,6 @@ impl Controller {
         self.script.next_due()
     }
 
-    /// Whether external input can arrive at any time.
-    #[must_use]
-    pub fn hears_outside(&self) -> bool {
-        self.devices.lines.are_in_use()
-    }
-
     /// Whether an error has stopped a task and nothing has changed that.
     #[must_use]
     pub fn has_failed_tasks(&self) -> bool {

@@ -54,7 +54,7 @@ impl Pace {
     /// Advances the clock while all tasks wait until `wake` or for external events. `None` if nothing can happen any
     /// more.
     pub fn wait(&self, controller: &mut Controller, wake: Option<Time>) -> Option<Delay> {
-        if self.attended && self.real_time || controller.hears_outside() {
+        if self.attended && self.real_time || controller.devices.lines.are_in_use() {
             // External events arrive in real time, so the clock advances cycle by cycle. Before a peer is connected, no
             // real time passes, unless only a peer can end the wait.
             let awaits_peer = self.until.is_none() && wake.is_none() && controller.next_due().is_none();

@@ -55,8 +55,8 @@ impl FinalState {
         let prints = result.prints.iter().zip(1u32..);
         values.extend(prints.map(|(text, number)| (format!("printed line {number}"), quoted(text))));
         values.extend(texts(result));
-        let sample = controller.devices.state.arm.sample();
-        let axes = controller.devices.state.arm.model().axes();
+        let sample = controller.arm().sample();
+        let axes = controller.arm().model().axes();
         let joints = sample.joints.iter().take(axes).zip(1u32..);
         values.extend(joints.map(|(joint, axis)| (format!("joint {axis} of the arm"), format!("{joint:.3}"))));
         values.push(("the time of the test".to_owned(), format!("{} s", shown_seconds(result.duration))));

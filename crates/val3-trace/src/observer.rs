@@ -29,7 +29,7 @@ impl PictureObserver {
     /// Creates an observer for a controller whose arm has not moved yet.
     #[must_use]
     pub fn new(controller: &Controller) -> Self {
-        let arm = controller.devices.state.arm.model();
+        let arm = controller.arm().model();
         let axis = |(index, axis): (usize, &ArmAxis)| Axis {
             is_stroke: arm.is_stroke(index),
             min: axis.min,
@@ -50,7 +50,7 @@ impl PictureObserver {
 
     /// Adds the cycle that began at `t`, in seconds.
     pub fn see(&mut self, t: f64, controller: &Controller) {
-        let arm = &controller.devices.state.arm;
+        let arm = controller.arm();
         let seen = arm.sample();
         let position = seen.pose.translation.vector.into();
         let (joints, speed, phase) = (seen.joints, seen.speed.0, seen.phase);
@@ -82,7 +82,7 @@ impl PictureObserver {
     fn mark(&mut self, t: f64, controller: &Controller) {
         let moves = &mut self.picture.moves;
         let mut marks = BTreeMap::new();
-        for (queued, origin) in controller.devices.state.arm.moves() {
+        for (queued, origin) in controller.arm().moves() {
             let place = self.marks.remove(&queued.serial).unwrap_or_else(|| {
                 moves.push(new_mark(controller, queued, origin));
                 moves.len() - 1

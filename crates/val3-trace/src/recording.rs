@@ -41,7 +41,7 @@ impl Recorder {
     /// Creates a recorder for a controller whose arm has not moved yet.
     #[must_use]
     pub fn new(controller: &Controller) -> Self {
-        let arm = controller.devices.state.arm.model();
+        let arm = controller.arm().model();
         let trace = Trace { arm: Some(arm.name().to_owned()), axes: arm.axes(), rows: Vec::new() };
         let recording = Recording { trace, moves: Vec::new() };
         Self { recording, selection: Selection::default(), sources: BTreeMap::new(), revision: None, last: None }
@@ -53,12 +53,12 @@ impl Recorder {
             return;
         }
         self.last = Some(start);
-        let revision = controller.motion_revision();
+        let revision = controller.arm().motion().revision();
         if self.revision.replace(revision) != Some(revision) {
             let sourced = controller.motion_queue().into_iter();
             self.sources.extend(sourced.filter_map(|queued| Some((queued.id.floor() as i64, queued.source?))));
         }
-        let sample = controller.devices.state.arm.sample();
+        let sample = controller.arm().sample();
         if self.selection.takes(sample.phase) {
             self.record(Row::new(start, sample));
         }
@@ -101,7 +101,7 @@ impl Recording {
     #[must_use]
     pub fn at_rest(controller: &Controller) -> Self {
         let mut recorder = Recorder::new(controller);
-        recorder.record(Row::new(controller.now(), controller.devices.state.arm.sample()));
+        recorder.record(Row::new(controller.now(), controller.arm().sample()));
         recorder.finish()
     }
 

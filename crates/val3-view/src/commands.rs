@@ -149,7 +149,7 @@ fn point(name: &str, key: Option<Key>, controller: &Controller) -> Result<Datum,
 /// Sets a point to the current pose of the tool centre point, relative to the point's father. Its configuration is
 /// unchanged.
 fn teach(point: &Datum, controller: &mut Controller) -> Result<(), CommandError> {
-    let here = Trsf::from(controller.devices.state.arm.sample().pose);
+    let here = Trsf::from(controller.arm().sample().pose);
     let memory = &controller.vm.space.memory;
     let frame = references::frame_of(memory, PointRef(point.place));
     let frame = frame.and_then(|FrameRef(frame)| references::of_frame(memory, FrameRef(frame)));

@@ -57,7 +57,7 @@ impl Feed {
     #[must_use]
     pub fn new(controller: &Controller, role: Role) -> Self {
         let mut feed = Self {
-            batch: Batch::new(controller.devices.state.arm.model().axes()),
+            batch: Batch::new(controller.arm().model().axes()),
             last: None,
             tools: Vec::new(),
             sources: BTreeMap::new(),
@@ -211,7 +211,7 @@ impl Feed {
         if self.last.is_some_and(|(last, ..)| time < last + CYCLE) {
             return;
         }
-        let arm = &controller.devices.state.arm;
+        let arm = controller.arm();
         let (sample, limit) = (*arm.sample(), arm.speed_limit());
         let is_new = self.last.is_none_or(|(_, (last, _), _)| last.joints != sample.joints || last.pose != sample.pose);
         if is_new {
@@ -232,7 +232,7 @@ impl Feed {
         if self.batch.is_full(time) {
             self.flush_samples();
         }
-        let tool = controller.devices.state.arm.model().flange(&sample.joints).inverse() * sample.pose;
+        let tool = controller.arm().model().flange(&sample.joints).inverse() * sample.pose;
         let tool = self.tool(&tool, controller);
         let source = match sample.phase {
             MotionPhase::Waiting => NO_SOURCE,

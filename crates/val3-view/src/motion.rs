@@ -27,7 +27,7 @@ pub(crate) struct MotionKey {
 
 impl MotionKey {
     pub(crate) fn of(controller: &Controller) -> Self {
-        let arm = &controller.devices.state.arm;
+        let arm = controller.arm();
         let moves = arm.motion().moves();
         Self {
             revision: arm.motion().revision(),
@@ -68,7 +68,7 @@ fn recorded(queued: &RecordedMove, source: u16) -> QueueEntry {
 
 /// The way of the tool centre point to the last destination, in mm, by pieces.
 fn way_ahead(controller: &Controller) -> Vec<WayPiece> {
-    let pieces = controller.devices.state.arm.motion().way_ahead(PIECES);
+    let pieces = controller.arm().motion().way_ahead(PIECES);
     let piece = |Way { phase, points }: &Way| {
         let points = simplified(points, TOLERANCE).iter().map(rounded).collect();
         WayPiece { phase: phase.word().to_owned(), points }

@@ -97,7 +97,7 @@ fn waiting_for_the_end_of_a_move_cancels_its_blend() {
     );
     let (running, samples) = Running::start(&listing).sampled();
     assert_eq!(running.printed(), "{40,20,90,0,70,0}\n2\nfalse\n10\n");
-    let model = running.controller.devices.state.arm.model();
+    let model = running.controller.arm().model();
     let at = |j1: f64, j2: f64, j3: f64| model.flange(&[j1, j2, j3, 0.0, 70.0, 0.0]).translation.vector;
     let [a, b, c] = [at(0.0, 20.0, 90.0), at(40.0, 20.0, 90.0), at(40.0, 0.0, 110.0)].map(|at| nearest(&samples, at));
     assert!((1.0..10.0).contains(&a) && b < 1e-9 && (1.0..10.0).contains(&c), "{a} {b} {c}");

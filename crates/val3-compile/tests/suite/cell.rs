@@ -131,7 +131,7 @@ pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Cont
         events.extend(controller.devices.take_events());
         match step {
             status if status.is_final() => return events,
-            RunStatus::Waiting(Some(wake)) if !controller.hears_outside() => controller.jump(wake),
+            RunStatus::Waiting(Some(wake)) if !controller.devices.lines.are_in_use() => controller.jump(wake),
             _ => {}
         }
     }

@@ -79,7 +79,7 @@ fn an_arm_that_stops_before_an_impossible_path_is_a_motion_error() {
     for (motion, expected) in [(true, true), (false, false)] {
         let mut debugger = debugger(CUT_CORNER);
         debugger.controller.devices.state.robot.set_power(true);
-        debugger.controller.devices.state.arm.put([0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
+        debugger.controller.arm_mut().put([0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
         debugger.set_errors(Errors { motion, ..Errors::default() });
         let stop = run(&mut debugger);
         let Some(Stop::PathFault(fault)) = stop else {
@@ -97,13 +97,12 @@ fn an_arm_that_stops_before_an_impossible_path_is_a_motion_error() {
 fn going_back_stops_before_an_impossible_path() {
     let mut debugger = debugger(&CUT_CORNER.replace("delay(5)", "delay(5)\n  delay(1)"));
     debugger.controller.devices.state.robot.set_power(true);
-    debugger.controller.devices.state.arm.put([0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
+    debugger.controller.arm_mut().put([0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
     debugger.record(PastLimits::snapshots(100));
     debugger.set_errors(Errors { motion: true, ..Errors::default() });
     assert_eq!(set(&mut debugger, "start", &[(13, None)]), [Some(13)]);
     let Some(Stop::PathFault(fault)) = run(&mut debugger) else { panic!("no stop") };
-    let place =
-        |debugger: &Debugger| (debugger.controller.now(), debugger.controller.devices.state.arm.sample().joints);
+    let place = |debugger: &Debugger| (debugger.controller.now(), debugger.controller.arm().sample().joints);
     let there = place(&debugger);
     assert_eq!(debugger.run_back(), Stop::Beginning, "the run is at the path already");
     assert_eq!(run(&mut debugger), Some(Stop::PathFault(fault.clone())));

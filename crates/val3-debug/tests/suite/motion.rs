@@ -43,7 +43,7 @@ fn manual_with_wait() -> String {
 fn debugger(listing: &str, mode: MotionMode) -> Debugger {
     let mut controller = Running::start(listing).controller;
     controller.devices.state.robot.set_power(true);
-    controller.devices.state.arm.put(READY);
+    controller.arm_mut().put(READY);
     let mut debugger = Debugger::new(controller);
     debugger.set_motion_mode(mode);
     debugger
@@ -85,7 +85,7 @@ fn shown(debugger: &Debugger, stop: Option<&Stop>) -> String {
     let task = debugger.controller.vm.tasks().first().map(|task| task.id);
     let frames: Vec<_> = task.map(|task| frames(&debugger.controller.vm, task)).unwrap_or_default();
     let at = frames.first().map_or_else(String::new, |frame| row(&frame.program, frame.row));
-    let Some(stop) = stop else { return format!("end {:.3?}", debugger.controller.devices.state.arm.joint()) };
+    let Some(stop) = stop else { return format!("end {:.3?}", debugger.controller.arm().joint()) };
     let why = match stop {
         Stop::Motion(motion) => {
             let MotionStop { piece, has_next, hold, .. } = motion.as_ref();
@@ -104,7 +104,7 @@ fn shown(debugger: &Debugger, stop: Option<&Stop>) -> String {
         Stop::Breakpoints { .. } => "breakpoint".to_owned(),
         stop => format!("{stop:?}"),
     };
-    format!("{at} {:.3?} {why}", debugger.controller.devices.state.arm.joint())
+    format!("{at} {:.3?} {why}", debugger.controller.arm().joint())
 }
 
 /// Checks the stops of a run that calls `then` after each stop.
@@ -282,9 +282,9 @@ fn nothing_moves_in_step_mode_without_a_release() {
     // Controller cycles without a debugger.
     for _ in 0..100 {
         debugger.controller.step();
-        assert_eq!(debugger.controller.devices.state.arm.joint(), READY);
+        assert_eq!(debugger.controller.arm().joint(), READY);
     }
-    assert!(debugger.controller.motion_awaits_release());
+    assert!(debugger.controller.arm().motion().waits_for_release());
 }
 
 /// A task that can continue only after the arm has moved releases it.
@@ -312,11 +312,11 @@ fn a_step_over_a_wait_for_the_arm_releases_it() {
         let mut lines = Vec::new();
         while let Some(stop) = run(&mut debugger) {
             assert!(matches!(stop, Stop::Step { .. }), "{wait}: {stop:?}");
-            lines.push(debugger.controller.motion_has_arrived());
+            lines.push(debugger.controller.arm().motion().has_arrived());
             step(&mut debugger, &stop);
         }
         assert!(lines.iter().all(|arrived| *arrived) && !lines.is_empty(), "{wait}: {lines:?}");
-        let end = debugger.controller.devices.state.arm.joint();
+        let end = debugger.controller.arm().joint();
         assert!((end[0] + 30.0).abs() < 1e-9, "{wait}: {end:?}");
     }
 }
@@ -331,13 +331,13 @@ fn an_arm_that_cannot_move_ends_the_step() {
         debugger.step(task(&debugger), StepKind::Over);
         let stop = run(&mut debugger).unwrap();
         let Stop::Motion(stop) = stop else { panic!("{stop:?}") };
-        assert_eq!(debugger.controller.devices.state.arm.joint(), READY);
+        assert_eq!(debugger.controller.arm().joint(), READY);
         stop.hold
     };
     assert_eq!(hold(|debugger| debugger.controller.devices.state.robot.set_power(false)), Some(ArmHold::NoPower));
     assert_eq!(hold(|debugger| debugger.controller.devices.state.robot.press_emergency_stop()), Some(ArmHold::NoPower));
     assert_eq!(hold(|debugger| debugger.controller.devices.state.robot.turn_speed(0.0)), Some(ArmHold::NoSpeed));
-    assert_eq!(hold(|debugger| debugger.controller.devices.state.arm.stop()), Some(ArmHold::Stopped));
+    assert_eq!(hold(|debugger| debugger.controller.arm_mut().stop()), Some(ArmHold::Stopped));
 }
 
 #[test]
@@ -419,7 +419,7 @@ fn the_queue_lists_each_move() {
         }
     }
     assert_eq!(queue.len(), 3);
-    assert_eq!(queue[0].leave.map(|leave| leave.joints), Some(debugger.controller.devices.state.arm.joint()));
+    assert_eq!(queue[0].leave.map(|leave| leave.joints), Some(debugger.controller.arm().joint()));
 }
 
 /// Going back passes motions; the arm and the program are at their earlier positions.
@@ -459,7 +459,7 @@ fn the_continuous_mode_goes_on_where_the_step_mode_waits() {
     run(&mut debugger).unwrap();
     debugger.set_motion_mode(MotionMode::Continuous);
     assert!(run(&mut debugger).is_none());
-    let joint = debugger.controller.devices.state.arm.joint();
+    let joint = debugger.controller.arm().joint();
     assert_eq!(joint, [-30.0, 10.0, 80.0, 0.0, 90.0, 0.0]);
 }
 
@@ -480,7 +480,7 @@ fn an_arm_that_is_held_in_the_middle_of_a_motion_stops_the_run() {
         hold(&mut debugger.controller.devices.state.robot);
         let Some(Stop::Motion(stop)) = run(&mut debugger) else { panic!("no stop: {expected:?}") };
         assert_eq!(stop.hold, Some(expected));
-        let held = debugger.controller.devices.state.arm.joint();
+        let held = debugger.controller.arm().joint();
         assert!(held != READY && held[0] < 24.0, "{held:?}");
         free(&mut debugger.controller.devices.state.robot);
         debugger.step_motion();
@@ -499,7 +499,7 @@ trait TravelTime {
 
 impl TravelTime for Debugger {
     fn travel_time(&self) -> u64 {
-        if self.controller.devices.state.arm.joint() == READY { 0 } else { self.controller.now() / 4_000_000 }
+        if self.controller.arm().joint() == READY { 0 } else { self.controller.now() / 4_000_000 }
     }
 }
 

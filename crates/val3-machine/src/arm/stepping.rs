@@ -17,11 +17,15 @@ impl RobotArm {
     }
 
     /// Sets the mode of the motion, also while the arm moves.
+    ///
+    /// In step mode the arm first finishes the current piece. It then comes to rest at the end of each piece and waits
+    /// there until it is released. In continuous mode it does not wait.
     pub fn set_mode(&mut self, mode: MotionMode) {
         self.motion.set_mode(mode);
     }
 
-    /// Releases an arm that waits in step mode to the end of the next piece. Returns whether it waits.
+    /// Releases an arm that waits in step mode to the end of the next piece. Returns whether the arm waits before a
+    /// determined piece.
     pub fn release_piece(&mut self) -> bool {
         self.motion.release_piece()
     }

@@ -7,7 +7,7 @@ use val3_lang::values::MdescValue;
 use val3_motion::{Corner, Millimetres, MotionMode, MoveStage, PathPiece, PathShape, QueuedMove};
 
 use super::Controller;
-use crate::arm::{ArmHold, MoveOrigin};
+use crate::arm::{ArmHold, MoveOrigin, RobotArm};
 use crate::blend_ends::BlendEnds;
 
 /// Progress of the arm on the recorded moves.
@@ -103,55 +103,16 @@ pub struct MotionFault {
     pub source: Option<CodeSource>,
 }
 
-/// The step mode.
 impl Controller {
-    /// Mode of the motion.
+    /// Arm with its recorded moves.
     #[must_use]
-    pub fn motion_mode(&self) -> MotionMode {
-        self.devices.state.arm.motion().mode()
+    pub fn arm(&self) -> &RobotArm {
+        &self.devices.state.arm
     }
 
-    /// Sets the mode of the motion, also while the arm moves.
-    ///
-    /// In step mode the arm first finishes the current piece. It then comes to rest at the end of each piece and waits
-    /// there until it is released. In continuous mode it does not wait.
-    pub fn set_motion_mode(&mut self, mode: MotionMode) {
-        self.devices.state.arm.set_mode(mode);
-    }
-
-    /// Releases an arm that waits in step mode to the end of the next piece. Returns whether the arm waits before a
-    /// determined piece.
-    pub fn step_motion(&mut self) -> bool {
-        self.devices.state.arm.release_piece()
-    }
-
-    /// Releases the arm to the end of the path that is determined now.
-    pub fn release_motion(&mut self) {
-        self.devices.state.arm.release_determined();
-    }
-
-    /// Whether the arm waits in step mode before a piece that is determined.
-    #[must_use]
-    pub fn motion_awaits_release(&self) -> bool {
-        self.devices.state.arm.motion().waits_for_release()
-    }
-
-    /// Revision of the recorded moves: grows when a move is recorded or more of the path is determined.
-    #[must_use]
-    pub fn motion_revision(&self) -> u64 {
-        self.devices.state.arm.motion().revision()
-    }
-
-    /// Whether the arm has reached the end of the release, or of the determined path.
-    #[must_use]
-    pub fn motion_has_arrived(&self) -> bool {
-        self.devices.state.arm.motion().has_arrived()
-    }
-
-    /// Reason why the arm rests before the end of the release and does not continue by itself.
-    #[must_use]
-    pub fn motion_hold(&self) -> Option<ArmHold> {
-        self.devices.state.arm_standstill()
+    /// Arm with its recorded moves, for changes from outside of programs.
+    pub fn arm_mut(&mut self) -> &mut RobotArm {
+        &mut self.devices.state.arm
     }
 
     /// Progress of the arm on the recorded moves.
@@ -164,7 +125,7 @@ impl Controller {
             has_arrived: motion.has_arrived(),
             piece: motion.piece().map(|piece| self.motion_piece(piece)),
             next: motion.next_piece().map(|piece| self.motion_piece(piece)),
-            hold: self.motion_hold(),
+            hold: self.devices.state.arm_standstill(),
         }
     }
 

@@ -75,7 +75,8 @@ impl State {
     }
 
     /// Reason why the arm does not move to the end of the release.
-    pub(crate) fn arm_standstill(&self) -> Option<ArmHold> {
+    #[must_use]
+    pub fn arm_standstill(&self) -> Option<ArmHold> {
         let hold = self.arm.standstill(self.robot.drive())?;
         Some(if self.robot.is_powered() { hold } else { ArmHold::NoPower })
     }

@@ -30,7 +30,7 @@ fn the_palletiser_steps_from_move_to_move() {
                 assert_eq!(motion.hold, None, "{motion:?}");
                 // A move to the current position has no piece.
                 let Some(found) = motion.piece else { continue };
-                assert_eq!(found.piece.joints, debugger.controller.devices.state.arm.joint());
+                assert_eq!(found.piece.joints, debugger.controller.arm().joint());
                 let source = found.source.unwrap();
                 *arrivals.entry(source.program).or_default() += 1;
             }

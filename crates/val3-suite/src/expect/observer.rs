@@ -73,7 +73,7 @@ impl Observer {
             let texts = cycle.events.iter().filter_map(|event| OutputKind::Print.text(event));
             self.prints.extend(texts.flat_map(str::lines).map(|line| line.trim_end().to_owned()));
         }
-        self.has_moved |= !cycle.controller.devices.state.arm.is_at_rest();
+        self.has_moved |= !cycle.controller.arm().is_at_rest();
     }
 
     /// Time of the next cycle that must not be skipped even if nothing happens.
@@ -125,7 +125,7 @@ impl Observer {
     /// Note on cycle times, if one was compared with a limit and the arm has moved.
     pub(crate) fn times_note(&self, controller: &Controller) -> Option<String> {
         let is_limited = self.has_moved && !self.stopwatches.is_empty();
-        is_limited.then(|| controller.devices.state.arm.model().times_note()).flatten()
+        is_limited.then(|| controller.arm().model().times_note()).flatten()
     }
 
     /// Motion to compare with a recorded motion, if expected.

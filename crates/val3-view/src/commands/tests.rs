@@ -66,7 +66,7 @@ fn an_index_is_a_number_or_a_text() {
 fn the_present_position_is_taught() {
     let mut controller = controller();
     run(&mut controller, "teach", json!({ "name": "pPick", "key": "1" })).unwrap();
-    let here = crate::coordinates(&controller.devices.state.arm.sample().pose);
+    let here = crate::coordinates(&controller.arm().sample().pose);
     let pose = shown_point(&controller)["pose"].clone();
     let near = |(index, expected): (usize, &f64)| (pose[index].as_f64().unwrap() - expected).abs() < 1e-9;
     assert!(here.iter().enumerate().all(near), "{pose} {here:?}");

@@ -33,7 +33,7 @@ pub(super) struct MotionObservers {
 impl MotionObservers {
     /// Opens the files, so that a run does not begin if a file cannot be written.
     pub(super) fn open(args: &RunArgs, controller: &Controller) -> Result<Self, UserError> {
-        let arm = controller.devices.state.arm.model();
+        let arm = controller.arm().model();
         let axes = arm.axes();
         let trace = args.trace.as_deref().or(args.trace_all.as_deref());
         let picture = args.plot.as_deref().map(|path| PictureFile::open(path, args.plot_accelerations, controller));
@@ -53,7 +53,7 @@ impl MotionObservers {
         if is_idle || self.last.is_some_and(|(last, ..)| start < last + CYCLE) {
             return Ok(());
         }
-        let arm = &controller.devices.state.arm;
+        let arm = controller.arm();
         let (sample, limit) = (*arm.sample(), arm.speed_limit());
         self.has_moved |= sample.phase != MotionPhase::Waiting;
         if let Some(trace) = &mut self.trace {

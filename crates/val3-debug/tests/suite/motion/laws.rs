@@ -83,7 +83,7 @@ fn random_requests_never_hang() {
         }
         debugger.set_motion_mode(MotionMode::Continuous);
         while run(&mut debugger).is_some() {}
-        let end = debugger.controller.devices.state.arm.joint();
+        let end = debugger.controller.arm().joint();
         assert_eq!(end, [-30.0, 10.0, 80.0, 0.0, 90.0, 0.0], "{seed}");
     }
 }
@@ -95,9 +95,9 @@ fn a_restored_controller_moves_in_the_same_way() {
     stop_at(&mut debugger, 9);
     run(&mut debugger).unwrap();
     let controller = &mut debugger.controller;
-    controller.set_motion_mode(MotionMode::Step);
+    controller.arm_mut().set_mode(MotionMode::Step);
     let waits = controller.snapshot();
-    controller.step_motion();
+    controller.arm_mut().release_piece();
     controller.step();
     let released = controller.snapshot();
     let mut follow = |snapshot| {
@@ -105,7 +105,7 @@ fn a_restored_controller_moves_in_the_same_way() {
         (0..200)
             .map(|_| {
                 controller.step();
-                controller.devices.state.arm.joint()
+                controller.arm().joint()
             })
             .collect::<Vec<_>>()
     };

@@ -116,7 +116,7 @@ impl Times {
     pub(super) fn see(&mut self, start: Time, controller: &Controller) {
         let passed = start.saturating_sub(self.last);
         self.last = start;
-        let (arm, limit) = (self.of_arm(controller), controller.devices.state.arm.speed_limit());
+        let (arm, limit) = (self.of_arm(controller), controller.arm().speed_limit());
         let moving = passed.min(CYCLE);
         let before = self.arm_before.replace((arm.clone(), limit));
         self.arm.entry(arm).or_default().add(limit, moving);
@@ -135,7 +135,7 @@ impl Times {
 
     /// Current move of the arm, and its activity.
     fn of_arm(&mut self, controller: &Controller) -> Entry {
-        let arm = &controller.devices.state.arm;
+        let arm = controller.arm();
         let present = arm.moves().filter(|(queued, _)| queued.stage >= MoveStage::Started).last();
         if let Some((_, Some(origin))) = present {
             self.present = Some(origin.at);
