@@ -8,7 +8,7 @@
 #![allow(clippy::expect_used, clippy::panic, reason = "an application that fails measures nothing")]
 
 use divan::Bencher;
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, PastLimits, Progress, StepKind, Stop};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, PastLimits, AdvanceResult, StepKind, Stop};
 use val3_lang::ports::TaskNumber;
 use val3_session::{FrameEvaluator, Purpose};
 use val3_tests::running::{Running, application};
@@ -34,7 +34,7 @@ fn listing() -> String {
 fn run_lines(debugger: &mut Debugger, lines: u64) {
     let end = debugger.controller.now() + lines * 2000;
     while debugger.controller.now() < end {
-        if let Progress::Stopped(stop) = debugger.advance() {
+        if let AdvanceResult::Stopped(stop) = debugger.advance() {
             panic!("nothing stops the run: {stop:?}");
         }
     }
@@ -43,7 +43,7 @@ fn run_lines(debugger: &mut Debugger, lines: u64) {
 fn step(debugger: &mut Debugger, task: TaskNumber) -> Stop {
     debugger.step(task, StepKind::Over);
     loop {
-        if let Progress::Stopped(stop) = debugger.advance() {
+        if let AdvanceResult::Stopped(stop) = debugger.advance() {
             return stop;
         }
     }

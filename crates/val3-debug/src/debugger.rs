@@ -45,7 +45,7 @@ pub struct Debugger {
 
 /// Result of [`Debugger::advance`].
 #[derive(Debug, Clone, PartialEq)]
-pub enum Progress {
+pub enum AdvanceResult {
     /// The controller continues. No time passes after a status [within a cycle](RunStatus::is_within_cycle).
     Ran(RunStatus),
     /// The run has stopped.
@@ -190,9 +190,9 @@ impl Debugger {
     }
 
     /// Runs to the end of the cycle or to the next stop.
-    pub fn advance(&mut self) -> Progress {
+    pub fn advance(&mut self) -> AdvanceResult {
         let progress = self.advance_part();
-        if let Progress::Stopped(stop) = &progress
+        if let AdvanceResult::Stopped(stop) = &progress
             && let Some(task) = stop.task_alone().filter(|_| self.stops_alone)
         {
             self.pause_task(task, true);
@@ -200,10 +200,10 @@ impl Debugger {
         progress
     }
 
-    fn advance_part(&mut self) -> Progress {
+    fn advance_part(&mut self) -> AdvanceResult {
         if let Some(stop) = self.take_pause() {
             self.step = None;
-            return Progress::Stopped(stop);
+            return AdvanceResult::Stopped(stop);
         }
         let was_stuck = self.controller.motion_fault().is_some();
         let progress = self.advance_travel().unwrap_or_else(|| {
@@ -212,17 +212,17 @@ impl Debugger {
             self.follow_motion(revision, progress)
         });
         match (&progress, self.controller.motion_fault()) {
-            (Progress::Ran(RunStatus::Busy | RunStatus::Waiting(_)), Some(fault))
+            (AdvanceResult::Ran(RunStatus::Busy | RunStatus::Waiting(_)), Some(fault))
                 if !was_stuck && self.errors.contain_path_faults() =>
             {
                 self.step = None;
-                Progress::Stopped(Stop::PathFault(Box::new(fault)))
+                AdvanceResult::Stopped(Stop::PathFault(Box::new(fault)))
             }
             _ => progress,
         }
     }
 
-    fn advance_tasks(&mut self) -> Progress {
+    fn advance_tasks(&mut self) -> AdvanceResult {
         let sees_lines =
             self.mode == MotionMode::Step || self.pause.is_some() || self.step.is_some() || !self.data.is_empty();
         self.controller.watch(match self.errors.is_none() {
@@ -232,7 +232,7 @@ impl Debugger {
         });
         if let Some(stop) = self.begin_watched_cycle() {
             self.step = None;
-            return Progress::Stopped(stop);
+            return AdvanceResult::Stopped(stop);
         }
         let status = self.controller.step();
         if status == RunStatus::Busy {
@@ -246,10 +246,10 @@ impl Debugger {
             RunStatus::Seen(task) => self.seen(task),
             _ => None,
         };
-        stop.map_or(Progress::Ran(status), |stop| {
+        stop.map_or(AdvanceResult::Ran(status), |stop| {
             // If a stop pauses only one task, the steps of other tasks continue.
             self.step = self.step.filter(|step| self.stops_alone && stop.task_alone() != Some(step.task));
-            Progress::Stopped(stop)
+            AdvanceResult::Stopped(stop)
         })
     }
 

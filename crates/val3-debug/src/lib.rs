@@ -33,7 +33,7 @@ pub use breakpoints::{
 };
 pub use conditions::{CompiledExpression, LogMessage, LogPart};
 pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};
-pub use debugger::{Debugger, Progress, Stop};
+pub use debugger::{Debugger, AdvanceResult, Stop};
 pub use errors::{Errors, handler};
 pub use evaluate::{end_message, evaluate, expression_grant};
 pub use frames::{TaskFrame, frames};

@@ -13,7 +13,7 @@ use val3_lang::ports::TaskNumber;
 use val3_machine::arm::{ArmHold, MotionMode};
 use val3_machine::controller::RunStatus;
 
-use crate::debugger::{Debugger, Progress, Stop};
+use crate::debugger::{Debugger, AdvanceResult, Stop};
 use crate::history::Cause;
 use crate::travel::{MotionStop, Then, Travel};
 
@@ -48,36 +48,36 @@ impl Debugger {
     }
 
     /// Starts the motion that the last part of a cycle has released.
-    pub(crate) fn follow_motion(&mut self, revision: u64, progress: Progress) -> Progress {
+    pub(crate) fn follow_motion(&mut self, revision: u64, progress: AdvanceResult) -> AdvanceResult {
         if self.mode == MotionMode::Continuous {
             return progress;
         }
         let is_more_determined = self.controller.arm().motion().revision() != revision;
         let task = match progress {
-            Progress::Ran(RunStatus::Seen(task)) if is_more_determined => Some(task),
-            Progress::Ran(RunStatus::Busy | RunStatus::Waiting(_)) => self.task_that_awaits_arm(),
-            Progress::Stopped(Stop::Step { task } | Stop::Breakpoints { task, .. }) if is_more_determined => Some(task),
+            AdvanceResult::Ran(RunStatus::Seen(task)) if is_more_determined => Some(task),
+            AdvanceResult::Ran(RunStatus::Busy | RunStatus::Waiting(_)) => self.task_that_awaits_arm(),
+            AdvanceResult::Stopped(Stop::Step { task } | Stop::Breakpoints { task, .. }) if is_more_determined => Some(task),
             _ => None,
         };
         if task.is_none() && !is_more_determined {
             return progress;
         }
         let then = match progress {
-            Progress::Stopped(stop) => {
+            AdvanceResult::Stopped(stop) => {
                 self.pending = Some(stop);
                 Then::Stop
             }
-            Progress::Ran(_) if self.step.is_some() => Then::Continue,
-            Progress::Ran(_) => Then::StopForMotion,
+            AdvanceResult::Ran(_) if self.step.is_some() => Then::Continue,
+            AdvanceResult::Ran(_) => Then::StopForMotion,
         };
         self.controller.arm_mut().release_determined();
         self.travel(Travel { task, then });
         match self.end_travel() {
             // The line has changed the queue without a motion.
-            Some(Progress::Stopped(Stop::Motion(stop))) if then == Then::StopForMotion && stop.hold.is_none() => {
-                Progress::Ran(RunStatus::Busy)
+            Some(AdvanceResult::Stopped(Stop::Motion(stop))) if then == Then::StopForMotion && stop.hold.is_none() => {
+                AdvanceResult::Ran(RunStatus::Busy)
             }
-            end => end.unwrap_or(Progress::Ran(RunStatus::Busy)),
+            end => end.unwrap_or(AdvanceResult::Ran(RunStatus::Busy)),
         }
     }
 
@@ -98,7 +98,7 @@ impl Debugger {
     }
 
     /// Runs one cycle of a motion during which all tasks rest; `None` if there is no such motion.
-    pub(crate) fn advance_travel(&mut self) -> Option<Progress> {
+    pub(crate) fn advance_travel(&mut self) -> Option<AdvanceResult> {
         self.travel.as_ref()?;
         if let Some(end) = self.end_travel() {
             return Some(end);
@@ -108,13 +108,13 @@ impl Debugger {
         if status.is_final() && status != RunStatus::Stuck {
             self.travel = None;
             self.controller.rest_tasks(false);
-            return Some(Progress::Ran(status));
+            return Some(AdvanceResult::Ran(status));
         }
-        Some(self.end_travel().unwrap_or(Progress::Ran(RunStatus::Busy)))
+        Some(self.end_travel().unwrap_or(AdvanceResult::Ran(RunStatus::Busy)))
     }
 
     /// Ends a motion during which all tasks rest, if the arm has arrived or does not continue.
-    fn end_travel(&mut self) -> Option<Progress> {
+    fn end_travel(&mut self) -> Option<AdvanceResult> {
         let hold = self.controller.devices.state.arm_standstill();
         if hold.is_none() && !self.controller.arm().motion().has_arrived() {
             return None;
@@ -125,14 +125,14 @@ impl Debugger {
         let pending = self.pending.take().filter(|_| then == Then::Stop);
         let stop = match (pending, hold) {
             (None, None) if then == Then::Continue && self.step.is_some() => {
-                return Some(Progress::Ran(RunStatus::Busy));
+                return Some(AdvanceResult::Ran(RunStatus::Busy));
             }
             (Some(stop), None) => stop,
             (Some(stop @ Stop::Breakpoints { .. }), Some(_)) => stop,
             _ => Stop::Motion(Box::new(self.motion_stop(task, hold))),
         };
         self.abandon_step();
-        Some(Progress::Stopped(stop))
+        Some(AdvanceResult::Stopped(stop))
     }
 
     fn motion_stop(&self, task: Option<TaskNumber>, hold: Option<ArmHold>) -> MotionStop {

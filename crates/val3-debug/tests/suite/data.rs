@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use val3_debug::{
-    BreakpointId, DataAccess, DataBreakpoint, DataStop, Debugger, PastLimits, Progress, StepKind, Stop, WatchedData,
+    BreakpointId, DataAccess, DataBreakpoint, DataStop, Debugger, PastLimits, AdvanceResult, StepKind, Stop, WatchedData,
 };
 use val3_lang::memory::Link;
 use val3_machine::controller::Controller;

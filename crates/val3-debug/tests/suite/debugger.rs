@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use val3_debug::{
-    Breakpoint, BreakpointId, Debugger, Errors, HitCondition, PastLimits, Progress, StepKind, Stop, frames,
+    Breakpoint, BreakpointId, Debugger, Errors, HitCondition, PastLimits, AdvanceResult, StepKind, Stop, frames,
 };
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::RunStatus;
@@ -45,12 +45,12 @@ pub(crate) fn first_row(debugger: &Debugger, program: &str) -> u32 {
 pub(crate) fn run(debugger: &mut Debugger) -> Option<Stop> {
     for _ in 0..1_000_000 {
         match debugger.advance() {
-            Progress::Stopped(stop) => return Some(stop),
-            Progress::Ran(RunStatus::Waiting(wake)) => {
+            AdvanceResult::Stopped(stop) => return Some(stop),
+            AdvanceResult::Ran(RunStatus::Waiting(wake)) => {
                 Pace::default().wait(&mut debugger.controller, wake)?;
             }
-            Progress::Ran(status) if status.is_final() => return None,
-            Progress::Ran(_) => {}
+            AdvanceResult::Ran(status) if status.is_final() => return None,
+            AdvanceResult::Ran(_) => {}
         }
     }
     panic!("it does not stop");

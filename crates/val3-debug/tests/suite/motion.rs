@@ -1,7 +1,7 @@
 //! Step mode of the motion (10.2.2), with programs. The arm is a TX2-90.
 
 use expect_test::{Expect, expect};
-use val3_debug::{Breakpoint, BreakpointId, Debugger, MotionStop, PastLimits, Progress, StepKind, Stop, frames};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, MotionStop, PastLimits, AdvanceResult, StepKind, Stop, frames};
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::{ArmHold, MotionMode, MoveStage};
 use val3_machine::controller::RunStatus;
@@ -68,12 +68,12 @@ fn stop_at(debugger: &mut Debugger, line: u32) {
 fn run(debugger: &mut Debugger) -> Option<Stop> {
     for _ in 0..100_000 {
         match debugger.advance() {
-            Progress::Stopped(stop) => return Some(stop),
-            Progress::Ran(RunStatus::Waiting(wake)) => {
+            AdvanceResult::Stopped(stop) => return Some(stop),
+            AdvanceResult::Ran(RunStatus::Waiting(wake)) => {
                 Pace::default().wait(&mut debugger.controller, wake)?;
             }
-            Progress::Ran(status) if status.is_final() => return None,
-            Progress::Ran(_) => {}
+            AdvanceResult::Ran(status) if status.is_final() => return None,
+            AdvanceResult::Ran(_) => {}
         }
     }
     panic!("it does not stop");

@@ -1,7 +1,7 @@
 //! Variables of stopped tasks.
 
 use expect_test::{Expect, expect};
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Inside, Progress, Stop, count, scopes, values};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Inside, AdvanceResult, Stop, count, scopes, values};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_tests::running::Running;
@@ -15,7 +15,7 @@ fn stopped(listing: &str) -> (Controller, TaskNumber) {
     let (file, row) = (image.files[program.file as usize].clone(), program.lines.last().unwrap().row);
     debugger.set_breakpoints(&file, vec![Breakpoint::new(BreakpointId(0), row)]);
     for _ in 0..1000 {
-        if let Progress::Stopped(Stop::Breakpoints { task, .. }) = debugger.advance() {
+        if let AdvanceResult::Stopped(Stop::Breakpoints { task, .. }) = debugger.advance() {
             return (debugger.controller, task);
         }
     }

@@ -1,7 +1,7 @@
 //! Breakpoint conditions, and log points.
 
 use val3_debug::{
-    Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Debugger, Format, PastLimits, ProgramBreakpoint, Progress,
+    Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Debugger, Format, PastLimits, ProgramBreakpoint, AdvanceResult,
     StepKind, Stop, WatchedData,
 };
 use val3_machine::controller::RunStatus;
@@ -42,12 +42,12 @@ fn line(debugger: &Debugger) -> (String, u32) {
 fn run(debugger: &mut Debugger) -> Option<Stop> {
     loop {
         match debugger.advance() {
-            Progress::Stopped(stop) => return Some(stop),
-            Progress::Ran(status) if status.is_final() => return None,
-            Progress::Ran(RunStatus::Waiting(wake)) => {
+            AdvanceResult::Stopped(stop) => return Some(stop),
+            AdvanceResult::Ran(status) if status.is_final() => return None,
+            AdvanceResult::Ran(RunStatus::Waiting(wake)) => {
                 Pace::default().wait(&mut debugger.controller, wake)?;
             }
-            Progress::Ran(_) => {}
+            AdvanceResult::Ran(_) => {}
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Evaluation in the stack frames of a stopped run.
 
 use expect_test::expect;
-use val3_debug::{Errors, Format, Progress, Stop};
+use val3_debug::{Errors, Format, AdvanceResult, Stop};
 use val3_machine::controller::RunStatus;
 use val3_session::{EvaluationError, Pace, Purpose};
 use val3_vm::FragmentContext;
@@ -266,7 +266,7 @@ fn the_run_does_not_notice_evaluations() {
         let (mut events, mut stops) = (Vec::new(), 0);
         loop {
             match stopped.debugger.advance() {
-                Progress::Stopped(_) => {
+                AdvanceResult::Stopped(_) => {
                     stops += 1;
                     if is_watched {
                         let before = format!("{:?}", stopped.debugger.controller.vm.tasks());
@@ -276,11 +276,11 @@ fn the_run_does_not_notice_evaluations() {
                         assert_eq!(before, format!("{:?}", stopped.debugger.controller.vm.tasks()));
                     }
                 }
-                Progress::Ran(RunStatus::Waiting(wake)) => {
+                AdvanceResult::Ran(RunStatus::Waiting(wake)) => {
                     Pace::default().wait(&mut stopped.debugger.controller, wake);
                 }
-                Progress::Ran(status) if status.is_final() => break,
-                Progress::Ran(_) => {}
+                AdvanceResult::Ran(status) if status.is_final() => break,
+                AdvanceResult::Ran(_) => {}
             }
             events.append(&mut stopped.debugger.controller.devices.take_events());
         }

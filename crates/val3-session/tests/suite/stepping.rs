@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use camino::Utf8Path;
 use val3_analysis::system::Disk;
-use val3_debug::{Debugger, Progress, Stop};
+use val3_debug::{Debugger, AdvanceResult, Stop};
 use val3_lang::ports::SECOND;
 use val3_machine::arm::MotionMode;
 use val3_machine::controller::RunStatus;
@@ -26,7 +26,7 @@ fn the_palletiser_steps_from_move_to_move() {
     let mut arrivals: BTreeMap<String, u32> = BTreeMap::new();
     while debugger.controller.now() < 12 * SECOND {
         match debugger.advance() {
-            Progress::Stopped(Stop::Motion(motion)) => {
+            AdvanceResult::Stopped(Stop::Motion(motion)) => {
                 assert_eq!(motion.hold, None, "{motion:?}");
                 // A move to the current position has no piece.
                 let Some(found) = motion.piece else { continue };
@@ -34,9 +34,9 @@ fn the_palletiser_steps_from_move_to_move() {
                 let source = found.source.unwrap();
                 *arrivals.entry(source.program).or_default() += 1;
             }
-            Progress::Ran(RunStatus::Waiting(wake)) => drop(Pace::default().wait(&mut debugger.controller, wake)),
-            Progress::Ran(status) => assert!(!status.is_final(), "{status:?}"),
-            Progress::Stopped(stop) => panic!("{stop:?}"),
+            AdvanceResult::Ran(RunStatus::Waiting(wake)) => drop(Pace::default().wait(&mut debugger.controller, wake)),
+            AdvanceResult::Ran(status) => assert!(!status.is_final(), "{status:?}"),
+            AdvanceResult::Stopped(stop) => panic!("{stop:?}"),
         }
     }
     // Two boxes: the moves of `pick` and `place`, and the stops at their ends.

@@ -3,7 +3,7 @@
 use camino::Utf8Path;
 use tempfile::TempDir;
 use val3_analysis::system::Disk;
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Progress, Stop};
+use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, AdvanceResult, Stop};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
@@ -103,7 +103,7 @@ impl Stopped {
         let (file, row) = last_line(&debugger, "show");
         debugger.set_breakpoints(&file, vec![Breakpoint::new(BreakpointId(0), row)]);
         for _ in 0..1000 {
-            if let Progress::Stopped(Stop::Breakpoints { task, .. }) = debugger.advance() {
+            if let AdvanceResult::Stopped(Stop::Breakpoints { task, .. }) = debugger.advance() {
                 return Self { debugger, evaluator: FrameEvaluator::new(application), task, folder };
             }
         }

@@ -4,7 +4,7 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use val3_dap::{DebuggedRun, NextAction};
-use val3_debug::{Debugger, Progress};
+use val3_debug::{Debugger, AdvanceResult};
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::RunStatus;
 use val3_machine::event::{EndReason, EventKind};
@@ -215,15 +215,15 @@ impl<'a> Course<'a> {
             session.see(start, &self.target());
         }
         match progress {
-            Progress::Stopped(stop) => {
+            AdvanceResult::Stopped(stop) => {
                 if let Some(session) = guide.session() {
                     session.stop(&stop, &mut self.target());
                 }
                 self.observers.flush(self.debugger.controller.now())?;
                 Ok(None)
             }
-            Progress::Ran(status) if status.is_within_cycle() && status != RunStatus::Limit => Ok(None),
-            Progress::Ran(status) => Ok(Some(status)),
+            AdvanceResult::Ran(status) if status.is_within_cycle() && status != RunStatus::Limit => Ok(None),
+            AdvanceResult::Ran(status) => Ok(Some(status)),
         }
     }
 

@@ -76,7 +76,7 @@ fn random_requests_never_hang() {
             }
             for _ in 0..random(200) {
                 match debugger.advance() {
-                    Progress::Ran(status) if !status.is_final() => {}
+                    AdvanceResult::Ran(status) if !status.is_final() => {}
                     _ => break,
                 }
             }
