@@ -21,7 +21,7 @@ use val3_analysis::db::{Database, File};
 use val3_analysis::load::{self, Workspace};
 use val3_analysis::system::Disk;
 use val3_check::settings::WorkspaceSettings;
-use val3_check::{Unit, check_unit, units};
+use val3_check::{CheckUnit, check_unit, units};
 
 const CODE_LINES: usize = 100_000;
 
@@ -51,7 +51,7 @@ impl Written {
 }
 
 /// Returns the number of findings, which is 0.
-fn check_all(db: &Database, units: &[Unit]) -> usize {
+fn check_all(db: &Database, units: &[CheckUnit]) -> usize {
     let settings = WorkspaceSettings::default();
     units.par_iter().map_with(db.clone(), |db, unit| check_unit(db, *unit, &settings).findings.len()).sum()
 }
@@ -71,8 +71,8 @@ fn cold(bencher: Bencher<'_, '_>) {
 /// A checked workspace with a program that is edited repeatedly.
 struct Edited {
     workspace: Workspace,
-    units: Vec<Unit>,
-    unit: Unit,
+    units: Vec<CheckUnit>,
+    unit: CheckUnit,
     file: File,
     text: String,
     edits: usize,
@@ -84,7 +84,7 @@ impl Edited {
         let units = units(&workspace.db, &workspace.projects);
         check_all(&workspace.db, &units);
         let longest = units.iter().filter_map(|unit| match unit {
-            Unit::Program(_, file) => Some((*unit, *file)),
+            CheckUnit::Program(_, file) => Some((*unit, *file)),
             _ => None,
         });
         let length = |file: File| file.text(&workspace.db).len();

@@ -8,7 +8,7 @@
 #![allow(clippy::expect_used, clippy::panic, reason = "an application that fails measures nothing")]
 
 use divan::Bencher;
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, PastLimits, AdvanceResult, StepKind, Stop};
+use val3_debug::{AdvanceResult, Breakpoint, BreakpointId, Debugger, DisplayFormat, PastLimits, StepKind, Stop};
 use val3_lang::ports::TaskNumber;
 use val3_session::{FrameEvaluator, Purpose};
 use val3_tests::running::{Running, application};
@@ -115,6 +115,6 @@ fn an_expression(bencher: Bencher<'_, '_>) {
     bencher.bench_local(|| {
         number += 1;
         let text = format!("l_n+{number}");
-        evaluator.evaluate(&mut debugger.controller, context, &text, (Purpose::Watch, Format::default()))
+        evaluator.evaluate(&mut debugger.controller, context, &text, (Purpose::Watch, DisplayFormat::default()))
     });
 }

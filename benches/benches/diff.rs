@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 use divan::{Bencher, black_box};
 use val3_diff::format::{html, human, json, markdown};
 use val3_diff::report::Detail;
-use val3_diff::{Comparison, Tree, compare};
+use val3_diff::{Comparison, FileTree, compare};
 
 const FRAMES: usize = 100;
 const POINTS: usize = 10_000;
@@ -22,7 +22,7 @@ fn main() {
 }
 
 /// Returns a data file in which every frame is moved by `offset` mm, and every point by the same distance.
-fn backup(offset: f64) -> Tree {
+fn backup(offset: f64) -> FileTree {
     let mut data = String::from("<Database><Datas>");
     let declaration = |name: &str, ty: &str, size: usize| {
         format!("<Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"{size}\">")
@@ -43,7 +43,7 @@ fn backup(offset: f64) -> Tree {
         );
     }
     data.push_str("</Data></Datas></Database>");
-    Tree::new([("cell/cell.dtx", data)])
+    FileTree::new([("cell/cell.dtx", data)])
 }
 
 fn compared() -> Comparison {

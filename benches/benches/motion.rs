@@ -12,8 +12,8 @@ use divan::Bencher;
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints, RequestedConfiguration};
 use val3_motion::{
-    Blend, DegreesPerSecond, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, MoveTarget,
-    Seconds,
+    Blend, DegreesPerSecond, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, MoveTarget, Seconds,
+    SpeedLimits,
 };
 
 const START: Joints = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];
@@ -34,7 +34,7 @@ fn line(y: f64, z: f64, blend: Blend) -> Move {
     let start = arm.forward(&START);
     let pose = Trsf { y: start.y + y, z: start.z + z, ..start }.isometry();
     let axes = [0, 1, 2, 3, 4, 5];
-    let limits = Limits {
+    let limits = SpeedLimits {
         speed: axes.map(|axis| arm.nominal_speed(axis)),
         acceleration: axes.map(|axis| arm.nominal_acceleration(axis)),
         deceleration: axes.map(|axis| arm.nominal_deceleration(axis)),

@@ -6,7 +6,7 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use val3_data::{Content, SavedData, SavedValue, Shape};
+use val3_data::{SavedContainer, SavedContent, SavedData, SavedValue};
 use val3_machine::files::{LibraryFile, LibraryFiles};
 
 const COUNTS: [u32; 3] = [1_000, 8_000, 64_000];
@@ -44,12 +44,12 @@ fn library(count: u32, written: u32) -> LibraryFiles {
 fn numbers(count: u32) -> SavedData {
     let value = |index: u32| SavedValue {
         key: index.to_string(),
-        content: Content::Attributes(vec![("value".into(), (index + 2).to_string())]),
+        content: SavedContent::Attributes(vec![("value".into(), (index + 2).to_string())]),
     };
     SavedData {
         name: "nList".into(),
         type_name: "num".into(),
-        shape: Shape::Sizes(vec![count]),
+        shape: SavedContainer::Sizes(vec![count]),
         values: (0..count).map(value).collect(),
         is_part: false,
     }

@@ -1,7 +1,7 @@
 //! Applications and the files around them.
 
 use camino::Utf8Path;
-use val3_check::settings::Selection;
+use val3_check::settings::RuleSelection;
 use val3_check::testing::try_check;
 use val3_config::ConfigFile;
 use val3_machine::sio::channels;
@@ -61,7 +61,7 @@ fn file(path: &str, bytes: &[u8]) -> (String, Vec<u8>) {
 
 /// Checks that each finding is inside its file. If a `val3.toml` has a fault, nothing is checked.
 fn check_all(files: &[(String, Vec<u8>)]) {
-    let Ok(findings) = try_check(files, &Selection::default()) else { return };
+    let Ok(findings) = try_check(files, &RuleSelection::default()) else { return };
     for finding in findings {
         let file = files.iter().find(|(path, _)| *path == finding.file);
         let lines = file.map_or(0, |(_, bytes)| bytes.split(|byte| *byte == b'\n').count());

@@ -5,7 +5,7 @@ use val3_machine::files::unpack;
 use val3_machine::script::Script;
 use val3_machine::shapes::ShapeFormat;
 use val3_machine::sio::replay;
-use val3_suite::{Role, Scenario};
+use val3_suite::{Scenario, TestFileRole};
 use val3_trace::Trace;
 
 /// Largest unpacked size, in bytes.
@@ -24,7 +24,7 @@ pub fn script(bytes: &[u8]) {
 pub fn scenario(bytes: &[u8]) {
     let Ok(text) = str::from_utf8(bytes) else { return };
     match Scenario::parse("tests/scenario.toml", text) {
-        Ok(scenario) => assert!(scenario.application().is_ok() || Scenario::role(text) != Role::Scenario),
+        Ok(scenario) => assert!(scenario.application().is_ok() || Scenario::role(text) != TestFileRole::Scenario),
         Err(error) => assert!(!error.to_string().is_empty()),
     }
 }

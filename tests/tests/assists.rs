@@ -107,7 +107,7 @@ fn is_unknown(error: &str) -> bool {
 fn layout_changes_no_finding() {
     for name in ["palletiser", "faulty"] {
         let editor = Editor::open(&cell::files(name));
-        let style = val3_fmt::Style::default();
+        let style = val3_fmt::CodeStyle::default();
         let edits = editor.files().into_iter().flat_map(|file| val3_ide::format_file(editor.db(), file, &style));
         let change = SourceChange { edits: edits.collect(), ..SourceChange::default() };
         let after = Editor::open(&editor.after(&change));

@@ -12,7 +12,7 @@ use val3_analysis::db::{Db, File, FileStatus, Project, Sources};
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::occurrences::{Symbol, Usage, occurrences};
 use val3_analysis::system::Memory;
-use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_check::settings::{RuleSelection, WorkspaceSettings};
 use val3_check::{check_unit, finish, units};
 use val3_ide::{FilePosition, SourceChange, prepare_rename, projects_of, rename};
 use val3_syntax::TextSize;
@@ -86,7 +86,7 @@ impl Editor {
         let db = self.db();
         let projects = &self.workspace.projects;
         let units = units(db, projects);
-        let settings = WorkspaceSettings::new(db, projects, &Selection::default()).unwrap();
+        let settings = WorkspaceSettings::new(db, projects, &RuleSelection::default()).unwrap();
         let checked = units.iter().map(|unit| check_unit(db, *unit, &settings)).sum();
         let shown = |found: &val3_check::diagnostic::Diagnostic| {
             let text = found.place.file.text(db);

@@ -7,11 +7,11 @@ use camino::Utf8PathBuf;
 use smol_str::{SmolStr, format_smolstr};
 use val3_config::{AddOnStandIn, ConfigFile, StandInProgram};
 use val3_lang::add_on::{AddOnOverload, AddOnParam};
-use val3_lang::instruction::Class;
+use val3_lang::instruction::CallClass;
 use val3_lang::types::{BaseType, Container};
 
 use crate::db::{Db, File, Project, Sources};
-use crate::items::project::{Param, items, signature};
+use crate::items::project::{SignatureParam, items, signature};
 use crate::paths::{normalise, path_key, with_manifest};
 
 /// A program that is called instead of an add-on instruction.
@@ -89,7 +89,7 @@ pub fn program(db: &dyn Db, project: Project, instruction: &str) -> Option<AddOn
 
 impl AddOnProgram {
     /// Returns the parameters.
-    pub fn params<'db>(&self, db: &'db dyn Db) -> &'db [Param] {
+    pub fn params<'db>(&self, db: &'db dyn Db) -> &'db [SignatureParam] {
         &signature(db, self.library.project, self.file).params
     }
 
@@ -113,27 +113,27 @@ impl AddOnProgram {
 #[salsa::tracked]
 pub(crate) fn forms(db: &dyn Db, library: Project, file: File) -> Vec<AddOnOverload> {
     let params = &signature(db, library, file).params;
-    let form = |params: &[Param], result| AddOnOverload {
+    let form = |params: &[SignatureParam], result| AddOnOverload {
         on_library: false,
         params: params.iter().map(add_on_param).collect(),
         result,
-        class: Class::Modifier,
+        class: CallClass::Modifier,
     };
     let with_result = params.split_last().and_then(|(last, others)| Some(form(others, Some(result_type(last)?))));
     std::iter::once(form(params, None)).chain(with_result).collect()
 }
 
-fn add_on_param(param: &Param) -> AddOnParam {
+fn add_on_param(param: &SignatureParam) -> AddOnParam {
     AddOnParam { name: param.name.to_string(), ty: param.base.builtin(), shape: param.shape() }
 }
 
 /// Returns the result type that a parameter can receive; `None` if it can receive no result.
-fn result_type(param: &Param) -> Option<BaseType> {
+fn result_type(param: &SignatureParam) -> Option<BaseType> {
     let is_variable = param.by_reference && (param.loose || param.container == Container::Element);
     param.base.builtin().filter(|_| is_variable)
 }
 
-fn is_same(param: &Param, formal: &AddOnParam) -> bool {
+fn is_same(param: &SignatureParam, formal: &AddOnParam) -> bool {
     let is_same_shape = param.shape() == formal.shape
         || param.loose && param.shape().is_by_reference() && formal.shape.is_by_reference();
     formal.ty.is_some() && param.base.builtin() == formal.ty && is_same_shape

@@ -32,7 +32,7 @@ pub struct Callee {
 
 /// A task of the application: `start` and `stop` have a task each, and every `taskCreate` defines another task.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Task {
+pub struct StaticTask {
     /// Program that creates the task; `None` for a task that the controller starts.
     pub created_by: Option<SmolStr>,
     /// Start of the task.
@@ -47,7 +47,7 @@ pub struct Application {
     /// Whether all uses of private names are known: the application is sound, and no user page (s8) uses its names.
     pub closed: bool,
     /// All tasks; the tasks of `start` and `stop` come first.
-    pub tasks: Vec<Task>,
+    pub tasks: Vec<StaticTask>,
     /// Tasks that may run each program, as indexes in `tasks`. A program without an entry runs in no task of this
     /// project.
     pub run_by: FxHashMap<SmolStr, FxHashSet<usize>>,
@@ -148,9 +148,9 @@ fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     mentions
 }
 
-fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<Task> {
+fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<StaticTask> {
     let entry = |name: &&str| programs.clone().any(|program| program == name);
-    let task = |name| Task { created_by: None, start: TaskStart::of_controller(name) };
+    let task = |name| StaticTask { created_by: None, start: TaskStart::of_controller(name) };
     ENTRY_POINTS.into_iter().filter(entry).map(task).collect()
 }
 
@@ -185,7 +185,7 @@ impl Application {
             self.callers.entry(callee.program.clone()).or_default().insert(name.clone());
         }
         for start in &summary.tasks {
-            self.tasks.push(Task { created_by: Some(name.clone()), start: start.clone() });
+            self.tasks.push(StaticTask { created_by: Some(name.clone()), start: start.clone() });
         }
         self.named_in_texts.extend(summary.named_in_texts.iter().cloned());
         self.libraries.extend(summary.libraries.iter().cloned());
@@ -297,7 +297,7 @@ impl Application {
     }
 
     /// Returns the tasks that may run a program.
-    pub fn tasks_of(&self, program: &str) -> impl Iterator<Item = &Task> {
+    pub fn tasks_of(&self, program: &str) -> impl Iterator<Item = &StaticTask> {
         let indexes = self.run_by.get(program).into_iter().flatten();
         indexes.filter_map(|index| self.tasks.get(*index))
     }

@@ -26,7 +26,7 @@ pub struct CellConfig {
     pub unreadable_files: Vec<UnreadableCellFile>,
     /// Inputs and outputs of the devices with supported configuration files. The links of other devices cannot be
     /// checked.
-    pub io: Io,
+    pub io: CellIo,
 }
 
 /// A file of a cell that exists but cannot be read.
@@ -40,7 +40,7 @@ pub struct UnreadableCellFile {
 
 /// Inputs and outputs in configuration files.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Io {
+pub struct CellIo {
     /// Devices by the first part of their links, for example `BasicIO-1`.
     pub devices: FxHashMap<String, Device>,
     /// Links of signals by the names in the board configuration: `bOut7` is `BasicIO-1\%Q7`. In s5 and s6 these names

@@ -6,7 +6,7 @@ use val3_lang::data_path::DataPath;
 
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::effects::{AccessKind, Effects, Root};
+use crate::effects::{AccessKind, Effects, RootVariable};
 use crate::flow::{PointKind, flow};
 use crate::items::program::header;
 use crate::items::project::{program_files, signature};
@@ -25,23 +25,23 @@ pub fn is_changed(db: &dyn Db, project: Project, path: &str) -> bool {
 }
 
 /// Fields that programs may change, without indexes (`tSlots.bFull`), by data name.
-type Changes = FxHashMap<SmolStr, FxHashSet<SmolStr>>;
+type FieldChanges = FxHashMap<SmolStr, FxHashSet<SmolStr>>;
 
 /// Fields of parameters that programs may change, as the rest of a path (`.bFull`), by program and parameter position.
 type ParamChanges = FxHashMap<(SmolStr, usize), FxHashSet<SmolStr>>;
 
 #[salsa::tracked]
-fn changes(db: &dyn Db, project: Project) -> Changes {
+fn changes(db: &dyn Db, project: Project) -> FieldChanges {
     let programs: Vec<&ProgramChanges> =
         program_files(db, project).iter().map(|file| program_changes(db, project, *file)).collect();
     let mut params = ParamChanges::default();
-    let mut all = Changes::default();
-    let mut add = |params: &mut ParamChanges, program: &ProgramChanges, target: &Target, rest: &str| match target {
-        Target::Data(path) => {
+    let mut all = FieldChanges::default();
+    let mut add = |params: &mut ParamChanges, program: &ProgramChanges, target: &ChangedPath, rest: &str| match target {
+        ChangedPath::Data(path) => {
             let name = path.split('.').next().unwrap_or_default();
             all.entry(name.into()).or_default().insert(format!("{path}{rest}").into())
         }
-        Target::Param(position, fields) => {
+        ChangedPath::Param(position, fields) => {
             let rest = format!("{fields}{rest}");
             let rest = if rest.len() > LONGEST { SmolStr::default() } else { rest.into() };
             params.entry((program.name.clone(), *position)).or_default().insert(rest)
@@ -71,13 +71,13 @@ fn changes(db: &dyn Db, project: Project) -> Changes {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct ProgramChanges {
     name: SmolStr,
-    changed: FxHashSet<Target>,
+    changed: FxHashSet<ChangedPath>,
     handed_over: Vec<HandOver>,
 }
 
 /// Data or a parameter, with fields and without indexes.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-enum Target {
+enum ChangedPath {
     /// `tSlots.bFull`
     Data(SmolStr),
     /// Parameter position, and rest of the path, for example `.bFull`.
@@ -87,14 +87,14 @@ enum Target {
 /// A variable that is passed by reference to a program of the same project.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct HandOver {
-    target: Target,
+    target: ChangedPath,
     callee: SmolStr,
     position: usize,
 }
 
 #[salsa::tracked(returns(ref))]
 fn program_changes(db: &dyn Db, project: Project, file: File) -> ProgramChanges {
-    let search = Search { db, project, file, body: body(db, file), effects: Effects::new(db, project, file) };
+    let search = ChangeCollector { db, project, file, body: body(db, file), effects: Effects::new(db, project, file) };
     let mut found = ProgramChanges { name: header(db, file).name.clone(), ..ProgramChanges::default() };
     let mut arguments = FxHashSet::default();
     for (_, point) in flow(db, file).points() {
@@ -113,7 +113,7 @@ fn program_changes(db: &dyn Db, project: Project, file: File) -> ProgramChanges 
     found
 }
 
-struct Search<'db> {
+struct ChangeCollector<'db> {
     db: &'db dyn Db,
     project: Project,
     file: File,
@@ -121,7 +121,7 @@ struct Search<'db> {
     effects: Effects<'db>,
 }
 
-impl<'db> Search<'db> {
+impl<'db> ChangeCollector<'db> {
     /// Returns the called program and the arguments of a line.
     fn called(&self, point: &PointKind) -> Option<(ExprId, &'db [ExprId])> {
         let call = match point {
@@ -143,16 +143,16 @@ impl<'db> Search<'db> {
         Some(HandOver { target: self.target(argument)?, callee: called.name.clone(), position })
     }
 
-    fn target(&self, id: ExprId) -> Option<Target> {
+    fn target(&self, id: ExprId) -> Option<ChangedPath> {
         let path = fields(self.body, id);
         match self.effects.root(id)? {
-            Root::Data(_) => Some(Target::Data(path.into())),
-            Root::Param(name) => {
+            RootVariable::Data(_) => Some(ChangedPath::Data(path.into())),
+            RootVariable::Param(name) => {
                 let params = &header(self.db, self.file).params;
                 let position = params.iter().position(|param| param.name == name)?;
-                Some(Target::Param(position, path.strip_prefix(name.as_str())?.into()))
+                Some(ChangedPath::Param(position, path.strip_prefix(name.as_str())?.into()))
             }
-            Root::Local(_) | Root::Item(..) => None,
+            RootVariable::Local(_) | RootVariable::Item(..) => None,
         }
     }
 }

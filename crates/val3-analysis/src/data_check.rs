@@ -22,7 +22,7 @@ use crate::items::parse;
 use crate::items::project::{DataItem, Items, items, resolve_type};
 use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::ty::Base;
-use crate::xml::{self, Attribute, Element};
+use crate::xml::{self, Attribute, XmlElement};
 
 /// Checks a data file and returns its problems.
 #[salsa::tracked]
@@ -50,7 +50,7 @@ impl DataCheck<'_> {
         self.found.report(range, kind);
     }
 
-    fn root(&mut self, root: Element<'_>, view: View<'_>) {
+    fn root(&mut self, root: XmlElement<'_>, view: View<'_>) {
         if !matches!(root.name(), "Database" | "dataList") {
             let kind = ProblemKind::WrongRoot { expected: FileRole::Data, found: root.name().into() };
             return self.report(root.name_range(), kind);
@@ -74,7 +74,7 @@ impl DataCheck<'_> {
 
     /// Reports unexpected elements: `<Database>` contains `<Datas>`, which contains `<Data>`; the old dialect has a
     /// section for each type.
-    fn foreign_elements(&mut self, root: Element<'_>) {
+    fn foreign_elements(&mut self, root: XmlElement<'_>) {
         let old = root.name() == "dataList";
         for list in root.elements() {
             let known = if old { list.name().ends_with("Section") } else { list.name() == "Datas" };
@@ -99,7 +99,7 @@ impl DataCheck<'_> {
         }
     }
 
-    fn declaration(&mut self, element: Element<'_>) {
+    fn declaration(&mut self, element: XmlElement<'_>) {
         self.found.one_of(element, "access", &["public", "private"]);
         self.found.one_of(element, "xsi:type", &["array", "collection"]);
         let Some(ty) = element.attribute("type") else { return };
@@ -112,8 +112,8 @@ impl DataCheck<'_> {
 
     /// Returns the container that an element declares, and its sizes if they are reliable (`sound`). With misspelt or
     /// missing attributes, any key is accepted.
-    fn container(&self, element: Element<'_>, sound: bool) -> (Container, Vec<u32>) {
-        let data::Shape { container, sizes, .. } = data::shape(element);
+    fn container(&self, element: XmlElement<'_>, sound: bool) -> (Container, Vec<u32>) {
+        let data::DeclaredType { container, sizes, .. } = data::shape(element);
         match (attributes::is_plain(element), sound) {
             (false, _) => (Container::Collection, Vec::new()),
             (true, false) => (container, Vec::new()),

@@ -5,20 +5,20 @@ mod walk;
 use std::cell::OnceCell;
 
 use smol_str::SmolStr;
-use val3_lang::instruction::{Class, Instruction, Overload, Shape};
+use val3_lang::instruction::{ArgumentForm, CallClass, Instruction, Overload};
 use val3_lang::instructions::LINK;
 use val3_lang::types::BaseType;
 
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::flow::{Flow, PerPoint, Point, PointId, PointKind, flow};
+use crate::flow::{FlowGraph, FlowNode, PerPoint, PointId, PointKind, flow};
 use crate::infer::{Inference, infer};
 use crate::items::program::{Header, header};
 use crate::items::project::{Items, Signature, items, signature};
 
 /// Root variable, for example `a` for the expression `a[1].x`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Root {
+pub enum RootVariable {
     /// A local variable.
     Local(SmolStr),
     /// A parameter.
@@ -48,7 +48,7 @@ pub struct Access {
     /// Variable with its indexes and fields.
     pub id: ExprId,
     /// Root variable.
-    pub root: Root,
+    pub root: RootVariable,
     /// Kind of use.
     pub kind: AccessKind,
 }
@@ -71,7 +71,7 @@ pub struct Effects<'db> {
     project: Project,
     file: File,
     body: &'db Body,
-    flow: &'db Flow,
+    flow: &'db FlowGraph,
     inference: &'db Inference,
     header: &'db Header,
     items: &'db Items,
@@ -110,7 +110,7 @@ impl<'db> Effects<'db> {
     }
 
     /// Whether the scheduler may switch tasks at this flow node.
-    pub fn may_wait_at(&self, point: &Point) -> bool {
+    pub fn may_wait_at(&self, point: &FlowNode) -> bool {
         let mut parts = point.kind.exprs().flat_map(|id| self.body.within(id));
         let blocks = |id| self.instruction(id).is_some_and(|(instruction, _)| instruction.blocking);
         self.is_foreign(point) || parts.any(|id| blocks(id) || self.is_serial(id))
@@ -121,7 +121,7 @@ impl<'db> Effects<'db> {
     }
 
     /// Whether the flow node calls a library program.
-    fn is_foreign(&self, point: &Point) -> bool {
+    fn is_foreign(&self, point: &FlowNode) -> bool {
         let PointKind::Call(call) = point.kind else { return false };
         match self.body.expr(call) {
             Expr::Call(callee, _) => !matches!(self.body.expr(*callee), Expr::Name(_)),
@@ -144,24 +144,24 @@ impl<'db> Effects<'db> {
     }
 
     /// Returns the root variable of `id`; `None` for constants, computed values and built-in names.
-    pub fn root(&self, id: ExprId) -> Option<Root> {
+    pub fn root(&self, id: ExprId) -> Option<RootVariable> {
         match self.body.expr(id) {
             Expr::Name(name) => self.named(name),
             Expr::Path { library, item } => {
-                self.items.libraries.contains_key(library).then(|| Root::Item(library.clone(), item.clone()))
+                self.items.libraries.contains_key(library).then(|| RootVariable::Item(library.clone(), item.clone()))
             }
             Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) => self.root(*base),
             _ => None,
         }
     }
 
-    fn named(&self, name: &SmolStr) -> Option<Root> {
+    fn named(&self, name: &SmolStr) -> Option<RootVariable> {
         if self.header.locals.iter().any(|local| local.name == *name) {
-            Some(Root::Local(name.clone()))
+            Some(RootVariable::Local(name.clone()))
         } else if self.header.params.iter().any(|param| param.name == *name) {
-            Some(Root::Param(name.clone()))
+            Some(RootVariable::Param(name.clone()))
         } else {
-            self.items.data.contains_key(name).then(|| Root::Data(name.clone()))
+            self.items.data.contains_key(name).then(|| RootVariable::Data(name.clone()))
         }
     }
 
@@ -198,8 +198,8 @@ fn handed_over(
     let mut kind = None;
     for form in forms {
         let Some(param) = form.params.get(position) else { continue };
-        if param.shape != Shape::Value {
-            let acts = form.class == Class::Modifier && param.shape != Shape::ProgramCall;
+        if param.shape != ArgumentForm::Value {
+            let acts = form.class == CallClass::Modifier && param.shape != ArgumentForm::ProgramCall;
             kind = kind.max(Some(if acts { AccessKind::Reference } else { AccessKind::Read }));
         }
     }

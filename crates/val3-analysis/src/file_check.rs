@@ -16,8 +16,8 @@ use crate::items::attributes;
 use crate::items::file_entry::file_entry;
 use crate::items::project::{Items, resolve_type};
 use crate::items::sizes;
-use crate::problem::{EncodingFault, NameKind, Problem, ProblemKind, Related, Role};
-use crate::xml::{Attribute, Element};
+use crate::problem::{EncodingFault, NameKind, Problem, ProblemKind, Related, RelatedRole};
+use crate::xml::{Attribute, XmlElement};
 
 /// Name of the value element in a data file.
 pub(crate) const VALUE: &str = "Value";
@@ -52,24 +52,24 @@ impl<'db> FileCheck<'db> {
 
     /// Reports the repetition of an equal declaration.
     pub(crate) fn report_again(&mut self, range: TextRange, kind: ProblemKind, first: Option<FileRange>) {
-        let related = first.into_iter().map(|place| Related { place, role: Role::First }).collect();
+        let related = first.into_iter().map(|place| Related { place, role: RelatedRole::First }).collect();
         self.problems.push(Problem { kind, place: FileRange { file: self.file, range }, related });
     }
 
     /// Reports an element that must not appear in `parent`.
-    pub(crate) fn unexpected(&mut self, element: Element<'_>, parent: Element<'_>) {
+    pub(crate) fn unexpected(&mut self, element: XmlElement<'_>, parent: XmlElement<'_>) {
         let kind = ProblemKind::UnexpectedElement { name: element.name().into(), parent: parent.name().into() };
         self.report(element.name_range(), kind);
     }
 
     /// Reports an element that is missing in `parent`.
-    pub(crate) fn missing_element(&mut self, parent: Element<'_>, element: &'static str) {
+    pub(crate) fn missing_element(&mut self, parent: XmlElement<'_>, element: &'static str) {
         let kind = ProblemKind::MissingElement { parent: parent.name().into(), element: SmolStr::new_static(element) };
         self.report(parent.name_range(), kind);
     }
 
     /// Checks the namespaces and attributes of `root` and all elements in it.
-    pub(crate) fn elements(&mut self, file: FileKind, root: Element<'_>) {
+    pub(crate) fn elements(&mut self, file: FileKind, root: XmlElement<'_>) {
         let mut rest = vec![root];
         while let Some(element) = rest.pop() {
             let known = files::find(file, element.name());
@@ -81,15 +81,15 @@ impl<'db> FileCheck<'db> {
                 }
             }
             // Misplaced elements are reported by other checks.
-            let belongs = |inner: &Element<'_>| {
+            let belongs = |inner: &XmlElement<'_>| {
                 known.is_none_or(|known| known.children.is_empty() || known.children.contains(&inner.name()))
             };
-            let inner: Vec<Element<'_>> = element.elements().filter(belongs).collect();
+            let inner: Vec<XmlElement<'_>> = element.elements().filter(belongs).collect();
             rest.extend(inner.into_iter().rev());
         }
     }
 
-    fn namespace(&mut self, element: Element<'_>, known: &files::Element) {
+    fn namespace(&mut self, element: XmlElement<'_>, known: &files::ElementPage) {
         let (Some(expected), Some(found)) = (known.namespace, element.attribute("xmlns")) else { return };
         if found.text().trim() != expected {
             let kind = ProblemKind::Namespace {
@@ -102,7 +102,7 @@ impl<'db> FileCheck<'db> {
     }
 
     /// Checks that the attributes of `element` are `known`, and that no required attribute is missing.
-    pub(crate) fn attributes(&mut self, element: Element<'_>, known: &[files::Attribute]) {
+    pub(crate) fn attributes(&mut self, element: XmlElement<'_>, known: &[files::AttributePage]) {
         for (found, near) in self.unknown_attributes(element, known, &[]) {
             let kind =
                 ProblemKind::UnknownAttribute { element: element.name().into(), attribute: found.name.into(), near };
@@ -114,8 +114,8 @@ impl<'db> FileCheck<'db> {
     /// with the most similar attribute that the element does not have.
     pub(crate) fn unknown_attributes<'g>(
         &mut self,
-        element: Element<'g>,
-        known: &[files::Attribute],
+        element: XmlElement<'g>,
+        known: &[files::AttributePage],
         others: &[&'static str],
     ) -> Vec<(Attribute<'g>, Option<SmolStr>)> {
         let names = || known.iter().map(|attribute| attribute.name).chain(others.iter().copied());
@@ -132,7 +132,7 @@ impl<'db> FileCheck<'db> {
         unknown.into_iter().map(|found| (found, near(&found))).collect()
     }
 
-    fn missing(&mut self, element: Element<'_>, attribute: &files::Attribute, written: Option<Attribute<'_>>) {
+    fn missing(&mut self, element: XmlElement<'_>, attribute: &files::AttributePage, written: Option<Attribute<'_>>) {
         let default = match attribute.presence {
             Presence::Required => None,
             Presence::Expected(default) | Presence::Optional(default) => Some(SmolStr::new_static(default)),
@@ -147,7 +147,7 @@ impl<'db> FileCheck<'db> {
     }
 
     /// Checks that the value of the attribute, if present, is one of `values`.
-    pub(crate) fn one_of(&mut self, element: Element<'_>, attribute: &str, values: &[&str]) {
+    pub(crate) fn one_of(&mut self, element: XmlElement<'_>, attribute: &str, values: &[&str]) {
         if let Some(found) = element.attribute(attribute)
             && !values.contains(&found.text().trim())
         {
@@ -157,7 +157,7 @@ impl<'db> FileCheck<'db> {
     }
 
     /// Reports an attribute whose value is not `expected`.
-    pub(crate) fn invalid(&mut self, element: Element<'_>, found: Attribute<'_>, expected: SmolStr) {
+    pub(crate) fn invalid(&mut self, element: XmlElement<'_>, found: Attribute<'_>, expected: SmolStr) {
         let kind = ProblemKind::InvalidAttribute {
             element: element.name().into(),
             attribute: found.name.into(),
@@ -168,7 +168,7 @@ impl<'db> FileCheck<'db> {
     }
 
     /// Checks an array's `size`. Returns whether it is valid.
-    pub(crate) fn size(&mut self, element: Element<'_>) -> bool {
+    pub(crate) fn size(&mut self, element: XmlElement<'_>) -> bool {
         let Some(found) = element.attribute("size") else { return true };
         let sound = sizes(&found.text()).is_some_and(|sizes| !sizes.contains(&0));
         if !sound {

@@ -22,13 +22,13 @@ pub struct PointId(u32);
 
 /// Flow nodes of a program with their edges. The first node is the start, the second the end.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Flow {
-    points: Vec<Point>,
+pub struct FlowGraph {
+    points: Vec<FlowNode>,
 }
 
 /// A flow node: its operation, source range and successors.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct FlowNode {
     /// Operation of the node.
     pub kind: PointKind,
     /// Source range: for the test of a block the range of the condition, or of the statement if the condition is
@@ -116,23 +116,23 @@ impl PointKind {
 
 /// Returns the control-flow graph of the program in `file`.
 #[salsa::tracked(lru = 256, no_eq)]
-pub fn flow(db: &dyn Db, file: File) -> Flow {
+pub fn flow(db: &dyn Db, file: File) -> FlowGraph {
     build::build(body(db, file))
 }
 
-impl Flow {
+impl FlowGraph {
     /// Node before the first line.
     pub const START: PointId = PointId(0);
     /// Node after the last line.
     pub const END: PointId = PointId(1);
 
     /// Returns a flow node.
-    pub fn point(&self, id: PointId) -> Option<&Point> {
+    pub fn point(&self, id: PointId) -> Option<&FlowNode> {
         self.points.get(id.index())
     }
 
     /// Returns all flow nodes: start, end, then the rest in source order.
-    pub fn points(&self) -> impl Iterator<Item = (PointId, &Point)> {
+    pub fn points(&self) -> impl Iterator<Item = (PointId, &FlowNode)> {
         (0u32..).map(PointId).zip(&self.points)
     }
 
@@ -148,7 +148,7 @@ impl Flow {
 
     /// Returns for each flow node whether it is reachable from the start. Edges for which `is_taken` (node, branch
     /// index) is false are ignored.
-    pub fn reachable(&self, is_taken: impl Fn(&Point, usize) -> bool) -> Vec<bool> {
+    pub fn reachable(&self, is_taken: impl Fn(&FlowNode, usize) -> bool) -> Vec<bool> {
         let mut reached = vec![false; self.points.len()];
         let mut open = vec![Self::START];
         while let Some(id) = open.pop() {

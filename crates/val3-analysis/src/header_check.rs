@@ -9,7 +9,7 @@ use crate::file_check::FileCheck;
 use crate::items::project::items;
 use crate::items::{parse, program};
 use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
-use crate::xml::{self, Attribute, Element};
+use crate::xml::{self, Attribute, XmlElement};
 
 /// Checks the file and the header of a program, and returns the problems.
 #[salsa::tracked]
@@ -24,7 +24,7 @@ pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     check.problems
 }
 
-fn root(check: &mut FileCheck<'_>, root: Element<'_>, program: Option<Element<'_>>, stem: &str) {
+fn root(check: &mut FileCheck<'_>, root: XmlElement<'_>, program: Option<XmlElement<'_>>, stem: &str) {
     if !matches!(root.name(), "Programs" | "programList") {
         let kind = ProblemKind::WrongRoot { expected: FileRole::Program, found: root.name().into() };
         return check.report(root.name_range(), kind);
@@ -47,7 +47,7 @@ fn root(check: &mut FileCheck<'_>, root: Element<'_>, program: Option<Element<'_
 
 /// Reports a missing program element. If the file has other elements, these are reported instead, because one may be
 /// misspelt.
-fn missing_program(check: &mut FileCheck<'_>, root: Element<'_>) {
+fn missing_program(check: &mut FileCheck<'_>, root: XmlElement<'_>) {
     let mut others = root.elements().peekable();
     if others.peek().is_none() {
         check.missing_element(root, if root.name() == "programList" { "program" } else { "Program" });
@@ -56,8 +56,8 @@ fn missing_program(check: &mut FileCheck<'_>, root: Element<'_>) {
 }
 
 /// Reports missing code, unless an unknown element may be a misspelt code element.
-fn missing_code(check: &mut FileCheck<'_>, program: Element<'_>) {
-    let is_known = |element: Element<'_>| program::LISTS.iter().any(|(name, _)| *name == element.name());
+fn missing_code(check: &mut FileCheck<'_>, program: XmlElement<'_>) {
+    let is_known = |element: XmlElement<'_>| program::LISTS.iter().any(|(name, _)| *name == element.name());
     if program.elements().any(|element| matches!(element.name(), "Code" | "source") || !is_known(element)) {
         if let Some(source) = program.child(&["source"]).filter(|source| source.elements().next().is_none()) {
             check.missing_element(source, "code");
@@ -76,7 +76,7 @@ fn file_name(check: &mut FileCheck<'_>, name: Attribute<'_>, stem: &str) {
     }
 }
 
-fn foreign_elements(check: &mut FileCheck<'_>, program: Element<'_>) {
+fn foreign_elements(check: &mut FileCheck<'_>, program: XmlElement<'_>) {
     let mut seen = FxHashSet::default();
     for list in program.elements() {
         if !seen.insert(list.name()) {
@@ -93,7 +93,7 @@ fn foreign_elements(check: &mut FileCheck<'_>, program: Element<'_>) {
     }
 }
 
-fn declarations(check: &mut FileCheck<'_>, program: Element<'_>) {
+fn declarations(check: &mut FileCheck<'_>, program: XmlElement<'_>) {
     let mut seen = FxHashMap::default();
     for param in program::params(program) {
         declaration(check, param, NameKind::Parameter, &mut seen);
@@ -115,7 +115,7 @@ fn declarations(check: &mut FileCheck<'_>, program: Element<'_>) {
 
 fn declaration(
     check: &mut FileCheck<'_>,
-    element: Element<'_>,
+    element: XmlElement<'_>,
     what: NameKind,
     seen: &mut FxHashMap<String, TextRange>,
 ) {

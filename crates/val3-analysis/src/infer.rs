@@ -18,9 +18,9 @@ mod value;
 
 use rowan::TextRange;
 
-use self::scope::{Scope, Unresolved};
-use self::sink::{Faults, Sink};
-use self::table::Table;
+use self::scope::{NameResolver, Unresolved};
+use self::sink::{BodyProblems, Sink};
+use self::table::TypeTable;
 pub use self::table::{AddOnCall, InstructionCall};
 use crate::body::{Body, ExprId, body};
 use crate::db::{Db, File, Project};
@@ -30,8 +30,8 @@ use crate::ty::Ty;
 /// Inference results for the code of a program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inference {
-    table: Table,
-    faults: Faults,
+    table: TypeTable,
+    faults: BodyProblems,
 }
 
 impl Inference {
@@ -67,8 +67,8 @@ pub fn infer(db: &dyn Db, project: Project, file: File) -> Inference {
     let body = body(db, file);
     let mut infer = Infer {
         body,
-        scope: Scope::new(db, project, file),
-        table: Table::new(body.len()),
+        scope: NameResolver::new(db, project, file),
+        table: TypeTable::new(body.len()),
         sink: Sink::new(file, body),
         may_be_absent: false,
     };
@@ -86,8 +86,8 @@ pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
 /// State of the walk over the expressions in a body.
 struct Infer<'db> {
     body: &'db Body,
-    scope: Scope<'db>,
-    table: Table,
+    scope: NameResolver<'db>,
+    table: TypeTable,
     sink: Sink<'db>,
     /// Whether the value of the expression may be absent, so that its index has no bounds.
     may_be_absent: bool,

@@ -14,13 +14,13 @@ use crate::db::{Db, File, FileRange, Project, Sources};
 use crate::items::declarations;
 use crate::items::program::header;
 use crate::items::project::{find_project, folder, items, program_files};
-use crate::paths::{self, Target, path_key};
+use crate::paths::{self, ResolvedPath, path_key};
 
 use crate::problem::{FileRole, Problem, ProblemKind};
 
 pub use compare::{implements, is_same_item};
 pub(crate) use incomplete_libraries::is_left_out;
-pub use usage::{Load, LoadedPath, Uses, uses};
+pub use usage::{LibraryUses, Load, LoadedPath, uses};
 
 /// Returns the interface problems of a project's libraries.
 #[salsa::tracked]
@@ -111,7 +111,7 @@ pub fn is_public(db: &dyn Db, project: Project, item: &str) -> bool {
 struct Interfaces<'db> {
     db: &'db dyn Db,
     project: Project,
-    programs: Vec<(File, &'db Uses)>,
+    programs: Vec<(File, &'db LibraryUses)>,
     problems: Vec<Problem>,
 }
 
@@ -207,8 +207,8 @@ impl Interfaces<'_> {
     fn unresolved(&self, path: &SmolStr) -> Option<ProblemKind> {
         let roots = self.project.roots(self.db);
         match paths::project(folder(self.db, self.project), roots, path) {
-            Target::Path(_) => Some(ProblemKind::LibLoadPath { path: path.clone() }),
-            Target::Elsewhere => {
+            ResolvedPath::Path(_) => Some(ProblemKind::LibLoadPath { path: path.clone() }),
+            ResolvedPath::Elsewhere => {
                 let root = paths::root(path);
                 let near = Some(paths::near_root(root, roots)?);
                 let (path, root) = (path.clone(), root.into());

@@ -22,7 +22,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 use val3_config::ConfigError;
-use val3_files::Limits;
+use val3_files::ProcessLimits;
 
 pub use self::configuration::{nearest_configuration, request_configuration};
 pub use self::error::{LoadError, NO_APPLICATION};
@@ -30,15 +30,15 @@ pub use self::outside::{cell_around, is_below_tests, leads_outside, refused_link
 pub use self::references::loads_alike;
 pub use self::search::{files, loose_files};
 use crate::cell::CellConfig;
-use crate::db::{Cell, Configuration, Database, File, Project};
+use crate::db::{CellFolder, Configuration, Database, File, Project};
 use crate::items::manifest::{Manifest, manifest};
-use crate::paths::{self, Roots, Target, path_key};
+use crate::paths::{self, ResolvedPath, Roots, path_key};
 
 use crate::system::System;
 use budget::Budget;
 use folder_names::FolderNames;
 use known_inputs::KnownInputs;
-use outside::Reach;
+use outside::OutsideFolders;
 use references::PathArgument;
 
 /// Result of loading paths.
@@ -104,7 +104,7 @@ struct Loader<'s> {
     projects: FxHashMap<String, Project>,
     /// Projects in the order of loading.
     order: Vec<(String, Project)>,
-    cells: FxHashMap<CellKey, Option<Cell>>,
+    cells: FxHashMap<CellKey, Option<CellFolder>>,
     /// Applicable `val3.toml`, by the path key of the folder.
     configurations: FxHashMap<String, Option<Configuration>>,
     config_errors: Vec<ConfigError>,
@@ -134,7 +134,7 @@ impl<'s> Loader<'s> {
             own_disks: FxHashMap::default(),
             queue: Vec::new(),
             unreadable: Vec::new(),
-            budget: Budget::new(Limits::workspace()),
+            budget: Budget::new(ProcessLimits::workspace()),
         }
     }
 
@@ -186,7 +186,7 @@ impl<'s> Loader<'s> {
         let configuration = self.configuration(&folder);
         let roots = self.roots(&path, configuration, disk);
         let cell = self.cell(roots.disk.as_deref(), configuration);
-        let reach = Reach::of(self.system, &folder, &roots);
+        let reach = OutsideFolders::of(self.system, &folder, &roots);
         for reference in named {
             if !self.enqueue(&folder, &roots, &reach, reference) {
                 outside.push(reference.into());
@@ -231,8 +231,8 @@ impl<'s> Loader<'s> {
     }
 
     /// Queues the referenced project. Returns whether the reference stays inside the reach.
-    fn enqueue(&mut self, folder: &Utf8Path, roots: &Roots, reach: &Reach, reference: &str) -> bool {
-        let Target::Path(path) = paths::project(folder, roots, reference) else { return true };
+    fn enqueue(&mut self, folder: &Utf8Path, roots: &Roots, reach: &OutsideFolders, reference: &str) -> bool {
+        let ResolvedPath::Path(path) = paths::project(folder, roots, reference) else { return true };
         let is_inside = reach.contains(self.system, &path);
         if is_inside {
             self.queue.push(LoadedProject { manifest: path, disk: roots.disk.clone() });
@@ -263,7 +263,7 @@ impl<'s> Loader<'s> {
     }
 
     /// Queues every project whose folder begins with a constant prefix, as in `"Disk://parts/part" + sName`.
-    fn enqueue_prefix(&mut self, folder: &Utf8Path, roots: &Roots, reach: &Reach, prefix: &str) {
+    fn enqueue_prefix(&mut self, folder: &Utf8Path, roots: &Roots, reach: &OutsideFolders, prefix: &str) {
         let Some((start, partial)) = paths::projects_from(folder, roots, prefix) else { return };
         let Some(start) = self.actual(&start) else { return };
         for name in self.names_in(&start).iter().filter(|name| path_key(name).starts_with(&partial)) {
@@ -284,7 +284,7 @@ impl<'s> Loader<'s> {
         roots
     }
 
-    fn cell(&mut self, disk: Option<&Utf8Path>, configuration: Option<Configuration>) -> Option<Cell> {
+    fn cell(&mut self, disk: Option<&Utf8Path>, configuration: Option<Configuration>) -> Option<CellFolder> {
         let usr = disk.and_then(Utf8Path::parent).map(Utf8Path::to_owned);
         let key = (usr, configuration);
         if let Some(cell) = self.cells.get(&key) {

@@ -50,7 +50,7 @@ impl Roots {
 
 /// Target of a reference.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub enum Target {
+pub enum ResolvedPath {
     /// A path on the local disk.
     Path(Utf8PathBuf),
     /// A root without a known folder (`USB0://`, an FTP connection), which cannot be checked.
@@ -73,14 +73,14 @@ fn is_plain_name(reference: &str) -> bool {
 
 /// Resolves a reference to another project in `<Library path>`, `<Type path>` or `libLoad` (6.6). The default root is
 /// `Disk`; the path is the project's folder or its `.pjx`.
-pub fn project(folder: &Utf8Path, roots: &Roots, reference: &str) -> Target {
+pub fn project(folder: &Utf8Path, roots: &Roots, reference: &str) -> ResolvedPath {
     let reference = reference.trim().replace('\\', "/");
     let path = match reference.split_once("://") {
         Some((root, rest)) => roots.folder(root).map(|root| root.join(rest.trim_start_matches('/'))),
         None if reference.starts_with("./") || reference.starts_with("../") => Some(folder.join(&reference)),
         None => roots.disk.as_ref().map(|disk| disk.join(reference.trim_start_matches('/'))),
     };
-    path.map_or(Target::Elsewhere, |path| Target::Path(with_manifest(normalise(&path))))
+    path.map_or(ResolvedPath::Elsewhere, |path| ResolvedPath::Path(with_manifest(normalise(&path))))
 }
 
 /// Returns the root name of a reference.
@@ -101,8 +101,8 @@ pub fn near_root(root: &str, roots: &Roots) -> Option<SmolStr> {
 pub fn projects_from(folder: &Utf8Path, roots: &Roots, prefix: &str) -> Option<(Utf8PathBuf, String)> {
     let (start, partial) = prefix.rsplit_once('/').unwrap_or(("", prefix));
     match project(folder, roots, &format!("{start}/x.pjx")) {
-        Target::Path(probe) => Some((probe.parent()?.to_owned(), partial.to_lowercase())),
-        Target::Elsewhere => None,
+        ResolvedPath::Path(probe) => Some((probe.parent()?.to_owned(), partial.to_lowercase())),
+        ResolvedPath::Elsewhere => None,
     }
 }
 
@@ -160,8 +160,8 @@ mod tests {
 
     fn resolve(reference: &str) -> String {
         match project(Utf8Path::new("/cell/usrapp/app"), &roots(), reference) {
-            Target::Path(path) => path.into_string(),
-            Target::Elsewhere => "elsewhere".to_owned(),
+            ResolvedPath::Path(path) => path.into_string(),
+            ResolvedPath::Elsewhere => "elsewhere".to_owned(),
         }
     }
 

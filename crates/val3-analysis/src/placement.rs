@@ -9,7 +9,7 @@ use val3_lang::types::BaseType;
 
 use crate::db::{Db, Project};
 use crate::items::manifest::length_unit;
-use crate::items::positions::{Position, positions};
+use crate::items::positions::{TaughtPosition, positions};
 use crate::items::project::items;
 
 /// Pose of a position or tool, and its chain of fathers.
@@ -41,7 +41,7 @@ pub enum Unplaced {
 const MOST_OF_LOOP: usize = 20;
 
 /// Returns the value at a data path such as `tSlots[1,2].pPlace[0]` in the data files of a project.
-pub fn position<'db>(db: &'db dyn Db, project: Project, path: &str) -> Option<&'db Position> {
+pub fn position<'db>(db: &'db dyn Db, project: Project, path: &str) -> Option<&'db TaughtPosition> {
     let item = items(db, project).data.get(DataPath::new(path).before_index())?;
     positions(db, item.file).get(path)
 }
@@ -97,13 +97,13 @@ fn of_loop(chain: &[SmolStr], start: &SmolStr) -> Unplaced {
 }
 
 /// Returns the transformation of a value in the length unit of the application.
-pub fn transformation(value: &Position) -> Trsf {
+pub fn transformation(value: &TaughtPosition) -> Trsf {
     let [x, y, z, rx, ry, rz] = value.numbers;
     Trsf::new([x, y, z], [rx, ry, rz])
 }
 
 /// Returns the joints of a value in degrees; in mm for a linear axis.
-pub fn joints(db: &dyn Db, project: Project, value: &Position, arm: &val3_kinematics::Arm) -> [f64; 6] {
+pub fn joints(db: &dyn Db, project: Project, value: &TaughtPosition, arm: &val3_kinematics::Arm) -> [f64; 6] {
     let unit = length_unit(db, project.manifest(db)).millimetres();
     let mut joints = value.numbers;
     joints.iter_mut().enumerate().filter(|(axis, _)| arm.is_stroke(*axis)).for_each(|(_, joint)| *joint *= unit);

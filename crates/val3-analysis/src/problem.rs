@@ -30,12 +30,12 @@ pub struct Related {
     /// Location.
     pub place: FileRange,
     /// Role of the location.
-    pub role: Role,
+    pub role: RelatedRole,
 }
 
 /// Role of a related location.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Role {
+pub enum RelatedRole {
     /// The declaration of the name.
     Declared,
     /// The parameter of the argument.

@@ -13,9 +13,9 @@ use crate::file_check::FileCheck;
 use crate::items::manifest::{Spelling, entries, spelling};
 use crate::items::parse;
 use crate::items::project::{find_file, find_project, folder, items, leads_outside};
-use crate::paths::{self, Target};
+use crate::paths::{self, ResolvedPath};
 use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
-use crate::xml::{self, Attribute, Element};
+use crate::xml::{self, Attribute, XmlElement};
 
 /// Checks a project file and returns its problems.
 #[salsa::tracked]
@@ -37,7 +37,7 @@ struct ProjectCheck<'db> {
 }
 
 impl ProjectCheck<'_> {
-    fn root(&mut self, root: Element<'_>) {
+    fn root(&mut self, root: XmlElement<'_>) {
         if !matches!(root.name(), "Project" | "project") {
             let kind = ProblemKind::WrongRoot { expected: FileRole::Project, found: root.name().into() };
             return self.found.report(root.name_range(), kind);
@@ -56,7 +56,7 @@ impl ProjectCheck<'_> {
     }
 
     /// Reports unreadable files of the cell at the root element, because they are outside of the project.
-    fn cell_files(&mut self, root: Element<'_>) {
+    fn cell_files(&mut self, root: XmlElement<'_>) {
         let Some(cell) = self.project.cell(self.db) else { return };
         for file in &cell.config(self.db).unreadable_files {
             let kind = ProblemKind::CellFileUnreadable { path: file.path.clone(), reason: file.reason.clone() };
@@ -64,7 +64,7 @@ impl ProjectCheck<'_> {
         }
     }
 
-    fn children(&mut self, root: Element<'_>, spelling: &Spelling) {
+    fn children(&mut self, root: XmlElement<'_>, spelling: &Spelling) {
         let lists = [spelling.programs, spelling.data, spelling.libraries, spelling.types];
         for element in root.elements().filter(|element| element.name() != spelling.parameters) {
             match lists.iter().find(|(list, _)| *list == element.name()) {
@@ -77,7 +77,7 @@ impl ProjectCheck<'_> {
         }
     }
 
-    fn version(&mut self, root: Element<'_>, spelling: &Spelling) {
+    fn version(&mut self, root: XmlElement<'_>, spelling: &Spelling) {
         let Some(parameters) = root.child(&[spelling.parameters]) else { return };
         let version = parameters.attribute("version");
         if let Some(version) = version.filter(|version| Version::parse(&version.text()).is_none()) {
@@ -85,7 +85,7 @@ impl ProjectCheck<'_> {
         }
     }
 
-    fn parameters(&mut self, root: Element<'_>, spelling: &Spelling) {
+    fn parameters(&mut self, root: XmlElement<'_>, spelling: &Spelling) {
         let Some(parameters) = root.child(&[spelling.parameters]) else { return };
         self.found.one_of(parameters, "millimeterUnit", &["true", "false"]);
         let stack = parameters.attribute("stackSize").filter(|size| size.text().trim().parse::<u32>().is_err());
@@ -95,7 +95,7 @@ impl ProjectCheck<'_> {
     }
 
     /// Checks the entries of program or data files.
-    fn files(&mut self, root: Element<'_>, list: (&'static str, &'static str), what: FileRole) {
+    fn files(&mut self, root: XmlElement<'_>, list: (&'static str, &'static str), what: FileRole) {
         let mut seen: FxHashMap<String, TextRange> = FxHashMap::default();
         for element in entries(root, list) {
             let Some(file) = element.attribute("file") else { continue };
@@ -119,7 +119,7 @@ impl ProjectCheck<'_> {
     /// Checks the entries of libraries or user types.
     fn projects(
         &mut self,
-        root: Element<'_>,
+        root: XmlElement<'_>,
         list: (&'static str, &'static str),
         (name, path): (&'static str, &'static str),
         what: FileRole,
@@ -179,8 +179,8 @@ impl ProjectCheck<'_> {
             _ if leads_outside(db, self.project, &reference) => {
                 ProblemKind::FileOutside(what, reference.as_ref().into())
             }
-            Target::Path(_) => ProblemKind::FileMissing { what, path: reference.as_ref().into() },
-            Target::Elsewhere => self.unresolved(&reference, what),
+            ResolvedPath::Path(_) => ProblemKind::FileMissing { what, path: reference.as_ref().into() },
+            ResolvedPath::Elsewhere => self.unresolved(&reference, what),
         };
         self.found.report(path.range, kind);
     }

@@ -1,7 +1,7 @@
 //! Reachability of poses, independent of the arm's previous position.
 
 use val3_geometry::{IsometryMatrix3, Trsf};
-use val3_kinematics::{Arm, Elbow, Joints, Request, RequestedConfiguration, Shoulder, Unreachable, Wrist};
+use val3_kinematics::{Arm, ConfigurationRequest, Elbow, Joints, RequestedConfiguration, Shoulder, Unreachable, Wrist};
 
 /// Returns joints for a flange pose. The initial configuration is unknown, so `same` accepts any configuration.
 pub fn reach(
@@ -14,8 +14,8 @@ pub fn reach(
 
 /// Replaces `same` by `free`, because the initial configuration is unknown.
 pub fn without_same(requested: RequestedConfiguration) -> RequestedConfiguration {
-    fn freed<T>(request: Request<T>) -> Request<T> {
-        if matches!(request, Request::Same) { Request::Free } else { request }
+    fn freed<T>(request: ConfigurationRequest<T>) -> ConfigurationRequest<T> {
+        if matches!(request, ConfigurationRequest::Same) { ConfigurationRequest::Free } else { request }
     }
     RequestedConfiguration {
         shoulder: freed(requested.shoulder),

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 use val3_lang::instructions;
 
 use crate::body::{Body, Expr, ExprId, body};
@@ -43,7 +43,7 @@ fn takes_container(body: &Body, callee: ExprId, position: usize) -> bool {
     };
     instruction.is_none_or(|instruction| {
         let params = instruction.overloads.iter().filter_map(|form| form.params.get(position));
-        instructions::may_resize(instruction) && params.into_iter().any(|param| param.shape != Shape::Value)
+        instructions::may_resize(instruction) && params.into_iter().any(|param| param.shape != ArgumentForm::Value)
     })
 }
 

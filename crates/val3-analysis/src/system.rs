@@ -20,7 +20,7 @@ pub use overlay::OverlayFs;
 
 /// Kind of path target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum PathKind {
     /// A file.
     File,
     /// A folder.
@@ -37,8 +37,8 @@ pub trait System: Send + Sync + Debug {
 
     /// Reads several program, data or project files, in the same order; `None` if a file does not exist. An
     /// implementation may read them in parallel.
-    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
-        paths.iter().map(|path| Content::of(self.read(path, FileClass::Program))).collect()
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<SystemContent>> {
+        paths.iter().map(|path| SystemContent::of(self.read(path, FileClass::Program))).collect()
     }
 
     /// Returns the text of a file that is open in an editor, which takes precedence over the stored text.
@@ -64,7 +64,7 @@ pub trait System: Send + Sync + Debug {
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>>;
 
     /// Returns the kind of `path` after following links; `None` if it does not exist.
-    fn kind(&self, path: &Utf8Path) -> Option<Kind>;
+    fn kind(&self, path: &Utf8Path) -> Option<PathKind>;
 
     /// Returns a path that is unique for a folder, so that circular links are recognised.
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf;
@@ -85,7 +85,7 @@ impl<S: System + ?Sized> System for &S {
         (**self).read(path, class)
     }
 
-    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<SystemContent>> {
         (**self).read_all(paths)
     }
 
@@ -105,7 +105,7 @@ impl<S: System + ?Sized> System for &S {
         (**self).list(path)
     }
 
-    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+    fn kind(&self, path: &Utf8Path) -> Option<PathKind> {
         (**self).kind(path)
     }
 
@@ -124,7 +124,7 @@ impl<S: System + ?Sized> System for &S {
 
 /// Content of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Content {
+pub struct SystemContent {
     /// Decoded text; empty if the file is unreadable.
     pub text: Arc<str>,
     /// Result of reading; `None` if the text comes from an editor.
@@ -134,7 +134,7 @@ pub struct Content {
 /// Maximum file size in bytes: offsets have 32 bits.
 const SIZE_LIMIT: usize = u32::MAX as usize / 2;
 
-impl Content {
+impl SystemContent {
     /// Converts the result of reading to content; `None` if the file does not exist.
     pub fn of(read: Result<Vec<u8>, Unreadable>) -> Option<Self> {
         match read {
@@ -178,9 +178,9 @@ impl System for Disk {
         Ok(names)
     }
 
-    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+    fn kind(&self, path: &Utf8Path) -> Option<PathKind> {
         let metadata = std::fs::metadata(path).ok()?;
-        Some(if metadata.is_dir() { Kind::Folder } else { Kind::File })
+        Some(if metadata.is_dir() { PathKind::Folder } else { PathKind::File })
     }
 
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
@@ -229,11 +229,11 @@ impl System for Memory {
         if names.is_empty() { Err(io::ErrorKind::NotFound.into()) } else { Ok(names) }
     }
 
-    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+    fn kind(&self, path: &Utf8Path) -> Option<PathKind> {
         if self.files.contains_key(path) {
-            return Some(Kind::File);
+            return Some(PathKind::File);
         }
-        self.files.keys().any(|file| file.starts_with(path)).then_some(Kind::Folder)
+        self.files.keys().any(|file| file.starts_with(path)).then_some(PathKind::Folder)
     }
 
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {

@@ -7,7 +7,7 @@ use val3_lang::types::BaseType;
 
 use crate::body::{Body, Constant, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::effects::{Effects, Root};
+use crate::effects::{Effects, RootVariable};
 use crate::flow::{PointKind, flow};
 use crate::infer::{Inference, infer};
 use crate::items::positions::key_of;
@@ -41,7 +41,7 @@ pub fn targets(db: &dyn Db, project: Project) -> Targets {
 
 #[salsa::tracked]
 fn targets_in(db: &dyn Db, project: Project, file: File) -> Targets {
-    let mut search = Search {
+    let mut search = TargetCollector {
         body: body(db, file),
         inference: infer(db, project, file),
         effects: Effects::new(db, project, file),
@@ -58,14 +58,14 @@ fn targets_in(db: &dyn Db, project: Project, file: File) -> Targets {
     search.found
 }
 
-struct Search<'db> {
+struct TargetCollector<'db> {
     body: &'db Body,
     inference: &'db Inference,
     effects: Effects<'db>,
     found: Targets,
 }
 
-impl Search<'_> {
+impl TargetCollector<'_> {
     /// Adds the targets of a move instruction.
     fn call(&mut self, id: ExprId, args: &[ExprId]) {
         let Some(call) = self.inference.call(id) else { return };
@@ -121,7 +121,7 @@ impl Search<'_> {
             return call.and(args.first().copied()).and_then(|point| self.uses(point));
         }
         match self.effects.root(id)? {
-            Root::Data(name) => Some(self.found.entry(name).or_default()),
+            RootVariable::Data(name) => Some(self.found.entry(name).or_default()),
             _ => None,
         }
     }

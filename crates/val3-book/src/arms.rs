@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use anyhow::Result;
 use val3_kinematics::Arm;
 
-use crate::page::Page;
+use crate::page::BookPage;
 
 /// Path of the page.
 const PATH: &str = "arm-list.md";
@@ -22,12 +22,12 @@ of an arm, and [Arms and their times](arms.md) describes how to measure those of
 ";
 
 /// Returns the page: a table with a row for each arm.
-pub(crate) fn page() -> Result<Page> {
+pub(crate) fn page() -> Result<BookPage> {
     let mut text = HEAD.to_owned();
     for name in Arm::names() {
         row(&Arm::by_name(name)?, &mut text);
     }
-    Ok(Page::plain(PATH, text))
+    Ok(BookPage::plain(PATH, text))
 }
 
 fn row(arm: &Arm, text: &mut String) {

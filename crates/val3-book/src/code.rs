@@ -3,17 +3,17 @@
 use std::fmt::Write as _;
 
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
-use val3_check::topics::Kind;
+use val3_check::topics::TopicKind;
 use val3_lang::types::BaseType;
 use val3_lang::{builtins, enumerations, instructions};
 use val3_syntax::{SyntaxKind, SyntaxToken, TextRange, TextSize, parse};
 
 use crate::links::{options, replaced};
-use crate::names::Names;
-use crate::page::Page;
+use crate::names::PageNames;
+use crate::page::BookPage;
 
 /// Replaces blocks of VAL 3 code in a page by HTML. Blocks in lists remain unchanged.
-pub(crate) fn coloured(page: &Page, names: &Names) -> String {
+pub(crate) fn coloured(page: &BookPage, names: &PageNames) -> String {
     let mut edits = Vec::new();
     let mut lists = 0_usize;
     let mut block = None;
@@ -39,12 +39,12 @@ pub(crate) fn coloured(page: &Page, names: &Names) -> String {
 }
 
 /// Whether a block is VAL 3 code: it is marked as such, or it contains the forms of an instruction.
-fn is_val3(page: &Page, language: &str) -> bool {
+fn is_val3(page: &BookPage, language: &str) -> bool {
     let first = language.split_whitespace().next().unwrap_or_default();
-    first == "val3" || first.is_empty() && page.kind() == Some(Kind::Instruction)
+    first == "val3" || first.is_empty() && page.kind() == Some(TopicKind::Instruction)
 }
 
-fn html(page: &Page, names: &Names, code: &str) -> String {
+fn html(page: &BookPage, names: &PageNames, code: &str) -> String {
     let mut html = String::from("<pre><code class=\"no-highlight hljs\">");
     let mut lines = String::new();
     let mut is_file = false;
@@ -70,7 +70,7 @@ const BEFORE: &str = "<Programs><Program name=\"a\"><Code><![CDATA[";
 const AFTER: &str = "]]></Code></Program></Programs>";
 
 /// Writes lines of code or declarations.
-fn tokens(page: &Page, names: &Names, code: &str, html: &mut String) {
+fn tokens(page: &BookPage, names: &PageNames, code: &str, html: &mut String) {
     let text = format!("{BEFORE}{code}{AFTER}");
     let range = TextRange::at(TextSize::of(BEFORE), TextSize::of(code));
     let tree = parse(&text).root();
@@ -80,12 +80,12 @@ fn tokens(page: &Page, names: &Names, code: &str, html: &mut String) {
     }
 }
 
-fn write_token(page: &Page, names: &Names, token: &SyntaxToken, html: &mut String) {
+fn write_token(page: &BookPage, names: &PageNames, token: &SyntaxToken, html: &mut String) {
     let text = token.text();
     match class(token) {
         None => html.push_str(&escaped(text)),
-        Some(Class::Plain(class)) => span(html, class, text),
-        Some(Class::Page(kind, class)) => match names.of_kind(kind, text).filter(|path| *path != page.path) {
+        Some(TokenClass::Plain(class)) => span(html, class, text),
+        Some(TokenClass::Page(kind, class)) => match names.of_kind(kind, text).filter(|path| *path != page.path) {
             Some(path) => {
                 let address = page.link_to(&path.replace(".md", ".html"));
                 let _ = write!(html, "<a class=\"{class}\" href=\"{address}\">{}</a>", escaped(text));
@@ -96,18 +96,18 @@ fn write_token(page: &Page, names: &Names, token: &SyntaxToken, html: &mut Strin
 }
 
 /// Colour of a token, with the kind of page to which it links.
-enum Class {
+enum TokenClass {
     Plain(&'static str),
-    Page(Kind, &'static str),
+    Page(TopicKind, &'static str),
 }
 
-fn class(token: &SyntaxToken) -> Option<Class> {
+fn class(token: &SyntaxToken) -> Option<TokenClass> {
     let text = token.text();
     match token.kind() {
-        SyntaxKind::COMMENT => Some(Class::Plain("hljs-comment")),
-        SyntaxKind::STRING => Some(Class::Plain("hljs-string")),
-        SyntaxKind::NUMBER => Some(Class::Plain("hljs-number")),
-        kind if kind.is_keyword() => Some(Class::Plain("hljs-keyword")),
+        SyntaxKind::COMMENT => Some(TokenClass::Plain("hljs-comment")),
+        SyntaxKind::STRING => Some(TokenClass::Plain("hljs-string")),
+        SyntaxKind::NUMBER => Some(TokenClass::Plain("hljs-number")),
+        kind if kind.is_keyword() => Some(TokenClass::Plain("hljs-keyword")),
         SyntaxKind::IDENT => word(token, text),
         _ => None,
     }
@@ -116,22 +116,22 @@ fn class(token: &SyntaxToken) -> Option<Class> {
 /// Words at the beginning of a declaration in a listing.
 const LISTING: [&str; 6] = ["public", "private", "program", "library", "type", "version"];
 
-fn word(token: &SyntaxToken, text: &str) -> Option<Class> {
+fn word(token: &SyntaxToken, text: &str) -> Option<TokenClass> {
     let neighbour = |token: Option<SyntaxToken>| token.map(|token| token.kind());
     let is_called = neighbour(token.next_token()) == Some(SyntaxKind::L_PAREN);
     let is_field = neighbour(token.prev_token()) == Some(SyntaxKind::DOT);
     if is_field {
         None
     } else if is_called && instructions::find(text).is_some() {
-        Some(Class::Page(Kind::Instruction, "hljs-built_in"))
+        Some(TokenClass::Page(TopicKind::Instruction, "hljs-built_in"))
     } else if neighbour(token.prev_token()) == Some(SyntaxKind::EQ) && enumerations::find(text).is_some() {
-        Some(Class::Plain("hljs-literal"))
+        Some(TokenClass::Plain("hljs-literal"))
     } else if BaseType::from_name(text).is_some() {
-        Some(Class::Page(Kind::Type, "hljs-type"))
+        Some(TokenClass::Page(TopicKind::Type, "hljs-type"))
     } else if enumerations::find(text).is_some() || builtins::find(text).is_some() {
-        Some(Class::Plain("hljs-literal"))
+        Some(TokenClass::Plain("hljs-literal"))
     } else if LISTING.contains(&text) {
-        Some(Class::Plain("hljs-keyword"))
+        Some(TokenClass::Plain("hljs-keyword"))
     } else {
         None
     }
@@ -150,7 +150,7 @@ mod tests {
     use super::*;
 
     fn coloured_text(text: &str) -> String {
-        coloured(&Page::plain("a/b.md", text), &Names::new(&[]))
+        coloured(&BookPage::plain("a/b.md", text), &PageNames::new(&[]))
     }
 
     #[test]

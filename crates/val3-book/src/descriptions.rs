@@ -5,7 +5,7 @@ use camino::Utf8Path;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
 use crate::links::options;
-use crate::page::Page;
+use crate::page::BookPage;
 use crate::read;
 
 /// Largest length of a description, in characters.
@@ -15,7 +15,7 @@ const LONGEST: usize = 160;
 const META: &str = "<meta name=\"description\" content=\"";
 
 /// Sets the first paragraph as description in all pages.
-pub(crate) fn write(html: &Utf8Path, pages: &[Page]) -> Result<()> {
+pub(crate) fn write(html: &Utf8Path, pages: &[BookPage]) -> Result<()> {
     for page in pages.iter().filter(|page| page.path != "SUMMARY.md") {
         let file = html.join(page.path.replace(".md", ".html"));
         let text = read(&file)?;

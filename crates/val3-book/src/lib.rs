@@ -18,7 +18,7 @@ use anyhow::{Context as _, Result};
 use camino::{Utf8Path, Utf8PathBuf};
 use mdbook_driver::MDBook;
 
-use page::Page;
+use page::BookPage;
 
 /// Builds the book of the project at `root` as HTML in `target/book/html` and returns the folder.
 ///
@@ -42,7 +42,7 @@ pub fn write_sources(docs: &Utf8Path, folder: &Utf8Path) -> Result<()> {
     write_pages(docs, folder).map(|_| ())
 }
 
-fn write_pages(docs: &Utf8Path, folder: &Utf8Path) -> Result<Vec<Page>> {
+fn write_pages(docs: &Utf8Path, folder: &Utf8Path) -> Result<Vec<BookPage>> {
     let sources = folder.join("src");
     if sources.exists() {
         fs::remove_dir_all(&sources).with_context(|| format!("clearing {sources}"))?;

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use pulldown_cmark::{Event, Options, Parser, Tag};
 
-use crate::page::Page;
+use crate::page::BookPage;
 
 /// Path of `docs/fidelity.md` in the book.
 pub(crate) const FIDELITY: &str = "fidelity.md";
@@ -25,7 +25,7 @@ const MOVED: [(&str, &str); 7] = [
 ];
 
 /// Replaces links by links to pages of the book. A link to another file of the repository is reduced to its text.
-pub(crate) fn within_book(page: &Page, paths: &[String]) -> String {
+pub(crate) fn within_book(page: &BookPage, paths: &[String]) -> String {
     let mut edits = Vec::new();
     for (event, range) in Parser::new_ext(&page.text, options()).into_offset_iter() {
         if let Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) = event
@@ -58,7 +58,7 @@ fn is_relative(address: &str) -> bool {
 }
 
 /// Returns the new source of a link or picture, if its target has another path in the book.
-fn edit(page: &Page, paths: &[String], address: &str, source: &str) -> Option<String> {
+fn edit(page: &BookPage, paths: &[String], address: &str, source: &str) -> Option<String> {
     let (file, anchor) =
         address.split_once('#').map_or((address, ""), |(file, _)| (file, address.split_at(file.len()).1));
     let is_page = |path: &String| paths.contains(path);
@@ -74,7 +74,7 @@ fn edit(page: &Page, paths: &[String], address: &str, source: &str) -> Option<St
 }
 
 /// Returns the folder of a page's source in the repository.
-fn repository_folder(page: &Page) -> String {
+fn repository_folder(page: &BookPage) -> String {
     match page.path.as_str() {
         CHANGELOG | ARCHITECTURE => String::new(),
         FIDELITY => "docs".to_owned(),
@@ -111,12 +111,12 @@ mod tests {
     #[test]
     fn links_lead_to_pages_of_the_book() {
         let paths = ["adr/index.md", "arms.md", "b.svg", "changelog.md"].map(str::to_owned);
-        let page = Page::plain(
+        let page = BookPage::plain(
             ARCHITECTURE,
             "See [a](docs/adr/README.md), [b](docs/src/arms.md#x), [c](xtask/a.md), [d](CHANGELOG.md).",
         );
         assert_eq!(within_book(&page, &paths), "See [a](adr/index.md), [b](arms.md#x), c, [d](changelog.md).");
-        let page = Page::plain("adr/0001.md", "[a](../src/arms.md) [b](README.md) ![c](../src/b.svg)");
+        let page = BookPage::plain("adr/0001.md", "[a](../src/arms.md) [b](README.md) ![c](../src/b.svg)");
         assert_eq!(within_book(&page, &paths), "[a](../arms.md) [b](../adr/index.md) ![c](../b.svg)");
     }
 }

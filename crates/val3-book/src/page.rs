@@ -1,10 +1,10 @@
 //! Pages of the book.
 
-use val3_check::topics::Kind;
+use val3_check::topics::TopicKind;
 
 /// A page, before or after its links are added.
 #[derive(Debug, Clone)]
-pub(crate) struct Page {
+pub(crate) struct BookPage {
     /// Path relative to `src`.
     pub(crate) path: String,
     /// Subject of a generated page.
@@ -17,19 +17,19 @@ pub(crate) struct Page {
 #[derive(Debug, Clone)]
 pub(crate) struct Subject {
     /// Kind.
-    pub(crate) kind: Kind,
+    pub(crate) kind: TopicKind,
     /// First word that finds the page.
     pub(crate) name: String,
 }
 
-impl Page {
+impl BookPage {
     /// Creates a page that is not a topic.
     pub(crate) fn plain(path: impl Into<String>, text: impl Into<String>) -> Self {
         Self { path: path.into(), subject: None, text: text.into() }
     }
 
     /// Returns the kind of the subject.
-    pub(crate) fn kind(&self) -> Option<Kind> {
+    pub(crate) fn kind(&self) -> Option<TopicKind> {
         self.subject.as_ref().map(|subject| subject.kind)
     }
 

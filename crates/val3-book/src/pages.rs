@@ -5,8 +5,8 @@ use std::fs;
 use anyhow::{Context as _, Result};
 use camino::Utf8Path;
 
-use crate::names::Names;
-use crate::page::Page;
+use crate::names::PageNames;
+use crate::page::BookPage;
 use crate::{arms, code, filled, links, read, reference, spans};
 
 /// Line of `SUMMARY.md` that the entries of generated pages replace.
@@ -19,12 +19,12 @@ const DECISIONS: &str = "<!-- decisions -->\n";
 const COMMANDS: &str = "<!-- commands -->\n";
 
 /// Returns all pages, with links and coloured code, including the table of contents.
-pub(crate) fn all(docs: &Utf8Path) -> Result<Vec<Page>> {
+pub(crate) fn all(docs: &Utf8Path) -> Result<Vec<BookPage>> {
     let mut pages = Vec::new();
     written(&docs.join("src"), "", &mut pages)?;
     written(&docs.join("adr"), "adr/", &mut pages)?;
     for (path, name) in documents(docs)? {
-        pages.push(Page::plain(name, filled(&read(&path)?)));
+        pages.push(BookPage::plain(name, filled(&read(&path)?)));
     }
     let sections = reference::sections();
     let (commands, decisions) = (entries(&pages, "commands/"), entries(&pages, "adr/"));
@@ -37,7 +37,7 @@ pub(crate) fn all(docs: &Utf8Path) -> Result<Vec<Page>> {
     pages.push(arms::page()?);
     let mut paths = files(&docs.join("src"))?;
     paths.extend(pages.iter().map(|page| page.path.clone()));
-    let names = Names::new(&paths);
+    let names = PageNames::new(&paths);
     for page in pages.iter_mut().filter(|page| page.path != "SUMMARY.md") {
         page.text = links::within_book(page, &paths);
         page.text = code::coloured(page, &names);
@@ -57,17 +57,17 @@ fn documents(docs: &Utf8Path) -> Result<Vec<(camino::Utf8PathBuf, &'static str)>
 }
 
 /// Returns the table of contents for a folder without its index, with the pages' titles.
-fn entries(pages: &[Page], folder: &str) -> String {
-    let entry = |page: &Page| {
+fn entries(pages: &[BookPage], folder: &str) -> String {
+    let entry = |page: &BookPage| {
         let title = page.text.lines().next().and_then(|line| line.strip_prefix("# ")).unwrap_or_default();
         format!("  - [{title}]({})\n", page.path)
     };
-    let is_entry = |page: &&Page| page.path.starts_with(folder) && !page.path.ends_with("/index.md");
+    let is_entry = |page: &&BookPage| page.path.starts_with(folder) && !page.path.ends_with("/index.md");
     pages.iter().filter(is_entry).map(entry).collect()
 }
 
 /// Collects the Markdown pages below a folder.
-fn written(folder: &Utf8Path, prefix: &str, pages: &mut Vec<Page>) -> Result<()> {
+fn written(folder: &Utf8Path, prefix: &str, pages: &mut Vec<BookPage>) -> Result<()> {
     let entries = folder.read_dir_utf8().with_context(|| format!("listing {folder}"))?;
     let mut entries = entries.collect::<Result<Vec<_>, _>>().with_context(|| format!("listing {folder}"))?;
     entries.sort_by(|left, right| left.path().cmp(right.path()));
@@ -76,7 +76,7 @@ fn written(folder: &Utf8Path, prefix: &str, pages: &mut Vec<Page>) -> Result<()>
         if entry.file_type().with_context(|| format!("reading {path}"))?.is_dir() {
             written(entry.path(), &format!("{path}/"), pages)?;
         } else if path.ends_with(".md") {
-            pages.push(Page::plain(path.replace("README.md", "index.md"), filled(&read(entry.path())?)));
+            pages.push(BookPage::plain(path.replace("README.md", "index.md"), filled(&read(entry.path())?)));
         }
     }
     Ok(())

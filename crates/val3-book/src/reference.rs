@@ -1,13 +1,13 @@
 //! Pages that are generated from the pages of `val3 explain`.
 
-use val3_check::topics::{self, Kind, Topic};
+use val3_check::topics::{self, Topic, TopicKind};
 
-use crate::page::{Page, Subject};
+use crate::page::{BookPage, Subject};
 
 /// Pages of a kind.
 pub(crate) struct Section {
     /// Page with the list, pages of groups, and pages of topics.
-    pub(crate) pages: Vec<Page>,
+    pub(crate) pages: Vec<BookPage>,
     /// Lines for the table of contents.
     pub(crate) summary: String,
 }
@@ -15,10 +15,10 @@ pub(crate) struct Section {
 /// Returns the sections, one for each kind of page.
 pub(crate) fn sections() -> Vec<Section> {
     let topics = topics::all();
-    Kind::ALL.into_iter().map(|kind| section(kind, &topics)).collect()
+    TopicKind::ALL.into_iter().map(|kind| section(kind, &topics)).collect()
 }
 
-fn section(kind: Kind, topics: &[Topic]) -> Section {
+fn section(kind: TopicKind, topics: &[Topic]) -> Section {
     let topics: Vec<&Topic> = topics.iter().filter(|topic| topic.kind == kind).collect();
     let index = format!("{}/index.md", kind.folder());
     let mut summary = format!("- [{}]({index})\n", heading(kind));
@@ -31,7 +31,7 @@ fn section(kind: Kind, topics: &[Topic]) -> Section {
             let path = format!("{}/{}", kind.folder(), group_file(kind, name));
             summary.push_str(&format!("  - [{name}]({path})\n"));
             text.push_str(&format!("\n## [{name}]({})\n", group_file(kind, name)));
-            pages.push(Page::plain(path, format!("# {name}: {}\n{}", heading(kind), table(group))));
+            pages.push(BookPage::plain(path, format!("# {name}: {}\n{}", heading(kind), table(group))));
             indent = "    ";
         }
         text.push_str(&table(group));
@@ -40,18 +40,18 @@ fn section(kind: Kind, topics: &[Topic]) -> Section {
             pages.push(page(topic));
         }
     }
-    pages.insert(0, Page::plain(index, text));
+    pages.insert(0, BookPage::plain(index, text));
     Section { pages, summary }
 }
 
 /// Returns the title of a section. The words are the book's glossary.
-fn heading(kind: Kind) -> &'static str {
-    if kind == Kind::Word { "Glossary" } else { kind.heading() }
+fn heading(kind: TopicKind) -> &'static str {
+    if kind == TopicKind::Word { "Glossary" } else { kind.heading() }
 }
 
-fn page(topic: &Topic) -> Page {
+fn page(topic: &Topic) -> BookPage {
     let subject = Subject { kind: topic.kind, name: topic.name().to_owned() };
-    Page { path: path(topic), subject: Some(subject), text: topic.page.clone() }
+    BookPage { path: path(topic), subject: Some(subject), text: topic.page.clone() }
 }
 
 /// Returns the path of a topic's page.
@@ -60,7 +60,7 @@ pub(crate) fn path(topic: &Topic) -> String {
 }
 
 /// Returns the file of a group, for example `motion-instructions.md`.
-fn group_file(kind: Kind, group: &str) -> String {
+fn group_file(kind: TopicKind, group: &str) -> String {
     let words: Vec<String> = group
         .split(|letter: char| !letter.is_ascii_alphanumeric())
         .filter(|word| !word.is_empty())

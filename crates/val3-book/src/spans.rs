@@ -1,15 +1,15 @@
 //! Links from code spans and error numbers to their pages.
 
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
-use val3_check::topics::Kind;
+use val3_check::topics::TopicKind;
 use val3_lang::instructions;
 
 use crate::links::{options, replaced};
-use crate::names::{Names, runtime_error};
-use crate::page::Page;
+use crate::names::{PageNames, runtime_error};
+use crate::page::BookPage;
 
 /// Adds links to a page where it names other pages.
-pub(crate) fn linked(page: &Page, names: &Names) -> String {
+pub(crate) fn linked(page: &BookPage, names: &PageNames) -> String {
     let mut edits = Vec::new();
     // Headings, links, and the HTML of coloured code remain unchanged.
     let mut inside = 0_usize;
@@ -50,11 +50,11 @@ pub(crate) fn linked(page: &Page, names: &Names) -> String {
 struct ErrorNumbers {
     /// Errors of the instruction that is the page's subject.
     of_instruction: &'static [u16],
-    state: State,
+    state: SpanState,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum State {
+enum SpanState {
     /// No number is expected.
     Text,
     /// After "error", or after such a number and "to", "and" or "or".
@@ -64,19 +64,19 @@ enum State {
 }
 
 impl ErrorNumbers {
-    fn new(page: &Page) -> Self {
-        let subject = page.subject.as_ref().filter(|subject| subject.kind == Kind::Instruction);
+    fn new(page: &BookPage) -> Self {
+        let subject = page.subject.as_ref().filter(|subject| subject.kind == TopicKind::Instruction);
         let row = subject.and_then(|subject| instructions::find(&subject.name));
-        Self { of_instruction: row.map_or(&[], |row| row.errors), state: State::Text }
+        Self { of_instruction: row.map_or(&[], |row| row.errors), state: SpanState::Text }
     }
 
     fn end(&mut self) {
-        self.state = State::Text;
+        self.state = SpanState::Text;
     }
 
     fn interrupt(&mut self) {
-        if self.state == State::Number {
-            self.state = State::Text;
+        if self.state == SpanState::Number {
+            self.state = SpanState::Text;
         }
     }
 
@@ -99,15 +99,15 @@ impl ErrorNumbers {
         let plain = word.trim_matches(|letter: char| !letter.is_alphanumeric());
         if !number.is_empty() && plain == number {
             let is_of_instruction = || number.parse().is_ok_and(|number| self.of_instruction.contains(&number));
-            let is_meant = self.state == State::Number || self.state == State::Item && is_of_instruction();
+            let is_meant = self.state == SpanState::Number || self.state == SpanState::Item && is_of_instruction();
             return runtime_error(number).filter(|_| is_meant);
         }
         self.state = match (self.state, plain) {
-            (State::Item, _) => State::Item,
-            _ if word.starts_with("Errors:") => State::Item,
-            (_, "error" | "errors" | "Error" | "Errors") => State::Number,
-            (State::Number, "to" | "and" | "or") => State::Number,
-            _ => State::Text,
+            (SpanState::Item, _) => SpanState::Item,
+            _ if word.starts_with("Errors:") => SpanState::Item,
+            (_, "error" | "errors" | "Error" | "Errors") => SpanState::Number,
+            (SpanState::Number, "to" | "and" | "or") => SpanState::Number,
+            _ => SpanState::Text,
         };
         None
     }
@@ -118,37 +118,37 @@ mod tests {
     use super::*;
     use crate::page::Subject;
 
-    fn page(kind: Kind, name: &str, text: &str) -> Page {
+    fn page(kind: TopicKind, name: &str, text: &str) -> BookPage {
         let subject = Subject { kind, name: name.to_owned() };
-        Page { path: format!("{}/{name}.md", kind.folder()), subject: Some(subject), text: text.to_owned() }
+        BookPage { path: format!("{}/{name}.md", kind.folder()), subject: Some(subject), text: text.to_owned() }
     }
 
     #[test]
     fn names_are_links_but_not_to_their_own_page() {
-        let names = Names::new(&["commands/arm-list.md".to_owned()]);
-        let text = linked(&Page::plain("check.md", "`val3 arm list --color never` `val3 arm`"), &names);
+        let names = PageNames::new(&["commands/arm-list.md".to_owned()]);
+        let text = linked(&BookPage::plain("check.md", "`val3 arm list --color never` `val3 arm`"), &names);
         assert_eq!(text, "[`val3 arm list --color never`](commands/arm-list.md) `val3 arm`");
         let text =
-            linked(&page(Kind::Instruction, "movej", "`movej` with `mdesc`, see `V0203` and [`dio`](x)."), &names);
+            linked(&page(TopicKind::Instruction, "movej", "`movej` with `mdesc`, see `V0203` and [`dio`](x)."), &names);
         assert_eq!(text, "`movej` with [`mdesc`](../types/mdesc.md), see [`V0203`](../rules/V0203.md) and [`dio`](x).");
-        let text = linked(&Page::plain("check.md", "`limit` and `getMoveId()` of `movej`"), &names);
+        let text = linked(&BookPage::plain("check.md", "`limit` and `getMoveId()` of `movej`"), &names);
         assert_eq!(text, "`limit` and [`getMoveId()`](instructions/getMoveId.md) of [`movej`](instructions/movej.md)");
     }
 
     #[test]
     fn a_name_of_several_pages_means_the_own_field_first() {
-        let names = Names::new(&[]);
-        let text = linked(&page(Kind::Type, "point", "`config` `link`"), &names);
+        let names = PageNames::new(&[]);
+        let text = linked(&page(TopicKind::Type, "point", "`config` `link`"), &names);
         assert_eq!(text, "[`config`](../fields/config.md) [`link`](../instructions/link.md)");
-        let text = linked(&page(Kind::Type, "dio", "`link`"), &names);
+        let text = linked(&page(TopicKind::Type, "dio", "`link`"), &names);
         assert_eq!(text, "[`link`](../fields/link.md)");
     }
 
     #[test]
     fn numbers_of_errors_are_links() {
-        let names = Names::new(&[]);
+        let names = PageNames::new(&[]);
         let text = linked(
-            &page(Kind::Instruction, "movej", "- Errors: 81 a target, 100 to 106 a value of 20.\n\nAnd 81."),
+            &page(TopicKind::Instruction, "movej", "- Errors: 81 a target, 100 to 106 a value of 20.\n\nAnd 81."),
             &names,
         );
         let error = |number: u16| format!("[{number}](../errors/{number}.md)");
@@ -156,7 +156,7 @@ mod tests {
             text,
             format!("- Errors: {} a target, {} to {} a value of 20.\n\nAnd 81.", error(81), error(100), error(106))
         );
-        let text = linked(&page(Kind::Type, "num", "Raises error 20 or 21, not 10."), &names);
+        let text = linked(&page(TopicKind::Type, "num", "Raises error 20 or 21, not 10."), &names);
         assert_eq!(text, format!("Raises error {} or {}, not 10.", error(20), error(21)));
     }
 }

@@ -22,12 +22,12 @@ pub struct Branch {
     /// Line of the condition in the file, from 1.
     pub row: u32,
     /// Ways to continue.
-    pub sides: Vec<Side>,
+    pub sides: Vec<BranchSide>,
 }
 
 /// One way to continue after a branch. A line that begins the side may share the counter.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Side {
+pub struct BranchSide {
     /// Name, for example `true`, `false`, `case 1, 2`.
     pub name: String,
     /// Number of the counter in the program.

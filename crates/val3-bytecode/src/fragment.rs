@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_lang::memory::Kind;
+use val3_lang::memory::ValueType;
 
 use crate::{ArgumentSite, LineMark, Op, Operand, Program};
 
@@ -21,7 +21,7 @@ pub struct FragmentValue {
     /// Operand with the value.
     pub site: ArgumentSite,
     /// Type.
-    pub kind: Arc<Kind>,
+    pub kind: Arc<ValueType>,
 }
 
 impl FragmentValue {

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use val3_lang::memory::{Kind, PartInit, bytes_of};
+use val3_lang::memory::{PartInit, ValueType, bytes_of};
 use val3_lang::types::{Arm, BaseType, Container, LengthUnit};
 use val3_lang::values::Text;
 use val3_lang::versions::Version;
 
-use crate::{Operation, Program};
+use crate::{Opcode, Program};
 
 /// An application or library as the virtual machine executes it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -117,9 +117,9 @@ pub struct Import {
 #[derive(Debug, Clone, PartialEq)]
 pub enum ImportKind {
     /// Data with this type.
-    Data(Arc<Kind>, Container),
+    Data(Arc<ValueType>, Container),
     /// A program with these parameters: type, container, whether by reference.
-    Program(Vec<(Arc<Kind>, Container, bool)>),
+    Program(Vec<(Arc<ValueType>, Container, bool)>),
     /// The interface does not declare the item, so no library has it.
     Missing,
 }
@@ -134,8 +134,7 @@ impl Image {
     /// Returns the size of the programs in memory, in bytes: only the parts that depend on the size of the code.
     #[must_use]
     pub fn code_bytes(&self) -> u64 {
-        let bytes =
-            |program: &Program| bytes_of::<Operation>(program.code.len()) + bytes_of::<Text>(program.texts.len());
+        let bytes = |program: &Program| bytes_of::<Opcode>(program.code.len()) + bytes_of::<Text>(program.texts.len());
         self.programs.iter().map(bytes).sum()
     }
 

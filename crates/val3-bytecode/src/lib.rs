@@ -14,12 +14,12 @@ mod program;
 mod site;
 mod text;
 
-pub use counters::{Branch, Counters, Side};
+pub use counters::{Branch, BranchSide, Counters};
 pub use fragment::{Fragment, FragmentValue};
 pub use image::{DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget};
-pub use op::{LineMark, Op, Operation, Register};
+pub use op::{LineMark, Op, Opcode, Register};
 pub use operand::{ContainerKind, ContainerRef, Operand, Subscript, TextOperand, TextSource};
 pub use passes::plan_passes;
-pub use program::{FrameSize, Param, Program, SourceLine, SourceRange, Storage, Variable};
+pub use program::{FrameSize, FrameVariable, Program, ProgramParam, SourceLine, SourceRange, Storage};
 pub use site::{ArgumentSite, CallSite, Callee, CopySite, Handler, InstructionSite, Pass, ProgramRef, TaskSite};
 pub use text::{AssemblyError, assemble, disassemble, disassemble_program};

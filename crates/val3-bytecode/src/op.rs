@@ -9,7 +9,7 @@ pub type Register = u16;
 
 /// An operation in the code of a program.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Operation {
+pub struct Opcode {
     /// Operation.
     pub op: Op,
     /// Whether an instruction line begins here.

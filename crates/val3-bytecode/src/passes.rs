@@ -4,7 +4,8 @@ use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
 use crate::{
-    ArgumentSite, CallSite, Operand, Param, Pass, Program, ProgramRef, Register, Storage, TextOperand, TextSource,
+    ArgumentSite, CallSite, Operand, Pass, Program, ProgramParam, ProgramRef, Register, Storage, TextOperand,
+    TextSource,
 };
 
 /// Sets the fast form for the arguments in all calls that allow it.
@@ -19,11 +20,11 @@ pub fn plan_passes(programs: &mut [Program]) {
     }
 }
 
-fn passes(params: &[Param], site: &CallSite) -> Option<Vec<Pass>> {
+fn passes(params: &[ProgramParam], site: &CallSite) -> Option<Vec<Pass>> {
     params.iter().zip(&site.arguments).map(|(param, argument)| pass(param, *argument)).collect()
 }
 
-fn pass(param: &Param, argument: ArgumentSite) -> Option<Pass> {
+fn pass(param: &ProgramParam, argument: ArgumentSite) -> Option<Pass> {
     match (param.storage, argument) {
         (Storage::Value(to), ArgumentSite::Value(from, _)) => match (param.kind.base_type()?, from) {
             (BaseType::Num | BaseType::Bool, Operand::Frame(from)) => {

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use val3_lang::memory::{Kind, Lanes, PartInit};
+use val3_lang::memory::{Lanes, PartInit, ValueType};
 use val3_lang::types::Container;
 use val3_lang::values::Text;
 
-use crate::{CallSite, CopySite, Counters, InstructionSite, Op, Operation, TaskSite};
+use crate::{CallSite, CopySite, Counters, InstructionSite, Op, Opcode, TaskSite};
 
 /// A compiled program.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -18,9 +18,9 @@ pub struct Program {
     /// Number of the source file in [`Image::files`](crate::Image::files).
     pub file: u32,
     /// Parameters.
-    pub params: Vec<Param>,
+    pub params: Vec<ProgramParam>,
     /// Names and locations of parameters and locals, for debuggers.
-    pub variables: Vec<Variable>,
+    pub variables: Vec<FrameVariable>,
     /// Number of lanes in a stack frame.
     pub frame: FrameSize,
     /// Size of a call on the stack that the project declares (2.1.4.2), in bytes: return address, parameters and
@@ -31,7 +31,7 @@ pub struct Program {
     /// Containers of a new frame: local arrays, and values of user types.
     pub parts: Vec<PartInit>,
     /// Operations.
-    pub code: Vec<Operation>,
+    pub code: Vec<Opcode>,
     /// Instruction lines in source order.
     pub lines: Vec<SourceLine>,
     /// String constants.
@@ -61,11 +61,11 @@ pub struct FrameSize {
 
 /// A parameter or local.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Variable {
+pub struct FrameVariable {
     /// Name.
     pub name: String,
     /// Type.
-    pub kind: Arc<Kind>,
+    pub kind: Arc<ValueType>,
     /// Element, array or collection.
     pub container: Container,
     /// Location in the frame.
@@ -87,11 +87,11 @@ pub enum Storage {
 
 /// A parameter.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Param {
+pub struct ProgramParam {
     /// Name.
     pub name: String,
     /// Type.
-    pub kind: Arc<Kind>,
+    pub kind: Arc<ValueType>,
     /// Element, array or collection.
     pub container: Container,
     /// Location in the frame.

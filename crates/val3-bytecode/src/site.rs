@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use val3_lang::call::InstructionFn;
 use val3_lang::instruction::{Instruction, Overload};
-use val3_lang::memory::Kind;
+use val3_lang::memory::ValueType;
 use val3_lang::operators::{BinaryOp, UnaryOp, handlers};
 use val3_lang::statements::PRINT;
 use val3_lang::types::{Arm, BaseType};
@@ -15,7 +15,7 @@ use crate::{ContainerRef, Operand, Register, Subscript, TextOperand};
 #[derive(Debug, Clone, PartialEq)]
 pub struct CopySite {
     /// Type of both values.
-    pub kind: Arc<Kind>,
+    pub kind: Arc<ValueType>,
     /// Value that is read.
     pub from: Operand,
     /// Value that is written or compared.

@@ -64,18 +64,18 @@ mod writer;
 
 use crate::{Image, Program};
 use error::Result;
-use reader::Reader;
+use reader::ListingReader;
 use writer::Writer;
 
 pub use error::AssemblyError;
 
 /// Text form for a part of an image, in both directions.
-trait Form {
+trait ListingForm {
     type Value;
 
     fn write(value: &Self::Value, to: &mut Writer<'_>);
 
-    fn read(from: &mut Reader<'_>) -> Result<Self::Value>;
+    fn read(from: &mut ListingReader<'_>) -> Result<Self::Value>;
 }
 
 /// Assembles an image. The [module](self) describes the text form, with an example.
@@ -83,7 +83,7 @@ trait Form {
 /// # Errors
 /// The first fault in the text.
 pub fn assemble(text: &str) -> std::result::Result<Image, AssemblyError> {
-    Reader::new(text)?.image()
+    ListingReader::new(text)?.image()
 }
 
 /// Writes an entire image as text.

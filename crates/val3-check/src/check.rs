@@ -11,12 +11,12 @@ use val3_analysis::problem::{FileRole, Problem, ProblemKind};
 use val3_analysis::{data_check, header_check, infer, interfaces, pages, project_check};
 use val3_lang::foreign_names;
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
-use val3_syntax::{Part, TextSize};
+use val3_syntax::{TextSize, TextSlice};
 
 use crate::cascades::without_cascades;
 use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
 use crate::fix::Site;
-use crate::lint::Program;
+use crate::lint::ProgramView;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
 use crate::settings::{Settings, WorkspaceSettings};
@@ -29,7 +29,7 @@ const MISSING_ADD_ON: &str = "V0104";
 
 /// A unit of work. Units are independent, so they may be checked in parallel, each on its own clone of the database.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Unit {
+pub enum CheckUnit {
     /// A `.pgx`: header and code.
     Program(Project, File),
     /// A `.dtx`.
@@ -38,7 +38,7 @@ pub enum Unit {
     Project(Project),
 }
 
-impl Unit {
+impl CheckUnit {
     /// Application, library or type of the unit.
     pub fn project(self) -> Project {
         match self {
@@ -65,20 +65,20 @@ impl Unit {
 }
 
 /// The units of some projects, without excluded files, in the order of the projects' files.
-pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
-    let is_wanted = |unit: &Unit| matches!(unit, Unit::Project(_)) || !unit.is_excluded(db);
+pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<CheckUnit> {
+    let is_wanted = |unit: &CheckUnit| matches!(unit, CheckUnit::Project(_)) || !unit.is_excluded(db);
     all_units(db, projects).into_iter().filter(is_wanted).collect()
 }
 
 /// The units of some projects, with excluded files.
-fn all_units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
+fn all_units(db: &dyn Db, projects: &[Project]) -> Vec<CheckUnit> {
     let of_project = |project: &Project| {
         let project = *project;
-        let data = project::data_files(db, project).iter().map(move |file| Unit::Data(project, *file));
-        let programs = project::program_files(db, project).iter().map(move |file| Unit::Program(project, *file));
-        std::iter::once(Unit::Project(project)).chain(data).chain(programs)
+        let data = project::data_files(db, project).iter().map(move |file| CheckUnit::Data(project, *file));
+        let programs = project::program_files(db, project).iter().map(move |file| CheckUnit::Program(project, *file));
+        std::iter::once(CheckUnit::Project(project)).chain(data).chain(programs)
     };
-    let mut units: Vec<Unit> = projects.iter().flat_map(of_project).collect();
+    let mut units: Vec<CheckUnit> = projects.iter().flat_map(of_project).collect();
     // A file that is listed twice is checked once.
     let mut seen = rustc_hash::FxHashSet::default();
     units.retain(|unit| seen.insert(*unit));
@@ -95,7 +95,7 @@ pub fn refusals(db: &dyn Db, project: Project) -> Vec<Diagnostic> {
 }
 
 /// Findings because of which the controller's compiler rejects a unit, which need not be listed in its project.
-pub fn unit_refusals(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
+pub fn unit_refusals(db: &dyn Db, unit: CheckUnit) -> Vec<Diagnostic> {
     let settings = WorkspaceSettings::default();
     let mut refusals = Vec::new();
     Check::new(db, unit, &settings).each_fault(&mut |fault| refusals.extend(fault.refusal()));
@@ -105,7 +105,7 @@ pub fn unit_refusals(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
 /// Items that `library` would have to contain to be loaded under the identifier `alias` of a project, in place of the
 /// library that the identifier names.
 pub fn stand_in_faults(db: &dyn Db, project: Project, alias: &SmolStr, library: Project) -> Vec<Diagnostic> {
-    let (unit, settings) = (Unit::Project(project), WorkspaceSettings::default());
+    let (unit, settings) = (CheckUnit::Project(project), WorkspaceSettings::default());
     let problems = interfaces::stand_in_problems(db, project, alias, library);
     let mut faults = Vec::new();
     let check = Check::new(db, unit, &settings);
@@ -137,7 +137,7 @@ impl Sum for Checked {
 
 /// Faults in a unit that are found without lints: faults of its text, its declarations and its types.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Faults {
+pub struct UnitFaults {
     found: Vec<Diagnostic>,
     /// Whether the unit has faults, reported or not. In this case lints do not run, because most of their findings
     /// would be consequences of the faults.
@@ -145,7 +145,7 @@ pub struct Faults {
 }
 
 /// Checks one unit.
-pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Checked {
+pub fn check_unit(db: &dyn Db, unit: CheckUnit, settings: &WorkspaceSettings) -> Checked {
     let check = Check::new(db, unit, settings);
     let faults = check.faults();
     let (alone, member) = (check.alone(&faults), check.member(&faults));
@@ -153,22 +153,27 @@ pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Chec
 }
 
 /// First stage of [`check_unit`], required by the other stages.
-pub fn check_faults(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Faults {
+pub fn check_faults(db: &dyn Db, unit: CheckUnit, settings: &WorkspaceSettings) -> UnitFaults {
     Check::new(db, unit, settings).faults()
 }
 
 /// Second stage of [`check_unit`]. It reads no other program, so an edit elsewhere rarely affects it.
-pub fn check_local(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
+pub fn check_local(db: &dyn Db, unit: CheckUnit, settings: &WorkspaceSettings, faults: &UnitFaults) -> Vec<Diagnostic> {
     Check::new(db, unit, settings).alone(faults)
 }
 
 /// Third stage of [`check_unit`]: lints that read the whole application.
-pub fn check_in_application(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
+pub fn check_in_application(
+    db: &dyn Db,
+    unit: CheckUnit,
+    settings: &WorkspaceSettings,
+    faults: &UnitFaults,
+) -> Vec<Diagnostic> {
     Check::new(db, unit, settings).member(faults)
 }
 
 /// Last stage of [`check_unit`]: merges the findings of the other stages.
-pub fn merge_findings(db: &dyn Db, faults: Faults, alone: Vec<Diagnostic>, member: Vec<Diagnostic>) -> Checked {
+pub fn merge_findings(db: &dyn Db, faults: UnitFaults, alone: Vec<Diagnostic>, member: Vec<Diagnostic>) -> Checked {
     let mut found = faults.found;
     found.extend(alone);
     found.extend(member);
@@ -178,7 +183,7 @@ pub fn merge_findings(db: &dyn Db, faults: Faults, alone: Vec<Diagnostic>, membe
 
 /// Completes a check after all its units: [`finish_each`], and then merges findings whose cause several applications
 /// share.
-pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, checked: Checked) -> Checked {
+pub fn finish(db: &dyn Db, units: &[CheckUnit], settings: &WorkspaceSettings, checked: Checked) -> Checked {
     let mut checked = finish_each(db, units, settings, checked);
     checked.findings = join_causes(db, checked.findings);
     checked
@@ -186,9 +191,9 @@ pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, checked
 
 /// Completes each application's check: adds unused suppression comments, and keeps one finding for each missing
 /// add-on.
-pub fn finish_each(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut checked: Checked) -> Checked {
+pub fn finish_each(db: &dyn Db, units: &[CheckUnit], settings: &WorkspaceSettings, mut checked: Checked) -> Checked {
     for unit in units {
-        if let Unit::Program(project, file) = *unit {
+        if let CheckUnit::Program(project, file) = *unit {
             let settings = settings.of(db, project);
             let idle = suppression::unused(db, project, file, settings, &checked.used);
             checked.findings.extend(idle.into_iter().filter_map(|found| settings.with_level(found)));
@@ -225,7 +230,7 @@ impl DetectedFault {
     }
 }
 
-impl Faults {
+impl UnitFaults {
     fn add(&mut self, fault: DetectedFault, settings: &Settings) {
         self.any |= fault.stops_lints && fault.diagnostic.severity == Severity::Error;
         self.found.extend(settings.with_level(fault.diagnostic));
@@ -234,19 +239,19 @@ impl Faults {
 
 struct Check<'db> {
     db: &'db dyn Db,
-    unit: Unit,
+    unit: CheckUnit,
     settings: &'db Settings,
     /// View of the program for lints, created on demand.
-    program: OnceCell<Program<'db>>,
+    program: OnceCell<ProgramView<'db>>,
 }
 
 impl<'db> Check<'db> {
-    fn new(db: &'db dyn Db, unit: Unit, settings: &'db WorkspaceSettings) -> Self {
+    fn new(db: &'db dyn Db, unit: CheckUnit, settings: &'db WorkspaceSettings) -> Self {
         Self { db, unit, settings: settings.of(db, unit.project()), program: OnceCell::new() }
     }
 
-    fn faults(&self) -> Faults {
-        let mut faults = Faults::default();
+    fn faults(&self) -> UnitFaults {
+        let mut faults = UnitFaults::default();
         self.each_fault(&mut |fault| faults.add(fault, self.settings));
         faults
     }
@@ -254,7 +259,7 @@ impl<'db> Check<'db> {
     fn each_fault(&self, take: &mut dyn FnMut(DetectedFault)) {
         let db = self.db;
         match self.unit {
-            Unit::Program(project, file) => {
+            CheckUnit::Program(project, file) => {
                 let broken = self.text(file, take);
                 self.problems(file, header_check::problems(db, project, file), take);
                 if !broken {
@@ -265,11 +270,11 @@ impl<'db> Check<'db> {
                     advice.map(DetectedFault::advice).for_each(take);
                 }
             }
-            Unit::Data(project, file) => {
+            CheckUnit::Data(project, file) => {
                 self.text(file, take);
                 self.problems(file, data_check::problems(db, project, file), take);
             }
-            Unit::Project(project) => {
+            CheckUnit::Project(project) => {
                 let file = project.manifest(db);
                 self.text(file, take);
                 self.problems(file, project_check::problems(db, project), take);
@@ -279,23 +284,23 @@ impl<'db> Check<'db> {
         }
     }
 
-    fn alone(&self, faults: &Faults) -> Vec<Diagnostic> {
+    fn alone(&self, faults: &UnitFaults) -> Vec<Diagnostic> {
         match self.unit {
-            Unit::Program(project, file) if !faults.any => {
+            CheckUnit::Program(project, file) if !faults.any => {
                 self.with_levels(lint::program(self.program(project, file), self.settings))
             }
             _ => Vec::new(),
         }
     }
 
-    fn member(&self, faults: &Faults) -> Vec<Diagnostic> {
+    fn member(&self, faults: &UnitFaults) -> Vec<Diagnostic> {
         if faults.any {
             return Vec::new();
         }
         self.with_levels(match self.unit {
-            Unit::Program(project, file) => lint::member(self.program(project, file), self.settings),
-            Unit::Data(project, file) => lint::data(self.db, project, file, self.settings),
-            Unit::Project(project) => lint::project(self.db, project, self.settings),
+            CheckUnit::Program(project, file) => lint::member(self.program(project, file), self.settings),
+            CheckUnit::Data(project, file) => lint::data(self.db, project, file, self.settings),
+            CheckUnit::Project(project) => lint::project(self.db, project, self.settings),
         })
     }
 
@@ -303,8 +308,8 @@ impl<'db> Check<'db> {
         found.into_iter().filter_map(|diagnostic| self.settings.with_level(diagnostic)).collect()
     }
 
-    fn program(&self, project: Project, file: File) -> &Program<'db> {
-        self.program.get_or_init(|| Program::new(self.db, project, file, &self.settings.options))
+    fn program(&self, project: Project, file: File) -> &ProgramView<'db> {
+        self.program.get_or_init(|| ProgramView::new(self.db, project, file, &self.settings.options))
     }
 
     /// Reports the faults of a file's text. Returns whether the rest of the file cannot be checked.
@@ -410,7 +415,7 @@ impl<'db> Check<'db> {
 
     fn owner(&self, file: File) -> (Project, Option<String>) {
         let program = match self.unit {
-            Unit::Program(_, own) if own == file => {
+            CheckUnit::Program(_, own) if own == file => {
                 Some(val3_analysis::items::program::header(self.db, file).name.to_string())
             }
             _ => None,

@@ -57,24 +57,24 @@ pub struct Fix {
     /// certainly intended.
     pub safe: bool,
     /// Edits, which do not overlap.
-    pub edits: Vec<Edit>,
+    pub edits: Vec<FixEdit>,
 }
 
 impl Fix {
     /// A fix that may be applied without confirmation.
-    pub(crate) fn safe(title: impl Into<String>, edits: Vec<Edit>) -> Self {
+    pub(crate) fn safe(title: impl Into<String>, edits: Vec<FixEdit>) -> Self {
         Self { title: title.into(), safe: true, edits }
     }
 
     /// A fix that may not be intended.
-    pub(crate) fn guess(title: impl Into<String>, edits: Vec<Edit>) -> Self {
+    pub(crate) fn guess(title: impl Into<String>, edits: Vec<FixEdit>) -> Self {
         Self { title: title.into(), safe: false, edits }
     }
 }
 
 /// A replacement of a file range.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Edit {
+pub struct FixEdit {
     /// Replaced range.
     pub place: FileRange,
     /// New text, encoded like the file (escaped if the code is escaped).

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use val3_analysis::db::{Db, File};
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 use crate::check::is_once_per_application;
 use crate::diagnostic::Diagnostic;

@@ -1,7 +1,7 @@
 //! Lines in the syntax of other languages, and their VAL 3 form.
 
 use val3_lang::foreign_names::remedy;
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 /// Advice for a line with a syntax error that is a known construct of another language.
 pub(crate) fn advice(line: &str) -> Option<&'static str> {

@@ -27,8 +27,8 @@ pub mod testing;
 pub mod topics;
 
 pub use check::{
-    Checked, Faults, Unit, check_faults, check_in_application, check_local, check_unit, finish, finish_each,
+    CheckUnit, Checked, UnitFaults, check_faults, check_in_application, check_local, check_unit, finish, finish_each,
     is_once_per_application, merge_findings, refusals, stand_in_faults, unit_refusals, units,
 };
 pub use shared_causes::{has_shared_cause, join_causes};
-pub use statistics::{Statistics, statistics};
+pub use statistics::{CheckStatistics, statistics};

@@ -33,14 +33,14 @@ pub(crate) mod testing;
 pub(crate) mod unused_data;
 mod variable_use;
 
-pub(crate) use arm::{Reach, Tool, of_project as arm_of_project, range as range_of};
+pub(crate) use arm::{ArmReach, FlangeTool, of_project as arm_of_project, range as range_of};
 pub(crate) use call::Call;
 pub(crate) use choices::Choices;
 pub(crate) use descriptors::descriptor_numbers;
 pub(crate) use findings::Findings;
 pub(crate) use locals::{LocalUse, Locals};
-pub(crate) use motion::{Motion, Phase};
-pub(crate) use paths::{ImpossibleMove, Shape, impossible_moves};
-pub(crate) use program::Program;
+pub(crate) use motion::{ArmActivity, MotionFacts};
+pub(crate) use paths::{ImpossibleMove, UnreachablePath, impossible_moves};
+pub(crate) use program::ProgramView;
 pub(crate) use project::{DataFile, ProjectView, is_library};
 pub(crate) use run::{data, member, program, project, versions};

@@ -1,21 +1,21 @@
 //! Notes on the other locations of a fault.
 
-use val3_analysis::problem::Role;
+use val3_analysis::problem::RelatedRole;
 use val3_syntax::error::SyntaxErrorKind;
 
 use crate::phrase::{opening_bracket, xml_part};
 
 /// Note on another location of a fault that the analysis found.
-pub(crate) fn role(role: Role) -> String {
+pub(crate) fn role(role: RelatedRole) -> String {
     match role {
-        Role::Declared => "declared here",
-        Role::Parameter => "the parameter that receives it",
-        Role::First => "the first one is here",
-        Role::Interface => "the interface declares this",
-        Role::Implementation => "the library has this instead",
-        Role::Entry => "the project names it here",
-        Role::List => "not in this list",
-        Role::Use => "used here",
+        RelatedRole::Declared => "declared here",
+        RelatedRole::Parameter => "the parameter that receives it",
+        RelatedRole::First => "the first one is here",
+        RelatedRole::Interface => "the interface declares this",
+        RelatedRole::Implementation => "the library has this instead",
+        RelatedRole::Entry => "the project names it here",
+        RelatedRole::List => "not in this list",
+        RelatedRole::Use => "used here",
     }
     .to_owned()
 }
@@ -57,6 +57,6 @@ mod tests {
 
     #[test]
     fn a_finding_refers_to_the_declaration() {
-        assert_eq!(role(Role::Declared), "declared here");
+        assert_eq!(role(RelatedRole::Declared), "declared here");
     }
 }

@@ -1,6 +1,6 @@
 //! Definition of a rule: code, name, level and page.
 
-use crate::lint::{DataFile, Findings, Program, ProjectView};
+use crate::lint::{DataFile, Findings, ProgramView, ProjectView};
 
 /// Severity of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -46,10 +46,10 @@ pub struct Rule {
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Lint {
     /// In each program without faults.
-    Program(fn(&Program<'_>, &mut Findings)),
+    Program(fn(&ProgramView<'_>, &mut Findings)),
     /// In each program without faults, with access to the other programs of its application. All rules about the state
     /// of the arm are of this kind, so that the state is computed once.
-    Member(fn(&Program<'_>, &mut Findings)),
+    Member(fn(&ProgramView<'_>, &mut Findings)),
     /// In each `.dtx`.
     Data(fn(&DataFile<'_>, &mut Findings)),
     /// In each project; findings are located in the `.pjx`.

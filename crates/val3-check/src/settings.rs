@@ -18,7 +18,7 @@ use crate::rules;
 
 /// Rule selection of a command line. It overrides every configuration.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Selection {
+pub struct RuleSelection {
     /// Codes of the only rules to report; `None` for all.
     pub only: Option<BTreeSet<&'static str>>,
     /// Codes that were stated individually. They are reported even if a configuration turns them off.
@@ -34,7 +34,7 @@ pub struct Selection {
 pub struct Settings {
     /// Configured levels by code.
     levels: FxHashMap<&'static str, Configured>,
-    selection: Selection,
+    selection: RuleSelection,
     /// Options of rules.
     pub options: Options,
 }
@@ -52,7 +52,7 @@ impl Settings {
     ///
     /// # Errors
     /// A key of `[rules]` names no rule, or two keys name the same rule.
-    pub fn new(file: Option<&ConfigFile>, selection: &Selection) -> Result<Self, ConfigError> {
+    pub fn new(file: Option<&ConfigFile>, selection: &RuleSelection) -> Result<Self, ConfigError> {
         let mut settings = Self { selection: selection.clone(), ..Self::default() };
         settings.options.target_version = selection.target;
         if let Some(file) = file {
@@ -98,7 +98,7 @@ impl Settings {
         if *rule == rules::file_unreadable::RULE {
             return Some(usual);
         }
-        let Selection { only, named, never, .. } = &self.selection;
+        let RuleSelection { only, named, never, .. } = &self.selection;
         if never.contains(rule.code) || only.as_ref().is_some_and(|only| !only.contains(rule.code)) {
             return None;
         }
@@ -131,7 +131,7 @@ impl Settings {
 
     /// Whether the command line determines the rule, regardless of the configuration.
     pub fn is_chosen(&self, rule: &Rule) -> bool {
-        let Selection { only, named, never, .. } = &self.selection;
+        let RuleSelection { only, named, never, .. } = &self.selection;
         let left_out = only.as_ref().is_some_and(|only| !only.contains(rule.code));
         left_out || named.contains(rule.code) || never.contains(rule.code)
     }
@@ -150,7 +150,7 @@ impl WorkspaceSettings {
     ///
     /// # Errors
     /// The errors of [`Settings::new`], one per configuration.
-    pub fn new(db: &dyn Db, projects: &[Project], selection: &Selection) -> Result<Self, Vec<ConfigError>> {
+    pub fn new(db: &dyn Db, projects: &[Project], selection: &RuleSelection) -> Result<Self, Vec<ConfigError>> {
         let mut unconfigured = Settings { selection: selection.clone(), ..Settings::default() };
         unconfigured.options.target_version = selection.target;
         let mut settings = Self { by_configuration: FxHashMap::default(), unconfigured };

@@ -12,7 +12,7 @@ use crate::rules::{ambiguous_name, file_unreadable, library_item_unknown};
 
 /// A cause that several applications may share.
 #[derive(PartialEq, Eq, Hash)]
-enum Cause<'db> {
+enum SharedCause<'db> {
     /// A name that variables share with a program or library. Stand-in libraries have the same programs with the same
     /// parameters as the libraries that they replace.
     Name(&'db str),
@@ -25,7 +25,7 @@ enum Cause<'db> {
 /// Keeps the first finding for each cause, and adds the locations of the other findings to it.
 pub fn join_causes(db: &dyn Db, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(findings.len());
-    let mut firsts: FxHashMap<Cause<'_>, usize> = FxHashMap::default();
+    let mut firsts: FxHashMap<SharedCause<'_>, usize> = FxHashMap::default();
     for finding in findings {
         let first = cause(db, &finding).map(|cause| firsts.entry(cause));
         match first {
@@ -50,26 +50,26 @@ pub fn has_shared_cause(db: &dyn Db, finding: &Diagnostic) -> bool {
     cause(db, finding).is_some()
 }
 
-fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
+fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<SharedCause<'db>> {
     let FileRange { file, range } = finding.place;
     if finding.rule == &ambiguous_name::RULE {
-        return file.text(db).get(std::ops::Range::<usize>::from(range)).map(Cause::Name);
+        return file.text(db).get(std::ops::Range::<usize>::from(range)).map(SharedCause::Name);
     }
     if finding.rule == &file_unreadable::RULE {
         return cell_file(db, finding);
     }
     // Outside of programs, this rule only reports projects with missing entries.
     let is_about_project = finding.rule == &library_item_unknown::RULE && finding.program.is_none();
-    finding.related.first().filter(|_| is_about_project).map(|list| Cause::Library(list.place))
+    finding.related.first().filter(|_| is_about_project).map(|list| SharedCause::Library(list.place))
 }
 
-fn cell_file<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
+fn cell_file<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<SharedCause<'db>> {
     let manifest = finding.application?.path(db);
     let project = Sources::get(db).projects(db).get(&path_key(manifest.as_str()))?;
     let mut files = project.cell(db)?.config(db).unreadable_files.iter();
     let file =
         files.find(|file| file_unreadable::word_cell_file(&file.path, &file.reason).message == finding.message)?;
-    Some(Cause::CellFile(project.disk(db)?, &file.path))
+    Some(SharedCause::CellFile(project.disk(db)?, &file.path))
 }
 
 #[cfg(test)]

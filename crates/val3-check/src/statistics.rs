@@ -5,11 +5,11 @@ use std::iter::Sum;
 use memchr::memchr_iter;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project;
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 /// Counts over the requested projects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Statistics {
+pub struct CheckStatistics {
     /// Number of projects: applications, libraries and types.
     pub applications: usize,
     /// Number of files in these projects.
@@ -21,9 +21,9 @@ pub struct Statistics {
 }
 
 /// Counts the content of `project`.
-pub fn statistics(db: &dyn Db, project: Project) -> Statistics {
+pub fn statistics(db: &dyn Db, project: Project) -> CheckStatistics {
     let programs = project::program_files(db, project);
-    Statistics {
+    CheckStatistics {
         applications: 1,
         files: 1 + project::data_files(db, project).len() + programs.len(),
         programs: programs.len(),
@@ -31,7 +31,7 @@ pub fn statistics(db: &dyn Db, project: Project) -> Statistics {
     }
 }
 
-impl Sum for Statistics {
+impl Sum for CheckStatistics {
     fn sum<I: Iterator<Item = Self>>(parts: I) -> Self {
         parts.fold(Self::default(), |sum, part| Self {
             applications: sum.applications + part.applications,

@@ -11,13 +11,13 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::Db;
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 use val3_syntax::encoding::decode;
 
 use crate::diagnostic::Diagnostic;
 use crate::fix::{AppliedFixes, FixTarget, TrialWorkspace, add_suppressions, apply_fixes};
 use crate::rule::Severity;
-use crate::settings::{Selection, WorkspaceSettings};
+use crate::settings::{RuleSelection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
 
 /// Codes of rules about complete projects. An example on a page is an excerpt, in the form of s7 whatever it declares.
@@ -44,14 +44,14 @@ pub struct CheckedFinding {
 /// # Panics
 /// If there is no project in the files.
 pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
-    check_selected(files, &Selection::default())
+    check_selected(files, &RuleSelection::default())
 }
 
 /// As [`check_files`], with the selection of a command line.
 ///
 /// # Panics
 /// As [`check_files`].
-pub fn check_selected(files: &[(String, Vec<u8>)], selection: &Selection) -> Vec<CheckedFinding> {
+pub fn check_selected(files: &[(String, Vec<u8>)], selection: &RuleSelection) -> Vec<CheckedFinding> {
     try_check(files, selection).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -59,7 +59,7 @@ pub fn check_selected(files: &[(String, Vec<u8>)], selection: &Selection) -> Vec
 ///
 /// # Errors
 /// The reason why nothing is checked.
-pub fn try_check(files: &[(String, Vec<u8>)], selection: &Selection) -> Result<Vec<CheckedFinding>, String> {
+pub fn try_check(files: &[(String, Vec<u8>)], selection: &RuleSelection) -> Result<Vec<CheckedFinding>, String> {
     let (workspace, found) = try_checked(files, selection)?;
     let db = &workspace.db;
     let mut findings: Vec<CheckedFinding> = found
@@ -98,7 +98,7 @@ pub struct OfferedFix {
 /// # Panics
 /// If there is no project in the files.
 pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
-    let (workspace, found) = checked(files, &Selection::default());
+    let (workspace, found) = checked(files, &RuleSelection::default());
     let offered = |diagnostic: &Diagnostic| {
         let fix = diagnostic.fix.as_ref()?;
         let edits = fix.edits.iter().map(|edit| {
@@ -140,7 +140,7 @@ pub(crate) struct MemoryTarget {
 
 impl MemoryTarget {
     pub(crate) fn new(files: &[(String, Vec<u8>)]) -> Self {
-        Self { files: files.to_vec(), checked: checked(files, &Selection::default()) }
+        Self { files: files.to_vec(), checked: checked(files, &RuleSelection::default()) }
     }
 }
 
@@ -172,15 +172,15 @@ impl TrialWorkspace for MemoryTarget {
                 *bytes = decode(bytes.clone()).encoding.encode(text);
             }
         }
-        self.checked = checked(&self.files, &Selection::default());
+        self.checked = checked(&self.files, &RuleSelection::default());
     }
 }
 
-fn checked(files: &[(String, Vec<u8>)], selection: &Selection) -> (Workspace, Vec<Diagnostic>) {
+fn checked(files: &[(String, Vec<u8>)], selection: &RuleSelection) -> (Workspace, Vec<Diagnostic>) {
     try_checked(files, selection).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn try_checked(files: &[(String, Vec<u8>)], selection: &Selection) -> Result<(Workspace, Vec<Diagnostic>), String> {
+fn try_checked(files: &[(String, Vec<u8>)], selection: &RuleSelection) -> Result<(Workspace, Vec<Diagnostic>), String> {
     let rooted = |(path, bytes): &(String, Vec<u8>)| (Utf8PathBuf::from("/").join(path), bytes.clone());
     let system = Memory::new(files.iter().map(rooted));
     let workspace = load(&system, &[Utf8PathBuf::from("/")]).map_err(|error| error.to_string())?;

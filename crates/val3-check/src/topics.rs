@@ -14,14 +14,14 @@ mod topic;
 use crate::rule::Rule;
 
 pub use search::{Hit, search};
-pub use topic::{Kind, Topic};
+pub use topic::{Topic, TopicKind};
 
 /// Address of the published book.
 const BOOK: &str = env!("CARGO_PKG_HOMEPAGE");
 
 /// Address of a rule's page in the published book.
 pub fn address(rule: &Rule) -> String {
-    format!("{BOOK}/{}/{}.html", Kind::Finding.folder(), rule.code)
+    format!("{BOOK}/{}/{}.html", TopicKind::Finding.folder(), rule.code)
 }
 
 /// All topics, sorted by kind and group.

@@ -4,19 +4,19 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::body::Stmt;
 use val3_bytecode::{
-    CallSite, CopySite, Counters, InstructionSite, LineMark, Op, Operation, Register, SourceLine, SourceRange, TaskSite,
+    CallSite, CopySite, Counters, InstructionSite, LineMark, Op, Opcode, Register, SourceLine, SourceRange, TaskSite,
 };
 use val3_lang::values::Text;
 use val3_lines::LineIndex;
 use val3_syntax::TextRange;
 
 use crate::counting::{BranchId, Counting};
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 
 /// Operations of a program and the tables to which they refer. Until [`finish`](Self::finish) jump targets are labels.
 #[derive(Debug, Default)]
-pub(crate) struct Code {
-    steps: Vec<Operation>,
+pub(crate) struct CodeBuilder {
+    steps: Vec<Opcode>,
     /// Mark for the next operation.
     pending: LineMark,
     counting: Counting,
@@ -35,7 +35,7 @@ pub(crate) struct Code {
 
 /// A position at the end of the code.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Mark {
+pub(crate) struct CodeEnd {
     steps: usize,
     pending: LineMark,
     copies: usize,
@@ -46,7 +46,7 @@ pub(crate) struct Mark {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Label(pub(crate) u32);
 
-impl Code {
+impl CodeBuilder {
     /// Creates the code for a program in a file with this source.
     pub(crate) fn new(text: &str, counting: Counting) -> Self {
         Self { file_lines: LineIndex::new(text), counting, ..Self::default() }
@@ -60,24 +60,24 @@ impl Code {
             self.begin();
         }
         let mark = std::mem::take(&mut self.pending);
-        self.steps.push(Operation { op, mark });
+        self.steps.push(Opcode { op, mark });
     }
 
     /// Begins the pending line or side, if any, with a separate operation.
     pub(crate) fn begin(&mut self) {
         if self.pending != LineMark::Within {
-            self.steps.push(Operation { op: Op::Line, mark: std::mem::take(&mut self.pending) });
+            self.steps.push(Opcode { op: Op::Line, mark: std::mem::take(&mut self.pending) });
         }
     }
 
     /// Returns the present end of the code.
-    pub(crate) fn mark(&self) -> Mark {
+    pub(crate) fn mark(&self) -> CodeEnd {
         let (copies, instructions) = (self.copies.len(), self.instructions.len());
-        Mark { steps: self.steps.len(), pending: self.pending, copies, instructions }
+        CodeEnd { steps: self.steps.len(), pending: self.pending, copies, instructions }
     }
 
     /// Removes the operations after `mark`, with their table entries. Program calls are never removed.
-    pub(crate) fn take_back(&mut self, mark: Mark) {
+    pub(crate) fn take_back(&mut self, mark: CodeEnd) {
         self.steps.truncate(mark.steps);
         self.pending = mark.pending;
         self.copies.truncate(mark.copies);
@@ -156,7 +156,7 @@ impl Code {
     /// Adds the operation for the next iteration of a `for`, which counts as a line.
     pub(crate) fn next_round(&mut self, op: Op) {
         self.begin();
-        self.steps.push(Operation { op, mark: LineMark::Line });
+        self.steps.push(Opcode { op, mark: LineMark::Line });
     }
 
     /// Returns the line of the file in which a range begins, from 1.
@@ -170,7 +170,7 @@ impl Code {
         if let Some(known) = self.constants.get(&text) {
             return Ok(*known);
         }
-        let number = Register::try_from(self.texts.len()).map_err(|_| Limit::Items)?;
+        let number = Register::try_from(self.texts.len()).map_err(|_| CompileLimit::Items)?;
         self.texts.push(text);
         self.constants.insert(text, number);
         Ok(number)
@@ -200,12 +200,12 @@ impl Code {
     }
 
     /// Returns the operations, with resolved jump targets.
-    pub(crate) fn finish(&mut self) -> Result<Vec<Operation>> {
+    pub(crate) fn finish(&mut self) -> Result<Vec<Opcode>> {
         self.counters = std::mem::take(&mut self.counting).finish()?;
-        u32::try_from(self.steps.len()).map_err(|_| Limit::Operations)?;
+        u32::try_from(self.steps.len()).map_err(|_| CompileLimit::Operations)?;
         let mut steps = std::mem::take(&mut self.steps);
         for target in steps.iter_mut().filter_map(|step| step.op.target_mut()) {
-            *target = self.labels.get(*target as usize).copied().ok_or(Limit::Unclear)?;
+            *target = self.labels.get(*target as usize).copied().ok_or(CompileLimit::Unclear)?;
         }
         Ok(steps)
     }

@@ -1,10 +1,10 @@
 //! Counters of a program: one for each line, and one for each branch side that does not begin with a line.
 
 use val3_analysis::body::Stmt;
-use val3_bytecode::{Branch, Counters, Side};
+use val3_bytecode::{Branch, BranchSide, Counters};
 use val3_syntax::TextRange;
 
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 
 /// Sides of a condition.
 pub(crate) const TRUE: &str = "true";
@@ -66,12 +66,12 @@ impl Counting {
         }
         let counter = self.counter();
         let branch = self.counters.branches.get_mut(branch.0)?;
-        branch.sides.push(Side { name: name.to_owned(), counter });
+        branch.sides.push(BranchSide { name: name.to_owned(), counter });
         Some(counter)
     }
 
     /// Returns the counters.
     pub(crate) fn finish(self) -> Result<Counters> {
-        if self.counters.count > u32::from(u16::MAX) + 1 { Err(Limit::Counters) } else { Ok(self.counters) }
+        if self.counters.count > u32::from(u16::MAX) + 1 { Err(CompileLimit::Counters) } else { Ok(self.counters) }
     }
 }

@@ -8,18 +8,18 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use val3_analysis::ty::Base;
-use val3_analysis::xml::Element as Xml;
+use val3_analysis::xml::XmlElement as Xml;
 use val3_bytecode::FatherLink;
-use val3_lang::memory::{Element, Kind, MEMORY, PartInit, Shape, bytes_of};
+use val3_lang::memory::{ContainerShape, ElementType, MEMORY, PartInit, ValueType, bytes_of};
 use val3_lang::types::Container;
 use val3_lang::values::Text;
 
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::kinds::Kinds;
 use crate::shape::shape;
 
 pub(crate) use fathers::detach_fathers;
-pub(crate) use loaded::{Found, Loaded};
+pub(crate) use loaded::{Loaded, LoadedLink};
 
 impl Kinds<'_> {
     /// Reads a `<Data>` or `<Field>`, or the corresponding elements of the old dialect.
@@ -40,7 +40,7 @@ impl Kinds<'_> {
         } else {
             written.iter().map(|(at, _)| at.saturating_add(1)).max().unwrap_or(0)
         };
-        fits(loaded.init.bytes().saturating_add(bytes_of::<Option<Element>>(last as usize)))?;
+        fits(loaded.init.bytes().saturating_add(bytes_of::<Option<ElementType>>(last as usize)))?;
         if let Some(value) = unwritten {
             loaded.init.values = vec![Some(value); count as usize];
         }
@@ -59,14 +59,14 @@ impl Kinds<'_> {
         &mut self,
         value: Xml<'_>,
         father: Option<&FatherLink>,
-        (base, kind): (Base, &Kind),
+        (base, kind): (Base, &ValueType),
         number: u32,
-        links: &mut Vec<Found>,
-    ) -> Result<Element> {
+        links: &mut Vec<LoadedLink>,
+    ) -> Result<ElementType> {
         match base {
             Base::Builtin(base, arm) => Ok(values::read(value, father, (base, arm, kind), number, links)),
             Base::User(_) => self.user_value(value, (base, kind), number, links),
-            Base::Unknown => Err(Limit::Unclear),
+            Base::Unknown => Err(CompileLimit::Unclear),
         }
     }
 
@@ -74,10 +74,10 @@ impl Kinds<'_> {
     fn user_value(
         &mut self,
         value: Xml<'_>,
-        (base, kind): (Base, &Kind),
+        (base, kind): (Base, &ValueType),
         number: u32,
-        links: &mut Vec<Found>,
-    ) -> Result<Element> {
+        links: &mut Vec<LoadedLink>,
+    ) -> Result<ElementType> {
         let (bases, inherited) = (self.field_bases(base)?, self.links(base)?);
         let mut parts = Vec::with_capacity(kind.fields.len());
         for ((field, base), at) in kind.fields.iter().zip(bases).zip(0u32..) {
@@ -93,11 +93,11 @@ impl Kinds<'_> {
                 parts.push(field.init.clone());
             }
         }
-        Ok(Element { parts, ..Element::default() })
+        Ok(ElementType { parts, ..ElementType::default() })
     }
 
     /// Adds the type's links for values that the file does not contain.
-    fn inherit(&mut self, base: Base, overridden: &[bool], links: &mut Vec<Found>) -> Result<()> {
+    fn inherit(&mut self, base: Base, overridden: &[bool], links: &mut Vec<LoadedLink>) -> Result<()> {
         let inherited = self.links(base)?;
         for (number, _) in (0u32..).zip(overridden).filter(|(_, overridden)| !**overridden) {
             links.extend(inherited.iter().map(|(field, found)| found.within(number, *field)));
@@ -108,11 +108,11 @@ impl Kinds<'_> {
 
 /// Checks that data with this size can be in memory.
 pub(crate) fn fits(bytes: u64) -> Result<()> {
-    if bytes > MEMORY { Err(Limit::Memory) } else { Ok(()) }
+    if bytes > MEMORY { Err(CompileLimit::Memory) } else { Ok(()) }
 }
 
 /// Returns the container's shape, and the elements of the values with their numbers.
-fn placed<'g>(element: Xml<'g>, container: Container, sizes: &[u32]) -> (Shape, Vec<(u32, Xml<'g>)>) {
+fn placed<'g>(element: Xml<'g>, container: Container, sizes: &[u32]) -> (ContainerShape, Vec<(u32, Xml<'g>)>) {
     let key = |value: &Xml<'g>| value.value("key").or_else(|| value.value("index"));
     let values = element.elements().filter(|value| value.name().to_ascii_lowercase().starts_with("value"));
     if container == Container::Collection {
@@ -123,7 +123,7 @@ fn placed<'g>(element: Xml<'g>, container: Container, sizes: &[u32]) -> (Shape, 
             let number = u32::try_from(keys.len()).unwrap_or(u32::MAX);
             written.push((*keys.entry(Text::from(key.as_ref())).or_insert(number), value));
         }
-        return (Shape::Collection(keys), written);
+        return (ContainerShape::Collection(keys), written);
     }
     let shape = shape(container, sizes);
     let written = values.filter_map(|value| Some((number(&shape, key(&value)?)?, value))).collect();
@@ -131,8 +131,8 @@ fn placed<'g>(element: Xml<'g>, container: Container, sizes: &[u32]) -> (Shape, 
 }
 
 /// Returns the number of the value with an index as in data files: `7`, `2,1`.
-fn number(shape: &Shape, key: Cow<'_, str>) -> Option<u32> {
-    let Shape::Array { dims, sizes } = shape else { return None };
+fn number(shape: &ContainerShape, key: Cow<'_, str>) -> Option<u32> {
+    let ContainerShape::Array { dims, sizes } = shape else { return None };
     let indexes: Vec<u32> = key.split(',').map(|index| index.trim().parse().ok()).collect::<Option<_>>()?;
     let inside = indexes.len() == usize::from(*dims) && indexes.iter().zip(sizes).all(|(index, size)| index < size);
     inside.then(|| {
@@ -143,7 +143,7 @@ fn number(shape: &Shape, key: Cow<'_, str>) -> Option<u32> {
     })
 }
 
-fn put(values: &mut Vec<Option<Element>>, number: u32, value: Element) {
+fn put(values: &mut Vec<Option<ElementType>>, number: u32, value: ElementType) {
     let at = number as usize;
     if values.len() <= at {
         values.resize(at + 1, None);

@@ -7,33 +7,33 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use val3_analysis::ty::Base;
-use val3_bytecode::{Op, Operation, Register};
-use val3_lang::memory::{Kind, Lanes};
+use val3_bytecode::{Op, Opcode, Register};
+use val3_lang::memory::{Lanes, ValueType};
 use val3_lang::types::BaseType;
-use val3_syntax::{Part, TextRange, decode_entities};
+use val3_syntax::{TextRange, TextSlice, decode_entities};
 
-use crate::code::Code;
+use crate::code::CodeBuilder;
 use crate::counting::Counting;
 use crate::error::Result;
 use crate::frame::{Finished, Frame};
-use crate::unit::Unit;
+use crate::unit::CompileUnit;
 
 pub(crate) use moves::text_register;
 
 /// Emits operations that move values. It is independent of expressions.
 pub(crate) struct Emitter<'u, 'db> {
     /// State that all programs of the project share.
-    unit: &'u mut Unit<'db>,
+    unit: &'u mut CompileUnit<'db>,
     /// Source of the file.
     text: &'db str,
     frame: Frame,
-    code: Code,
+    code: CodeBuilder,
 }
 
 impl<'u, 'db> Emitter<'u, 'db> {
     /// Creates an emitter for a program in a file with this source.
-    pub(crate) fn new(unit: &'u mut Unit<'db>, text: &'db str, counting: Counting) -> Self {
-        Self { unit, text, frame: Frame::default(), code: Code::new(text, counting) }
+    pub(crate) fn new(unit: &'u mut CompileUnit<'db>, text: &'db str, counting: Counting) -> Self {
+        Self { unit, text, frame: Frame::default(), code: CodeBuilder::new(text, counting) }
     }
 
     /// Returns the source in a range of the file, with decoded entities.
@@ -41,11 +41,11 @@ impl<'u, 'db> Emitter<'u, 'db> {
         decode_entities(self.text.part(range.start().into()..range.end().into()))
     }
 
-    pub(crate) fn unit(&self) -> &Unit<'db> {
+    pub(crate) fn unit(&self) -> &CompileUnit<'db> {
         self.unit
     }
 
-    pub(crate) fn unit_mut(&mut self) -> &mut Unit<'db> {
+    pub(crate) fn unit_mut(&mut self) -> &mut CompileUnit<'db> {
         self.unit
     }
 
@@ -57,12 +57,12 @@ impl<'u, 'db> Emitter<'u, 'db> {
         &mut self.frame
     }
 
-    pub(crate) fn code(&mut self) -> &mut Code {
+    pub(crate) fn code(&mut self) -> &mut CodeBuilder {
         &mut self.code
     }
 
     /// Ends the program, and returns the operations, tables and frame.
-    pub(crate) fn finish(&mut self) -> Result<(Vec<Operation>, Code, Finished)> {
+    pub(crate) fn finish(&mut self) -> Result<(Vec<Opcode>, CodeBuilder, Finished)> {
         self.code.begin();
         self.emit(Op::Return);
         let operations = self.code.finish()?;
@@ -70,12 +70,12 @@ impl<'u, 'db> Emitter<'u, 'db> {
     }
 
     /// Returns a type's run-time form.
-    pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<Kind>> {
+    pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<ValueType>> {
         self.unit.kinds.kind(base)
     }
 
     /// Returns a built-in type's run-time form, for the project's arm.
-    pub(crate) fn builtin_kind(&mut self, base: BaseType) -> Result<Arc<Kind>> {
+    pub(crate) fn builtin_kind(&mut self, base: BaseType) -> Result<Arc<ValueType>> {
         self.kind(Base::of(base))
     }
 

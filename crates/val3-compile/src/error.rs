@@ -13,14 +13,14 @@ pub struct CompileError {
     /// Line of the statement, from 1; 1 for the entire file.
     pub row: u32,
     /// Limit.
-    pub limit: Limit,
+    pub limit: CompileLimit,
     /// Variable that exceeds the limit; `None` if it is not a variable.
     pub variable: Option<String>,
 }
 
 impl CompileError {
     /// Creates an error at a line of a file.
-    pub(crate) fn at(file: &str, row: u32, limit: Limit) -> Self {
+    pub(crate) fn at(file: &str, row: u32, limit: CompileLimit) -> Self {
         Self { file: file.to_string(), row, limit, variable: None }
     }
 }
@@ -28,20 +28,20 @@ impl CompileError {
 /// Error: global data exceed a limit.
 #[derive(Debug)]
 pub(crate) struct DataError {
-    pub(crate) limit: Limit,
+    pub(crate) limit: CompileLimit,
     /// Name, and location of the declaration.
     pub(crate) datum: Option<(SmolStr, FileRange)>,
 }
 
-impl From<Limit> for DataError {
-    fn from(limit: Limit) -> Self {
+impl From<CompileLimit> for DataError {
+    fn from(limit: CompileLimit) -> Self {
         Self { limit, datum: None }
     }
 }
 
 /// Limits of compilation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Limit {
+pub enum CompileLimit {
     /// Values that a program holds at the same time: 65,535 of each kind.
     Registers,
     /// Containers in a program, in the global data, or used from libraries: 8,191.
@@ -61,15 +61,15 @@ pub enum Limit {
 /// Converts [`Limit::Unclear`] to `None`: the line uses something unresolved.
 pub(crate) fn there<T>(made: Result<T>) -> Result<Option<T>> {
     match made {
-        Err(Limit::Unclear) => Ok(None),
+        Err(CompileLimit::Unclear) => Ok(None),
         made => made.map(Some),
     }
 }
 
 /// Result from a part of the compiler. The program adds the error's location.
-pub(crate) type Result<T> = std::result::Result<T, Limit>;
+pub(crate) type Result<T> = std::result::Result<T, CompileLimit>;
 
-impl fmt::Display for Limit {
+impl fmt::Display for CompileLimit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Registers => "the program has more than 65,535 values",
@@ -83,7 +83,7 @@ impl fmt::Display for Limit {
     }
 }
 
-impl Limit {
+impl CompileLimit {
     /// Returns the remedy, for users.
     #[must_use]
     pub fn help(self) -> &'static str {

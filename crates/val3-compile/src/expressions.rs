@@ -17,9 +17,9 @@ use val3_lang::operators::UnaryOp;
 use val3_lang::types::BaseType;
 
 use crate::emitter::{Emitter, text_register};
-use crate::error::{Limit, Result};
-use crate::location::{Location, Value, is_number};
-use crate::unit::Unit;
+use crate::error::{CompileLimit, Result};
+use crate::location::{CompiledValue, ValueLocator, is_number};
+use crate::unit::CompileUnit;
 
 /// Compiles the expressions of a program.
 pub(crate) struct Expressions<'u, 'db> {
@@ -42,7 +42,7 @@ impl<'u, 'db> Expressions<'u, 'db> {
         &mut self.out
     }
 
-    pub(crate) fn unit(&self) -> &Unit<'db> {
+    pub(crate) fn unit(&self) -> &CompileUnit<'db> {
         self.out.unit()
     }
 
@@ -67,13 +67,13 @@ impl<'u, 'db> Expressions<'u, 'db> {
 
     /// Returns an expression's type, which must be built in.
     pub(crate) fn builtin(&self, id: ExprId) -> Result<BaseType> {
-        self.base(id).builtin().ok_or(Limit::Unclear)
+        self.base(id).builtin().ok_or(CompileLimit::Unclear)
     }
 
     /// Compiles an expression. The value of a variable remains at its location; a result may be computed into `want`.
-    pub(crate) fn value(&mut self, id: ExprId, want: Option<Lanes>) -> Result<Value> {
+    pub(crate) fn value(&mut self, id: ExprId, want: Option<Lanes>) -> Result<CompiledValue> {
         if let Some((base, number)) = self.constant(id) {
-            return Ok(Value::num(base, self.out.frame_mut().constant(number)?));
+            return Ok(CompiledValue::num(base, self.out.frame_mut().constant(number)?));
         }
         if let Some(variable) = self.variable(id)? {
             return Ok(variable);
@@ -81,15 +81,15 @@ impl<'u, 'db> Expressions<'u, 'db> {
         match self.body.expr(id) {
             Expr::Paren(inner) => self.value(*inner, want),
             Expr::String(text) => {
-                let location = Location::Constant(self.out.code().text(text)?);
-                Ok(Value { location, base: Base::of(BaseType::String) })
+                let location = ValueLocator::Constant(self.out.code().text(text)?);
+                Ok(CompiledValue { location, base: Base::of(BaseType::String) })
             }
             Expr::Unary(op, operand) => self.unary(*op, *operand, want),
             Expr::Binary(op, left, right) => self.binary(*op, (*left, *right), want),
             Expr::Assign(target, value) => self.assign(*target, *value),
             Expr::Call(callee, args) => self.instruction_value(id, *callee, args, want),
             Expr::Struct(values) => self.literal(self.base(id), values),
-            _ => Err(Limit::Unclear),
+            _ => Err(CompileLimit::Unclear),
         }
     }
 
@@ -180,20 +180,20 @@ impl<'u, 'db> Expressions<'u, 'db> {
         })
     }
 
-    fn unary(&mut self, op: UnaryOp, operand: ExprId, want: Option<Lanes>) -> Result<Value> {
+    fn unary(&mut self, op: UnaryOp, operand: ExprId, want: Option<Lanes>) -> Result<CompiledValue> {
         let base = self.builtin(operand)?;
         match op {
             UnaryOp::Negate => {
                 let a = self.num(operand)?;
                 let to = self.out.num_result(want)?;
                 self.out.emit(Op::Negate { to, a });
-                Ok(Value::num(BaseType::Num, to))
+                Ok(CompiledValue::num(BaseType::Num, to))
             }
             UnaryOp::Not if is_number(base) || base == BaseType::Dio => {
                 let a = self.num(operand)?;
                 let to = self.out.num_result(want)?;
                 self.out.emit(Op::Not { to, a });
-                Ok(Value::num(BaseType::Bool, to))
+                Ok(CompiledValue::num(BaseType::Bool, to))
             }
             UnaryOp::Not => self.unary_handler(op, operand, base, want),
         }

@@ -6,21 +6,21 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::infer::infer;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::items;
-use val3_bytecode::{Fragment, FragmentValue, Image, Program, Storage, Variable};
+use val3_bytecode::{Fragment, FragmentValue, FrameVariable, Image, Program, Storage};
 use val3_syntax::TextRange;
 
-use crate::code::Code;
+use crate::code::CodeBuilder;
 use crate::counting::Counting;
 use crate::emitter::Emitter;
-use crate::error::{CompileError, Limit, Result};
+use crate::error::{CompileError, CompileLimit, Result};
 use crate::expressions::Expressions;
 use crate::frame::Finished;
 use crate::kinds::Kinds;
 use crate::statements::Statements;
-use crate::unit::Unit;
+use crate::unit::CompileUnit;
 
 /// Image of a project in memory, and the program's variables.
-pub type FragmentScope<'i> = (&'i Image, &'i [Variable]);
+pub type FragmentScope<'i> = (&'i Image, &'i [FrameVariable]);
 
 /// Compiles the statements in `file`, which can use a program's variables.
 ///
@@ -50,7 +50,7 @@ pub fn compile_expression(
 ) -> std::result::Result<Fragment, CompileError> {
     compile(db, (project, file), scope, |statements| match body(db, file).block.as_slice() {
         [Stmt { kind: StmtKind::Print(id), range }] => statements.watched(*range, *id).map(Some),
-        _ => Err(Limit::Unclear),
+        _ => Err(CompileLimit::Unclear),
     })
 }
 
@@ -64,7 +64,7 @@ fn compile(
     let kinds = Kinds::new(db, items(db, project).arm);
     let data: Vec<SmolStr> = image.data.iter().map(|data| SmolStr::from(&data.name)).collect();
     let programs: Vec<SmolStr> = image.programs.iter().map(|program| SmolStr::from(&program.name)).collect();
-    let mut unit = Unit::new(kinds, project, data.iter(), programs.iter()).map_err(error)?;
+    let mut unit = CompileUnit::new(kinds, project, data.iter(), programs.iter()).map_err(error)?;
     unit.adopt_imports(image);
     let emitter = Emitter::new(&mut unit, file.text(db), Counting::default());
     let values = Expressions::new(emitter, body(db, file), infer(db, project, file));
@@ -79,23 +79,23 @@ fn compile(
 }
 
 /// Declares a reference for each variable: a place for a single value on the frame, otherwise a view.
-fn declare(statements: &mut Statements<'_, '_>, variables: &[Variable]) -> Result<Vec<Variable>> {
+fn declare(statements: &mut Statements<'_, '_>, variables: &[FrameVariable]) -> Result<Vec<FrameVariable>> {
     let frame = statements.out().frame_mut();
     frame.is_fragment = true;
-    let reference = |variable: &Variable| {
+    let reference = |variable: &FrameVariable| {
         let storage = match variable.storage {
             Storage::Value(_) | Storage::Place(_) => Storage::Place(frame.lasting_place()?),
             Storage::Part(_) | Storage::View(_) => Storage::View(frame.lasting_view()?),
         };
         frame.declare(SmolStr::from(&variable.name), storage);
-        Ok(Variable { storage, ..variable.clone() })
+        Ok(FrameVariable { storage, ..variable.clone() })
     };
     variables.iter().map(reference).collect()
 }
 
-fn finished(statements: &mut Statements<'_, '_>, variables: Vec<Variable>) -> Result<Program> {
+fn finished(statements: &mut Statements<'_, '_>, variables: Vec<FrameVariable>) -> Result<Program> {
     let (code, tables, frame) = statements.out().finish()?;
-    let Code { lines, texts, copies, instructions, calls, tasks, .. } = tables;
+    let CodeBuilder { lines, texts, copies, instructions, calls, tasks, .. } = tables;
     let Finished { size, nums, parts } = frame;
     let frame = size;
     Ok(Program {
@@ -119,7 +119,7 @@ impl Statements<'_, '_> {
     fn watched(&mut self, range: TextRange, id: ExprId) -> Result<FragmentValue> {
         self.out().code().line(range);
         let found = self.or_stop(&[id], |statements| statements.values().watched(id))?;
-        let (site, base) = found.ok_or(Limit::Unclear)?;
+        let (site, base) = found.ok_or(CompileLimit::Unclear)?;
         Ok(FragmentValue { site, kind: self.out().kind(base)? })
     }
 }

@@ -8,9 +8,9 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_bytecode::{ContainerKind, ContainerRef, FrameSize, Register, Storage};
-use val3_lang::memory::{Kind, Lanes, PartInit, Shape};
+use val3_lang::memory::{ContainerShape, Lanes, PartInit, ValueType};
 
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::pool::Pool;
 
 /// Frame under construction.
@@ -49,7 +49,7 @@ enum Sort {
 
 /// Number of temporaries at the beginning of a statement.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Mark(usize);
+pub(crate) struct TemporaryMark(usize);
 
 impl Frame {
     /// Returns the location of a parameter or local.
@@ -74,7 +74,7 @@ impl Frame {
     }
 
     /// Reserves permanent lanes with a default value, for a variable or for a value whose links stay empty.
-    pub(crate) fn lasting(&mut self, kind: &Kind) -> Result<Lanes> {
+    pub(crate) fn lasting(&mut self, kind: &ValueType) -> Result<Lanes> {
         let num = self.pool(Sort::Num).grow(kind.size.num)?;
         for (at, value) in (num..).zip(&kind.default.nums) {
             self.preset(at, *value);
@@ -95,9 +95,9 @@ impl Frame {
     }
 
     /// Adds a container to the frame.
-    pub(crate) fn part(&mut self, kind: Arc<Kind>, shape: Shape) -> Result<u16> {
-        let number = u16::try_from(self.parts.len()).map_err(|_| Limit::Containers)?;
-        ContainerRef::new(ContainerKind::Part(number)).ok_or(Limit::Containers)?;
+    pub(crate) fn part(&mut self, kind: Arc<ValueType>, shape: ContainerShape) -> Result<u16> {
+        let number = u16::try_from(self.parts.len()).map_err(|_| CompileLimit::Containers)?;
+        ContainerRef::new(ContainerKind::Part(number)).ok_or(CompileLimit::Containers)?;
         self.parts.push(PartInit { kind, shape, values: Vec::new() });
         Ok(number)
     }
@@ -186,12 +186,12 @@ impl Frame {
     }
 
     /// Returns the present number of temporaries, for [`release`](Self::release).
-    pub(crate) fn mark(&self) -> Mark {
-        Mark(self.taken.len())
+    pub(crate) fn mark(&self) -> TemporaryMark {
+        TemporaryMark(self.taken.len())
     }
 
     /// Releases the temporaries after `mark`.
-    pub(crate) fn release(&mut self, mark: Mark) {
+    pub(crate) fn release(&mut self, mark: TemporaryMark) {
         for (sort, start, count) in self.taken.split_off(mark.0.min(self.taken.len())) {
             self.pool(sort).give(start, count);
         }

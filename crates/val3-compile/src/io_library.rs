@@ -6,7 +6,7 @@ use val3_analysis::ty::Base;
 use val3_bytecode::LinkTarget;
 use val3_lang::types::BaseType;
 
-use crate::data::Found;
+use crate::data::LoadedLink;
 
 /// Whether a project is the library `io`, whose data need no link in their file.
 pub(crate) fn is_io_library(db: &dyn Db, project: Project) -> bool {
@@ -16,7 +16,7 @@ pub(crate) fn is_io_library(db: &dyn Db, project: Project) -> bool {
 
 /// Returns the link of data without a link in the file: the signal or channel with the same name. A signal that no file
 /// in the cell declares is simulated.
-pub(crate) fn link(db: &dyn Db, project: Project, name: &str, base: Base) -> Option<Found> {
+pub(crate) fn link(db: &dyn Db, project: Project, name: &str, base: Base) -> Option<LoadedLink> {
     let Base::Builtin(base @ (BaseType::Dio | BaseType::Aio | BaseType::Sio), _) = base else { return None };
     let is_serial = || {
         let devices = project.cell(db).map(|cell| &cell.config(db).io.devices);
@@ -27,5 +27,5 @@ pub(crate) fn link(db: &dyn Db, project: Project, name: &str, base: Base) -> Opt
         BaseType::Sio => format!("Socket\\{name}"),
         _ => name.to_owned(),
     };
-    Some(Found { path: Vec::new(), value: 0, link: 0, target: LinkTarget::Port(base, path) })
+    Some(LoadedLink { path: Vec::new(), value: 0, link: 0, target: LinkTarget::Port(base, path) })
 }

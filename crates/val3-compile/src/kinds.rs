@@ -9,17 +9,17 @@ use val3_analysis::items::parse;
 use val3_analysis::items::project::{data_files, items, resolve_type};
 use val3_analysis::ty::Base;
 use val3_bytecode::LinkTarget;
-use val3_lang::memory::{FieldKind, Kind};
+use val3_lang::memory::{FieldKind, ValueType};
 use val3_lang::types::Arm;
 
-use crate::data::{Found, Loaded, detach_fathers, fits};
-use crate::error::{DataError, Limit, Result, there};
+use crate::data::{Loaded, LoadedLink, detach_fathers, fits};
+use crate::error::{CompileLimit, DataError, Result, there};
 
 /// Types of a project.
 pub(crate) struct Kinds<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) arm: Option<Arm>,
-    builtin: FxHashMap<Base, Arc<Kind>>,
+    builtin: FxHashMap<Base, Arc<ValueType>>,
     user: FxHashMap<Project, UserKind>,
     /// User types in creation. A type that contains itself is an error of the project.
     open: Vec<Project>,
@@ -28,10 +28,10 @@ pub(crate) struct Kinds<'db> {
 /// A user type.
 #[derive(Clone)]
 struct UserKind {
-    kind: Arc<Kind>,
+    kind: Arc<ValueType>,
     bases: Vec<Base>,
     /// Initial links in each new value: number of the field, and link within it.
-    links: Arc<[(u32, Found)]>,
+    links: Arc<[(u32, LoadedLink)]>,
 }
 
 impl<'db> Kinds<'db> {
@@ -40,14 +40,14 @@ impl<'db> Kinds<'db> {
     }
 
     /// Returns a run-time type. Positions without an arm get the project's arm.
-    pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<Kind>> {
+    pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<ValueType>> {
         match base.on_arm(self.arm) {
             Base::Builtin(builtin, arm) => {
-                let make = || Arc::new(Kind::builtin(builtin, arm));
+                let make = || Arc::new(ValueType::builtin(builtin, arm));
                 Ok(self.builtin.entry(Base::Builtin(builtin, arm)).or_insert_with(make).clone())
             }
             Base::User(project) => Ok(self.user(project)?.kind),
-            Base::Unknown => Err(Limit::Unclear),
+            Base::Unknown => Err(CompileLimit::Unclear),
         }
     }
 
@@ -55,12 +55,12 @@ impl<'db> Kinds<'db> {
     pub(crate) fn field_bases(&mut self, base: Base) -> Result<Vec<Base>> {
         match base {
             Base::User(project) => Ok(self.user(project)?.bases),
-            _ => Err(Limit::Unclear),
+            _ => Err(CompileLimit::Unclear),
         }
     }
 
     /// Returns the initial links in each new value of a type.
-    pub(crate) fn links(&mut self, base: Base) -> Result<Arc<[(u32, Found)]>> {
+    pub(crate) fn links(&mut self, base: Base) -> Result<Arc<[(u32, LoadedLink)]>> {
         match base {
             Base::User(project) => Ok(self.user(project)?.links),
             _ => Ok(Arc::default()),
@@ -72,7 +72,7 @@ impl<'db> Kinds<'db> {
             return Ok(known.clone());
         }
         if self.open.contains(&project) {
-            return Err(Limit::Unclear);
+            return Err(CompileLimit::Unclear);
         }
         self.open.push(project);
         let made = self.make(project);
@@ -89,7 +89,7 @@ impl<'db> Kinds<'db> {
         for (decl, base, Loaded { mut init, links: found }) in
             self.data_of(project, |decl| decl.public).map_err(|error| error.limit)?
         {
-            let number = u32::try_from(fields.len()).map_err(|_| Limit::Items)?;
+            let number = u32::try_from(fields.len()).map_err(|_| CompileLimit::Items)?;
             detach_fathers(&mut init);
             let kept = found.into_iter().filter(|found| !matches!(found.target, LinkTarget::Father(_)));
             links.extend(kept.map(|found| (number, found)));
@@ -97,7 +97,7 @@ impl<'db> Kinds<'db> {
             bases.push(base);
         }
         let name = Base::User(project).display(self.db).to_string();
-        Ok(UserKind { kind: Arc::new(Kind::user(name, fields)), bases, links: links.into() })
+        Ok(UserKind { kind: Arc::new(ValueType::user(name, fields)), bases, links: links.into() })
     }
 
     /// Loads the selected data of a project, in file order. If a name is declared twice, the first declaration counts.

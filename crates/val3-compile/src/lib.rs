@@ -23,6 +23,6 @@ mod statements;
 mod unit;
 mod variables;
 
-pub use error::{CompileError, Limit};
+pub use error::{CompileError, CompileLimit};
 pub use fragment::{FragmentScope, compile_expression, compile_statements};
 pub use project::{compile, compile_counted};

@@ -9,16 +9,16 @@ use crate::frame::narrow;
 
 /// A value: a variable that is read when it is used, or a result.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Value {
+pub(crate) struct CompiledValue {
     /// Location.
-    pub(crate) location: Location,
+    pub(crate) location: ValueLocator,
     /// Type.
     pub(crate) base: Base,
 }
 
 /// Location of a value, or the lookup that it requires.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Location {
+pub(crate) enum ValueLocator {
     /// On the frame.
     Frame(Lanes),
     /// In the first value of a container, from these lanes on.
@@ -38,10 +38,10 @@ pub(crate) enum Location {
     Constant(u16),
 }
 
-impl Value {
+impl CompiledValue {
     /// Creates a value with a built-in type on the frame.
     pub(crate) fn on_frame(base: BaseType, lanes: Lanes) -> Self {
-        Self { location: Location::Frame(lanes), base: Base::of(base) }
+        Self { location: ValueLocator::Frame(lanes), base: Base::of(base) }
     }
 
     /// Creates a number, truth value or enumerator in a register.
@@ -55,7 +55,7 @@ impl Value {
     }
 }
 
-impl Location {
+impl ValueLocator {
     /// Returns the lanes if the location is on the frame.
     pub(crate) fn lanes(self) -> Option<Lanes> {
         match self {

@@ -1,6 +1,6 @@
 //! Registers of the same kind, reserved and released in runs.
 
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 
 /// Registers of the same kind.
 #[derive(Debug, Default)]
@@ -34,7 +34,7 @@ impl Pool {
     pub(crate) fn grow(&mut self, count: u32) -> Result<u32> {
         let start = self.size;
         self.size = start + count;
-        if self.size > u32::from(u16::MAX) { Err(Limit::Registers) } else { Ok(start) }
+        if self.size > u32::from(u16::MAX) { Err(CompileLimit::Registers) } else { Ok(start) }
     }
 
     /// Releases a run of registers.
@@ -54,7 +54,7 @@ impl Pool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Limit, Pool};
+    use super::{CompileLimit, Pool};
 
     #[test]
     fn runs_are_taken_again() {
@@ -72,6 +72,6 @@ mod tests {
     fn there_is_a_limit() {
         let mut pool = Pool::default();
         assert_eq!(pool.take(65_535), Ok(0));
-        assert_eq!(pool.take(1), Err(Limit::Registers));
+        assert_eq!(pool.take(1), Err(CompileLimit::Registers));
     }
 }

@@ -6,20 +6,24 @@ use val3_analysis::infer::infer;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{Signature, signature};
 use val3_analysis::items::suppressions::uncovered;
-use val3_bytecode::{Param, Program, Variable};
+use val3_bytecode::{FrameVariable, Program, ProgramParam};
 
-use crate::code::Code;
+use crate::code::CodeBuilder;
 use crate::counting::Counting;
 use crate::emitter::Emitter;
 use crate::error::{CompileError, Result};
 use crate::expressions::Expressions;
 use crate::frame::Finished;
 use crate::statements::Statements;
-use crate::unit::Unit;
+use crate::unit::CompileUnit;
 use crate::variables::Declarations;
 
 /// Compiles the program in a file, which has this number among the image's files.
-pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::result::Result<Program, CompileError> {
+pub(crate) fn compile(
+    unit: &mut CompileUnit<'_>,
+    file: File,
+    number: u32,
+) -> std::result::Result<Program, CompileError> {
     let (db, project) = (unit.db, unit.project);
     let (header, body, types) = (header(db, file), body(db, file), infer(db, project, file));
     let counting = if unit.is_counted { Counting::except(uncovered(db, file)) } else { Counting::default() };
@@ -35,13 +39,13 @@ pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::resu
 fn whole(
     statements: &mut Statements<'_, '_>,
     body: &Body,
-    (params, variables): (Vec<Param>, Vec<Variable>),
+    (params, variables): (Vec<ProgramParam>, Vec<FrameVariable>),
     (signature, file): (&Signature, u32),
 ) -> Result<Program> {
     let stack_bytes = statements.out().frame().bytes();
     statements.block(&body.block)?;
     let (code, tables, frame) = statements.out().finish()?;
-    let Code { lines, texts, copies, instructions, calls, tasks, counters, .. } = tables;
+    let CodeBuilder { lines, texts, copies, instructions, calls, tasks, counters, .. } = tables;
     let Finished { size, nums, parts } = frame;
     Ok(Program {
         name: signature.name.to_string(),

@@ -12,12 +12,12 @@ use val3_bytecode::{ContainerKind, ContainerRef, DataDef, Image, LibraryDef, Lin
 use val3_lang::builtins;
 use val3_lines::LineIndex;
 
-use crate::data::Found;
-use crate::error::{CompileError, DataError, Limit};
+use crate::data::LoadedLink;
+use crate::error::{CompileError, CompileLimit, DataError};
 use crate::io_library;
 use crate::kinds::Kinds;
 use crate::program;
-use crate::unit::Unit;
+use crate::unit::CompileUnit;
 
 /// Default stack size per task, in bytes (2.1.4.2).
 const STACK_SIZE: u32 = 5000;
@@ -47,7 +47,8 @@ fn image(db: &dyn Db, project: Project, is_counted: bool) -> Result<Image, Compi
     let (data, links) = data(&mut kinds, project).map_err(|error| placed(db, error).unwrap_or_else(place))?;
     let programs = programs(db, project);
     let names: Vec<SmolStr> = data.iter().map(|data| SmolStr::from(&data.name)).collect();
-    let mut unit = Unit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
+    let mut unit =
+        CompileUnit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
     unit.is_counted = is_counted;
     let compiled = programs.iter().zip(0u32..).map(|((_, file), number)| program::compile(&mut unit, *file, number));
     let mut compiled = compiled.collect::<Result<Vec<_>, _>>()?;
@@ -78,7 +79,7 @@ fn programs(db: &dyn Db, project: Project) -> Vec<(SmolStr, File)> {
 }
 
 /// Adds the declaration's line to the error. If it is not about a variable, returns only the limit.
-fn placed(db: &dyn Db, DataError { limit, datum }: DataError) -> Result<CompileError, Limit> {
+fn placed(db: &dyn Db, DataError { limit, datum }: DataError) -> Result<CompileError, CompileLimit> {
     let (name, FileRange { file, range }) = datum.ok_or(limit)?;
     let row = LineIndex::new(file.text(db)).line(range.start().into());
     let row = u32::try_from(row).unwrap_or(u32::MAX).saturating_add(1);
@@ -91,8 +92,8 @@ fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<Li
     let (mut data, mut links) = (Vec::new(), Vec::new());
     let is_io_library = io_library::is_io_library(kinds.db, project);
     for (decl, base, loaded) in kinds.data_of(project, |decl| !is_builtin(&decl.name))? {
-        let number = u16::try_from(data.len()).map_err(|_| Limit::Containers)?;
-        ContainerRef::new(ContainerKind::Data(number)).ok_or(Limit::Containers)?;
+        let number = u16::try_from(data.len()).map_err(|_| CompileLimit::Containers)?;
+        ContainerRef::new(ContainerKind::Data(number)).ok_or(CompileLimit::Containers)?;
         if is_io_library && loaded.links.is_empty() {
             links.extend(io_library::link(kinds.db, project, &decl.name, base).map(|found| link(number.into(), found)));
         }
@@ -102,8 +103,8 @@ fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<Li
     Ok((data, links))
 }
 
-fn link(data: u32, found: Found) -> LinkInit {
-    let Found { path, value, link, target } = found;
+fn link(data: u32, found: LoadedLink) -> LinkInit {
+    let LoadedLink { path, value, link, target } = found;
     LinkInit { data, path, value, link, target }
 }
 

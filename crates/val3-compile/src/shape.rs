@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use val3_lang::memory::Shape;
+use val3_lang::memory::ContainerShape;
 use val3_lang::types::Container;
 
 /// Returns the shape of a container with these sizes, or of a collection without keys.
-pub(crate) fn shape(container: Container, sizes: &[u32]) -> Shape {
+pub(crate) fn shape(container: Container, sizes: &[u32]) -> ContainerShape {
     if container == Container::Collection {
-        return Shape::Collection(BTreeMap::new());
+        return ContainerShape::Collection(BTreeMap::new());
     }
     let mut all = [1; 3];
     all.iter_mut().zip(sizes).for_each(|(to, size)| *to = *size);
-    Shape::Array { dims: u8::try_from(sizes.len()).unwrap_or(1).max(1), sizes: all }
+    ContainerShape::Array { dims: u8::try_from(sizes.len()).unwrap_or(1).max(1), sizes: all }
 }

@@ -13,7 +13,7 @@ use val3_syntax::TextRange;
 
 use crate::counting::{BranchId, FALSE, TRUE};
 use crate::emitter::Emitter;
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::expressions::Expressions;
 
 use missing::{Missing, unknown_meaning};
@@ -78,7 +78,7 @@ impl<'u, 'db> Statements<'u, 'db> {
             }
             StmtKind::Call(call) => self.or_stop(&self.call_parts(*call), |statements| statements.call_stmt(*call)),
             StmtKind::TaskCreate { synchronous, arguments } => {
-                let (call, before) = arguments.split_last().ok_or(Limit::Unclear)?;
+                let (call, before) = arguments.split_last().ok_or(CompileLimit::Unclear)?;
                 let ids = [before, &self.call_parts(*call)].concat();
                 self.or_stop(&ids, |statements| statements.task_create(*synchronous, arguments))
             }
@@ -87,7 +87,7 @@ impl<'u, 'db> Statements<'u, 'db> {
                 self.or_stop(&[*target, *value], |statements| statements.values.assign(*target, *value).map(drop))
             }
             StmtKind::Expr(id) => self.or_stop(&[*id], |statements| statements.values.instruction_stmt(*id)),
-            _ => return Err(Limit::Unclear),
+            _ => return Err(CompileLimit::Unclear),
         }?;
         Ok(())
     }
@@ -95,7 +95,7 @@ impl<'u, 'db> Statements<'u, 'db> {
     fn if_stmt(&mut self, stmt: &Stmt, arms: &[(Option<ExprId>, Vec<Stmt>)], otherwise: Option<&[Stmt]>) -> Result<()> {
         let end = self.out().code().label();
         for (number, (condition, block)) in arms.iter().enumerate() {
-            let condition = condition.ok_or(Limit::Unclear)?;
+            let condition = condition.ok_or(CompileLimit::Unclear)?;
             let next = self.out().code().label();
             let range = self.values.body().range(condition);
             self.out().code().line(if number == 0 { head(stmt, range) } else { range });
@@ -152,7 +152,7 @@ impl<'u, 'db> Statements<'u, 'db> {
         let (code, frame) = (self.out().code().mark(), self.out().frame_mut().mark());
         self.values.begin(ids);
         match compile(self) {
-            Err(Limit::Unclear) => {
+            Err(CompileLimit::Unclear) => {
                 self.out().code().take_back(code);
                 self.out().frame_mut().release(frame);
                 let missing = ids.iter().find_map(|id| Missing::new(self).of(*id));

@@ -9,11 +9,11 @@ use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{Items, items, signature};
 use val3_bytecode::{Image, Import, ImportKind};
 
-use crate::error::{Limit, Result, there};
+use crate::error::{CompileLimit, Result, there};
 use crate::kinds::Kinds;
 
 /// State that all programs of a project share.
-pub(crate) struct Unit<'db> {
+pub(crate) struct CompileUnit<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
     pub(crate) items: &'db Items,
@@ -28,7 +28,7 @@ pub(crate) struct Unit<'db> {
     imported: FxHashMap<(u16, SmolStr), u16>,
 }
 
-impl<'db> Unit<'db> {
+impl<'db> CompileUnit<'db> {
     /// Creates the state of a project whose data and programs have these names, in order.
     pub(crate) fn new<'n>(
         kinds: Kinds<'db>,
@@ -75,17 +75,17 @@ impl<'db> Unit<'db> {
 
     /// Returns the number of a program in the project.
     pub(crate) fn program(&self, name: &str) -> Result<u16> {
-        self.programs.get(name).copied().ok_or(Limit::Unclear)
+        self.programs.get(name).copied().ok_or(CompileLimit::Unclear)
     }
 
     /// Returns the number of a library identifier.
     pub(crate) fn library(&self, alias: &str) -> Result<u16> {
-        self.libraries.get(alias).copied().ok_or(Limit::Unclear)
+        self.libraries.get(alias).copied().ok_or(CompileLimit::Unclear)
     }
 
     /// Returns the project with the interface of a library identifier.
     pub(crate) fn interface(&self, alias: &str) -> Result<Project> {
-        self.items.libraries.get(alias).and_then(|item| item.interface).ok_or(Limit::Unclear)
+        self.items.libraries.get(alias).and_then(|item| item.interface).ok_or(CompileLimit::Unclear)
     }
 
     /// Returns the program that an expression names.
@@ -107,7 +107,7 @@ impl<'db> Unit<'db> {
             return Ok(*known);
         }
         let interface = self.interface(alias)?;
-        let item = items(self.db, interface).data.get(name).ok_or(Limit::Unclear)?;
+        let item = items(self.db, interface).data.get(name).ok_or(CompileLimit::Unclear)?;
         let kind = self.kinds.kind(item.base)?;
         self.import(library, name, ImportKind::Data(kind, item.decl.container))
     }
@@ -175,7 +175,7 @@ impl<'db> Unit<'db> {
     }
 
     fn import(&mut self, library: u16, name: &SmolStr, kind: ImportKind) -> Result<u16> {
-        let number = u16::try_from(self.imports.len()).map_err(|_| Limit::Containers)?;
+        let number = u16::try_from(self.imports.len()).map_err(|_| CompileLimit::Containers)?;
         if matches!(kind, ImportKind::Data(..)) {
             self.imported.insert((library, name.clone()), number);
         }
@@ -208,7 +208,7 @@ fn sorted<'n>(names: impl Iterator<Item = &'n SmolStr>) -> Vec<&'n SmolStr> {
 fn numbered<'n>(names: impl Iterator<Item = &'n SmolStr>) -> Result<FxHashMap<SmolStr, u16>> {
     let mut numbers = FxHashMap::default();
     for (number, name) in names.enumerate() {
-        let number = u16::try_from(number).map_err(|_| Limit::Items)?;
+        let number = u16::try_from(number).map_err(|_| CompileLimit::Items)?;
         numbers.entry(name.clone()).or_insert(number);
     }
     Ok(numbers)

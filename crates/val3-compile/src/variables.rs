@@ -5,15 +5,15 @@ use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
 use val3_analysis::infer::Inference;
 use val3_analysis::items::program::{Header, LocalDecl};
-use val3_analysis::items::project::{Param as Declared, resolve_type, signature};
+use val3_analysis::items::project::{SignatureParam as Declared, resolve_type, signature};
 use val3_analysis::ty::Base;
-use val3_bytecode::{Param, Storage, Variable};
-use val3_lang::instruction::Shape;
-use val3_lang::memory::Shape as Form;
+use val3_bytecode::{FrameVariable, ProgramParam, Storage};
+use val3_lang::instruction::ArgumentForm;
+use val3_lang::memory::ContainerShape as Form;
 use val3_lang::types::Container;
 
 use crate::emitter::Emitter;
-use crate::error::{Limit, Result, there};
+use crate::error::{CompileLimit, Result, there};
 use crate::shape::shape;
 
 /// Assigns locations to the parameters and locals of a program.
@@ -26,7 +26,7 @@ pub(crate) struct Declarations<'a, 'u, 'db> {
 
 impl Declarations<'_, '_, '_> {
     /// Declares all variables. Returns the parameters, and the names and locations of all variables for debuggers.
-    pub(crate) fn declare(&mut self, params: &[Declared]) -> Result<(Vec<Param>, Vec<Variable>)> {
+    pub(crate) fn declare(&mut self, params: &[Declared]) -> Result<(Vec<ProgramParam>, Vec<FrameVariable>)> {
         let params = self.params(params)?;
         self.locals()?;
         let variables = self.variables(&params)?;
@@ -35,11 +35,11 @@ impl Declarations<'_, '_, '_> {
 
     /// Assigns locations to the parameters, in order. A parameter with a missing type needs none, because a caller
     /// stops before the call.
-    fn params(&mut self, params: &[Declared]) -> Result<Vec<Param>> {
+    fn params(&mut self, params: &[Declared]) -> Result<Vec<ProgramParam>> {
         params.iter().filter_map(|param| there(self.param(param)).transpose()).collect()
     }
 
-    fn param(&mut self, param: &Declared) -> Result<Param> {
+    fn param(&mut self, param: &Declared) -> Result<ProgramParam> {
         let kind = self.out.kind(param.base)?;
         let storage = match param.container {
             Container::Element if param.by_reference => Storage::Place(self.out.frame_mut().lasting_place()?),
@@ -48,7 +48,7 @@ impl Declarations<'_, '_, '_> {
             Container::Array { .. } | Container::Collection => Storage::View(self.out.frame_mut().lasting_view()?),
         };
         self.out.frame_mut().declare(param.name.clone(), storage);
-        Ok(Param { name: param.name.to_string(), kind, container: param.container, storage })
+        Ok(ProgramParam { name: param.name.to_string(), kind, container: param.container, storage })
     }
 
     /// Assigns locations to the locals. A single value of a built-in type is stored in lanes, unless the code uses it
@@ -105,7 +105,7 @@ impl Declarations<'_, '_, '_> {
         }
     }
 
-    fn instruction_shapes(&self, call: ExprId) -> Vec<Shape> {
+    fn instruction_shapes(&self, call: ExprId) -> Vec<ArgumentForm> {
         let known = self.types.call(call).and_then(|call| call.form);
         let add_on = self.types.add_on_call(call);
         let known = known.iter().flat_map(|form| form.params).map(|param| param.shape);
@@ -121,19 +121,19 @@ impl Declarations<'_, '_, '_> {
         self.body.stmts().into_iter().filter_map(|stmt| call(&stmt.kind)).collect()
     }
 
-    fn program_shapes(&self, call: ExprId) -> Vec<Shape> {
+    fn program_shapes(&self, call: ExprId) -> Vec<ArgumentForm> {
         let Expr::Call(callee, _) = self.body.expr(call) else { return Vec::new() };
         let Some((project, file)) = self.out.unit().callee(self.body.expr(*callee)) else { return Vec::new() };
         signature(self.out.unit().db, project, file).params.iter().map(|param| param.shape()).collect()
     }
 
     /// Returns the names and locations of variables for debuggers.
-    fn variables(&mut self, params: &[Param]) -> Result<Vec<Variable>> {
+    fn variables(&mut self, params: &[ProgramParam]) -> Result<Vec<FrameVariable>> {
         let mut variables = Vec::new();
         for param in params {
-            let storage = self.out.frame().find(&param.name).ok_or(Limit::Unclear)?;
+            let storage = self.out.frame().find(&param.name).ok_or(CompileLimit::Unclear)?;
             let (kind, container) = (param.kind.clone(), param.container);
-            variables.push(Variable { name: param.name.clone(), kind, container, storage });
+            variables.push(FrameVariable { name: param.name.clone(), kind, container, storage });
         }
         for local in self.header.locals.iter().filter(|local| params.iter().all(|param| param.name != local.name)) {
             // A local with a missing type has no location.
@@ -141,12 +141,12 @@ impl Declarations<'_, '_, '_> {
             let base = resolve_type(&self.out.unit().items.types, &local.type_name).unwrap_or(Base::Unknown);
             let (kind, name) = (self.out.kind(base)?, local.name.to_string());
             let container = if local.sizes == [1] { Container::Element } else { local.container };
-            variables.push(Variable { name, kind, container, storage });
+            variables.push(FrameVariable { name, kind, container, storage });
         }
         Ok(variables)
     }
 }
 
-fn is_container(shape: Shape) -> bool {
-    !matches!(shape, Shape::Value | Shape::Reference)
+fn is_container(shape: ArgumentForm) -> bool {
+    !matches!(shape, ArgumentForm::Value | ArgumentForm::Reference)
 }

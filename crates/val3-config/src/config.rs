@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use val3_lang::versions::Version;
 
-use crate::{ArmSetting, Format, Level, Options, Patterns, RunSettings, SuiteSettings, version};
+use crate::{ArmSetting, CodeLayout, Level, Options, Patterns, RunSettings, SuiteSettings, version};
 
 /// Settings of the `val3` tools for the applications below a folder. Only the nearest file above an application
 /// is used. Files are never merged, so an empty file cancels the settings of the folders above it.
@@ -46,7 +46,7 @@ pub struct Config {
     /// Options of rules.
     pub lint: Options,
     /// Layout of code.
-    pub format: Format,
+    pub format: CodeLayout,
     /// The controller that applications run on.
     pub run: RunSettings,
     /// The tests of applications.

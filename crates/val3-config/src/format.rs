@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 /// Layout of code: the table `[format]`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
-pub struct Format {
+pub struct CodeLayout {
     /// The indentation character, "space" or "tab". The default is that of `.editorconfig`, otherwise "space".
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "IndentStyle")]
@@ -37,7 +37,7 @@ pub enum IndentStyle {
 }
 
 /// The layout of most programs and of the vendor's editor.
-impl Default for Format {
+impl Default for CodeLayout {
     fn default() -> Self {
         Self {
             indent_style: None,

@@ -27,7 +27,7 @@ pub use config::Config;
 pub use config_file::{ConfigFile, FILE_NAME};
 pub use default_run::DefaultRun;
 pub use error::ConfigError;
-pub use format::{Format, IndentStyle};
+pub use format::{CodeLayout, IndentStyle};
 pub use level::Level;
 pub use options::Options;
 pub use patterns::Patterns;

@@ -12,7 +12,7 @@ const STYLE: &str = include_str!("html/style.css");
 
 /// A page.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Page {
+pub struct HtmlReport {
     /// File name.
     pub name: String,
     /// Content of the page.
@@ -21,12 +21,12 @@ pub struct Page {
 
 /// Returns `index.html` with a table of all programs, and a page for each program with its code.
 #[must_use]
-pub fn pages(coverage: &Coverage) -> Vec<Page> {
+pub fn pages(coverage: &Coverage) -> Vec<HtmlReport> {
     let names = names(coverage);
-    let index = Page { name: "index.html".to_owned(), text: index::page(coverage, &names) };
+    let index = HtmlReport { name: "index.html".to_owned(), text: index::page(coverage, &names) };
     let programs = coverage.programs().zip(&names);
     let programs =
-        programs.map(|((file, program), name)| Page { name: name.clone(), text: program::page(file, program) });
+        programs.map(|((file, program), name)| HtmlReport { name: name.clone(), text: program::page(file, program) });
     std::iter::once(index).chain(programs).collect()
 }
 

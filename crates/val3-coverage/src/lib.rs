@@ -14,7 +14,7 @@ mod table;
 
 pub use cobertura::write as cobertura;
 pub use coverage::{Coverage, ProjectCoverage};
-pub use html::{Page, pages};
+pub use html::{HtmlReport, pages};
 pub use json::write as json;
 pub use lcov::write as lcov;
 pub use program::{Branch, LineState, ProgramCoverage, Side};

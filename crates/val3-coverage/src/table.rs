@@ -7,7 +7,7 @@ use crate::program::ProgramCoverage;
 use crate::share::Share;
 
 /// A row: name, lines, branches, and missing lines.
-type Row = (String, Share, Share, String);
+type CoverageRow = (String, Share, Share, String);
 
 /// Writes a row for each application or library and for each program, and a row with the sums.
 ///
@@ -24,7 +24,7 @@ pub fn write(coverage: &Coverage, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-fn rows(coverage: &Coverage) -> Vec<Row> {
+fn rows(coverage: &Coverage) -> Vec<CoverageRow> {
     let mut rows = Vec::new();
     for project in coverage.projects() {
         rows.push((project.name.clone(), project.line_share(), project.branch_share(), String::new()));
@@ -34,7 +34,7 @@ fn rows(coverage: &Coverage) -> Vec<Row> {
     rows
 }
 
-fn of(program: &ProgramCoverage) -> Row {
+fn of(program: &ProgramCoverage) -> CoverageRow {
     let name = format!("  {}", program.program);
     (name, program.line_share(), program.branch_share(), ranges(program))
 }

@@ -1,6 +1,8 @@
 //! Failed assertions of tests, which stop a run as errors do.
 
-use val3_debug::{BreakpointId, Format, ProgramBreakpoint, ProgramName, ScopeKind, TaskFrame, frames, scopes, values};
+use val3_debug::{
+    BreakpointId, DisplayFormat, ProgramBreakpoint, ProgramName, ScopeKind, TaskFrame, frames, scopes, values,
+};
 use val3_lang::ports::TaskNumber;
 use val3_lang::test_names::{ASSERTIONS, FAILURE};
 use val3_machine::controller::Controller;
@@ -29,7 +31,7 @@ pub(crate) fn message(controller: &mut Controller, task: TaskNumber) -> Option<S
         return None;
     }
     let parameters = scopes(&controller.vm, task, 0).into_iter().find(|scope| scope.kind == ScopeKind::Parameters)?;
-    let text = values(controller, &parameters.inside, 0..1, Format::default()).into_iter().next()?.shown;
+    let text = values(controller, &parameters.inside, 0..1, DisplayFormat::default()).into_iter().next()?.shown;
     let inside = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
     Some(inside.map_or_else(|| text.clone(), str::to_owned))
 }

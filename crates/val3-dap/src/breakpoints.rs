@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use val3_debug::{
-    Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Errors, HitCondition, Placed, ProgramBreakpoint, ProgramName,
-    WatchedData,
+    Breakpoint, BreakpointId, DataAccess, DataBreakpoint, HitCondition, Placed, ProgramBreakpoint, ProgramName,
+    StopErrors, WatchedData,
 };
 use val3_machine::controller::Controller;
 
@@ -26,7 +26,7 @@ pub(crate) struct BreakpointTable {
     /// Results of `dataBreakpointInfo`, by data id.
     known_data: BTreeMap<String, WatchedData>,
     data: Vec<BreakpointId>,
-    errors: Errors,
+    errors: StopErrors,
     /// Whether failed assertions stop the run.
     stops_at_assertions: bool,
     last_id: u32,
@@ -189,7 +189,7 @@ impl BreakpointTable {
         run: &mut DebuggedRun<'_>,
         conventions: &Conventions,
     ) -> Vec<protocol::Breakpoint> {
-        let mut errors = Errors::default();
+        let mut errors = StopErrors::default();
         self.stops_at_assertions = false;
         let options = arguments.filter_options.iter().flatten();
         let options = options.map(|option| (option.filter_id.as_str(), option.condition.as_deref()));

@@ -3,7 +3,7 @@
 use val3_geometry::IsometryMatrix3;
 use val3_lang::enumerations::blend_name;
 use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
-use val3_machine::io::{IoTable, Kind, SignalId};
+use val3_machine::io::{IoTable, SignalId, SignalKind};
 use val3_view::{coordinates, direction, level};
 
 /// A property with the properties inside of it.
@@ -53,8 +53,8 @@ fn signal(io: &IoTable, id: SignalId) -> String {
     let Some((signal, forcing)) = io.signal(id).zip(io.forcing(id)) else { return String::new() };
     let number = level(io, id).unwrap_or_default();
     let value = match signal.kind {
-        Kind::Digital => (number != 0.0).to_string(),
-        Kind::Analog(_) => number.to_string(),
+        SignalKind::Digital => (number != 0.0).to_string(),
+        SignalKind::Analog(_) => number.to_string(),
     };
     let marks = [
         (true, direction(signal.direction)),

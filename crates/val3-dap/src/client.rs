@@ -10,8 +10,8 @@ use serde_json::Value;
 
 use crate::error::ReadError;
 use crate::frame::{MessageReader, MessageWriter};
-use crate::message::{Content, ProtocolMessage};
-use crate::protocol::{Event, Message, OutputEvent, OutputEventCategory};
+use crate::message::{MessageContent, ProtocolMessage};
+use crate::protocol::{Message, OutputEvent, OutputEventCategory, StandardEvent};
 
 /// Message from the client, or the reason for its absence.
 #[derive(Debug)]
@@ -99,7 +99,7 @@ impl Client {
         self.queue.extend(self.inbox.try_iter());
         let is_end = |incoming: &Incoming| match incoming {
             Incoming::End => true,
-            Incoming::Message(ProtocolMessage { content: Content::Request { command, .. }, .. }) => {
+            Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, .. }, .. }) => {
                 ["disconnect", "terminate", "restart"].contains(&command.as_str())
             }
             Incoming::Message(_) | Incoming::Garbage(_) => false,
@@ -116,17 +116,17 @@ impl Client {
     /// Shows a text of the standard error output to the user.
     pub(crate) fn say(&mut self, text: &str) {
         let (output, category) = (text.to_owned(), Some(OutputEventCategory::Stderr));
-        self.event(&Event::Output(OutputEvent { output, category, ..OutputEvent::default() }));
+        self.event(&StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
     }
 
     /// Sends an event of the specification.
-    pub(crate) fn event(&mut self, event: &Event) {
-        self.send(Content::event(event));
+    pub(crate) fn event(&mut self, event: &StandardEvent) {
+        self.send(MessageContent::event(event));
     }
 
     /// Sends an event `val3/…`.
     pub(crate) fn custom_event(&mut self, name: &str, body: Value) {
-        self.send(Ok(Content::Event { event: name.to_owned(), body: Some(body) }));
+        self.send(Ok(MessageContent::Event { event: name.to_owned(), body: Some(body) }));
     }
 
     /// Answers a request that failed.
@@ -136,11 +136,11 @@ impl Client {
         let variables = [("reason".to_owned(), reason.clone())].into_iter().collect();
         let message =
             Message { id: 3, format: "{reason}".to_owned(), variables: Some(variables), ..Message::default() };
-        self.send(Content::failure(request, command, &reason, message));
+        self.send(MessageContent::failure(request, command, &reason, message));
     }
 
     /// Sends a message. A client that no longer reads is not connected any more.
-    pub(crate) fn send(&mut self, content: serde_json::Result<Content>) {
+    pub(crate) fn send(&mut self, content: serde_json::Result<MessageContent>) {
         let Ok(content) = content else { return };
         if self.is_connected && self.output.write(content).is_err() {
             self.is_connected = false;
@@ -155,7 +155,8 @@ impl Client {
 
 /// Whether a message cancels a request, or its progress.
 fn is_cancel(incoming: &Incoming, request: i64, progress: &str) -> bool {
-    let Incoming::Message(ProtocolMessage { content: Content::Request { command, arguments }, .. }) = incoming else {
+    let Incoming::Message(ProtocolMessage { content: MessageContent::Request { command, arguments }, .. }) = incoming
+    else {
         return false;
     };
     let argument = |name: &str| arguments.as_ref().and_then(|arguments| arguments.get(name));

@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::client::Incoming;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::message::{Content, ProtocolMessage};
+use crate::message::{MessageContent, ProtocolMessage};
 use crate::requests;
 use crate::session::{DebugSession, NextAction};
 
@@ -14,7 +14,7 @@ impl DebugSession {
     pub fn attend(&mut self, run: &mut DebuggedRun<'_>) -> NextAction {
         while let Some(incoming) = self.client.poll() {
             match incoming {
-                Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, arguments } }) => {
+                Incoming::Message(ProtocolMessage { seq, content: MessageContent::Request { command, arguments } }) => {
                     self.handle(seq, &command, arguments, run);
                 }
                 Incoming::Message(_) => {}
@@ -43,7 +43,7 @@ impl DebugSession {
             None => Err(requests::unsupported(command, arguments)),
         };
         match answer {
-            Ok(body) => self.client.send(Ok(Content::answer(seq, command, body))),
+            Ok(body) => self.client.send(Ok(MessageContent::answer(seq, command, body))),
             Err(RequestFailure::Malformed(error)) => {
                 self.client.send(error.response(seq));
                 return;

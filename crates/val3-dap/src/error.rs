@@ -5,7 +5,7 @@ use std::fmt;
 use std::io;
 
 use crate::frame::{BODY_LIMIT, HEADER_LIMIT};
-use crate::message::Content;
+use crate::message::MessageContent;
 use crate::protocol::Message;
 
 /// Reason why a request cannot be decoded. The response is [`RequestError::response`].
@@ -30,7 +30,7 @@ impl RequestError {
     ///
     /// # Errors
     /// If the message has no JSON form.
-    pub fn response(&self, request_seq: i64) -> serde_json::Result<Content> {
+    pub fn response(&self, request_seq: i64) -> serde_json::Result<MessageContent> {
         let (id, command, reason) = match self {
             Self::UnknownCommand { command } => (1, command, None),
             Self::Arguments { command, reason } => (2, command, Some(reason.to_string())),
@@ -48,7 +48,7 @@ impl RequestError {
             variables: Some(variables.collect::<BTreeMap<_, _>>()),
             ..Message::default()
         };
-        Content::failure(request_seq, command, &self.to_string(), error)
+        MessageContent::failure(request_seq, command, &self.to_string(), error)
     }
 }
 
@@ -95,7 +95,7 @@ impl std::error::Error for MessageError {}
 
 /// A fault of a frame.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum FrameError {
+pub enum HeaderError {
     /// Bytes that are no header. Contains the beginning of the text.
     Garbage(String),
     /// The header has no `Content-Length`.
@@ -110,7 +110,7 @@ pub enum FrameError {
     Truncated,
 }
 
-impl fmt::Display for FrameError {
+impl fmt::Display for HeaderError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Garbage(text) => write!(formatter, "{text:?} is not a header of a message"),
@@ -125,7 +125,7 @@ impl fmt::Display for FrameError {
     }
 }
 
-impl std::error::Error for FrameError {}
+impl std::error::Error for HeaderError {}
 
 /// The reason why no message could be read.
 #[derive(Debug)]
@@ -133,7 +133,7 @@ pub enum ReadError {
     /// The input cannot be read.
     Io(io::Error),
     /// A frame is wrong.
-    Frame(FrameError),
+    Frame(HeaderError),
     /// The content of a frame is wrong.
     Message(MessageError),
 }
@@ -141,7 +141,7 @@ pub enum ReadError {
 impl ReadError {
     /// Whether the next message can be read: the beginning of the next frame is known, or can be searched.
     pub const fn can_continue(&self) -> bool {
-        matches!(self, Self::Message(_) | Self::Frame(FrameError::Garbage(_) | FrameError::NoLength))
+        matches!(self, Self::Message(_) | Self::Frame(HeaderError::Garbage(_) | HeaderError::NoLength))
     }
 }
 
@@ -163,8 +163,8 @@ impl From<io::Error> for ReadError {
     }
 }
 
-impl From<FrameError> for ReadError {
-    fn from(error: FrameError) -> Self {
+impl From<HeaderError> for ReadError {
+    fn from(error: HeaderError) -> Self {
         Self::Frame(error)
     }
 }

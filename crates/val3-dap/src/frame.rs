@@ -5,8 +5,8 @@
 
 use std::io::{self, BufRead, Read as _, Write};
 
-use crate::error::{FrameError, ReadError};
-use crate::message::{Content, ProtocolMessage};
+use crate::error::{HeaderError, ReadError};
+use crate::message::{MessageContent, ProtocolMessage};
 
 /// Maximum header size, in bytes.
 pub const HEADER_LIMIT: usize = 8 << 10;
@@ -51,9 +51,9 @@ impl<R: BufRead> MessageReader<R> {
                 None => return Ok(None),
                 Some(Header { length, garbage: Some(garbage) }) => {
                     self.length = length;
-                    return Err(FrameError::Garbage(garbage).into());
+                    return Err(HeaderError::Garbage(garbage).into());
                 }
-                Some(Header { length, garbage: None }) => length.ok_or(FrameError::NoLength)?,
+                Some(Header { length, garbage: None }) => length.ok_or(HeaderError::NoLength)?,
             },
         };
         Ok(Some(ProtocolMessage::parse(&self.body(length)?)?))
@@ -68,7 +68,7 @@ impl<R: BufRead> MessageReader<R> {
             let limit = u64::try_from(HEADER_LIMIT + 1 - seen).unwrap_or(0);
             self.input.by_ref().take(limit).read_until(b'\n', &mut line)?;
             if line.is_empty() {
-                return if seen == 0 { Ok(None) } else { Err(FrameError::Truncated.into()) };
+                return if seen == 0 { Ok(None) } else { Err(HeaderError::Truncated.into()) };
             }
             let is_blank = line.trim_ascii().is_empty();
             if is_blank && seen > 0 {
@@ -77,7 +77,7 @@ impl<R: BufRead> MessageReader<R> {
             if !is_blank {
                 seen += line.len();
                 if seen > HEADER_LIMIT {
-                    return Err(FrameError::HeaderSize.into());
+                    return Err(HeaderError::HeaderSize.into());
                 }
                 header.add(line.trim_ascii())?;
             }
@@ -90,7 +90,7 @@ impl<R: BufRead> MessageReader<R> {
         if u64::try_from(body.len()).is_ok_and(|read| read == length) {
             Ok(body)
         } else {
-            Err(FrameError::Truncated.into())
+            Err(HeaderError::Truncated.into())
         }
     }
 }
@@ -98,7 +98,7 @@ impl<R: BufRead> MessageReader<R> {
 impl Header {
     /// Adds a line. Garbage may precede `Content-Length` on its line: the rest of a message that was longer than its
     /// length.
-    fn add(&mut self, line: &[u8]) -> Result<(), FrameError> {
+    fn add(&mut self, line: &[u8]) -> Result<(), HeaderError> {
         const NAME: &[u8] = b"content-length:";
         let at = line.windows(NAME.len()).rposition(|part| part.eq_ignore_ascii_case(NAME));
         let (before, value) = match at.and_then(|at| Some((line.get(..at)?, line.get(at + NAME.len()..)?))) {
@@ -122,14 +122,14 @@ fn is_header(line: &[u8]) -> bool {
     name.len() < line.len() && !name.is_empty() && name.iter().all(|byte| byte.is_ascii_alphanumeric() || *byte == b'-')
 }
 
-fn content_length(value: &[u8]) -> Result<u64, FrameError> {
+fn content_length(value: &[u8]) -> Result<u64, HeaderError> {
     if value.is_empty() || !value.iter().all(u8::is_ascii_digit) {
         let text = String::from_utf8_lossy(value).chars().take(SHOWN).collect();
-        return Err(FrameError::Length(text));
+        return Err(HeaderError::Length(text));
     }
     // A number with more digits than fit is too large as well.
     let length = str::from_utf8(value).ok().and_then(|digits| digits.parse().ok()).unwrap_or(u64::MAX);
-    if length > BODY_LIMIT { Err(FrameError::BodySize(length)) } else { Ok(length) }
+    if length > BODY_LIMIT { Err(HeaderError::BodySize(length)) } else { Ok(length) }
 }
 
 /// Writes messages to a stream and numbers them.
@@ -149,7 +149,7 @@ impl<W: Write> MessageWriter<W> {
     ///
     /// # Errors
     /// If the output cannot be written.
-    pub fn write(&mut self, content: Content) -> io::Result<i64> {
+    pub fn write(&mut self, content: MessageContent) -> io::Result<i64> {
         self.seq += 1;
         self.pass_on(&ProtocolMessage { seq: self.seq, content })?;
         Ok(self.seq)

@@ -5,8 +5,8 @@ use std::time::Duration;
 use crate::capabilities::{capabilities, of_attached_runs};
 use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
-use crate::message::{Content, ProtocolMessage};
-use crate::protocol::{CapabilitiesEvent, Event, InitializeRequestArguments, Request, Response};
+use crate::message::{MessageContent, ProtocolMessage};
+use crate::protocol::{CapabilitiesEvent, InitializeRequestArguments, Response, StandardEvent, StandardRequest};
 use crate::secret::Secret;
 use crate::session::{DebugSession, RunState};
 use crate::session_start::SessionStart;
@@ -69,32 +69,33 @@ impl Handshake {
                     self.say(&format!("{error}\n"));
                     continue;
                 }
-                Some(Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, arguments } })) => {
-                    (seq, command, arguments)
-                }
+                Some(Incoming::Message(ProtocolMessage {
+                    seq,
+                    content: MessageContent::Request { command, arguments },
+                })) => (seq, command, arguments),
                 Some(Incoming::Message(_)) => continue,
             };
-            match Request::parse(&command, arguments) {
-                Ok(Request::Initialize(arguments)) => {
+            match StandardRequest::parse(&command, arguments) {
+                Ok(StandardRequest::Initialize(arguments)) => {
                     self.conventions = Conventions::of(&arguments);
                     self.introduction = arguments;
-                    self.client.send(Content::success(seq, &Response::Initialize(capabilities())));
+                    self.client.send(MessageContent::success(seq, &Response::Initialize(capabilities())));
                 }
-                Ok(Request::Launch(arguments)) => {
+                Ok(StandardRequest::Launch(arguments)) => {
                     let is_plain_run = arguments.no_debug.unwrap_or_default();
                     match SessionStart::new(seq, false, arguments.additional, self.secret.as_ref()) {
                         Ok(start) => return HandshakeResult::Launch(SessionStart { is_plain_run, ..start }),
                         Err(reason) => self.client.refuse(seq, "launch", &reason),
                     }
                 }
-                Ok(Request::Attach(arguments)) => {
+                Ok(StandardRequest::Attach(arguments)) => {
                     match SessionStart::new(seq, true, arguments.additional, self.secret.as_ref()) {
                         Ok(start) => return HandshakeResult::Attach(start),
                         Err(reason) => self.client.refuse(seq, "attach", &reason),
                     }
                 }
-                Ok(Request::Disconnect(_)) => {
-                    self.client.send(Content::success(seq, &Response::Disconnect));
+                Ok(StandardRequest::Disconnect(_)) => {
+                    self.client.send(MessageContent::success(seq, &Response::Disconnect));
                     return HandshakeResult::Disconnected;
                 }
                 Ok(request) => {
@@ -125,11 +126,11 @@ impl Handshake {
     #[must_use]
     pub fn accept(mut self, start: &SessionStart, run: RunState) -> DebugSession {
         let response = if start.is_attach { Response::Attach } else { Response::Launch };
-        self.client.send(Content::success(start.seq, &response));
+        self.client.send(MessageContent::success(start.seq, &response));
         if start.is_attach {
-            self.client.event(&Event::Capabilities(CapabilitiesEvent { capabilities: of_attached_runs() }));
+            self.client.event(&StandardEvent::Capabilities(CapabilitiesEvent { capabilities: of_attached_runs() }));
         }
-        self.client.event(&Event::Initialized);
+        self.client.event(&StandardEvent::Initialized);
         DebugSession::new(self.client, self.conventions, start, run)
     }
 

@@ -1,6 +1,6 @@
 //! Tasks, frames, scopes and variables for the client.
 
-use val3_debug::{Format, Inside, ScopeKind, TaskFrame, Value, count, frames, scopes, values};
+use val3_debug::{DebugValue, DisplayFormat, Inside, ScopeKind, TaskFrame, count, frames, scopes, values};
 use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors;
 use val3_machine::controller::{Activity, Controller};
@@ -22,7 +22,7 @@ use crate::protocol::{
 pub(crate) struct Handles {
     /// `None` if the task has continued while others are stopped.
     frames: Vec<Option<FrameHandle>>,
-    nodes: Vec<Node>,
+    nodes: Vec<InspectedItem>,
 }
 
 /// A program that a task is in.
@@ -35,7 +35,7 @@ pub(crate) struct FrameHandle {
 
 /// Something that the client can look into.
 #[derive(Debug, Clone)]
-pub(crate) enum Node {
+pub(crate) enum InspectedItem {
     /// Variables of programs.
     Values(Inside),
     /// Properties of the controller that programs do not see as data.
@@ -57,12 +57,12 @@ impl Handles {
     }
 
     /// The number of a node.
-    pub(crate) fn add(&mut self, node: Node) -> i32 {
+    pub(crate) fn add(&mut self, node: InspectedItem) -> i32 {
         self.nodes.push(node);
         i32::try_from(self.nodes.len()).unwrap_or_default()
     }
 
-    pub(crate) fn node(&self, reference: i32) -> Option<&Node> {
+    pub(crate) fn node(&self, reference: i32) -> Option<&InspectedItem> {
         self.nodes.get(usize::try_from(reference).ok()?.checked_sub(1)?)
     }
 
@@ -120,7 +120,7 @@ impl Handles {
             shown.push(Scope {
                 name,
                 expensive: matches!(scope.kind, ScopeKind::Globals | ScopeKind::Library(_)),
-                variables_reference: self.add(Node::Values(scope.inside)),
+                variables_reference: self.add(InspectedItem::Values(scope.inside)),
                 named_variables: i32::try_from(named).ok(),
                 presentation_hint: hint,
                 ..Scope::default()
@@ -130,7 +130,7 @@ impl Handles {
             shown.push(Scope {
                 name: name.to_owned(),
                 expensive: true,
-                variables_reference: self.add(Node::Properties(properties)),
+                variables_reference: self.add(InspectedItem::Properties(properties)),
                 ..Scope::default()
             });
         }
@@ -142,19 +142,21 @@ impl Handles {
         &mut self,
         arguments: &VariablesArguments,
         controller: &mut Controller,
-        format: Format,
+        format: DisplayFormat,
     ) -> Option<Vec<Variable>> {
         let start = arguments.start.unwrap_or_default() as usize;
         let most = arguments.count.filter(|count| *count > 0).map_or(usize::MAX, |count| count as usize);
         let range = start..start.saturating_add(most);
         match self.node(arguments.variables_reference)?.clone() {
-            Node::Values(inside) if is_filtered_out(arguments.filter.as_ref(), inside.is_indexed()) => Some(Vec::new()),
-            Node::Properties(_) if is_filtered_out(arguments.filter.as_ref(), false) => Some(Vec::new()),
-            Node::Values(inside) => {
+            InspectedItem::Values(inside) if is_filtered_out(arguments.filter.as_ref(), inside.is_indexed()) => {
+                Some(Vec::new())
+            }
+            InspectedItem::Properties(_) if is_filtered_out(arguments.filter.as_ref(), false) => Some(Vec::new()),
+            InspectedItem::Values(inside) => {
                 let found = values(controller, &inside, range, format);
                 Some(found.into_iter().map(|value| self.variable(value, controller)).collect())
             }
-            Node::Properties(properties) => {
+            InspectedItem::Properties(properties) => {
                 let page = properties.into_iter().skip(start).take(most);
                 Some(page.map(|property| self.property(property)).collect())
             }
@@ -162,8 +164,8 @@ impl Handles {
     }
 
     /// A value for the client.
-    pub(crate) fn variable(&mut self, value: Value, controller: &mut Controller) -> Variable {
-        let Value { name, type_name, shown, path, refers_to, inside } = value;
+    pub(crate) fn variable(&mut self, value: DebugValue, controller: &mut Controller) -> Variable {
+        let DebugValue { name, type_name, shown, path, refers_to, inside } = value;
         let size = inside.as_ref().map(|inside| count(&mut controller.vm, inside));
         let size = size.and_then(|size| i32::try_from(size).ok());
         let is_array = inside.as_ref().is_some_and(Inside::is_indexed);
@@ -175,7 +177,7 @@ impl Handles {
             evaluate_name: path,
             indexed_variables: size.filter(|_| is_array),
             named_variables: size.filter(|_| !is_array),
-            variables_reference: inside.map_or(0, |inside| self.add(Node::Values(inside))),
+            variables_reference: inside.map_or(0, |inside| self.add(InspectedItem::Values(inside))),
             ..Variable::default()
         }
     }
@@ -187,7 +189,7 @@ impl Handles {
             name,
             value,
             named_variables: (!inside.is_empty()).then(|| i32::try_from(inside.len()).unwrap_or(i32::MAX)),
-            variables_reference: if inside.is_empty() { 0 } else { self.add(Node::Properties(inside)) },
+            variables_reference: if inside.is_empty() { 0 } else { self.add(InspectedItem::Properties(inside)) },
             presentation_hint: Some(VariablePresentationHint { attributes, ..VariablePresentationHint::default() }),
             ..Variable::default()
         }

@@ -9,12 +9,12 @@ use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
 use val3_view::wire::{self, Role, UnsavedMessage};
-use val3_view::{Feed, Message, Operator};
+use val3_view::{Feed, Operator, ViewerMessage};
 use val3_vm::CYCLE;
 
 use crate::failure::RequestFailure;
 use crate::moves::ArmSample;
-use crate::user_page::UserPage;
+use crate::user_page::ShownUserPage;
 
 /// Duration of a batch.
 const BATCH: Time = 25 * CYCLE;
@@ -153,7 +153,7 @@ impl Subscriptions {
             matches!(event.kind, EventKind::Put { .. } | EventKind::Title { .. } | EventKind::Cls { .. })
         };
         if self.has_user_page && events.iter().any(is_page) {
-            changes.push(("val3/userPage", json!(UserPage::new(controller))));
+            changes.push(("val3/userPage", json!(ShownUserPage::new(controller))));
         }
         changes
     }
@@ -162,8 +162,8 @@ impl Subscriptions {
 /// The body of `val3/view`. Samples are bytes in base 64.
 fn messages(feed: &mut Feed) -> Option<Value> {
     let object = |message| match message {
-        Message::Object(object) => object,
-        Message::Samples(bytes) => {
+        ViewerMessage::Object(object) => object,
+        ViewerMessage::Samples(bytes) => {
             json!(wire::Message::Samples(wire::Samples { base64: BASE64_STANDARD.encode(bytes) }))
         }
     };

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::error::{MessageError, RequestError};
-use crate::protocol::{ErrorResponse, Event, Message, Request, Response};
+use crate::protocol::{ErrorResponse, Message, Response, StandardEvent, StandardRequest};
 
 /// A message in either direction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -13,13 +13,13 @@ pub struct ProtocolMessage {
     pub seq: i64,
     /// The rest of the message.
     #[serde(flatten)]
-    pub content: Content,
+    pub content: MessageContent,
 }
 
 /// A message without its number.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "camelCase")]
-pub enum Content {
+pub enum MessageContent {
     /// A request, of the specification or a custom one.
     Request {
         /// Its name.
@@ -65,12 +65,12 @@ impl ProtocolMessage {
     }
 }
 
-impl Content {
+impl MessageContent {
     /// A request.
     ///
     /// # Errors
     /// If the arguments have no JSON form.
-    pub fn request(request: &Request) -> serde_json::Result<Self> {
+    pub fn request(request: &StandardRequest) -> serde_json::Result<Self> {
         Ok(Self::Request { command: request.command().to_owned(), arguments: properties(request)? })
     }
 
@@ -103,7 +103,7 @@ impl Content {
     ///
     /// # Errors
     /// If the body has no JSON form.
-    pub fn event(event: &Event) -> serde_json::Result<Self> {
+    pub fn event(event: &StandardEvent) -> serde_json::Result<Self> {
         Ok(Self::Event { event: event.event().to_owned(), body: properties(event)? })
     }
 }
@@ -114,7 +114,7 @@ fn properties(content: &impl Serialize) -> serde_json::Result<Option<Value>> {
     Ok((!value.is_null()).then_some(value))
 }
 
-impl Request {
+impl StandardRequest {
     /// Decodes a request.
     ///
     /// # Errors

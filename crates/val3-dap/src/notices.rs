@@ -10,8 +10,8 @@ use val3_machine::event::{Event as MachineEvent, EventKind};
 
 use crate::conventions::Conventions;
 use crate::protocol::{
-    Event, LoadedSourceEvent, LoadedSourceEventReason, Module, ModuleEvent, ModuleEventReason, OutputEvent,
-    OutputEventCategory, ThreadEvent, ThreadEventReason,
+    LoadedSourceEvent, LoadedSourceEventReason, Module, ModuleEvent, ModuleEventReason, OutputEvent,
+    OutputEventCategory, StandardEvent, ThreadEvent, ThreadEventReason,
 };
 
 /// Tasks and libraries that were reported to the client.
@@ -29,9 +29,9 @@ impl Notices {
         events: &[MachineEvent],
         controller: &Controller,
         conventions: &Conventions,
-    ) -> Vec<Event> {
+    ) -> Vec<StandardEvent> {
         let output = events.iter().filter_map(|event| output(event, conventions));
-        let mut notices: Vec<Event> = output.map(Event::Output).collect();
+        let mut notices: Vec<StandardEvent> = output.map(StandardEvent::Output).collect();
         if events.iter().any(|event| matches!(event.kind, EventKind::Task { .. })) {
             notices.extend(self.task_changes(controller));
         }
@@ -42,10 +42,12 @@ impl Notices {
     }
 
     /// Compares the tasks with the reported tasks.
-    pub(crate) fn task_changes(&mut self, controller: &Controller) -> Vec<Event> {
+    pub(crate) fn task_changes(&mut self, controller: &Controller) -> Vec<StandardEvent> {
         let present: BTreeSet<TaskNumber> = controller.vm.tasks().iter().map(|task| task.id).collect();
         let changed = |reason: ThreadEventReason| {
-            move |task: &TaskNumber| Event::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) })
+            move |task: &TaskNumber| {
+                StandardEvent::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) })
+            }
         };
         let ended = self.tasks.difference(&present).map(changed(ThreadEventReason::Exited));
         let started = present.difference(&self.tasks).map(changed(ThreadEventReason::Started));
@@ -55,18 +57,18 @@ impl Notices {
     }
 
     /// Compares the loaded applications and libraries, and their files, with the reported state.
-    pub(crate) fn source_changes(&mut self, controller: &Controller, conventions: &Conventions) -> Vec<Event> {
+    pub(crate) fn source_changes(&mut self, controller: &Controller, conventions: &Conventions) -> Vec<StandardEvent> {
         let mut changes = Vec::new();
         for (_, instance) in controller.vm.space.loaded() {
             let image = &instance.image;
             if self.modules.insert(image.path.clone()) {
                 let reason = ModuleEventReason::New;
-                changes.push(Event::Module(ModuleEvent { module: module(&image.name, &image.path), reason }));
+                changes.push(StandardEvent::Module(ModuleEvent { module: module(&image.name, &image.path), reason }));
             }
             for file in &image.files {
                 if self.files.insert(file.clone()) {
                     let (reason, source) = (LoadedSourceEventReason::New, conventions.source(file));
-                    changes.push(Event::LoadedSource(LoadedSourceEvent { reason, source }));
+                    changes.push(StandardEvent::LoadedSource(LoadedSourceEvent { reason, source }));
                 }
             }
         }
@@ -74,9 +76,10 @@ impl Notices {
     }
 
     /// Resets the reported state: the application is opened again.
-    pub(crate) fn forget_tasks(&mut self) -> Vec<Event> {
+    pub(crate) fn forget_tasks(&mut self) -> Vec<StandardEvent> {
         let reason = ThreadEventReason::Exited;
-        let ended = |task: &TaskNumber| Event::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) });
+        let ended =
+            |task: &TaskNumber| StandardEvent::Thread(ThreadEvent { reason: reason.clone(), thread_id: thread(*task) });
         let ended = self.tasks.iter().map(ended).collect();
         self.tasks.clear();
         ended

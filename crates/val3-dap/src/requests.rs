@@ -55,7 +55,7 @@ use serde_json::{Map, Value};
 use crate::debugged_run::DebuggedRun;
 use crate::error::RequestError;
 use crate::failure::RequestFailure;
-use crate::protocol::{Request, content};
+use crate::protocol::{StandardRequest, content};
 use crate::request::DebugRequest;
 use crate::schema::{self, RequestSchema};
 use crate::session::DebugSession;
@@ -212,9 +212,9 @@ pub(crate) fn find(command: &str) -> Option<&'static RequestHandler> {
 
 /// Returns the reason why a session has no handler of a command.
 pub(crate) fn unsupported(command: &str, arguments: Option<Value>) -> RequestFailure {
-    match Request::parse(command, arguments) {
+    match StandardRequest::parse(command, arguments) {
         Err(error) => error.into(),
-        Ok(Request::Initialize(_) | Request::Launch(_) | Request::Attach(_)) => {
+        Ok(StandardRequest::Initialize(_) | StandardRequest::Launch(_) | StandardRequest::Attach(_)) => {
             RequestFailure::SessionHasBegun(command.to_owned())
         }
         Ok(_) => RequestFailure::Unsupported(command.to_owned()),

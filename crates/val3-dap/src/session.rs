@@ -21,11 +21,11 @@ use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
 use crate::inspection::Handles;
 use crate::live::Subscriptions;
-use crate::message::{Content, ProtocolMessage};
+use crate::message::{MessageContent, ProtocolMessage};
 use crate::notices::Notices;
 use crate::protocol::{
-    self, BreakpointEvent, BreakpointEventReason, Event, ExitedEvent, OutputEvent, OutputEventCategory, Response,
-    StoppedEvent, StoppedEventReason, TerminatedEvent,
+    self, BreakpointEvent, BreakpointEventReason, ExitedEvent, OutputEvent, OutputEventCategory, Response,
+    StandardEvent, StoppedEvent, StoppedEventReason, TerminatedEvent,
 };
 use crate::session_start::SessionStart;
 use crate::stop_event;
@@ -61,7 +61,7 @@ pub enum RunState {
 
 /// The state of a session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Phase {
+enum SessionState {
     /// The client sets its breakpoints.
     Configuring,
     Running,
@@ -75,7 +75,7 @@ enum Phase {
 pub struct DebugSession {
     pub(crate) client: Client,
     pub(crate) conventions: Conventions,
-    phase: Phase,
+    phase: SessionState,
     pub(crate) start: SessionStart,
     run: RunState,
     is_configured: bool,
@@ -90,7 +90,7 @@ pub struct DebugSession {
     /// Lines to which a task can go, by their numbers for the client.
     pub(crate) goto_targets: BTreeMap<i32, (String, u32)>,
     /// Events that follow the response to the present request.
-    pub(crate) following: Vec<Event>,
+    pub(crate) following: Vec<StandardEvent>,
 }
 
 impl DebugSession {
@@ -99,7 +99,7 @@ impl DebugSession {
         Self {
             client,
             conventions,
-            phase: Phase::Configuring,
+            phase: SessionState::Configuring,
             start: start.clone(),
             run,
             is_configured: false,
@@ -121,7 +121,8 @@ impl DebugSession {
 
     /// Whether the run continues, also while a client that attaches sets its breakpoints.
     pub(crate) fn is_running(&self) -> bool {
-        self.phase == Phase::Running || (self.phase == Phase::Configuring && self.run == RunState::Running)
+        self.phase == SessionState::Running
+            || (self.phase == SessionState::Configuring && self.run == RunState::Running)
     }
 
     /// The client has left: a run that it has launched ends with it.
@@ -139,7 +140,7 @@ impl DebugSession {
     /// Sends the events of the run.
     pub fn report(&mut self, events: &[MachineEvent], run: &mut DebuggedRun<'_>) {
         let notices = self.notices.of(events, &run.debugger.controller, &self.conventions);
-        let has_new_files = notices.iter().any(|notice| matches!(notice, Event::LoadedSource(_)));
+        let has_new_files = notices.iter().any(|notice| matches!(notice, StandardEvent::LoadedSource(_)));
         notices.iter().for_each(|notice| self.client.event(notice));
         if has_new_files {
             self.place_again(run);
@@ -147,7 +148,7 @@ impl DebugSession {
         for message in run.debugger.take_logged() {
             let category = Some(OutputEventCategory::Console);
             let output = message.text + "\n";
-            self.client.event(&Event::Output(OutputEvent { output, category, ..OutputEvent::default() }));
+            self.client.event(&StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
         }
         self.subscriptions.note(events, &run.debugger.controller);
         for (name, body) in self.subscriptions.changes(events, &run.debugger.controller) {
@@ -173,14 +174,14 @@ impl DebugSession {
 
     fn breakpoint_changed(&mut self, breakpoint: protocol::Breakpoint) {
         let reason = BreakpointEventReason::Changed;
-        self.client.event(&Event::Breakpoint(BreakpointEvent { breakpoint, reason }));
+        self.client.event(&StandardEvent::Breakpoint(BreakpointEvent { breakpoint, reason }));
     }
 
     /// The run, or only one task, has stopped by itself.
     pub fn stop(&mut self, stop: &Stop, run: &mut DebuggedRun<'_>) {
         let is_alone = stop.task_alone().is_some_and(|task| run.debugger.is_task_paused(task));
         if !is_alone {
-            self.phase = Phase::Stopped;
+            self.phase = SessionState::Stopped;
             self.handles.clear();
         }
         if let Some(batch) = self.subscriptions.flush() {
@@ -189,7 +190,7 @@ impl DebugSession {
         self.refresh_view(run);
         let event = stop_event::stopped(stop, &mut run.debugger.controller);
         let all_threads_stopped = Some(!is_alone);
-        self.client.event(&Event::Stopped(StoppedEvent { all_threads_stopped, ..event }));
+        self.client.event(&StandardEvent::Stopped(StoppedEvent { all_threads_stopped, ..event }));
     }
 
     /// The client has set its breakpoints. Does nothing in later calls.
@@ -205,27 +206,27 @@ impl DebugSession {
         let controller = &run.debugger.controller;
         let mut notices = self.notices.source_changes(controller, &self.conventions);
         notices.extend(self.notices.task_changes(controller));
-        self.following.push(Event::Process(stop_event::process(controller, self.start.is_attach)));
+        self.following.push(StandardEvent::Process(stop_event::process(controller, self.start.is_attach)));
         self.following.extend(notices);
-        if self.phase != Phase::Configuring {
+        if self.phase != SessionState::Configuring {
             return;
         }
-        self.phase = Phase::Running;
+        self.phase = SessionState::Running;
         let task = controller.vm.tasks().first().map(|task| task.id);
         match self.run {
             RunState::Fresh if self.start.settings.stops_on_entry => {
-                self.phase = Phase::Stopped;
+                self.phase = SessionState::Stopped;
                 if let Some(task) = task {
                     // A breakpoint at the first line does not stop the task there once more.
                     run.debugger.controller.vm.pass_stop(task);
                 }
-                self.following.push(Event::Stopped(stop_event::event(StoppedEventReason::Entry, task)));
+                self.following.push(StandardEvent::Stopped(stop_event::event(StoppedEventReason::Entry, task)));
             }
             RunState::Running if self.start.settings.stops_on_entry => run.debugger.pause(None),
             RunState::Fresh | RunState::Running => {}
             RunState::Suspended => {
-                self.phase = Phase::Stopped;
-                self.following.push(Event::Stopped(stop_event::event(StoppedEventReason::Pause, task)));
+                self.phase = SessionState::Stopped;
+                self.following.push(StandardEvent::Stopped(stop_event::event(StoppedEventReason::Pause, task)));
             }
         }
     }
@@ -240,7 +241,7 @@ impl DebugSession {
         let removed = self.breakpoints.remove_data();
         removed.into_iter().for_each(|breakpoint| self.breakpoint_changed(breakpoint));
         self.place_again(run);
-        self.phase = Phase::Configuring;
+        self.phase = SessionState::Configuring;
         if self.is_configured {
             self.configured(run);
         }
@@ -270,16 +271,16 @@ impl DebugSession {
         for notice in self.notices.forget_tasks() {
             self.client.event(&notice);
         }
-        self.client.event(&Event::Exited(ExitedEvent { exit_code: exit_code.into() }));
-        self.client.event(&Event::Terminated(TerminatedEvent::default()));
-        self.phase = Phase::Over;
+        self.client.event(&StandardEvent::Exited(ExitedEvent { exit_code: exit_code.into() }));
+        self.client.event(&StandardEvent::Terminated(TerminatedEvent::default()));
+        self.phase = SessionState::Over;
     }
 
     /// Handles requests after the end of the run: `disconnect`, `restart` and a few others.
     pub fn attend_end(&mut self) -> NextAction {
         while let Some(incoming) = self.client.poll() {
             match incoming {
-                Incoming::Message(ProtocolMessage { seq, content: Content::Request { command, .. } }) => {
+                Incoming::Message(ProtocolMessage { seq, content: MessageContent::Request { command, .. } }) => {
                     if let Some(action) = self.answer_after_end(seq, &command) {
                         return action;
                     }
@@ -302,7 +303,7 @@ impl DebugSession {
                 return None;
             }
         };
-        self.client.send(Content::success(seq, &response));
+        self.client.send(MessageContent::success(seq, &response));
         action
     }
 }

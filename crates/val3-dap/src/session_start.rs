@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 use crate::failure::RequestFailure;
-use crate::message::{Content, ProtocolMessage};
+use crate::message::{MessageContent, ProtocolMessage};
 use crate::secret::Secret;
 use crate::settings::SessionSettings;
 
@@ -45,7 +45,10 @@ impl SessionStart {
             arguments.insert("noDebug".to_owned(), Value::Bool(true));
         }
         let arguments = Some(Value::Object(arguments));
-        ProtocolMessage { seq: self.seq, content: Content::Request { command: self.command().to_owned(), arguments } }
+        ProtocolMessage {
+            seq: self.seq,
+            content: MessageContent::Request { command: self.command().to_owned(), arguments },
+        }
     }
 
     /// Command of the request.

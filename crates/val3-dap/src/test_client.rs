@@ -13,7 +13,7 @@ use crate::client::{Client, Incoming};
 use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
 use crate::frame::MessageReader;
-use crate::message::{Content, ProtocolMessage};
+use crate::message::{MessageContent, ProtocolMessage};
 use crate::session::{DebugSession, RunState};
 use crate::session_start::SessionStart;
 
@@ -29,14 +29,14 @@ pub(crate) struct TestClient {
     debugger: Debugger,
     evaluator: FrameEvaluator,
     inbox: Sender<Incoming>,
-    output: Output,
+    output: ClientOutput,
 }
 
 /// Messages to the client.
 #[derive(Clone, Default)]
-struct Output(Arc<Mutex<Vec<u8>>>);
+struct ClientOutput(Arc<Mutex<Vec<u8>>>);
 
-impl Write for Output {
+impl Write for ClientOutput {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         self.0.lock().unwrap().write(bytes)
     }
@@ -55,7 +55,7 @@ impl TestClient {
     /// Starts the program `start` of a listing with these arguments of `launch`.
     pub(crate) fn launched(listing: &str, arguments: Value) -> Self {
         let (inbox, messages) = channel();
-        let output = Output::default();
+        let output = ClientOutput::default();
         let client = Client::new(messages, Box::new(output.clone()));
         let start = SessionStart::new(1, false, arguments.as_object().unwrap().clone(), None).unwrap();
         let session = DebugSession::new(client, Conventions::default(), &start, RunState::Fresh);
@@ -69,8 +69,8 @@ impl TestClient {
     }
 
     /// Sends a request, and returns the messages of the session.
-    pub(crate) fn exchange(&mut self, command: &str, arguments: Value) -> Vec<Content> {
-        let content = Content::Request { command: command.to_owned(), arguments: Some(arguments) };
+    pub(crate) fn exchange(&mut self, command: &str, arguments: Value) -> Vec<MessageContent> {
+        let content = MessageContent::Request { command: command.to_owned(), arguments: Some(arguments) };
         self.inbox.send(Incoming::Message(ProtocolMessage { seq: 1, content })).unwrap();
         self.session.attend(&mut DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator });
         let bytes = std::mem::take(&mut *self.output.0.lock().unwrap());
@@ -80,9 +80,9 @@ impl TestClient {
 
     fn response(&mut self, command: &str, arguments: Value) -> Result<Option<Value>, String> {
         let mut responses = self.exchange(command, arguments).into_iter().filter_map(|content| match content {
-            Content::Response { success: true, body, .. } => Some(Ok(body)),
-            Content::Response { message, .. } => Some(Err(message.unwrap())),
-            Content::Request { .. } | Content::Event { .. } => None,
+            MessageContent::Response { success: true, body, .. } => Some(Ok(body)),
+            MessageContent::Response { message, .. } => Some(Err(message.unwrap())),
+            MessageContent::Request { .. } | MessageContent::Event { .. } => None,
         });
         responses.next_back().unwrap()
     }

@@ -7,7 +7,7 @@ use val3_machine::controller::Controller;
 /// Shown user page.
 #[derive(Debug, Serialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
-pub(crate) struct UserPage {
+pub(crate) struct ShownUserPage {
     /// Name of the page.
     screen: String,
     /// Title of the page.
@@ -16,7 +16,7 @@ pub(crate) struct UserPage {
     lines: Vec<String>,
 }
 
-impl UserPage {
+impl ShownUserPage {
     /// Returns the present page.
     pub(crate) fn new(controller: &Controller) -> Self {
         let pendant = &controller.devices.state.pendant;

@@ -1,22 +1,22 @@
 //! Removing, copying and inserting declarations of data.
 
 use rustc_hash::FxHashSet;
-use val3_syntax::xml::{self, Element};
-use val3_syntax::{Edit, TextRange, TextSize};
+use val3_syntax::xml::{self, XmlElement};
+use val3_syntax::{TextEdit, TextRange, TextSize};
 
 use crate::declared::elements;
 use crate::edits::{Edits, apply};
-use crate::layout::Layout;
+use crate::layout::DataLayout;
 use crate::tag;
 
 /// Edits that remove `data`, with their lines. A list that becomes empty is written like other empty lists in the file.
 #[must_use]
-pub fn remove(text: &str, root: Element<'_>, data: &[Element<'_>]) -> Vec<Edit> {
-    let layout = Layout::of(text, root);
+pub fn remove(text: &str, root: XmlElement<'_>, data: &[XmlElement<'_>]) -> Vec<TextEdit> {
+    let layout = DataLayout::of(text, root);
     let removed: FxHashSet<TextRange> = data.iter().map(|data| data.view().range()).collect();
     let mut edits = Edits::default();
     for list in root.elements() {
-        let is_removed = |data: &Element<'_>| removed.contains(&data.view().range());
+        let is_removed = |data: &XmlElement<'_>| removed.contains(&data.view().range());
         let (gone, kept): (Vec<_>, Vec<_>) = list.elements().partition(is_removed);
         if !gone.is_empty() && kept.is_empty() && layout.is_plain(list) {
             let (range, text) = layout.emptied_list(list);
@@ -30,34 +30,34 @@ pub fn remove(text: &str, root: Element<'_>, data: &[Element<'_>]) -> Vec<Edit> 
 
 /// Edit that inserts a copy of `data` with another name after it.
 #[must_use]
-pub fn duplicate(text: &str, root: Element<'_>, data: Element<'_>, name: &str) -> Option<Edit> {
-    let layout = Layout::of(text, root);
+pub fn duplicate(text: &str, root: XmlElement<'_>, data: XmlElement<'_>, name: &str) -> Option<TextEdit> {
+    let layout = DataLayout::of(text, root);
     let range = data.view().range();
     let attribute = data.attribute("name")?;
-    let renamed = Edit { range: attribute.range - range.start(), insert: tag::escaped(name, attribute.quote) };
+    let renamed = TextEdit { range: attribute.range - range.start(), insert: tag::escaped(name, attribute.quote) };
     let copy = apply(layout.slice(range), &[renamed]);
     Some(after(text, root, data, &[copy]))
 }
 
 /// Edit that inserts lines after `data`.
 #[must_use]
-pub fn after(text: &str, root: Element<'_>, data: Element<'_>, lines: &[String]) -> Edit {
-    let insert = Layout::of(text, root).beside(data.tag_range().start(), lines);
-    Edit { range: TextRange::empty(data.view().range().end()), insert }
+pub fn after(text: &str, root: XmlElement<'_>, data: XmlElement<'_>, lines: &[String]) -> TextEdit {
+    let insert = DataLayout::of(text, root).beside(data.tag_range().start(), lines);
+    TextEdit { range: TextRange::empty(data.view().range().end()), insert }
 }
 
 /// Edit that renames the key of a value.
 #[must_use]
-pub fn rename_key(value: Element<'_>, key: &str) -> Option<Edit> {
+pub fn rename_key(value: XmlElement<'_>, key: &str) -> Option<TextEdit> {
     let attribute = value.attribute("key")?;
-    Some(Edit { range: attribute.range, insert: tag::escaped(key, attribute.quote) })
+    Some(TextEdit { range: attribute.range, insert: tag::escaped(key, attribute.quote) })
 }
 
 /// Lines of a declaration in the format of the file: the order and the quotes of attributes, the ends of tags, and
 /// variables without values.
 #[must_use]
-pub fn in_style(text: &str, root: Element<'_>, lines: Vec<String>) -> Vec<String> {
-    let layout = Layout::of(text, root);
+pub fn in_style(text: &str, root: XmlElement<'_>, lines: Vec<String>) -> Vec<String> {
+    let layout = DataLayout::of(text, root);
     let mut lines = lines.into_iter();
     let Some(first) = lines.next() else { return Vec::new() };
     let head = ordered(&layout, root, &first);
@@ -76,7 +76,7 @@ pub fn in_style(text: &str, root: Element<'_>, lines: Vec<String>) -> Vec<String
 }
 
 /// Adapts the tag end in a line to the format of the file.
-fn ended(layout: &Layout<'_>, line: String) -> String {
+fn ended(layout: &DataLayout<'_>, line: String) -> String {
     let has_attributes = line.contains('=');
     match (line.strip_suffix("/>"), line.strip_suffix('>'), layout.open()) {
         (Some(head), ..) => format!("{}{}", head.trim_end(), layout.close),
@@ -87,11 +87,11 @@ fn ended(layout: &Layout<'_>, line: String) -> String {
 
 /// A start tag with its attributes ordered as in the first declaration of the same kind. A missing attribute that other
 /// declarations have (`privilege` in s6) gets its default.
-fn ordered(layout: &Layout<'_>, root: Element<'_>, line: &str) -> String {
+fn ordered(layout: &DataLayout<'_>, root: XmlElement<'_>, line: &str) -> String {
     let parse = val3_syntax::parse(line);
     let Some(own) = xml::root(parse.view()) else { return line.to_owned() };
-    let shape = |element: Element<'_>| element.value("xsi:type").map(|shape| shape.into_owned());
-    let is_like = |other: &Element<'_>| other.name() == own.name() && shape(*other) == shape(own);
+    let shape = |element: XmlElement<'_>| element.value("xsi:type").map(|shape| shape.into_owned());
+    let is_like = |other: &XmlElement<'_>| other.name() == own.name() && shape(*other) == shape(own);
     let Some(model) = elements(root).find(is_like).or_else(|| elements(root).next()) else { return line.to_owned() };
     let mut attributes: Vec<_> = own.attributes().collect();
     let place = |name: &str| model.attributes().position(|other| other.name == name).unwrap_or(usize::MAX);

@@ -2,17 +2,17 @@
 
 use std::ops::Range;
 
-use val3_syntax::{Edit, Part, TextRange, TextSize};
+use val3_syntax::{TextEdit, TextRange, TextSize, TextSlice};
 
 /// Edits that do not overlap. Edits at the same offset keep their order.
 #[derive(Debug, Default)]
 pub(crate) struct Edits {
-    edits: Vec<Edit>,
+    edits: Vec<TextEdit>,
 }
 
 impl Edits {
     pub(crate) fn replace(&mut self, range: TextRange, insert: String) {
-        self.edits.push(Edit { range, insert });
+        self.edits.push(TextEdit { range, insert });
     }
 
     pub(crate) fn insert(&mut self, at: TextSize, insert: String) {
@@ -20,7 +20,7 @@ impl Edits {
     }
 
     /// Edits sorted by offset.
-    pub(crate) fn sorted(mut self) -> Vec<Edit> {
+    pub(crate) fn sorted(mut self) -> Vec<TextEdit> {
         self.edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
         self.edits
     }
@@ -28,7 +28,7 @@ impl Edits {
 
 /// Applies `edits` to a text. They must be sorted and must not overlap.
 #[must_use]
-pub fn apply(text: &str, edits: &[Edit]) -> String {
+pub fn apply(text: &str, edits: &[TextEdit]) -> String {
     let mut out = String::with_capacity(text.len());
     let mut done = 0;
     for edit in edits {
@@ -43,7 +43,7 @@ pub fn apply(text: &str, edits: &[Edit]) -> String {
 /// Combines two lists of edits: `second` applies to the result of `first`. Each list, and the result, is sorted and
 /// without overlap.
 #[must_use]
-pub fn compose(first: &[Edit], second: &[Edit]) -> Vec<Edit> {
+pub fn compose(first: &[TextEdit], second: &[TextEdit]) -> Vec<TextEdit> {
     if first.is_empty() {
         return second.to_vec();
     }
@@ -51,7 +51,7 @@ pub fn compose(first: &[Edit], second: &[Edit]) -> Vec<Edit> {
     let (mut at, mut out) = (TextSize::new(0), Vec::new());
     for edit in second {
         take(&mut pieces, edit.range.start() - at, &mut |piece| out.push(piece));
-        out.push(Piece::New(edit.insert.clone()));
+        out.push(TextPart::New(edit.insert.clone()));
         take(&mut pieces, edit.range.len(), &mut |_| {});
         at = edit.range.end();
     }
@@ -61,13 +61,13 @@ pub fn compose(first: &[Edit], second: &[Edit]) -> Vec<Edit> {
 
 /// A part of the edited text.
 #[derive(Debug)]
-enum Piece {
+enum TextPart {
     /// From the original text.
     Old(TextRange),
     New(String),
 }
 
-impl Piece {
+impl TextPart {
     fn len(&self) -> TextSize {
         match self {
             Self::Old(range) => range.len(),
@@ -90,19 +90,19 @@ impl Piece {
 }
 
 /// Pieces of the text after `edits`. The last piece is unbounded.
-fn pieces(edits: &[Edit]) -> Vec<Piece> {
+fn pieces(edits: &[TextEdit]) -> Vec<TextPart> {
     let (mut pieces, mut at) = (Vec::new(), TextSize::new(0));
     for edit in edits {
-        pieces.push(Piece::Old(TextRange::new(at, edit.range.start())));
-        pieces.push(Piece::New(edit.insert.clone()));
+        pieces.push(TextPart::Old(TextRange::new(at, edit.range.start())));
+        pieces.push(TextPart::New(edit.insert.clone()));
         at = edit.range.end();
     }
-    pieces.push(Piece::Old(TextRange::new(at, TextSize::new(u32::MAX))));
+    pieces.push(TextPart::Old(TextRange::new(at, TextSize::new(u32::MAX))));
     pieces
 }
 
 /// Removes the first `len` bytes of a text, and passes their pieces to `taken`. The pieces are in reverse order.
-fn take(pieces: &mut Vec<Piece>, mut len: TextSize, taken: &mut dyn FnMut(Piece)) {
+fn take(pieces: &mut Vec<TextPart>, mut len: TextSize, taken: &mut dyn FnMut(TextPart)) {
     while len > TextSize::new(0) {
         let Some(piece) = pieces.pop() else { return };
         if piece.len() > len {
@@ -116,16 +116,19 @@ fn take(pieces: &mut Vec<Piece>, mut len: TextSize, taken: &mut dyn FnMut(Piece)
 }
 
 /// Edits that produce a text of these pieces.
-fn edits(pieces: Vec<Piece>) -> Vec<Edit> {
-    let mut edits: Vec<Edit> = Vec::new();
+fn edits(pieces: Vec<TextPart>) -> Vec<TextEdit> {
+    let mut edits: Vec<TextEdit> = Vec::new();
     let (mut at, mut insert) = (TextSize::new(0), String::new());
     for piece in pieces {
         match piece {
-            Piece::New(text) => insert.push_str(&text),
-            Piece::Old(range) if range.is_empty() => {}
-            Piece::Old(range) => {
+            TextPart::New(text) => insert.push_str(&text),
+            TextPart::Old(range) if range.is_empty() => {}
+            TextPart::Old(range) => {
                 if range.start() > at || !insert.is_empty() {
-                    edits.push(Edit { range: TextRange::new(at, range.start()), insert: std::mem::take(&mut insert) });
+                    edits.push(TextEdit {
+                        range: TextRange::new(at, range.start()),
+                        insert: std::mem::take(&mut insert),
+                    });
                 }
                 at = range.end();
             }
@@ -141,14 +144,14 @@ mod tests {
     use super::*;
 
     /// Creates edits for a text with `len` bytes, from distances, lengths and new texts.
-    fn some_edits(len: usize, wanted: &[(usize, usize, String)]) -> Vec<Edit> {
+    fn some_edits(len: usize, wanted: &[(usize, usize, String)]) -> Vec<TextEdit> {
         let mut at = 0;
         let mut edits = Vec::new();
         for (distance, removed, insert) in wanted {
             let start = (at + distance).min(len);
             let end = (start + removed).min(len);
             let range = TextRange::new(u32::try_from(start).unwrap().into(), u32::try_from(end).unwrap().into());
-            edits.push(Edit { range, insert: insert.clone() });
+            edits.push(TextEdit { range, insert: insert.clone() });
             at = end + 1;
         }
         edits

@@ -2,27 +2,27 @@
 
 use std::cell::OnceCell;
 
-use val3_syntax::xml::{self, Element};
-use val3_syntax::{Part, TextRange, TextSize, text_size};
+use val3_syntax::xml::{self, XmlElement};
+use val3_syntax::{TextRange, TextSize, TextSlice, text_size};
 
 use crate::declared::elements;
-use crate::{Content, SavedData, SavedValue, Shape, tag};
+use crate::{SavedContainer, SavedContent, SavedData, SavedValue, tag};
 
 /// One level of indentation in XML written by the tools.
 const LEVEL: &str = "  ";
 
 #[derive(Debug)]
-pub(crate) struct Layout<'t> {
+pub(crate) struct DataLayout<'t> {
     pub(crate) text: &'t str,
-    root: Element<'t>,
+    root: XmlElement<'t>,
     /// Tag end for elements without content.
     pub(crate) close: &'static str,
     line_end: &'static str,
     spells_defaults: OnceCell<bool>,
 }
 
-impl<'t> Layout<'t> {
-    pub(crate) fn of(text: &'t str, root: Element<'t>) -> Self {
+impl<'t> DataLayout<'t> {
+    pub(crate) fn of(text: &'t str, root: XmlElement<'t>) -> Self {
         let close = if text.contains("/>") && !text.contains(" />") { "/>" } else { " />" };
         Self { text, root, close, line_end: xml::line_end(text), spells_defaults: OnceCell::new() }
     }
@@ -42,7 +42,7 @@ impl<'t> Layout<'t> {
         data.find(is_empty).is_some_and(|data| self.has_end_tag(data))
     }
 
-    fn has_end_tag(&self, element: Element<'_>) -> bool {
+    fn has_end_tag(&self, element: XmlElement<'_>) -> bool {
         !self.slice(element.tag_range()).ends_with("/>")
     }
 
@@ -54,7 +54,7 @@ impl<'t> Layout<'t> {
     }
 
     /// Whether the element contains only elements and whitespace.
-    pub(crate) fn is_plain(&self, element: Element<'_>) -> bool {
+    pub(crate) fn is_plain(&self, element: XmlElement<'_>) -> bool {
         let range = element.view().range();
         let mut from = element.tag_range().end();
         let mut is_blank = |to: TextSize, next: TextSize| {
@@ -94,7 +94,7 @@ impl<'t> Layout<'t> {
 
     /// Edit that inserts `lines` into an element that contains only whitespace. The replaced range starts after the
     /// last attribute.
-    pub(crate) fn filled(&self, element: Element<'_>, lines: &[String]) -> (TextRange, String) {
+    pub(crate) fn filled(&self, element: XmlElement<'_>, lines: &[String]) -> (TextRange, String) {
         let at = element.tag_range().start();
         let tag = self.slice(element.tag_range());
         let (start, open) = match tag.strip_suffix("/>") {
@@ -106,12 +106,12 @@ impl<'t> Layout<'t> {
     }
 
     /// Like [`filled`](Self::filled), but without content.
-    pub(crate) fn emptied(&self, element: Element<'_>) -> (TextRange, String) {
+    pub(crate) fn emptied(&self, element: XmlElement<'_>) -> (TextRange, String) {
         self.closed(element, self.has_empty_elements(element.name()))
     }
 
     /// Like [`emptied`](Self::emptied), for a list of declarations.
-    pub(crate) fn emptied_list(&self, list: Element<'_>) -> (TextRange, String) {
+    pub(crate) fn emptied_list(&self, list: XmlElement<'_>) -> (TextRange, String) {
         let mut others = self.root.elements().filter(is_empty);
         let has_end_tag = match others.next() {
             Some(other) => self.has_end_tag(other),
@@ -120,7 +120,7 @@ impl<'t> Layout<'t> {
         self.closed(list, has_end_tag)
     }
 
-    fn closed(&self, element: Element<'_>, has_end_tag: bool) -> (TextRange, String) {
+    fn closed(&self, element: XmlElement<'_>, has_end_tag: bool) -> (TextRange, String) {
         let tag = element.tag_range();
         let end = element.view().range().end();
         if has_end_tag {
@@ -139,12 +139,12 @@ impl<'t> Layout<'t> {
     pub(crate) fn value(&self, data: &SavedData, value: &SavedValue) -> Vec<String> {
         let key = tag::escaped(&value.key, '"');
         match &value.content {
-            Content::Attributes(_) => {
+            SavedContent::Attributes(_) => {
                 let attributes = tag::attributes(&data.type_name, value);
                 vec![format!("<Value key=\"{key}\"{attributes}{}", self.close)]
             }
-            Content::Fields(fields) if fields.is_empty() => vec![format!("<Value key=\"{key}\"{}", self.close)],
-            Content::Fields(fields) => {
+            SavedContent::Fields(fields) if fields.is_empty() => vec![format!("<Value key=\"{key}\"{}", self.close)],
+            SavedContent::Fields(fields) => {
                 let fields = fields.iter().flat_map(|field| self.field(&field.data));
                 let open = self.open().unwrap_or(">");
                 enclosed(format!("<Value key=\"{key}\"{open}"), fields, "</Value>")
@@ -155,11 +155,13 @@ impl<'t> Layout<'t> {
     /// Lines of a new field.
     pub(crate) fn field(&self, data: &SavedData) -> Vec<String> {
         let shape = match &data.shape {
-            Shape::Keys => format!("xsi:type=\"collection\" type=\"{}\"", data.type_name),
-            Shape::Sizes(sizes) => format!("xsi:type=\"array\" type=\"{}\" size=\"{}\"", data.type_name, spaced(sizes)),
+            SavedContainer::Keys => format!("xsi:type=\"collection\" type=\"{}\"", data.type_name),
+            SavedContainer::Sizes(sizes) => {
+                format!("xsi:type=\"array\" type=\"{}\" size=\"{}\"", data.type_name, spaced(sizes))
+            }
         };
         let head = format!("<Field name=\"{}\" {shape}", data.name);
-        let spelt = |value: &&SavedValue| data.shape == Shape::Keys || !value.is_default(&data.type_name);
+        let spelt = |value: &&SavedValue| data.shape == SavedContainer::Keys || !value.is_default(&data.type_name);
         let mut values = data.values.iter().filter(spelt).peekable();
         if values.peek().is_none() {
             return vec![format!("{head}{}", self.close)];
@@ -169,7 +171,7 @@ impl<'t> Layout<'t> {
     }
 }
 
-fn is_empty(element: &Element<'_>) -> bool {
+fn is_empty(element: &XmlElement<'_>) -> bool {
     element.elements().next().is_none()
 }
 

@@ -4,21 +4,21 @@
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_syntax::TextSize;
-use val3_syntax::xml::{self, Attribute, Element};
+use val3_syntax::xml::{self, Attribute, XmlElement};
 
 use crate::edits::{Edits, apply};
-use crate::layout::Layout;
-use crate::{Content, SavedData, SavedValue, Shape, reference, saved_data, tag};
+use crate::layout::DataLayout;
+use crate::{SavedContainer, SavedContent, SavedData, SavedValue, reference, saved_data, tag};
 
 /// s7 attribute that corresponds to the element with the output of a tool.
 const OUTPUT: &str = "ioLink";
 
 /// Values of a variable, each with the variable's father.
-pub(crate) fn read(element: Element<'_>) -> SavedData {
+pub(crate) fn read(element: XmlElement<'_>) -> SavedData {
     let father = father_element(element).map(|found| ("fatherId".into(), reference::text(found)));
-    let value = |value: Element<'_>| SavedValue {
+    let value = |value: XmlElement<'_>| SavedValue {
         key: value.value("index").unwrap_or_default().into_owned(),
-        content: Content::Attributes(attributes(value).chain(father.clone()).collect()),
+        content: SavedContent::Attributes(attributes(value).chain(father.clone()).collect()),
     };
     let values: Vec<SavedValue> = values(element).map(value).collect();
     let size = element.value("size").and_then(|text| text.trim().parse().ok());
@@ -26,24 +26,24 @@ pub(crate) fn read(element: Element<'_>) -> SavedData {
     SavedData {
         name: element.value("name").unwrap_or_default().into(),
         type_name: element.name().into(),
-        shape: Shape::Sizes(vec![size]),
+        shape: SavedContainer::Sizes(vec![size]),
         values,
         is_part: false,
     }
 }
 
-fn attributes(value: Element<'_>) -> impl Iterator<Item = (SmolStr, String)> {
+fn attributes(value: XmlElement<'_>) -> impl Iterator<Item = (SmolStr, String)> {
     let texts = leaves(value).filter_map(|leaf| Some((name_of(leaf)?.into(), leaf.text().into_owned())));
     texts.chain(output(value).map(|io| (OUTPUT.into(), reference::text(io))))
 }
 
-fn values(element: Element<'_>) -> impl Iterator<Item = Element<'_>> {
+fn values(element: XmlElement<'_>) -> impl Iterator<Item = XmlElement<'_>> {
     element.elements().filter(|found| found.attribute("index").is_some())
 }
 
 /// Writes the values of a variable into its element. Inputs, outputs and lines only have a size there.
-pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
-    let Shape::Sizes(sizes) = &data.shape else { return };
+pub(crate) fn data(edits: &mut Edits, layout: &DataLayout<'_>, element: XmlElement<'_>, data: &SavedData) {
+    let SavedContainer::Sizes(sizes) = &data.shape else { return };
     let found: Vec<_> = values(element).collect();
     if data.is_part {
         return part(edits, &found, data);
@@ -68,7 +68,7 @@ pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     }
 }
 
-fn size(edits: &mut Edits, element: Element<'_>, count: usize) {
+fn size(edits: &mut Edits, element: XmlElement<'_>, count: usize) {
     match element.attribute("size") {
         Some(size) if size.text().trim().parse() == Ok(count) => {}
         Some(size) => edits.replace(size.range, count.to_string()),
@@ -83,7 +83,7 @@ fn size(edits: &mut Edits, element: Element<'_>, count: usize) {
 }
 
 /// Writes some of the values.
-fn part(edits: &mut Edits, found: &[Element<'_>], data: &SavedData) {
+fn part(edits: &mut Edits, found: &[XmlElement<'_>], data: &SavedData) {
     let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
     for (index, found) in found.iter().enumerate() {
         if let Some(value) = values.get(index.to_string().as_str()) {
@@ -93,7 +93,7 @@ fn part(edits: &mut Edits, found: &[Element<'_>], data: &SavedData) {
 }
 
 /// Writes a value's changed attributes.
-fn change(edits: &mut Edits, found: Element<'_>, data: &SavedData, value: Option<&SavedValue>) {
+fn change(edits: &mut Edits, found: XmlElement<'_>, data: &SavedData, value: Option<&SavedValue>) {
     for attribute in leaves(found) {
         let Some(name) = name_of(attribute) else { continue };
         let new = value.and_then(|value| value.text(name));
@@ -110,13 +110,13 @@ fn change(edits: &mut Edits, found: Element<'_>, data: &SavedData, value: Option
 }
 
 /// Element with the output that opens and closes a tool.
-fn output(value: Element<'_>) -> Option<Element<'_>> {
+fn output(value: XmlElement<'_>) -> Option<XmlElement<'_>> {
     value.elements().find(|part| part.attribute("ioIndex").is_some())
 }
 
 /// Attributes of a value and its child elements.
-pub(crate) fn leaves<'g>(found: Element<'g>) -> impl Iterator<Item = Attribute<'g>> {
-    found.attributes().chain(found.elements().flat_map(Element::attributes))
+pub(crate) fn leaves<'g>(found: XmlElement<'g>) -> impl Iterator<Item = Attribute<'g>> {
+    found.attributes().chain(found.elements().flat_map(XmlElement::attributes))
 }
 
 /// s7 name of a value's attribute.
@@ -131,8 +131,8 @@ pub(crate) fn name_of<'g>(attribute: Attribute<'g>) -> Option<&'g str> {
 
 /// An additional value in the format of the last value.
 fn copy(
-    layout: &Layout<'_>,
-    last: Element<'_>,
+    layout: &DataLayout<'_>,
+    last: XmlElement<'_>,
     data: &SavedData,
     (index, value): (usize, Option<&SavedValue>),
 ) -> String {
@@ -148,17 +148,17 @@ fn copy(
 }
 
 /// Variable to which a variable is relative, with its library: `fTray`, `lib:fTray`.
-pub(crate) fn father(element: Element<'_>) -> Option<String> {
+pub(crate) fn father(element: XmlElement<'_>) -> Option<String> {
     let text = reference::text(father_element(element)?);
     text.split_once('[').map(|(variable, _)| variable.to_owned())
 }
 
-fn father_element(element: Element<'_>) -> Option<Element<'_>> {
+fn father_element(element: XmlElement<'_>) -> Option<XmlElement<'_>> {
     element.elements().find(|found| found.name().ends_with("Father"))
 }
 
 /// Writes the variable's father, taken from the first value.
-fn write_father(edits: &mut Edits, element: Element<'_>, data: &SavedData) {
+fn write_father(edits: &mut Edits, element: XmlElement<'_>, data: &SavedData) {
     let new = data.values.first().and_then(|value| value.text("fatherId"));
     if let Some((found, new)) = father_element(element).zip(new) {
         reference::write(edits, found, new);

@@ -2,7 +2,7 @@
 //! is `fTable[0]`, and `<io alias="io" name="valve1" ioIndex="0" … />` is `io:valve1[0]`.
 
 use val3_lang::keywords::is_identifier;
-use val3_syntax::xml::Element;
+use val3_syntax::xml::XmlElement;
 
 use crate::edits::Edits;
 use crate::tag;
@@ -12,14 +12,14 @@ const INDEXES: [&str; 2] = ["fatherIndex", "ioIndex"];
 
 /// Data of an application or one of its libraries.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-struct Reference<'t> {
+struct DataReference<'t> {
     alias: &'t str,
     name: &'t str,
     index: &'t str,
 }
 
 /// Reference in an element; empty if it has no name.
-pub(crate) fn text(element: Element<'_>) -> String {
+pub(crate) fn text(element: XmlElement<'_>) -> String {
     let value = |name: &str| element.value(name).unwrap_or_default();
     let (alias, name) = (value("alias"), value("name"));
     if name.is_empty() {
@@ -31,7 +31,7 @@ pub(crate) fn text(element: Element<'_>) -> String {
 }
 
 /// Changes the reference in an element. An invalid reference has no effect.
-pub(crate) fn write(edits: &mut Edits, element: Element<'_>, text: &str) {
+pub(crate) fn write(edits: &mut Edits, element: XmlElement<'_>, text: &str) {
     let Some(new) = parse(text) else { return };
     let index = INDEXES.into_iter().find(|name| element.attribute(name).is_some()).unwrap_or("");
     for (name, text) in [("alias", new.alias), ("name", new.name), (index, new.index)] {
@@ -47,9 +47,9 @@ pub fn is_old_reference(text: &str) -> bool {
     parse(text).is_some()
 }
 
-fn parse(text: &str) -> Option<Reference<'_>> {
+fn parse(text: &str) -> Option<DataReference<'_>> {
     if text.is_empty() {
-        return Some(Reference { index: "0", ..Reference::default() });
+        return Some(DataReference { index: "0", ..DataReference::default() });
     }
     let (alias, rest) = text.split_once(':').unwrap_or(("", text));
     let (name, index) = match rest.strip_suffix(']') {
@@ -57,7 +57,7 @@ fn parse(text: &str) -> Option<Reference<'_>> {
         None => (rest, "0"),
     };
     let is_sound = (alias.is_empty() || is_identifier(alias)) && is_identifier(name) && index.parse::<u32>().is_ok();
-    is_sound.then_some(Reference { alias, name, index })
+    is_sound.then_some(DataReference { alias, name, index })
 }
 
 #[cfg(test)]

@@ -5,12 +5,12 @@
 //! contain all values.
 
 use rustc_hash::FxHashMap;
-use val3_syntax::Edit;
-use val3_syntax::xml::{self, Element};
+use val3_syntax::TextEdit;
+use val3_syntax::xml::{self, XmlElement};
 
 use crate::declared::elements;
 use crate::edits::{Edits, apply};
-use crate::layout::Layout;
+use crate::layout::DataLayout;
 use crate::{SavedData, lists, values};
 
 /// Text of a data file with the values of `data`. Data that the file does not declare are skipped, and data that are
@@ -24,9 +24,9 @@ pub fn rewrite(text: &str, data: &[SavedData]) -> String {
 
 /// Edits that [`rewrite`] makes in a text with this root, sorted and without overlap.
 #[must_use]
-pub fn edits(text: &str, root: Element<'_>, data: &[SavedData]) -> Vec<Edit> {
+pub fn edits(text: &str, root: XmlElement<'_>, data: &[SavedData]) -> Vec<TextEdit> {
     let mut edits = Edits::default();
-    let layout = Layout::of(text, root);
+    let layout = DataLayout::of(text, root);
     let data: FxHashMap<&str, &SavedData> = data.iter().map(|data| (data.name.as_str(), data)).collect();
     for element in elements(root) {
         let Some(data) = element.value("name").and_then(|name| data.get(name.as_ref())) else { continue };

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use smol_str::SmolStr;
-use val3_lang::types::{Attribute, AttributeValue, BaseType, DefaultValue, attribute};
+use val3_lang::types::{AttributeValue, BaseType, DefaultValue, ValueAttribute, attribute};
 
 /// A global variable, or a field of a user type.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -13,7 +13,7 @@ pub struct SavedData {
     /// Type name as spelled in the file: `num`, `pointRx`, `Slot`.
     pub type_name: SmolStr,
     /// Container.
-    pub shape: Shape,
+    pub shape: SavedContainer,
     /// Values. For an array, at least the values that differ from the default, by index; for a collection, all values.
     pub values: Vec<SavedValue>,
     /// Whether `values` contains only some of the values, so that all others and the sizes are unchanged in the file.
@@ -22,7 +22,7 @@ pub struct SavedData {
 
 /// Container of a variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Shape {
+pub enum SavedContainer {
     /// An array with one to three sizes. A single value is an array of size 1.
     Sizes(Vec<u32>),
     /// A collection.
@@ -35,12 +35,12 @@ pub struct SavedValue {
     /// Key, or index such as `7` or `2,1`.
     pub key: String,
     /// Content.
-    pub content: Content,
+    pub content: SavedContent,
 }
 
 /// Content of a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Content {
+pub enum SavedContent {
     /// Value of a built-in type: its attributes (`val3_lang::types::attributes`) with their texts. An omitted attribute
     /// has its default.
     Attributes(Vec<(SmolStr, String)>),
@@ -68,22 +68,22 @@ impl SavedValue {
     /// Attribute text; `None` for the default.
     #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
-        let Content::Attributes(attributes) = &self.content else { return None };
+        let SavedContent::Attributes(attributes) = &self.content else { return None };
         attributes.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str())
     }
 
     /// Whether the value has a text for an attribute, even if it is the default.
     pub(crate) fn has_texts(&self) -> bool {
-        matches!(&self.content, Content::Attributes(attributes) if !attributes.is_empty())
+        matches!(&self.content, SavedContent::Attributes(attributes) if !attributes.is_empty())
     }
 
     /// Whether the value equals a new value, so that an array may omit it.
     pub(crate) fn is_default(&self, type_name: &str) -> bool {
         match &self.content {
-            Content::Attributes(attributes) => {
+            SavedContent::Attributes(attributes) => {
                 attributes.iter().all(|(name, text)| same_text(type_name, name, Some(text), None))
             }
-            Content::Fields(fields) => fields.iter().all(|field| field.initial),
+            SavedContent::Fields(fields) => fields.iter().all(|field| field.initial),
         }
     }
 }
@@ -93,8 +93,8 @@ impl SavedValue {
 pub fn is_same(type_name: &str, one: Option<&SavedValue>, other: Option<&SavedValue>) -> bool {
     let text = |value: Option<&SavedValue>, name: &str| value.and_then(|value| value.text(name)).map(str::to_owned);
     let names = [one, other].into_iter().flatten().filter_map(|value| match &value.content {
-        Content::Attributes(attributes) => Some(attributes),
-        Content::Fields(_) => None,
+        SavedContent::Attributes(attributes) => Some(attributes),
+        SavedContent::Fields(_) => None,
     });
     let mut names = names.flatten().map(|(name, _)| name);
     names.all(|name| same_text(type_name, name, text(one, name).as_deref(), text(other, name).as_deref()))
@@ -119,7 +119,7 @@ pub fn same_text(type_name: &str, name: &str, one: Option<&str>, other: Option<&
 
 /// Attribute default, as spelled in files. The default of a link or father is empty.
 #[must_use]
-pub fn default_of(attribute: &Attribute) -> Cow<'static, str> {
+pub fn default_of(attribute: &ValueAttribute) -> Cow<'static, str> {
     match attribute.default {
         DefaultValue::Number(number) => number_text(number).into(),
         DefaultValue::Enumerator(name) => name.into(),
@@ -134,7 +134,7 @@ pub(crate) fn default_text(type_name: &str, name: &str) -> Cow<'static, str> {
     attribute.map_or("".into(), default_of)
 }
 
-fn meant<'t>(attribute: &Attribute, text: Option<&'t str>) -> Cow<'t, str> {
+fn meant<'t>(attribute: &ValueAttribute, text: Option<&'t str>) -> Cow<'t, str> {
     text.map_or_else(|| default_of(attribute), Cow::from)
 }
 

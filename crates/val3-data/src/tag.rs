@@ -1,12 +1,12 @@
 //! Attributes of a `Value` element.
 
 use val3_lang::types::{self, BaseType};
-use val3_syntax::xml::{self, Attribute, Element};
+use val3_syntax::xml::{self, Attribute, XmlElement};
 use val3_syntax::{TextRange, TextSize, text_size};
 
 use crate::edits::Edits;
-use crate::layout::Layout;
-use crate::{Content, SavedValue, saved_data};
+use crate::layout::DataLayout;
+use crate::{SavedContent, SavedValue, saved_data};
 
 /// Escapes a text for an attribute with this quote. Control characters are escaped, because they would be read as
 /// spaces.
@@ -23,20 +23,20 @@ pub(crate) fn escaped(text: &str, quote: char) -> String {
 }
 
 /// Whether the element already contains the value.
-pub(crate) fn is_same(type_name: &str, element: Element<'_>, value: &SavedValue) -> bool {
+pub(crate) fn is_same(type_name: &str, element: XmlElement<'_>, value: &SavedValue) -> bool {
     let same = |name: &str| saved_data::same_text(type_name, name, element.value(name).as_deref(), value.text(name));
     names(type_name, value).iter().all(|name| same(name))
 }
 
 /// Whether the element has the type's default.
-pub(crate) fn is_default(type_name: &str, element: Element<'_>) -> bool {
+pub(crate) fn is_default(type_name: &str, element: XmlElement<'_>) -> bool {
     let mut values = element.attributes().filter(|attribute| attribute.name != "key");
     element.elements().next().is_none()
         && values.all(|attribute| saved_data::same_text(type_name, attribute.name, Some(&attribute.text()), None))
 }
 
 /// Whether an attribute other than `name` contains an explicit default, or defaults are generally explicit in the file.
-pub(crate) fn spells_another(layout: &Layout<'_>, type_name: &str, element: Element<'_>, name: &str) -> bool {
+pub(crate) fn spells_another(layout: &DataLayout<'_>, type_name: &str, element: XmlElement<'_>, name: &str) -> bool {
     let is_default = |other: Attribute<'_>| {
         other.name != name
             && other.name != "key"
@@ -46,7 +46,7 @@ pub(crate) fn spells_another(layout: &Layout<'_>, type_name: &str, element: Elem
 }
 
 /// Numbers of explicit and omitted defaults in the values of a variable with a built-in type.
-pub(crate) fn count_defaults(data: Element<'_>) -> (usize, usize) {
+pub(crate) fn count_defaults(data: XmlElement<'_>) -> (usize, usize) {
     let type_name = data.value("type").unwrap_or_default();
     let (mut spelt, mut omitted) = (0, 0);
     for name in known(&type_name) {
@@ -70,9 +70,9 @@ pub(crate) fn attributes(type_name: &str, value: &SavedValue) -> String {
 /// Changes an element's attributes. New attributes are inserted at their usual position.
 pub(crate) fn change(
     edits: &mut Edits,
-    layout: &Layout<'_>,
+    layout: &DataLayout<'_>,
     type_name: &str,
-    element: Element<'_>,
+    element: XmlElement<'_>,
     value: &SavedValue,
 ) {
     let names = names(type_name, value);
@@ -102,7 +102,7 @@ fn add(edits: &mut Edits, type_name: &str, at: TextSize, name: &str, value: &Sav
 /// value has an explicit text and defaults are explicit here (`spells`).
 fn replace(
     edits: &mut Edits,
-    layout: &Layout<'_>,
+    layout: &DataLayout<'_>,
     type_name: &str,
     attribute: Attribute<'_>,
     value: &SavedValue,
@@ -137,7 +137,7 @@ fn known(type_name: &str) -> impl Iterator<Item = &'static str> {
 /// Attributes of the type, and further attributes of the value.
 fn names<'v>(type_name: &str, value: &'v SavedValue) -> Vec<&'v str> {
     let mut names: Vec<&str> = known(type_name).collect();
-    if let Content::Attributes(attributes) = &value.content {
+    if let SavedContent::Attributes(attributes) = &value.content {
         for (name, _) in attributes {
             if !names.contains(&name.as_str()) {
                 names.push(name);

@@ -4,21 +4,21 @@ use std::borrow::Cow;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_syntax::TextSize;
-use val3_syntax::xml::{self, Element};
+use val3_syntax::xml::{self, XmlElement};
 
 use crate::edits::Edits;
-use crate::layout::{Layout, spaced};
-use crate::{Content, SavedData, SavedField, SavedValue, Shape, tag};
+use crate::layout::{DataLayout, spaced};
+use crate::{SavedContainer, SavedContent, SavedData, SavedField, SavedValue, tag};
 
 /// Writes the values of a variable or field into its element.
-pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
-    if let Shape::Sizes(sizes) = &data.shape
+pub(crate) fn data(edits: &mut Edits, layout: &DataLayout<'_>, element: XmlElement<'_>, data: &SavedData) {
+    if let SavedContainer::Sizes(sizes) = &data.shape
         && !data.is_part
     {
         size(edits, element, sizes);
     }
     let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
-    let value = |found: Element<'_>| values.get(key(found).as_ref()).copied();
+    let value = |found: XmlElement<'_>| values.get(key(found).as_ref()).copied();
     let (kept, removed): (Vec<_>, Vec<_>) =
         spelt(element).partition(|found| stays(layout, data, *found, value(*found)));
     let known: FxHashSet<Cow<'_, str>> = kept.iter().chain(&removed).map(|found| key(*found)).collect();
@@ -43,8 +43,8 @@ pub(crate) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
 /// Inserts new values in order, each after the last existing value that precedes it.
 fn insert(
     edits: &mut Edits,
-    layout: &Layout<'_>,
-    (element, kept): (Element<'_>, &[Element<'_>]),
+    layout: &DataLayout<'_>,
+    (element, kept): (XmlElement<'_>, &[XmlElement<'_>]),
     data: &SavedData,
     added: &[&SavedValue],
 ) {
@@ -71,19 +71,19 @@ fn insert(
     }
 }
 
-fn spelt<'g>(element: Element<'g>) -> impl Iterator<Item = Element<'g>> {
+fn spelt<'g>(element: XmlElement<'g>) -> impl Iterator<Item = XmlElement<'g>> {
     element.elements().filter(|found| found.name() == "Value")
 }
 
 /// Key of a value; an index has no spaces.
-fn key<'g>(value: Element<'g>) -> Cow<'g, str> {
+fn key<'g>(value: XmlElement<'g>) -> Cow<'g, str> {
     value.value("key").unwrap_or_default()
 }
 
 /// Sort key for a value: its indexes in an array; constant in a collection, which keeps the given order.
 fn order(data: &SavedData, key: &str) -> [Option<u32>; 3] {
     let mut order = [None; 3];
-    if matches!(data.shape, Shape::Sizes(_)) {
+    if matches!(data.shape, SavedContainer::Sizes(_)) {
         order.iter_mut().zip(indices(key)).for_each(|(at, index)| *at = Some(index));
     }
     order
@@ -97,7 +97,7 @@ fn fits(sizes: &[u32], key: &str) -> bool {
     indices(key).count() == sizes.len() && indices(key).zip(sizes).all(|(index, size)| index < *size)
 }
 
-fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
+fn size(edits: &mut Edits, element: XmlElement<'_>, sizes: &[u32]) {
     let Some(attribute) = element.attribute("size") else {
         return missing_size(edits, element, sizes);
     };
@@ -108,7 +108,7 @@ fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
 }
 
 /// Adds a missing array size, which every writer includes. Without a size, there is one value.
-fn missing_size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
+fn missing_size(edits: &mut Edits, element: XmlElement<'_>, sizes: &[u32]) {
     let last = element.attributes().last().filter(|_| sizes != [1]);
     if let Some(last) = last {
         edits.insert(last.range.end() + TextSize::of(last.quote), format!(" size=\"{}\"", spaced(sizes)));
@@ -116,13 +116,13 @@ fn missing_size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
 }
 
 /// Whether the element is kept, unchanged or with the new `value`.
-fn stays(layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: Option<&SavedValue>) -> bool {
+fn stays(layout: &DataLayout<'_>, data: &SavedData, found: XmlElement<'_>, value: Option<&SavedValue>) -> bool {
     match (&data.shape, value) {
         (_, None) if data.is_part => true,
-        (Shape::Keys, value) => value.is_some(),
-        (Shape::Sizes(sizes), _) if !fits(sizes, &key(found)) => false,
+        (SavedContainer::Keys, value) => value.is_some(),
+        (SavedContainer::Sizes(sizes), _) if !fits(sizes, &key(found)) => false,
         (_, None) => tag::is_default(&data.type_name, found),
-        (_, Some(SavedValue { content: Content::Fields(_), .. })) => true,
+        (_, Some(SavedValue { content: SavedContent::Fields(_), .. })) => true,
         (_, Some(value)) => {
             let spells = || value.has_texts() && tag::spells_another(layout, &data.type_name, found, "");
             tag::is_same(&data.type_name, found, value) || !value.is_default(&data.type_name) || spells()
@@ -132,32 +132,39 @@ fn stays(layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: Optio
 
 /// Whether the value requires an element.
 fn is_spelt(data: &SavedData, value: &SavedValue) -> bool {
-    data.shape == Shape::Keys || !value.is_default(&data.type_name)
+    data.shape == SavedContainer::Keys || !value.is_default(&data.type_name)
 }
 
 /// Replaces all existing values, if none of them is kept and the element has no other content.
-fn refill(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData, added: &[&SavedValue]) {
+fn refill(
+    edits: &mut Edits,
+    layout: &DataLayout<'_>,
+    element: XmlElement<'_>,
+    data: &SavedData,
+    added: &[&SavedValue],
+) {
     let lines: Vec<String> = added.iter().flat_map(|value| layout.value(data, value)).collect();
     let (range, text) = if lines.is_empty() { layout.emptied(element) } else { layout.filled(element, &lines) };
     edits.replace(range, text);
 }
 
-fn change(edits: &mut Edits, layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: &SavedValue) {
+fn change(edits: &mut Edits, layout: &DataLayout<'_>, data: &SavedData, found: XmlElement<'_>, value: &SavedValue) {
     match &value.content {
-        Content::Fields(fields) if found.elements().next().is_some() => self::fields(edits, layout, found, fields),
-        Content::Fields(_) if value.is_default(&data.type_name) => {}
-        Content::Fields(_) => {
+        SavedContent::Fields(fields) if found.elements().next().is_some() => self::fields(edits, layout, found, fields),
+        SavedContent::Fields(_) if value.is_default(&data.type_name) => {}
+        SavedContent::Fields(_) => {
             let lines = layout.value(data, value);
             let text = layout.beside(found.tag_range().start(), &lines);
             edits.replace(found.view().range(), text.trim_start().to_owned());
         }
-        Content::Attributes(_) => tag::change(edits, layout, &data.type_name, found, value),
+        SavedContent::Attributes(_) => tag::change(edits, layout, &data.type_name, found, value),
     }
 }
 
 /// Writes the fields of a value whose element contains fields.
-fn fields(edits: &mut Edits, layout: &Layout<'_>, value: Element<'_>, fields: &[SavedField]) {
-    let is = |found: &Element<'_>, field: &SavedField| found.value("name").is_some_and(|name| name == *field.data.name);
+fn fields(edits: &mut Edits, layout: &DataLayout<'_>, value: XmlElement<'_>, fields: &[SavedField]) {
+    let is =
+        |found: &XmlElement<'_>, field: &SavedField| found.value("name").is_some_and(|name| name == *field.data.name);
     for found in value.elements() {
         match fields.iter().find(|field| is(&found, field)) {
             Some(field) => data(edits, layout, found, &field.data),

@@ -1,11 +1,11 @@
 //! Written values of a data file with their data paths and their ranges.
 
 use val3_lang::data_path::DataPath;
-use val3_lang::types::{Attribute as TypeAttribute, BaseType, attribute};
-use val3_syntax::xml::{self, Element};
+use val3_lang::types::{BaseType, ValueAttribute as TypeAttribute, attribute};
+use val3_syntax::xml::{self, XmlElement};
 
 use crate::declared::elements;
-use crate::{Shape, lists, read, type_name};
+use crate::{SavedContainer, lists, read, type_name};
 
 /// Nesting limit of fields within fields.
 const NESTING: usize = 8;
@@ -36,11 +36,11 @@ pub struct WrittenAttribute<'g> {
 
 /// Returns the variables of a data file of either dialect with this root.
 #[must_use]
-pub fn written(root: Element<'_>) -> Vec<WrittenVariable<'_>> {
+pub fn written(root: XmlElement<'_>) -> Vec<WrittenVariable<'_>> {
     elements(root).map(variable).collect()
 }
 
-fn variable(element: Element<'_>) -> WrittenVariable<'_> {
+fn variable(element: XmlElement<'_>) -> WrittenVariable<'_> {
     let name = element.value("name").unwrap_or_default().into_owned();
     let mut variable = WrittenVariable { name: name.clone(), fathers: Vec::new(), attributes: Vec::new() };
     variable.fathers.extend(lists::father(element));
@@ -50,7 +50,7 @@ fn variable(element: Element<'_>) -> WrittenVariable<'_> {
 
 impl<'g> WrittenVariable<'g> {
     /// Adds the values of a variable or field with this path.
-    fn add(&mut self, path: &str, element: Element<'g>, nesting: usize) {
+    fn add(&mut self, path: &str, element: XmlElement<'g>, nesting: usize) {
         let shape = read(element).shape;
         let ty = BaseType::from_file_name(&type_name(element));
         for value in element.elements() {
@@ -64,14 +64,14 @@ impl<'g> WrittenVariable<'g> {
         }
     }
 
-    fn add_fields(&mut self, path: &str, value: Element<'g>, nesting: usize) {
+    fn add_fields(&mut self, path: &str, value: XmlElement<'g>, nesting: usize) {
         for field in value.elements().filter(|field| field.name() == "Field") {
             let name = field.value("name").unwrap_or_default();
             self.add(&format!("{path}.{name}"), field, nesting);
         }
     }
 
-    fn add_value(&mut self, path: &str, base: BaseType, element: Element<'g>, value: Element<'g>) {
+    fn add_value(&mut self, path: &str, base: BaseType, element: XmlElement<'g>, value: XmlElement<'g>) {
         let arm = BaseType::from_file_name(&type_name(element)).and_then(|(_, arm)| arm);
         for text in lists::leaves(value) {
             let meaning = lists::name_of(text).and_then(|name| attribute(base, arm, name));
@@ -91,11 +91,11 @@ impl<'g> WrittenVariable<'g> {
 }
 
 /// Index or key in a path. A single value has none.
-fn subscript(shape: &Shape, key: &str) -> String {
+fn subscript(shape: &SavedContainer, key: &str) -> String {
     match shape {
-        Shape::Keys => format!("[\"{key}\"]"),
-        Shape::Sizes(sizes) if sizes.iter().all(|size| *size == 1) => String::new(),
-        Shape::Sizes(_) => format!("[{key}]"),
+        SavedContainer::Keys => format!("[\"{key}\"]"),
+        SavedContainer::Sizes(sizes) if sizes.iter().all(|size| *size == 1) => String::new(),
+        SavedContainer::Sizes(_) => format!("[{key}]"),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Arguments of a program on a task's stack, as plain numbers and strings.
 
-use val3_bytecode::{Param, Storage};
+use val3_bytecode::{ProgramParam, Storage};
 use val3_lang::memory::{KindBase, Lanes, Stack};
 use val3_lang::ports::TaskNumber;
 use val3_lang::types::{Arm, BaseType, Container};
@@ -33,7 +33,7 @@ pub fn arguments(vm: &Vm, task: TaskNumber, depth: usize) -> Vec<FrameArgument> 
     params.iter().filter_map(|param| argument(param, frame, &task.thread.stack)).collect()
 }
 
-fn argument(param: &Param, frame: &Frame, stack: &Stack) -> Option<FrameArgument> {
+fn argument(param: &ProgramParam, frame: &Frame, stack: &Stack) -> Option<FrameArgument> {
     let Storage::Value(Lanes { num, text, .. }) = param.storage else { return None };
     let KindBase::Builtin(base, arm) = param.kind.base else { return None };
     if param.container != Container::Element {

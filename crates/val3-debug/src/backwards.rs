@@ -4,10 +4,10 @@ use std::ops::ControlFlow;
 
 use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::RunStatus;
-use val3_vm::Watch;
+use val3_vm::CycleWatch;
 
 use crate::debugger::{Debugger, Stop};
-use crate::history::{Cause, History, Moment, PastLimits, Reach};
+use crate::history::{History, HistoryExtent, Moment, PastLimits, SnapshotReason};
 use crate::step::{Step, StepKind};
 
 /// Destination of a search in the history.
@@ -46,7 +46,7 @@ impl Debugger {
 
     /// Returns the extent of the recorded history; `None` if the run is not recorded.
     #[must_use]
-    pub fn reach(&self) -> Option<Reach> {
+    pub fn reach(&self) -> Option<HistoryExtent> {
         self.history.as_ref()?.reach(Moment::of(&self.controller))
     }
 
@@ -66,10 +66,10 @@ impl Debugger {
     /// Discards the recorded future and adds a snapshot. Must be called after each change from outside the run: to
     /// data, an input, or a task's next line.
     pub fn begin_new_future(&mut self) {
-        self.change_future(Cause::Change);
+        self.change_future(SnapshotReason::Change);
     }
 
-    pub(crate) fn change_future(&mut self, cause: Cause) {
+    pub(crate) fn change_future(&mut self, cause: SnapshotReason) {
         self.settle_data();
         if let Some(history) = &mut self.history {
             history.begin_new_future(&mut self.controller, &self.breakpoints.hits, self.last, cause);
@@ -100,7 +100,7 @@ impl Debugger {
         };
         let found = self.controller.vm.tasks().iter().find(|known| known.id == task);
         let Some(step) = found.map(|task| Step::new(task, kind)) else { return Some(self.back_to_the_beginning()) };
-        self.back_to_last(Watch::Lines, watcher, |debugger, replayed| match replayed.status {
+        self.back_to_last(CycleWatch::Lines, watcher, |debugger, replayed| match replayed.status {
             RunStatus::Seen(seen) if seen == task && step.is_done(&debugger.controller.vm) => Some(Stop::Step { task }),
             _ => debugger.stop_at_path_fault(replayed),
         })
@@ -113,15 +113,15 @@ impl Debugger {
     }
 
     /// Returns how finely a replay has to stop so that no change of watched data is missed.
-    fn watch_of_data(&self) -> Watch {
-        if self.data.is_empty() { Watch::Nothing } else { Watch::Lines }
+    fn watch_of_data(&self) -> CycleWatch {
+        if self.data.is_empty() { CycleWatch::Nothing } else { CycleWatch::Lines }
     }
 
     /// Goes back to the last earlier moment for which `is_wanted` returns a stop. Returns `None` if the watcher cancels
     /// the search.
     pub(crate) fn back_to_last(
         &mut self,
-        watch: Watch,
+        watch: CycleWatch,
         watcher: Watcher<'_>,
         is_wanted: impl Fn(&mut Self, Replayed) -> Option<Stop>,
     ) -> Option<Stop> {
@@ -242,7 +242,7 @@ impl Debugger {
 
     /// Replays the run towards `end`, by at most one cycle, and discards the events, which were already reported.
     /// Returns `None` at `end`.
-    fn replay(&mut self, watch: Watch, end: Moment) -> Option<Replayed> {
+    fn replay(&mut self, watch: CycleWatch, end: Moment) -> Option<Replayed> {
         if Moment::of(&self.controller) >= end {
             return None;
         }

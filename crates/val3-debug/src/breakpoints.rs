@@ -225,9 +225,9 @@ impl Breakpoints {
 
     /// Returns the breakpoints on a line: the file's breakpoints, and the program's breakpoints if the task has just
     /// entered it.
-    fn rules<'a>(&'a self, space: &Space, next: &'a NextLine) -> Vec<Rule<'a>> {
+    fn rules<'a>(&'a self, space: &Space, next: &'a NextLine) -> Vec<StopRule<'a>> {
         let Some(program) = next.image.programs.get(usize::from(next.program)) else { return Vec::new() };
-        let in_file = here(&self.files, (&next.image, program), next.line).map(|breakpoint| Rule {
+        let in_file = here(&self.files, (&next.image, program), next.line).map(|breakpoint| StopRule {
             id: breakpoint.id,
             condition: breakpoint.condition.as_ref(),
             hits: breakpoint.hits,
@@ -237,7 +237,7 @@ impl Breakpoints {
             return in_file.collect();
         }
         let file = file_of(&next.image, program);
-        let entered = self.programs.of(space, (next.instance, &program.name)).into_iter().map(|breakpoint| Rule {
+        let entered = self.programs.of(space, (next.instance, &program.name)).into_iter().map(|breakpoint| StopRule {
             id: breakpoint.id,
             condition: breakpoint.conditions.get(file),
             hits: breakpoint.hits,
@@ -248,14 +248,14 @@ impl Breakpoints {
 }
 
 /// The parts of a line or program breakpoint that decide about a stop.
-struct Rule<'a> {
+struct StopRule<'a> {
     id: BreakpointId,
     condition: Option<&'a CompiledExpression>,
     hits: Option<HitCondition>,
     log: Option<&'a LogMessage>,
 }
 
-impl Rule<'_> {
+impl StopRule<'_> {
     /// Whether the condition holds for a task before the line. If it cannot be evaluated, the task stops, and `arrival`
     /// gets the fault.
     fn counts(&self, controller: &mut Controller, task: TaskNumber, arrival: &mut Arrival) -> bool {

@@ -9,7 +9,7 @@ use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd};
 
 use crate::evaluate::{end_message, evaluate, expression_grant};
-use crate::values::Format;
+use crate::values::DisplayFormat;
 
 /// Expression that is compiled for the program of a breakpoint.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,8 +101,13 @@ impl CompiledExpression {
                 end => return end_message(&end),
             }
         }
-        match evaluate(controller, (&self.fragment, &self.text), context, (&mut expression_grant(), Format::default()))
-            .0
+        match evaluate(
+            controller,
+            (&self.fragment, &self.text),
+            context,
+            (&mut expression_grant(), DisplayFormat::default()),
+        )
+        .0
         {
             FragmentEnd::Value(value) => value.shown,
             end => end_message(&end),

@@ -68,13 +68,13 @@ pub struct DataStop {
 /// Data breakpoints of a run, with the last compared values.
 #[derive(Debug, Default)]
 pub(crate) struct DataBreakpoints {
-    all: Vec<Watch>,
+    all: Vec<DataWatch>,
     /// Next line by task.
     next: BTreeMap<TaskNumber, (Frame, u32)>,
 }
 
 #[derive(Debug)]
-struct Watch {
+struct DataWatch {
     breakpoint: DataBreakpoint,
     /// Last compared value; `None` if it was not in memory.
     seen: Option<Digest>,
@@ -101,7 +101,7 @@ impl Debugger {
         let before = std::mem::take(&mut self.data.all);
         let watch = |breakpoint: DataBreakpoint| {
             let same = before.iter().find(|watch| watch.breakpoint.data == breakpoint.data);
-            Watch { over: same.and_then(|watch| watch.over), breakpoint, seen: None, text: String::new() }
+            DataWatch { over: same.and_then(|watch| watch.over), breakpoint, seen: None, text: String::new() }
         };
         self.data.all = breakpoints.into_iter().map(watch).collect();
         self.settle_data();

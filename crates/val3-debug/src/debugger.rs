@@ -4,11 +4,11 @@ use val3_lang::fault::Fault;
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::MotionMode;
 use val3_machine::controller::{Controller, MotionFault, RunStatus};
-use val3_vm::{TaskState, Watch};
+use val3_vm::{CycleWatch, TaskState};
 
 use crate::breakpoints::{Arrival, Breakpoint, BreakpointId, Breakpoints, ConditionFault, LoggedMessage, Placed};
 use crate::data_breakpoints::{DataBreakpoints, DataStop};
-use crate::errors::Errors;
+use crate::errors::StopErrors;
 use crate::history::History;
 use crate::pause::Pause;
 use crate::program_breakpoints::{PlacedProgram, ProgramBreakpoint};
@@ -23,7 +23,7 @@ pub struct Debugger {
     /// Debugged controller.
     pub controller: Controller,
     pub(crate) breakpoints: Breakpoints,
-    pub(crate) errors: Errors,
+    pub(crate) errors: StopErrors,
     pub(crate) step: Option<Step>,
     pub(crate) history: Option<History>,
     pub(crate) data: DataBreakpoints,
@@ -113,7 +113,7 @@ impl Debugger {
             mode: controller.arm().motion().mode(),
             controller,
             breakpoints: Breakpoints::default(),
-            errors: Errors::default(),
+            errors: StopErrors::default(),
             step: None,
             history: None,
             data: DataBreakpoints::default(),
@@ -147,7 +147,7 @@ impl Debugger {
     }
 
     /// Sets the run-time errors that stop the run.
-    pub fn set_errors(&mut self, errors: Errors) {
+    pub fn set_errors(&mut self, errors: StopErrors) {
         self.errors = errors;
     }
 
@@ -173,7 +173,7 @@ impl Debugger {
         }
         self.set_program_breakpoints(Vec::new());
         self.set_data_breakpoints(Vec::new());
-        self.set_errors(Errors::default());
+        self.set_errors(StopErrors::default());
         (self.step, self.pause, self.pending) = (None, None, None);
         self.logged.clear();
     }
@@ -226,9 +226,9 @@ impl Debugger {
         let sees_lines =
             self.mode == MotionMode::Step || self.pause.is_some() || self.step.is_some() || !self.data.is_empty();
         self.controller.watch(match self.errors.is_none() {
-            _ if sees_lines => Watch::Lines,
-            true => Watch::Nothing,
-            false => Watch::Failures,
+            _ if sees_lines => CycleWatch::Lines,
+            true => CycleWatch::Nothing,
+            false => CycleWatch::Failures,
         });
         if let Some(stop) = self.begin_watched_cycle() {
             self.step = None;

@@ -11,7 +11,7 @@ use crate::called::called_program;
 
 /// Run-time errors that stop the run: every error that at least one field selects.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Errors {
+pub struct StopErrors {
     /// Every error.
     pub all: bool,
     /// Errors that no task can handle: see [`handler`].
@@ -22,7 +22,7 @@ pub struct Errors {
     pub numbers: BTreeSet<u16>,
 }
 
-impl Errors {
+impl StopErrors {
     /// Selects every run-time error.
     #[must_use]
     pub fn all() -> Self {

@@ -7,7 +7,7 @@ use val3_machine::controller::Controller;
 use val3_machine::event::Event;
 use val3_vm::{FragmentContext, FragmentEnd};
 
-use crate::values::{self, Format, Value};
+use crate::values::{self, DebugValue, DisplayFormat};
 
 /// Number of lines that an expression may execute.
 const LINES: u32 = 1000;
@@ -23,8 +23,8 @@ pub fn evaluate(
     controller: &mut Controller,
     (fragment, text): (&Fragment, &str),
     context: FragmentContext,
-    (grants, format): (&mut dyn Iterator<Item = u32>, Format),
-) -> (FragmentEnd<Value>, Vec<Event>) {
+    (grants, format): (&mut dyn Iterator<Item = u32>, DisplayFormat),
+) -> (FragmentEnd<DebugValue>, Vec<Event>) {
     let names = values::names(&controller.vm, context);
     let (end, events) = controller.evaluate(fragment, context, grants, |memory, devices, argument| {
         values::evaluated((memory, devices), (&names, context), (argument, fragment), (text, format))

@@ -52,7 +52,7 @@ impl PastLimits {
 
 /// Extent of the recorded history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Reach {
+pub struct HistoryExtent {
     /// Earliest moment.
     pub first: Moment,
     /// Time from the earliest moment to the present, in ns.
@@ -69,20 +69,20 @@ pub struct Reach {
 
 /// Snapshot of the run at a moment.
 #[derive(Debug)]
-pub(crate) struct Point {
+pub(crate) struct Checkpoint {
     pub(crate) moment: Moment,
     pub(crate) snapshot: Snapshot,
     /// Hit counts at the moment.
     pub(crate) hits: Hits,
     /// Task that had executed the last line; `None` if unknown.
     last: Option<TaskNumber>,
-    cause: Cause,
+    cause: SnapshotReason,
     bytes: u64,
 }
 
 /// Reason for a snapshot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Cause {
+pub(crate) enum SnapshotReason {
     /// Some cycles have passed.
     Time,
     /// The run was changed from outside, which a replay does not repeat.
@@ -96,7 +96,7 @@ pub(crate) enum Cause {
 /// Snapshots of a run in chronological order.
 #[derive(Debug)]
 pub(crate) struct History {
-    points: VecDeque<Point>,
+    points: VecDeque<Checkpoint>,
     /// Size of the inputs recorded from the first to the last snapshot, in bytes.
     input_bytes: u64,
     limits: PastLimits,
@@ -111,7 +111,7 @@ impl History {
     /// remains unless the snapshots of changes exceed the limits without the others.
     pub(crate) fn new(controller: &mut Controller, hits: &Hits, limits: PastLimits) -> Self {
         let mut history = Self { points: VecDeque::new(), input_bytes: 0, limits, cycles: 0, latest: None };
-        history.add(controller, hits, Cause::Time);
+        history.add(controller, hits, SnapshotReason::Time);
         history
     }
 
@@ -125,7 +125,7 @@ impl History {
         let is_new = self.points.back().is_none_or(|last| last.moment < Moment::of(controller));
         let is_due = self.cycles >= CYCLES || controller.input_bytes() > self.input_bytes + self.limits.bytes / 16;
         if is_due && is_new {
-            self.add(controller, hits, Cause::Time);
+            self.add(controller, hits, SnapshotReason::Time);
         }
     }
 
@@ -136,7 +136,7 @@ impl History {
         controller: &mut Controller,
         hits: &Hits,
         last: Option<TaskNumber>,
-        cause: Cause,
+        cause: SnapshotReason,
     ) {
         let now = Moment::of(controller);
         self.points.retain(|point| point.moment < now);
@@ -157,11 +157,11 @@ impl History {
         self.latest > Some(moment)
     }
 
-    fn add(&mut self, controller: &mut Controller, hits: &Hits, cause: Cause) {
+    fn add(&mut self, controller: &mut Controller, hits: &Hits, cause: SnapshotReason) {
         self.cycles = 0;
         let (moment, snapshot) = (Moment::of(controller), controller.snapshot());
         let bytes = snapshot.bytes();
-        self.points.push_back(Point { moment, snapshot, hits: hits.clone(), last: None, cause, bytes });
+        self.points.push_back(Checkpoint { moment, snapshot, hits: hits.clone(), last: None, cause, bytes });
         self.input_bytes = controller.input_bytes();
         self.trim(controller);
     }
@@ -203,15 +203,15 @@ impl History {
         let mut number = 0;
         self.points.retain(|point| {
             number += 1;
-            number > half || number % 2 == 1 || point.cause != Cause::Time
+            number > half || number % 2 == 1 || point.cause != SnapshotReason::Time
         });
     }
 
     /// Returns the extent of the history before `now`.
-    pub(crate) fn reach(&self, now: Moment) -> Option<Reach> {
+    pub(crate) fn reach(&self, now: Moment) -> Option<HistoryExtent> {
         let first = self.first()?;
         let time = now.time.saturating_sub(first.time);
-        Some(Reach {
+        Some(HistoryExtent {
             first,
             time,
             cycles: time / CYCLE,
@@ -223,27 +223,27 @@ impl History {
 
     /// Returns the end of the line that runs until `moment`, which is later if the line releases the arm.
     pub(crate) fn end_of_line(&self, moment: Moment) -> Option<Moment> {
-        let is_release = |point: &&Point| point.moment == moment && point.cause == Cause::Release;
+        let is_release = |point: &&Checkpoint| point.moment == moment && point.cause == SnapshotReason::Release;
         if !self.before(moment).is_some_and(|point| is_release(&point)) {
             return Some(moment);
         }
         let mut later = self.points.iter().filter(|point| point.moment > moment);
-        later.find(|point| point.cause == Cause::Arrival).map(|arrival| arrival.moment)
+        later.find(|point| point.cause == SnapshotReason::Arrival).map(|arrival| arrival.moment)
     }
 
     /// Returns the last snapshot at or before a moment.
-    pub(crate) fn before(&self, moment: Moment) -> Option<&Point> {
+    pub(crate) fn before(&self, moment: Moment) -> Option<&Checkpoint> {
         self.points.iter().rev().find(|point| point.moment <= moment)
     }
 
     /// Returns the last snapshot before a moment.
-    pub(crate) fn earlier(&self, moment: Moment) -> Option<&Point> {
+    pub(crate) fn earlier(&self, moment: Moment) -> Option<&Checkpoint> {
         self.points.iter().rev().find(|point| point.moment < moment)
     }
 
     /// Returns the task that had executed the last line before a change from outside at this moment.
     pub(crate) fn changed_at(&self, moment: Moment) -> Option<TaskNumber> {
-        self.before(moment).filter(|point| point.moment == moment && point.cause == Cause::Change)?.last
+        self.before(moment).filter(|point| point.moment == moment && point.cause == SnapshotReason::Change)?.last
     }
 
     /// Returns the moment of the first snapshot.

@@ -33,18 +33,19 @@ pub use breakpoints::{
 };
 pub use conditions::{CompiledExpression, LogMessage, LogPart};
 pub use data_breakpoints::{DataAccess, DataBreakpoint, DataChange, DataStop};
-pub use debugger::{Debugger, AdvanceResult, Stop};
-pub use errors::{Errors, handler};
+pub use debugger::{AdvanceResult, Debugger, Stop};
+pub use errors::{StopErrors, handler};
 pub use evaluate::{end_message, evaluate, expression_grant};
 pub use frames::{TaskFrame, frames};
 pub use goto::{GotoFault, GotoTarget};
-pub use history::{Moment, PastLimits, Reach};
+pub use history::{HistoryExtent, Moment, PastLimits};
 pub use program_breakpoints::{PlacedProgram, ProgramBreakpoint, ProgramName};
 pub use restart::RestartFault;
 pub use step::StepKind;
 pub use step_in::StepInTarget;
 pub use travel::MotionStop;
 pub use values::{
-    Format, Inside, Scope, ScopeKind, Value, count, data, row_of_data, scopes, string_of_data, subscript, values,
+    DebugValue, DisplayFormat, Inside, Scope, ScopeKind, count, data, row_of_data, scopes, string_of_data, subscript,
+    values,
 };
 pub use watched::WatchedData;

@@ -13,8 +13,8 @@ use val3_lang::ports::TaskNumber;
 use val3_machine::arm::{ArmHold, MotionMode};
 use val3_machine::controller::RunStatus;
 
-use crate::debugger::{Debugger, AdvanceResult, Stop};
-use crate::history::Cause;
+use crate::debugger::{AdvanceResult, Debugger, Stop};
+use crate::history::SnapshotReason;
 use crate::travel::{MotionStop, Then, Travel};
 
 impl Debugger {
@@ -56,7 +56,9 @@ impl Debugger {
         let task = match progress {
             AdvanceResult::Ran(RunStatus::Seen(task)) if is_more_determined => Some(task),
             AdvanceResult::Ran(RunStatus::Busy | RunStatus::Waiting(_)) => self.task_that_awaits_arm(),
-            AdvanceResult::Stopped(Stop::Step { task } | Stop::Breakpoints { task, .. }) if is_more_determined => Some(task),
+            AdvanceResult::Stopped(Stop::Step { task } | Stop::Breakpoints { task, .. }) if is_more_determined => {
+                Some(task)
+            }
             _ => None,
         };
         if task.is_none() && !is_more_determined {
@@ -91,7 +93,7 @@ impl Debugger {
     }
 
     fn travel(&mut self, travel: Travel) {
-        let cause = if travel.task.is_some() { Cause::Release } else { Cause::Change };
+        let cause = if travel.task.is_some() { SnapshotReason::Release } else { SnapshotReason::Change };
         self.travel = Some(travel);
         self.controller.rest_tasks(true);
         self.change_future(cause);
@@ -121,7 +123,7 @@ impl Debugger {
         }
         let Travel { task, then } = self.travel.take()?;
         self.controller.rest_tasks(false);
-        self.change_future(Cause::Arrival);
+        self.change_future(SnapshotReason::Arrival);
         let pending = self.pending.take().filter(|_| then == Then::Stop);
         let stop = match (pending, hold) {
             (None, None) if then == Then::Continue && self.step.is_some() => {

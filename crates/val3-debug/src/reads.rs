@@ -54,7 +54,7 @@ impl ExecutedLine<'_> {
     /// Whether the line reads the data.
     pub(crate) fn reads(&self, extent: &Extent) -> bool {
         let rest = self.program.code.get(self.op as usize..).unwrap_or_default();
-        let is_own = |(number, step): &(usize, &val3_bytecode::Operation)| *number == 0 || !step.mark.begins_line();
+        let is_own = |(number, step): &(usize, &val3_bytecode::Opcode)| *number == 0 || !step.mark.begins_line();
         let mut operations = rest.iter().enumerate().take_while(is_own);
         operations.any(|(_, step)| self.operation_reads(&step.op, extent))
     }
@@ -209,7 +209,7 @@ impl ExecutedLine<'_> {
         let of_part = Lanes { num: 0, text: 0, link: 0, part: 1 };
         match argument {
             ArgumentSite::Value(operand, base) => {
-                let size = val3_lang::memory::Kind::builtin(*base, None).size;
+                let size = val3_lang::memory::ValueType::builtin(*base, None).size;
                 self.operand(operand, size, extent)
             }
             ArgumentSite::UserValue(operand) => self.operand(operand, of_part, extent),

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::RunStatus;
-use val3_vm::Watch;
+use val3_vm::CycleWatch;
 
 use crate::debugger::{Debugger, Stop};
 use crate::history::Moment;
@@ -50,7 +50,7 @@ impl Debugger {
         if self.has_just_entered(task, entered) {
             return Ok(Stop::Step { task });
         }
-        let stop = self.back_to_last(Watch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| {
+        let stop = self.back_to_last(CycleWatch::Lines, &mut |_| ControlFlow::Continue(()), |debugger, replayed| {
             match replayed.status {
                 // A program is called by the task itself. Its first program is entered when another task creates the
                 // task.

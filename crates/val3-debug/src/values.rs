@@ -8,9 +8,9 @@ mod text;
 use std::ops::Range;
 use std::sync::Arc;
 
-use val3_bytecode::{DataDef, Fragment, Program, Variable};
+use val3_bytecode::{DataDef, Fragment, FrameVariable, Program};
 use val3_lang::call::{Argument, StoredValue as _};
-use val3_lang::memory::{Kind, Memory, Place, Shape, View};
+use val3_lang::memory::{ContainerShape, Memory, Place, ValueType, View};
 use val3_lang::ports::TaskNumber;
 use val3_lang::types::BaseType;
 use val3_lang::values::Text;
@@ -18,15 +18,15 @@ use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 use val3_vm::{FragmentContext, Frame, InstanceId, Vm};
 
-use look::{Look, Page};
-use names::Names;
+use look::{ItemRange, Look};
+use names::AccessNames;
 pub use names::subscript;
 
-pub use text::Format;
+pub use text::DisplayFormat;
 
 /// A variable, a field, or an array or collection element.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Value {
+pub struct DebugValue {
     /// Name, for example `nCount`, `x`, `[3]`, `["left"]`.
     pub name: String,
     /// Type, including array sizes: `point[4]`.
@@ -49,13 +49,13 @@ pub struct Value {
 pub struct Inside {
     /// Task whose stack may contain the value.
     task: Option<TaskNumber>,
-    path: Path,
-    node: Node,
+    path: ValuePath,
+    node: ValueNode,
 }
 
 /// Expression of a value.
 #[derive(Debug, Clone, PartialEq)]
-struct Path {
+struct ValuePath {
     /// Context in which the expression is evaluated.
     context: FragmentContext,
     /// The expression within the context; empty for a scope, `None` for a computed part.
@@ -65,7 +65,7 @@ struct Path {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Node {
+enum ValueNode {
     /// Variables of a stack frame: its parameters, or its locals.
     Frame { depth: usize, are_parameters: bool },
     /// Data of the application or library, as visible to the program in a stack frame.
@@ -73,16 +73,16 @@ enum Node {
     /// Array or collection elements.
     Values(View),
     /// Fields of a value, and its computed parts.
-    Fields(Arc<Kind>, Place),
+    Fields(Arc<ValueType>, Place),
     /// Values that were already read.
-    Listed(Arc<[Value]>),
+    Listed(Arc<[DebugValue]>),
 }
 
 impl Inside {
     /// Whether the nested values are array or collection elements.
     #[must_use]
     pub const fn is_indexed(&self) -> bool {
-        matches!(self.node, Node::Values(_))
+        matches!(self.node, ValueNode::Values(_))
     }
 
     /// Returns the expression of the nested value `name`, and its context. `None` for a computed part, to which nothing
@@ -94,13 +94,13 @@ impl Inside {
     }
 
     /// Returns a handle of values that were already read.
-    fn listed(values: Vec<Value>) -> Option<Self> {
-        let path = Path { context: FragmentContext::Instance(InstanceId(0)), text: None, prefix: None };
-        (!values.is_empty()).then(|| Self { task: None, path, node: Node::Listed(values.into()) })
+    fn listed(values: Vec<DebugValue>) -> Option<Self> {
+        let path = ValuePath { context: FragmentContext::Instance(InstanceId(0)), text: None, prefix: None };
+        (!values.is_empty()).then(|| Self { task: None, path, node: ValueNode::Listed(values.into()) })
     }
 }
 
-impl Path {
+impl ValuePath {
     /// Returns the path of a nested value.
     fn child(&self, name: &str) -> Self {
         let text = self.text.as_ref().map(|text| match name {
@@ -148,12 +148,12 @@ pub enum ScopeKind {
 pub fn scopes(vm: &Vm, task: TaskNumber, depth: usize) -> Vec<Scope> {
     let Some(frame) = frame(vm, task, depth) else { return Vec::new() };
     let of_frame = |are_parameters| {
-        let path = Path {
+        let path = ValuePath {
             context: FragmentContext::Frame(task, depth),
             text: Some(String::new()),
             prefix: Some(String::new()),
         };
-        Inside { task: Some(task), path, node: Node::Frame { depth, are_parameters } }
+        Inside { task: Some(task), path, node: ValueNode::Frame { depth, are_parameters } }
     };
     let mut scopes = vec![
         Scope { kind: ScopeKind::Parameters, inside: of_frame(true) },
@@ -177,39 +177,45 @@ pub fn data(instance: InstanceId) -> Inside {
 }
 
 fn globals(instance: InstanceId, frame: Option<(TaskNumber, usize)>, prefix: String) -> Inside {
-    let path = Path { context: FragmentContext::Instance(instance), text: Some(String::new()), prefix: Some(prefix) };
-    Inside { task: None, path, node: Node::Data(instance, frame) }
+    let path =
+        ValuePath { context: FragmentContext::Instance(instance), text: Some(String::new()), prefix: Some(prefix) };
+    Inside { task: None, path, node: ValueNode::Data(instance, frame) }
 }
 
 /// Returns the number of nested values; 0 if they no longer exist.
 pub fn count(vm: &mut Vm, inside: &Inside) -> usize {
     match &inside.node {
-        Node::Frame { depth, are_parameters } => {
+        ValueNode::Frame { depth, are_parameters } => {
             let program = inside.task.and_then(|task| program(vm, &frame(vm, task, *depth)?));
             program.map_or(0, |program| variables(program, *are_parameters).count())
         }
-        Node::Data(instance, _) => vm.space.instance(*instance).map_or(0, |instance| instance.data.len()),
-        Node::Values(view) => vm.space.memory.len(*view).map_or(0, |len| len as usize),
-        Node::Fields(kind, place) => look::fields_of(kind, *place),
-        Node::Listed(values) => values.len(),
+        ValueNode::Data(instance, _) => vm.space.instance(*instance).map_or(0, |instance| instance.data.len()),
+        ValueNode::Values(view) => vm.space.memory.len(*view).map_or(0, |len| len as usize),
+        ValueNode::Fields(kind, place) => look::fields_of(kind, *place),
+        ValueNode::Listed(values) => values.len(),
     }
 }
 
 /// Returns a range of the nested values.
-pub fn values(controller: &mut Controller, inside: &Inside, range: Range<usize>, format: Format) -> Vec<Value> {
+pub fn values(
+    controller: &mut Controller,
+    inside: &Inside,
+    range: Range<usize>,
+    format: DisplayFormat,
+) -> Vec<DebugValue> {
     let range = range.start..range.end.min(count(&mut controller.vm, inside));
     let vm = &controller.vm;
     let page = match &inside.node {
-        Node::Listed(values) => return values.get(range).unwrap_or_default().to_vec(),
-        Node::Frame { depth, are_parameters } => {
+        ValueNode::Listed(values) => return values.get(range).unwrap_or_default().to_vec(),
+        ValueNode::Frame { depth, are_parameters } => {
             let found = inside.task.and_then(|task| frame(vm, task, *depth));
             let Some((frame, program)) = found.and_then(|frame| Some((frame, program(vm, &frame)?))) else {
                 return Vec::new();
             };
             let shown = variables(program, *are_parameters).skip(range.start).take(range.len());
-            Page::Variables(frame, shown.cloned().collect())
+            ItemRange::Variables(frame, shown.cloned().collect())
         }
-        Node::Data(instance, of_frame) => {
+        ValueNode::Data(instance, of_frame) => {
             let Some(instance) = vm.space.instance(*instance) else { return Vec::new() };
             let hidden = of_frame.and_then(|(task, depth)| program(vm, &frame(vm, task, depth)?));
             let is_hidden = |name: &str| {
@@ -217,12 +223,12 @@ pub fn values(controller: &mut Controller, inside: &Inside, range: Range<usize>,
             };
             let is_seen = |data: &DataDef| if of_frame.is_some() { !is_hidden(&data.name) } else { data.public };
             let shown = instance.image.data.iter().zip(instance.data.iter()).skip(range.start).take(range.len());
-            Page::Data(shown.map(|(data, id)| (data.name.clone(), is_seen(data), View::whole(*id))).collect())
+            ItemRange::Data(shown.map(|(data, id)| (data.name.clone(), is_seen(data), View::whole(*id))).collect())
         }
-        Node::Values(view) => Page::Values(*view, range),
-        Node::Fields(kind, place) => Page::Fields(Arc::clone(kind), *place, range),
+        ValueNode::Values(view) => ItemRange::Values(*view, range),
+        ValueNode::Fields(kind, place) => ItemRange::Fields(Arc::clone(kind), *place, range),
     };
-    let names = Names::of(vm, inside.task, inside.path.context);
+    let names = AccessNames::of(vm, inside.task, inside.path.context);
     on_stack(controller, inside.task, |memory, devices| {
         let look = Look { task: inside.task, path: &inside.path, names: &names, devices, format };
         look.page(memory, page)
@@ -233,11 +239,11 @@ pub fn values(controller: &mut Controller, inside: &Inside, range: Range<usize>,
 /// is read with all nested values.
 pub(crate) fn evaluated(
     (memory, devices): (&mut Memory, &Devices),
-    (names, context): (&Names, FragmentContext),
+    (names, context): (&AccessNames, FragmentContext),
     (argument, fragment): (Argument, &Fragment),
-    (text, format): (&str, Format),
-) -> Value {
-    let path = Path { context, text: Some(text.to_owned()), prefix: Some(String::new()) };
+    (text, format): (&str, DisplayFormat),
+) -> DebugValue {
+    let path = ValuePath { context, text: Some(text.to_owned()), prefix: Some(String::new()) };
     let look = Look { task: context.task(), path: &path, names, devices, format };
     let Some(value) = &fragment.value else { return look::gone(text.to_owned()) };
     let shown = look.argument(memory, text, argument, &value.kind);
@@ -245,13 +251,13 @@ pub(crate) fn evaluated(
 }
 
 /// Returns the names that a context has for places.
-pub(crate) fn names(vm: &Vm, context: FragmentContext) -> Names {
-    Names::of(vm, context.task(), context)
+pub(crate) fn names(vm: &Vm, context: FragmentContext) -> AccessNames {
+    AccessNames::of(vm, context.task(), context)
 }
 
 /// Formats a value.
-pub(crate) fn text_of(memory: &Memory, devices: &Devices, kind: &Kind, place: Place) -> String {
-    text::shown(memory, devices, (kind, place), Format::default()).unwrap_or_else(|_| "not in memory".to_owned())
+pub(crate) fn text_of(memory: &Memory, devices: &Devices, kind: &ValueType, place: Place) -> String {
+    text::shown(memory, devices, (kind, place), DisplayFormat::default()).unwrap_or_else(|_| "not in memory".to_owned())
 }
 
 /// Number of elements that the text for an array or collection shows.
@@ -261,8 +267,8 @@ const SHOWN_VALUES: u32 = 8;
 pub(crate) fn text_of_all(memory: &Memory, devices: &Devices, view: View) -> String {
     let (Ok(store), Ok(count)) = (memory.store(view.store), memory.len(view)) else { return String::new() };
     let numbers: Vec<u32> = match &store.shape {
-        Shape::Collection(keys) => keys.values().copied().take(SHOWN_VALUES as usize).collect(),
-        Shape::Array { .. } => (view.start..view.start + count.min(SHOWN_VALUES)).collect(),
+        ContainerShape::Collection(keys) => keys.values().copied().take(SHOWN_VALUES as usize).collect(),
+        ContainerShape::Array { .. } => (view.start..view.start + count.min(SHOWN_VALUES)).collect(),
     };
     let text = |number: u32| text_of(memory, devices, &store.kind, store.place(view.store, number));
     listed(&numbers.into_iter().map(text).collect::<Vec<String>>(), count)
@@ -285,7 +291,7 @@ pub fn row_of_data(controller: &Controller, instance: InstanceId, name: &str, ro
     let instance = space.instance(instance)?;
     let id = *instance.data.get(usize::from(instance.image.data(name)?))?;
     let store = space.memory.store(id).ok()?;
-    let Shape::Array { sizes: [rows, second, third], .. } = store.shape else { return None };
+    let ContainerShape::Array { sizes: [rows, second, third], .. } = store.shape else { return None };
     let width = second.saturating_mul(third);
     let first = row.checked_mul(width).filter(|_| row < rows)?;
     let text = |number| text_of(&space.memory, &controller.devices, &store.kind, store.place(id, number));
@@ -326,7 +332,7 @@ fn program<'v>(vm: &'v Vm, frame: &Frame) -> Option<&'v Program> {
 }
 
 /// Returns the parameters of a program, or its locals.
-fn variables(program: &Program, are_parameters: bool) -> impl Iterator<Item = &Variable> {
-    let is_parameter = |variable: &Variable| program.params.iter().any(|param| param.name == variable.name);
+fn variables(program: &Program, are_parameters: bool) -> impl Iterator<Item = &FrameVariable> {
+    let is_parameter = |variable: &FrameVariable| program.params.iter().any(|param| param.name == variable.name);
     program.variables.iter().filter(move |variable| is_parameter(variable) == are_parameters)
 }

@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use rustc_hash::FxHashSet;
-use val3_bytecode::{Program, Storage, Variable};
-use val3_lang::memory::{Kind, KindBase, Lanes, Link, Memory, Place, Shape, StoreId, View, field_offset};
+use val3_bytecode::{FrameVariable, Program, Storage};
+use val3_lang::memory::{
+    ContainerShape, KindBase, Lanes, LinkPlace, Memory, Place, StoreId, ValueType, View, field_offset,
+};
 use val3_lang::ports::TaskNumber;
 use val3_lang::types::{self, BaseType};
 use val3_lang::values::{Text, printed};
@@ -20,13 +22,13 @@ use crate::values;
 /// it stays valid while the run continues. A local variable no longer exists after its program has ended.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WatchedData {
-    root: Root,
-    steps: Vec<Step>,
+    root: WatchedRoot,
+    steps: Vec<NestingStep>,
     id: String,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Root {
+enum WatchedRoot {
     /// Data in an application or library.
     Global { instance: InstanceId, name: String },
     /// Parameter or local of a program on a task's stack; `index` counts from the outermost stack frame.
@@ -37,7 +39,7 @@ enum Root {
 
 /// Step from a value to a nested value.
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Step {
+enum NestingStep {
     /// Indexes or a key, as data files write them.
     Subscript(String),
     /// Field name.
@@ -45,8 +47,8 @@ enum Step {
 }
 
 /// Present location of a watched value.
-enum Found {
-    One(Arc<Kind>, Place),
+enum ValueLocation {
+    One(Arc<ValueType>, Place),
     All(View),
 }
 
@@ -55,7 +57,7 @@ enum Found {
 pub(crate) struct Digest {
     bits: Vec<u64>,
     texts: Vec<Text>,
-    links: Vec<Link>,
+    links: Vec<LinkPlace>,
 }
 
 impl WatchedData {
@@ -83,7 +85,7 @@ impl WatchedData {
     pub fn signal(controller: &Controller, path: &str) -> Result<Self, String> {
         let found = controller.devices.state.io.find(path);
         let signal = found.ok_or_else(|| format!("there is no signal `{path}`"))?;
-        Ok(Self { root: Root::Signal(signal), steps: Vec::new(), id: format!("io:{path}") })
+        Ok(Self { root: WatchedRoot::Signal(signal), steps: Vec::new(), id: format!("io:{path}") })
     }
 
     /// Returns a text that identifies the data within this run: `app:nCount[3].x`, `io:Io\start`, and `main~/0/l_nSum`
@@ -96,28 +98,28 @@ impl WatchedData {
     /// Whether the data exist only until their program ends.
     #[must_use]
     pub const fn is_local(&self) -> bool {
-        matches!(self.root, Root::Local { .. })
+        matches!(self.root, WatchedRoot::Local { .. })
     }
 
     /// Returns the input or output, if the data are one.
     pub(crate) const fn as_signal(&self) -> Option<SignalId> {
         match self.root {
-            Root::Signal(signal) => Some(signal),
-            Root::Global { .. } | Root::Local { .. } => None,
+            WatchedRoot::Signal(signal) => Some(signal),
+            WatchedRoot::Global { .. } | WatchedRoot::Local { .. } => None,
         }
     }
 
     /// Returns the present value; `None` while it is not in memory.
     pub(crate) fn digest(&self, controller: &mut Controller) -> Option<Digest> {
-        if let Root::Signal(signal) = &self.root {
+        if let WatchedRoot::Signal(signal) = &self.root {
             let value = controller.devices.state.io.image(*signal)?;
             return Some(Digest { bits: vec![value.to_bits()], ..Digest::default() });
         }
         self.look(controller, |memory, devices, found| {
             let mut digest = Digest::default();
             match found {
-                Found::One(kind, place) => digest.add(memory, devices, &kind, place),
-                Found::All(view) => digest.add_all(memory, devices, view),
+                ValueLocation::One(kind, place) => digest.add(memory, devices, &kind, place),
+                ValueLocation::All(view) => digest.add_all(memory, devices, view),
             }?;
             Some(digest)
         })
@@ -125,13 +127,13 @@ impl WatchedData {
 
     /// Formats the present value.
     pub(crate) fn text(&self, controller: &mut Controller) -> String {
-        if let Root::Signal(signal) = &self.root {
+        if let WatchedRoot::Signal(signal) = &self.root {
             return signal_text(&controller.devices.state.io, *signal);
         }
         let text = self.look(controller, |memory, devices, found| {
             Some(match found {
-                Found::One(kind, place) => values::text_of(memory, devices, &kind, place),
-                Found::All(view) => values::text_of_all(memory, devices, view),
+                ValueLocation::One(kind, place) => values::text_of(memory, devices, &kind, place),
+                ValueLocation::All(view) => values::text_of_all(memory, devices, view),
             })
         });
         text.unwrap_or_else(|| "not in memory".to_owned())
@@ -142,15 +144,15 @@ impl WatchedData {
         self.look(controller, |memory, _, found| {
             let mut extent = Extent::default();
             match found {
-                Found::One(kind, place) if place.store == StoreId::STACK => {
+                ValueLocation::One(kind, place) if place.store == StoreId::STACK => {
                     let start = Lanes { num: place.num, text: place.text, link: place.link, part: place.part };
                     extent = Extent::on_stack(start, kind.size);
                     for part in 0..kind.size.part {
                         add_stores(memory, memory.part(place, part).ok()?, &mut extent.stores);
                     }
                 }
-                Found::One(_, place) => add_stores(memory, place.store, &mut extent.stores),
-                Found::All(view) => add_stores(memory, view.store, &mut extent.stores),
+                ValueLocation::One(_, place) => add_stores(memory, place.store, &mut extent.stores),
+                ValueLocation::All(view) => add_stores(memory, view.store, &mut extent.stores),
             }
             Some(extent)
         })
@@ -173,18 +175,18 @@ impl WatchedData {
     fn look<T>(
         &self,
         controller: &mut Controller,
-        look: impl FnOnce(&Memory, &Devices, Found) -> Option<T>,
+        look: impl FnOnce(&Memory, &Devices, ValueLocation) -> Option<T>,
     ) -> Option<T> {
         let Controller { vm, devices, .. } = controller;
         match &self.root {
-            Root::Global { instance, name } => {
+            WatchedRoot::Global { instance, name } => {
                 let instance = vm.space.instance(*instance).filter(|instance| instance.loaded)?;
                 let store = *instance.data.get(usize::from(instance.image.data(name)?))?;
                 let memory = &vm.space.memory;
-                let found = follow(memory, Found::All(View::whole(store)), &self.steps)?;
+                let found = follow(memory, ValueLocation::All(View::whole(store)), &self.steps)?;
                 look(memory, devices, found)
             }
-            Root::Local { task, index, frame, name } => {
+            WatchedRoot::Local { task, index, frame, name } => {
                 let thread = &vm.tasks().iter().find(|known| known.id == *task)?.thread;
                 thread.frames.get(*index).filter(|known| *known == frame)?;
                 let variable = variable(&vm.space, frame, name)?.clone();
@@ -194,7 +196,7 @@ impl WatchedData {
                 });
                 looked.flatten()
             }
-            Root::Signal(_) => None,
+            WatchedRoot::Signal(_) => None,
         }
     }
 }
@@ -208,7 +210,7 @@ fn add_stores(memory: &Memory, id: StoreId, stores: &mut FxHashSet<StoreId>) {
     }
 }
 
-fn global(vm: &Vm, context: FragmentContext, name: &str) -> Option<Root> {
+fn global(vm: &Vm, context: FragmentContext, name: &str) -> Option<WatchedRoot> {
     let own = match context {
         FragmentContext::Frame(task, depth) => frame(vm, task, depth)?.1.instance,
         FragmentContext::Instance(instance) => instance,
@@ -222,14 +224,14 @@ fn global(vm: &Vm, context: FragmentContext, name: &str) -> Option<Root> {
         }
     };
     vm.space.instance(instance)?.image.data(name)?;
-    Some(Root::Global { instance, name: name.to_owned() })
+    Some(WatchedRoot::Global { instance, name: name.to_owned() })
 }
 
-fn local(vm: &Vm, context: FragmentContext, name: &str) -> Option<Root> {
+fn local(vm: &Vm, context: FragmentContext, name: &str) -> Option<WatchedRoot> {
     let FragmentContext::Frame(task, depth) = context else { return None };
     let (index, frame) = frame(vm, task, depth)?;
     variable(&vm.space, &frame, name)?;
-    Some(Root::Local { task, index, frame, name: name.to_owned() })
+    Some(WatchedRoot::Local { task, index, frame, name: name.to_owned() })
 }
 
 fn frame(vm: &Vm, task: TaskNumber, depth: usize) -> Option<(usize, Frame)> {
@@ -238,28 +240,28 @@ fn frame(vm: &Vm, task: TaskNumber, depth: usize) -> Option<(usize, Frame)> {
     Some((index, *frames.get(index)?))
 }
 
-fn variable<'s>(space: &'s Space, frame: &Frame, name: &str) -> Option<&'s Variable> {
+fn variable<'s>(space: &'s Space, frame: &Frame, name: &str) -> Option<&'s FrameVariable> {
     let program: &Program = space.instance(frame.instance)?.image.programs.get(usize::from(frame.program))?;
     program.variables.iter().find(|variable| variable.name == name)
 }
 
-fn id(vm: &Vm, root: &Root, path: &str, name: &str) -> String {
+fn id(vm: &Vm, root: &WatchedRoot, path: &str, name: &str) -> String {
     let steps = path.get(name.len()..).unwrap_or_default();
     match root {
-        Root::Global { instance, name } => {
+        WatchedRoot::Global { instance, name } => {
             let owner = vm.space.instance(*instance).map_or("", |instance| &instance.image.name);
             format!("{owner}:{name}{steps}")
         }
-        Root::Local { task, index, name, .. } => {
+        WatchedRoot::Local { task, index, name, .. } => {
             let known = vm.tasks().iter().find(|known| known.id == *task);
             format!("{}/{index}/{name}{steps}", known.map_or("", |known| &known.name))
         }
-        Root::Signal(_) => path.to_owned(),
+        WatchedRoot::Signal(_) => path.to_owned(),
     }
 }
 
 fn signal_text(table: &IoTable, signal: SignalId) -> String {
-    let is_digital = table.signal(signal).is_some_and(|signal| matches!(signal.kind, io::Kind::Digital));
+    let is_digital = table.signal(signal).is_some_and(|signal| matches!(signal.kind, io::SignalKind::Digital));
     match table.image(signal) {
         Some(value) if is_digital => printed::bool(value != 0.0).to_owned(),
         Some(value) => printed::num(value).to_string(),
@@ -268,7 +270,7 @@ fn signal_text(table: &IoTable, signal: SignalId) -> String {
 }
 
 /// Splits a data path into the name with its library, and the steps after it.
-fn parse(path: &str) -> Option<(String, Vec<Step>)> {
+fn parse(path: &str) -> Option<(String, Vec<NestingStep>)> {
     let end = path.find(['.', '[']).unwrap_or(path.len());
     let (name, mut rest) = path.split_at_checked(end)?;
     let mut steps = Vec::new();
@@ -276,11 +278,11 @@ fn parse(path: &str) -> Option<(String, Vec<Step>)> {
         if let Some(field) = rest.strip_prefix('.') {
             let end = field.find(['.', '[']).unwrap_or(field.len());
             let (name, after) = field.split_at_checked(end)?;
-            steps.push(Step::Field(name.to_owned()));
+            steps.push(NestingStep::Field(name.to_owned()));
             rest = after;
         } else {
             let (subscript, after) = subscript(rest.strip_prefix('[')?)?;
-            steps.push(Step::Subscript(subscript));
+            steps.push(NestingStep::Subscript(subscript));
             rest = after;
         }
     }
@@ -309,54 +311,56 @@ fn subscript(text: &str) -> Option<(String, &str)> {
     }
 }
 
-fn start(memory: &Memory, frame: &Frame, variable: &Variable) -> Option<Found> {
+fn start(memory: &Memory, frame: &Frame, variable: &FrameVariable) -> Option<ValueLocation> {
     let stack = &memory.stack;
     let base = &frame.base;
-    let one = |place| Found::One(Arc::clone(&variable.kind), place);
+    let one = |place| ValueLocation::One(Arc::clone(&variable.kind), place);
     match variable.storage {
         Storage::Value(lanes) => Some(one(frame.place(lanes))),
         Storage::Place(number) => stack.places.get(base.place as usize + usize::from(number)).copied().map(one),
         Storage::Part(number) => {
             let part = stack.parts.get(base.part as usize + usize::from(number)).copied();
-            part.map(|part| Found::All(View::whole(part)))
+            part.map(|part| ValueLocation::All(View::whole(part)))
         }
-        Storage::View(number) => stack.views.get(base.view as usize + usize::from(number)).copied().map(Found::All),
+        Storage::View(number) => {
+            stack.views.get(base.view as usize + usize::from(number)).copied().map(ValueLocation::All)
+        }
     }
 }
 
-fn follow(memory: &Memory, start: Found, steps: &[Step]) -> Option<Found> {
+fn follow(memory: &Memory, start: ValueLocation, steps: &[NestingStep]) -> Option<ValueLocation> {
     steps.iter().try_fold(start, |found, step| match (found, step) {
-        (Found::All(view), Step::Subscript(at)) => {
+        (ValueLocation::All(view), NestingStep::Subscript(at)) => {
             let store = memory.store(view.store).ok()?;
             let number = store.number_of_text(at)?.checked_add(view.start)?;
-            let is_there = matches!(store.shape, Shape::Collection(_)) || number < store.shape.len();
-            is_there.then(|| Found::One(Arc::clone(&store.kind), store.place(view.store, number)))
+            let is_there = matches!(store.shape, ContainerShape::Collection(_)) || number < store.shape.len();
+            is_there.then(|| ValueLocation::One(Arc::clone(&store.kind), store.place(view.store, number)))
         }
-        (Found::All(view), Step::Field(name)) => {
+        (ValueLocation::All(view), NestingStep::Field(name)) => {
             let kind = Arc::clone(&memory.store(view.store).ok()?.kind);
             field(memory, &kind, memory.element(view, 0).ok()?, name)
         }
-        (Found::One(kind, place), Step::Field(name)) => field(memory, &kind, place, name),
-        (Found::One(..), Step::Subscript(_)) => None,
+        (ValueLocation::One(kind, place), NestingStep::Field(name)) => field(memory, &kind, place, name),
+        (ValueLocation::One(..), NestingStep::Subscript(_)) => None,
     })
 }
 
-fn field(memory: &Memory, kind: &Kind, place: Place, name: &str) -> Option<Found> {
+fn field(memory: &Memory, kind: &ValueType, place: Place, name: &str) -> Option<ValueLocation> {
     match &kind.base {
         KindBase::User(_) => {
             let number = kind.fields.iter().position(|field| field.name == name)?;
-            Some(Found::All(View::whole(memory.part(place, u32::try_from(number).ok()?).ok()?)))
+            Some(ValueLocation::All(View::whole(memory.part(place, u32::try_from(number).ok()?).ok()?)))
         }
         KindBase::Builtin(base, arm) => {
             let field = types::field(*base, *arm, name)?;
             let offset = field_offset(*base, *arm, name)?;
-            Some(Found::One(Arc::new(Kind::builtin(field.ty, *arm)), place.after(offset)))
+            Some(ValueLocation::One(Arc::new(ValueType::builtin(field.ty, *arm)), place.after(offset)))
         }
     }
 }
 
 impl Digest {
-    fn add(&mut self, memory: &Memory, devices: &Devices, kind: &Kind, place: Place) -> Option<()> {
+    fn add(&mut self, memory: &Memory, devices: &Devices, kind: &ValueType, place: Place) -> Option<()> {
         for lane in 0..kind.size.num {
             self.bits.push(memory.num(place, lane).ok()?.to_bits());
         }
@@ -378,12 +382,12 @@ impl Digest {
         let store = memory.store(view.store).ok()?;
         self.bits.push(u64::from(store.shape.len()));
         match &store.shape {
-            Shape::Collection(keys) => {
+            ContainerShape::Collection(keys) => {
                 self.texts.extend(keys.keys().copied());
                 keys.values()
                     .try_for_each(|number| self.add(memory, devices, &store.kind, store.place(view.store, *number)))
             }
-            Shape::Array { sizes, .. } => {
+            ContainerShape::Array { sizes, .. } => {
                 self.bits.extend(sizes.map(u64::from));
                 (view.start..store.shape.len())
                     .try_for_each(|number| self.add(memory, devices, &store.kind, store.place(view.store, number)))
@@ -393,8 +397,8 @@ impl Digest {
 }
 
 /// Returns the state of the linked input or output, as bits.
-fn state(devices: &Devices, kind: &Kind, link: Link) -> u64 {
-    let Link::Port(port) = link else { return 0 };
+fn state(devices: &Devices, kind: &ValueType, link: LinkPlace) -> u64 {
+    let LinkPlace::Port(port) = link else { return 0 };
     match kind.base {
         KindBase::Builtin(BaseType::Dio, _) => devices.digital(port).map_or(u64::MAX, u64::from),
         KindBase::Builtin(BaseType::Aio, _) => devices.analog(port).map_or(u64::MAX, f64::to_bits),

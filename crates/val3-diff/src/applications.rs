@@ -8,13 +8,13 @@ use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
 use val3_analysis::paths::{file_in, path_key};
 
-use crate::read::project::Project;
+use crate::read::project::ProjectVersion;
 use crate::tree::{has_extension, text_of};
 
 pub(crate) use matching::{Matched, matched};
 
 /// Files of a tree by path.
-pub(crate) type Files<'t> = BTreeMap<Utf8PathBuf, &'t [u8]>;
+pub(crate) type TreeFiles<'t> = BTreeMap<Utf8PathBuf, &'t [u8]>;
 
 /// A file in an application.
 #[derive(Debug, Clone)]
@@ -34,7 +34,7 @@ pub(crate) struct Application<'t> {
     /// Name of the `.pjx` without its extension, or of the folder.
     pub(crate) name: String,
     /// Project file; `None` if it does not exist or is broken.
-    pub(crate) project: Option<Project>,
+    pub(crate) project: Option<ProjectVersion>,
     /// Bytes of the project file.
     pub(crate) manifest: Option<&'t [u8]>,
     /// Program files by their path below the folder, in lower case.
@@ -71,7 +71,7 @@ impl<'t> Application<'t> {
 }
 
 /// Returns the applications of a tree, sorted by path.
-pub(crate) fn applications<'t>(files: &Files<'t>) -> Vec<Application<'t>> {
+pub(crate) fn applications<'t>(files: &TreeFiles<'t>) -> Vec<Application<'t>> {
     let projects = files.iter().filter(|(path, _)| has_extension(path, &["pjx"]));
     let mut found: Vec<Application<'t>> = projects.map(|(path, bytes)| application(path, bytes)).collect();
     let listed: Vec<BTreeMap<String, String>> = found.iter().map(Application::listed).collect();
@@ -97,7 +97,7 @@ pub(crate) fn applications<'t>(files: &Files<'t>) -> Vec<Application<'t>> {
 }
 
 fn application<'t>(path: &Utf8Path, bytes: &'t [u8]) -> Application<'t> {
-    let project = text_of(bytes).ok().and_then(|text| Project::read(&text));
+    let project = text_of(bytes).ok().and_then(|text| ProjectVersion::read(&text));
     let name = path.file_stem().unwrap_or("").to_owned();
     Application { path: path.to_owned(), name, project, manifest: Some(bytes), ..Application::default() }
 }
@@ -131,7 +131,7 @@ fn add<'t>(application: &mut Application<'t>, file: SourceFile<'t>) {
 
 /// Returns files that project files list but that are not in the tree: path of the project file, and reference. A
 /// project file without any other files is ignored.
-pub(crate) fn missing(applications: &[Application<'_>], files: &Files<'_>) -> BTreeSet<(String, String)> {
+pub(crate) fn missing(applications: &[Application<'_>], files: &TreeFiles<'_>) -> BTreeSet<(String, String)> {
     let known: BTreeSet<String> = files.keys().map(|path| path_key(path.as_str())).collect();
     let has_files = |application: &&Application<'_>| !application.programs.is_empty() || !application.data.is_empty();
     let mut missing = BTreeSet::new();
@@ -145,13 +145,13 @@ pub(crate) fn missing(applications: &[Application<'_>], files: &Files<'_>) -> BT
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tree::Tree;
+    use crate::tree::FileTree;
 
     #[test]
     fn files_belong_to_the_project_above_them() {
         let project = "<Project><Programs><Program file=\"START.pgx\"/><Program file=\"sub/x.pgx\"/></Programs>\
             <Database><Data file=\"gone.dtx\"/></Database></Project>";
-        let tree = Tree::new([
+        let tree = FileTree::new([
             ("a/a.pjx", project),
             ("a/start.pgx", ""),
             ("a/sub/x.pgx", ""),

@@ -22,21 +22,21 @@ mod values;
 use std::collections::BTreeSet;
 
 use crate::applications::{applications, matched, missing};
-use crate::exclusions::Layout;
-use crate::model::{Comparison, Problem, Side};
-use crate::tree::Tree;
+use crate::exclusions::BlankComparison;
+use crate::model::{Comparison, Problem, TreeSide};
+use crate::tree::FileTree;
 
 /// Compares two trees. Differences in file format (XML layout, encoding, line ends, dialect, omitted or explicit
 /// defaults) are ignored.
 #[must_use]
-pub fn compare(old: &Tree, new: &Tree) -> Comparison {
-    compare_with(old, new, Layout::Compared)
+pub fn compare(old: &FileTree, new: &FileTree) -> Comparison {
+    compare_with(old, new, BlankComparison::Compared)
 }
 
 /// Compares two trees. If code layout is ignored, lines that differ only in layout count as equal lines of a program;
 /// [`Comparison::leave_out`] then removes programs without other differences.
 #[must_use]
-pub fn compare_with(old: &Tree, new: &Tree, layout: Layout) -> Comparison {
+pub fn compare_with(old: &FileTree, new: &FileTree, layout: BlankComparison) -> Comparison {
     let is_one_cell = old.has_one_cell() && new.has_one_cell();
     let trees = [old, new];
     let (old_files, new_files) = (old.files(is_one_cell), new.files(is_one_cell));
@@ -59,7 +59,7 @@ fn missing_files(old: &BTreeSet<(String, String)>, new: &BTreeSet<(String, Strin
         side,
         message: format!("the project file lists `{name}`, and there is no such file{help}"),
     };
-    let lost = new.difference(old).map(|file| problem(Side::New, file, "; restore it, or remove the entry"));
-    let found = old.difference(new).map(|file| problem(Side::Old, file, ""));
+    let lost = new.difference(old).map(|file| problem(TreeSide::New, file, "; restore it, or remove the entry"));
+    let found = old.difference(new).map(|file| problem(TreeSide::Old, file, ""));
     found.chain(lost).collect()
 }

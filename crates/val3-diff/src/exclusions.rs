@@ -10,7 +10,7 @@ use crate::model::{ApplicationChange, Change, CodeKind, Comparison, DataChange, 
 
 /// Whether differences in blanks, blank lines and the letter case of keywords count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Layout {
+pub enum BlankComparison {
     /// They count.
     #[default]
     Compared,
@@ -26,7 +26,7 @@ pub struct Exclusions {
     /// Patterns of data names that are ignored.
     pub names: Vec<NamePattern>,
     /// Whether programs that differ only in layout are ignored.
-    pub layout: Layout,
+    pub layout: BlankComparison,
 }
 
 impl Comparison {
@@ -39,7 +39,7 @@ impl Comparison {
             if let Some(tolerance) = exclusions.tolerance {
                 application.data.retain_mut(|data| is_beyond(data, tolerance, &mut self.ignored));
             }
-            if exclusions.layout == Layout::Ignored {
+            if exclusions.layout == BlankComparison::Ignored {
                 layouts(application, &mut self.ignored);
             }
         }

@@ -13,7 +13,7 @@ mod selection;
 mod tree;
 
 pub use compare::{compare, compare_with};
-pub use exclusions::{Exclusions, Layout, NamePattern, Tolerance};
+pub use exclusions::{BlankComparison, Exclusions, NamePattern, Tolerance};
 pub use listing::listing;
-pub use model::{Class, Comparison};
-pub use tree::Tree;
+pub use model::{Comparison, ReportClass};
+pub use tree::FileTree;

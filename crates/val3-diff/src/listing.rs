@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use camino::Utf8Path;
 use val3_analysis::placement::shown;
 
-use crate::read::data::{self, Data};
-use crate::read::program::Program;
-use crate::read::project::Project;
+use crate::read::data::{self, DataVersion};
+use crate::read::program::ProgramVersion;
+use crate::read::project::ProjectVersion;
 use crate::read::settings;
 use crate::tree::{has_extension, text_of};
 
@@ -19,11 +19,11 @@ use crate::tree::{has_extension, text_of};
 pub fn listing(path: &Utf8Path, bytes: &[u8]) -> Result<String, String> {
     let text = text_of(bytes)?;
     let read = if has_extension(path, &["pgx"]) {
-        Program::read(&text).map(|program| of_program(&program))
+        ProgramVersion::read(&text).map(|program| of_program(&program))
     } else if has_extension(path, &["dtx"]) {
         of_data(&text)
     } else if has_extension(path, &["pjx"]) {
-        Project::read(&text).map(|project| of_project(&project))
+        ProjectVersion::read(&text).map(|project| of_project(&project))
     } else if has_extension(path, &["cfx", "cf"]) {
         settings::read(&text).map(|entries| {
             entries.iter().fold(String::new(), |out, (entry, value)| out + &format!("{entry} = {value}\n"))
@@ -34,7 +34,7 @@ pub fn listing(path: &Utf8Path, bytes: &[u8]) -> Result<String, String> {
     Ok(read.unwrap_or_else(|| text.to_string()))
 }
 
-fn of_program(program: &Program) -> String {
+fn of_program(program: &ProgramVersion) -> String {
     let mut out = String::new();
     for line in program.description.lines() {
         let _ = writeln!(out, "{line}");
@@ -54,7 +54,7 @@ fn of_data(text: &str) -> Option<String> {
     Some(data.iter().map(one).collect())
 }
 
-fn one(data: &Data) -> String {
+fn one(data: &DataVersion) -> String {
     let access = if data.decl.public { "public " } else { "" };
     let mut out = format!("{access}{}\n", data.declaration());
     for (path, value) in &data.values {
@@ -65,7 +65,7 @@ fn one(data: &Data) -> String {
     out
 }
 
-fn of_project(project: &Project) -> String {
+fn of_project(project: &ProjectVersion) -> String {
     let mut out = String::new();
     for (name, value) in &project.parameters {
         let _ = writeln!(out, "{name} {value}");

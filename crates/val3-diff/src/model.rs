@@ -11,9 +11,11 @@ mod text;
 use serde::Serialize;
 
 pub use application::{ApplicationChange, ContentChange, InterfaceChange, ItemKind, ProjectChange, ReferenceChange};
-pub use change::{Change, Pair};
-pub use class::Class;
-pub use data::{DataChange, Dependent, Displacement, FieldChange, Movement, Renumbering, Run, Shift, ValueChange};
+pub use change::{Change, ValuePair};
+pub use class::ReportClass;
+pub use data::{
+    DataChange, Dependent, Displacement, FieldChange, MovedElements, Movement, Renumbering, Shift, ValueChange,
+};
 pub use ignored::Ignored;
 pub use program::{CodeChange, CodeKind, ProgramChange, VariableChange};
 pub use text::{Hunk, HunkLine, LineKind, TextChange};
@@ -85,7 +87,7 @@ pub struct EntryChange {
 /// One of the two trees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Side {
+pub enum TreeSide {
     /// The old tree.
     Old,
     /// The new tree.
@@ -98,7 +100,7 @@ pub struct Problem {
     /// Path of the file or folder.
     pub path: String,
     /// Tree with the problem.
-    pub side: Side,
+    pub side: TreeSide,
     /// Message: the fault, the action taken instead, and the remedy.
     pub message: String,
 }

@@ -16,11 +16,11 @@ mod renumbering;
 mod settings;
 mod statistics;
 
-use crate::model::{Comparison, Side};
+use crate::model::{Comparison, TreeSide};
 
-pub use block::{Block, Entry, Mark, Row, Table};
-pub use counts::Counts;
-pub use statistics::{GreatestMovement, Statistics, statistics};
+pub use block::{Block, ReportItem, ReportMark, ReportRow, TextTable};
+pub use counts::DifferenceCounts;
+pub use statistics::{DiffStatistics, GreatestMovement, statistics};
 
 use block::{entry, heading};
 
@@ -45,9 +45,9 @@ pub fn blocks(comparison: &Comparison, detail: Detail) -> Vec<Block> {
         blocks.push(heading(1, "Notes", ""));
     }
     for problem in &comparison.problems {
-        let side = if problem.side == Side::Old { "old" } else { "new" };
+        let side = if problem.side == TreeSide::Old { "old" } else { "new" };
         let text = format!("in the {side} version {}", problem.message);
-        blocks.push(entry(Mark::Warning, &problem.path, text));
+        blocks.push(entry(ReportMark::Warning, &problem.path, text));
     }
     blocks
 }
@@ -66,7 +66,7 @@ fn differences(comparison: &Comparison) -> Vec<Block> {
 #[must_use]
 pub fn summary(comparison: &Comparison) -> String {
     let summary = match (comparison.is_empty(), comparison.compared) {
-        (false, _) => Counts::of(comparison).to_string(),
+        (false, _) => DifferenceCounts::of(comparison).to_string(),
         (true, 0) => "no differences".to_owned(),
         (true, count) => format!("no differences in {}", counts::counted(count, "application", "applications")),
     };

@@ -2,14 +2,14 @@
 
 use camino::Utf8Path;
 
-use crate::model::{ApplicationChange, Change, Class, Comparison, DataChange};
+use crate::model::{ApplicationChange, Change, Comparison, DataChange, ReportClass};
 
 impl Comparison {
     /// Keeps only these parts. Problems remain, because they may hide differences of any part.
-    pub fn keep(&mut self, classes: &[Class]) {
+    pub fn keep(&mut self, classes: &[ReportClass]) {
         let has = |class| classes.contains(&class);
-        self.settings.retain(|file| has(if file.is_io { Class::Io } else { Class::Configuration }));
-        if !has(Class::Files) {
+        self.settings.retain(|file| has(if file.is_io { ReportClass::Io } else { ReportClass::Configuration }));
+        if !has(ReportClass::Files) {
             self.others.clear();
         }
         for application in &mut self.applications {
@@ -19,19 +19,19 @@ impl Comparison {
     }
 }
 
-fn keep_in(application: &mut ApplicationChange, classes: &[Class]) {
+fn keep_in(application: &mut ApplicationChange, classes: &[ReportClass]) {
     let has = |class| classes.contains(&class);
-    if !has(Class::Programs) {
+    if !has(ReportClass::Programs) {
         application.programs.clear();
         application.texts.retain(|text| !text.path.to_lowercase().ends_with(".pgx"));
     }
     application.contents.retain(|content| has(class_of_file(&content.path)));
-    if !has(Class::Libraries) {
+    if !has(ReportClass::Libraries) {
         application.libraries.clear();
         application.types.clear();
         application.interface.clear();
     }
-    if !has(Class::Configuration) {
+    if !has(ReportClass::Configuration) {
         application.project.clear();
         application.moved_from = None;
     }
@@ -39,16 +39,16 @@ fn keep_in(application: &mut ApplicationChange, classes: &[Class]) {
 }
 
 /// Returns the part of the report for the XML of a file.
-fn class_of_file(path: &str) -> Class {
+fn class_of_file(path: &str) -> ReportClass {
     match Utf8Path::new(path).extension().map(str::to_lowercase).as_deref() {
-        Some("pgx") => Class::Programs,
-        Some("dtx") => Class::Data,
-        _ => Class::Configuration,
+        Some("pgx") => ReportClass::Programs,
+        Some("dtx") => ReportClass::Data,
+        _ => ReportClass::Configuration,
     }
 }
 
 /// Keeps the selected values. The values of a user type are selected by the classes of the fields.
-fn keep_data(data: &mut DataChange, classes: &[Class]) -> bool {
+fn keep_data(data: &mut DataChange, classes: &[ReportClass]) -> bool {
     if classes.contains(&data.class) {
         return true;
     }
@@ -56,8 +56,8 @@ fn keep_data(data: &mut DataChange, classes: &[Class]) -> bool {
     !data.values.is_empty()
 }
 
-fn has_content(application: &ApplicationChange, classes: &[Class]) -> bool {
-    let is_whole = application.change != Change::Changed && classes.contains(&Class::Configuration);
+fn has_content(application: &ApplicationChange, classes: &[ReportClass]) -> bool {
+    let is_whole = application.change != Change::Changed && classes.contains(&ReportClass::Configuration);
     let mut rest = application.clone();
     rest.change = Change::Changed;
     is_whole || !rest.is_empty()

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{BuildHasher as _, BuildHasherDefault, DefaultHasher};
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::system::Content;
+use val3_analysis::system::SystemContent;
 
 /// Name of the applications folder on a controller.
 const APPLICATIONS: &str = "usrapp";
@@ -18,13 +18,13 @@ const CONTROLLER: &str = "usr";
 
 /// Files by path, relative to a common root.
 #[derive(Debug, Clone, Default)]
-pub struct Tree {
+pub struct FileTree {
     files: BTreeMap<Utf8PathBuf, Vec<u8>>,
     /// Other kinds of files, which are compared by length and hash.
     others: BTreeMap<Utf8PathBuf, (usize, u64)>,
 }
 
-impl Tree {
+impl FileTree {
     /// Creates a tree with these files. Paths are relative and use `/`.
     pub fn new<P: Into<Utf8PathBuf>, B: Into<Vec<u8>>>(files: impl IntoIterator<Item = (P, B)>) -> Self {
         let mut tree = Self::default();
@@ -128,7 +128,7 @@ pub(crate) fn has_extension(path: &Utf8Path, extensions: &[&str]) -> bool {
 /// If the bytes are no text, with the reason.
 pub(crate) fn text_of(bytes: &[u8]) -> Result<std::sync::Arc<str>, String> {
     use val3_analysis::db::FileStatus;
-    let Some(content) = Content::of(Ok(bytes.to_vec())) else { return Err("it does not exist".to_owned()) };
+    let Some(content) = SystemContent::of(Ok(bytes.to_vec())) else { return Err("it does not exist".to_owned()) };
     match content.status {
         Some(FileStatus::Unreadable(reason)) => Err(reason),
         _ => Ok(content.text),
@@ -141,18 +141,19 @@ mod tests {
 
     #[test]
     fn paths_start_at_the_folder_of_applications() {
-        let tree = Tree::new([("backup/usr/usrapp/a/a.pjx", ""), ("backup/usr/configs/arm.cfx", ""), ("b/b.pgx", "")]);
+        let tree =
+            FileTree::new([("backup/usr/usrapp/a/a.pjx", ""), ("backup/usr/configs/arm.cfx", ""), ("b/b.pgx", "")]);
         assert!(tree.has_one_cell());
         let files: Vec<_> = tree.files(true).into_keys().collect();
         assert_eq!(files, ["a/a.pjx", "b/b.pgx", "configs/arm.cfx"]);
-        let two = Tree::new([("1/usrapp/a/a.pjx", ""), ("2/usrapp/a/a.pjx", "")]);
+        let two = FileTree::new([("1/usrapp/a/a.pjx", ""), ("2/usrapp/a/a.pjx", "")]);
         assert!(!two.has_one_cell());
         assert_eq!(two.files(true).len(), 2);
     }
 
     #[test]
     fn files_of_other_kinds_are_not_wanted() {
-        let wanted = |path: &str| Tree::wants(path.into());
+        let wanted = |path: &str| FileTree::wants(path.into());
         assert!(wanted("a/START.PGX") && wanted("usr/configs/bio.cfx") && wanted("usr/applicom/Modbus/modbus.xml"));
         assert!(!wanted("a/a.html") && !wanted("usr/app/val3.Motion.anthro.cfx"));
     }

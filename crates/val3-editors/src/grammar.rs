@@ -9,7 +9,7 @@ use crate::words;
 
 /// Form of code in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
+pub(crate) enum CodeForm {
     /// Only code.
     Plain,
     /// Code in a CDATA section.
@@ -18,7 +18,7 @@ pub(crate) enum Form {
     Escaped,
 }
 
-impl Form {
+impl CodeForm {
     /// Returns the quote of strings.
     fn quote(self) -> &'static str {
         if self == Self::Escaped { "(?:\"|&quot;)" } else { "\"" }
@@ -44,12 +44,12 @@ pub(crate) fn code() -> Value {
         "$schema": "https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json",
         "name": "VAL 3 code",
         "scopeName": "source.val3",
-        "patterns": patterns(Form::Plain),
+        "patterns": patterns(CodeForm::Plain),
     })
 }
 
 /// Returns the patterns that colour code. Strings precede comments, because a string may contain `//`.
-pub(crate) fn patterns(form: Form) -> Vec<Value> {
+pub(crate) fn patterns(form: CodeForm) -> Vec<Value> {
     let mut patterns = vec![string(form), comment(form), number(), call()];
     patterns.extend([
         rule("keyword.control", &words::control()),
@@ -79,7 +79,7 @@ fn rule(scope: &str, regex: &str) -> Value {
 }
 
 /// A string contains no escapes and ends with its line at the latest.
-fn string(form: Form) -> Value {
+fn string(form: CodeForm) -> Value {
     json!({
         "name": "string.quoted.double.val3",
         "begin": form.quote(),
@@ -89,7 +89,7 @@ fn string(form: Form) -> Value {
     })
 }
 
-fn comment(form: Form) -> Value {
+fn comment(form: CodeForm) -> Value {
     json!({
         "name": "comment.line.double-slash.val3",
         "begin": "//",

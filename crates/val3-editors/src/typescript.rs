@@ -48,12 +48,12 @@ fn declaration(text: &mut String, name: &str, schema: &Value) -> Result<()> {
 }
 
 /// Type as text; a compound is a union or an intersection, which needs parentheses within other types.
-struct Type {
+struct TypeText {
     text: String,
     is_compound: bool,
 }
 
-impl Type {
+impl TypeText {
     fn simple(text: impl Into<String>) -> Self {
         Self { text: text.into(), is_compound: false }
     }
@@ -89,16 +89,16 @@ fn alternatives(keys: &Map<String, Value>) -> Option<&Vec<Value>> {
     (!has_other).then_some(alternatives)
 }
 
-fn type_of(schema: &Value) -> Result<Type> {
+fn type_of(schema: &Value) -> Result<TypeText> {
     match schema {
-        Value::Bool(true) => Ok(Type::simple("unknown")),
+        Value::Bool(true) => Ok(TypeText::simple("unknown")),
         Value::Object(keys) => intersection(keys),
         _ => bail!("a schema is an object or `true`: {schema}"),
     }
 }
 
 /// Combines what the keywords of a schema require.
-fn intersection(keys: &Map<String, Value>) -> Result<Type> {
+fn intersection(keys: &Map<String, Value>) -> Result<TypeText> {
     let mut parts = Vec::new();
     for (key, value) in keys {
         match key.as_str() {
@@ -106,15 +106,15 @@ fn intersection(keys: &Map<String, Value>) -> Result<Type> {
             "type" => parts.push(by_type(value, keys)?),
             "$ref" => {
                 let name = value.as_str().and_then(|text| text.strip_prefix(DEFINITION));
-                parts.push(Type::simple(name.with_context(|| format!("{value} is not in `$defs`"))?));
+                parts.push(TypeText::simple(name.with_context(|| format!("{value} is not in `$defs`"))?));
             }
             "const" => parts.push(literal(value)?),
-            "enum" => parts.push(Type::joined(list(value)?.iter().map(literal).collect::<Result<_>>()?, " | ")),
+            "enum" => parts.push(TypeText::joined(list(value)?.iter().map(literal).collect::<Result<_>>()?, " | ")),
             "oneOf" | "anyOf" => {
-                parts.push(Type::joined(list(value)?.iter().map(type_of).collect::<Result<_>>()?, " | "));
+                parts.push(TypeText::joined(list(value)?.iter().map(type_of).collect::<Result<_>>()?, " | "));
             }
             "allOf" => {
-                parts.push(Type::joined(list(value)?.iter().map(type_of).collect::<Result<_>>()?, " & "));
+                parts.push(TypeText::joined(list(value)?.iter().map(type_of).collect::<Result<_>>()?, " & "));
             }
             "properties" | "required" | "additionalProperties" | "items" | "prefixItems" => {
                 ensure!(keys.contains_key("type"), "`{key}` without `type`");
@@ -122,41 +122,41 @@ fn intersection(keys: &Map<String, Value>) -> Result<Type> {
             other => ensure!(WITHOUT_TYPE.contains(&other), "the keyword `{other}` has no declaration"),
         }
     }
-    Ok(if parts.is_empty() { Type::simple("unknown") } else { Type::joined(parts, " & ") })
+    Ok(if parts.is_empty() { TypeText::simple("unknown") } else { TypeText::joined(parts, " & ") })
 }
 
-fn by_type(value: &Value, keys: &Map<String, Value>) -> Result<Type> {
+fn by_type(value: &Value, keys: &Map<String, Value>) -> Result<TypeText> {
     if let Value::Array(names) = value {
-        return Ok(Type::joined(names.iter().map(|name| by_type(name, keys)).collect::<Result<_>>()?, " | "));
+        return Ok(TypeText::joined(names.iter().map(|name| by_type(name, keys)).collect::<Result<_>>()?, " | "));
     }
     Ok(match value.as_str() {
-        Some(name @ ("string" | "boolean" | "null")) => Type::simple(name),
-        Some("number" | "integer") => Type::simple("number"),
+        Some(name @ ("string" | "boolean" | "null")) => TypeText::simple(name),
+        Some("number" | "integer") => TypeText::simple("number"),
         Some("array") => array(keys)?,
         Some("object") => object(keys)?,
         _ => bail!("unknown type {value}"),
     })
 }
 
-fn array(keys: &Map<String, Value>) -> Result<Type> {
+fn array(keys: &Map<String, Value>) -> Result<TypeText> {
     if let Some(places) = keys.get("prefixItems") {
         let places: Vec<String> = list(places)?.iter().map(|place| Ok(type_of(place)?.text)).collect::<Result<_>>()?;
-        return Ok(Type::simple(format!("readonly [{}]", places.join(", "))));
+        return Ok(TypeText::simple(format!("readonly [{}]", places.join(", "))));
     }
-    let item = keys.get("items").map_or_else(|| Ok(Type::simple("unknown")), type_of)?;
+    let item = keys.get("items").map_or_else(|| Ok(TypeText::simple("unknown")), type_of)?;
     // `readonly T[]` within another array would read `readonly readonly T[][]`.
     let is_array = item.text.starts_with("readonly ");
     let item = if is_array && !item.is_compound { format!("({})", item.text) } else { item.operand() };
-    Ok(Type::simple(format!("readonly {item}[]")))
+    Ok(TypeText::simple(format!("readonly {item}[]")))
 }
 
-fn object(keys: &Map<String, Value>) -> Result<Type> {
+fn object(keys: &Map<String, Value>) -> Result<TypeText> {
     let others = match keys.get("additionalProperties") {
         None | Some(Value::Bool(false)) => None,
         Some(schema) => Some(type_of(schema)?.text),
     };
     let Some(Value::Object(properties)) = keys.get("properties") else {
-        return Ok(Type::simple(format!("Record<string, {}>", others.as_deref().unwrap_or("unknown"))));
+        return Ok(TypeText::simple(format!("Record<string, {}>", others.as_deref().unwrap_or("unknown"))));
     };
     let required = keys.get("required").map(list).transpose()?.map_or(&[][..], Vec::as_slice);
     let mut text = "{\n".to_owned();
@@ -173,7 +173,11 @@ fn object(keys: &Map<String, Value>) -> Result<Type> {
     text.push('}');
     // A short object, such as the tag of a variant, is written in one line.
     let is_short = properties.len() == 1 && !text.contains("/**") && text.matches('\n').count() == 2;
-    Ok(Type::simple(if is_short { text.replace(['\n'], "").replace("{  ", "{ ").replace(";}", " }") } else { text }))
+    Ok(TypeText::simple(if is_short {
+        text.replace(['\n'], "").replace("{  ", "{ ").replace(";}", " }")
+    } else {
+        text
+    }))
 }
 
 /// Name of a property, quoted if it is no identifier.
@@ -183,9 +187,9 @@ fn property(name: &str) -> String {
     if is_identifier { name.to_owned() } else { format!("{name:?}") }
 }
 
-fn literal(value: &Value) -> Result<Type> {
+fn literal(value: &Value) -> Result<TypeText> {
     ensure!(!value.is_object() && !value.is_array(), "{value} is no literal");
-    Ok(Type::simple(value.to_string()))
+    Ok(TypeText::simple(value.to_string()))
 }
 
 fn list(value: &Value) -> Result<&Vec<Value>> {

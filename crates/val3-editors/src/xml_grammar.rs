@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::grammar::{self, Form};
+use crate::grammar::{self, CodeForm};
 
 /// Returns the grammar of `.pgx`.
 pub(crate) fn program() -> Value {
@@ -13,8 +13,8 @@ pub(crate) fn program() -> Value {
         "repository": {
             "code": code(),
             "cdata": cdata(),
-            "code-in-cdata": { "patterns": grammar::patterns(Form::Cdata) },
-            "escaped-code": { "patterns": grammar::patterns(Form::Escaped) },
+            "code-in-cdata": { "patterns": grammar::patterns(CodeForm::Cdata) },
+            "escaped-code": { "patterns": grammar::patterns(CodeForm::Escaped) },
         },
     })
 }

@@ -19,19 +19,19 @@ pub enum FileClass {
 
 /// Limits that the user sets for the process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Limits {
+pub struct ProcessLimits {
     /// Minimum limit for all classes, in bytes (`--max-file-size`).
     pub file: Option<u64>,
     /// Limit of a workspace's programs and data, in bytes (`--max-workspace-size`).
     pub workspace: Option<u64>,
 }
 
-static LIMITS: OnceLock<Limits> = OnceLock::new();
+static LIMITS: OnceLock<ProcessLimits> = OnceLock::new();
 
 /// Default limit of a workspace's programs and data, in bytes.
 const DEFAULT_WORKSPACE: u64 = 2 << 30;
 
-impl Limits {
+impl ProcessLimits {
     /// Sets the limits for the rest of the process. Only the first call has an effect.
     pub fn set(self) {
         LIMITS.get_or_init(|| self);
@@ -50,7 +50,7 @@ impl Limits {
 impl FileClass {
     /// Limit of the file size, in bytes.
     pub fn limit(self) -> u64 {
-        self.default_limit().max(Limits::present().file.unwrap_or(0))
+        self.default_limit().max(ProcessLimits::present().file.unwrap_or(0))
     }
 
     fn default_limit(self) -> u64 {

@@ -19,7 +19,7 @@ mod unreadable;
 mod unwritable;
 
 pub use archive::{ArchiveFault, archive_entries, is_archive_name, unpack};
-pub use class::{FileClass, Limits};
+pub use class::{FileClass, ProcessLimits};
 pub use existing::replace_unchanged;
 pub use new_file::{NewFile, replace};
 pub use output_file::{LogFile, OutputFile};

@@ -11,16 +11,16 @@ mod style;
 mod unchanged;
 
 pub use on_type::{TRIGGERS, on_type};
-pub use style::{Indent, IndentOverride, Style};
+pub use style::{CodeStyle, Indent, IndentOverride};
 
 use rowan::{TextRange, TextSize};
-use val3_syntax::{Parse, Part};
+use val3_syntax::{Parse, TextSlice};
 
-use pieces::Piece;
+use pieces::LayoutToken;
 
 /// An edit of the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Edit {
+pub struct FormatEdit {
     /// Replaced range; empty for an insertion.
     pub range: TextRange,
     /// New text.
@@ -33,17 +33,17 @@ pub struct Edit {
 /// Formatting is idempotent, and the program keeps all its tokens. If blocks do not balance, only the indentation shows
 /// their intended ends, so the indentation of all lines in that program is kept. If the XML is malformed, nothing
 /// changes.
-pub fn format(text: &str, parse: &Parse, style: &Style) -> Vec<Edit> {
+pub fn format(text: &str, parse: &Parse, style: &CodeStyle) -> Vec<FormatEdit> {
     if parse.errors().iter().any(|error| error.kind.breaks_structure()) {
         return Vec::new();
     }
-    let mut edits: Vec<Edit> =
+    let mut edits: Vec<FormatEdit> =
         pieces::codes(parse, text).iter().flat_map(|pieces| format_code(pieces, parse, text, style)).collect();
     edits.sort_by_key(|edit| edit.range.start());
     if unchanged::is_same_program(parse, &apply(text, &edits)) { edits } else { Vec::new() }
 }
 
-fn format_code(pieces: &[Piece<'_>], parse: &Parse, text: &str, style: &Style) -> Vec<Edit> {
+fn format_code(pieces: &[LayoutToken<'_>], parse: &Parse, text: &str, style: &CodeStyle) -> Vec<FormatEdit> {
     let levels = if blocks_match(pieces, parse) { indentation::levels(pieces, text) } else { vec![None; pieces.len()] };
     let pairs = pieces.iter().zip(pieces.iter().skip(1)).zip(levels.iter().skip(1));
     let gaps = pairs.filter_map(|((before, after), level)| spacing::gap(before, after, *level, text, style));
@@ -51,7 +51,7 @@ fn format_code(pieces: &[Piece<'_>], parse: &Parse, text: &str, style: &Style) -
 }
 
 /// Whether every line in the code of these pieces can be assigned to a block.
-fn blocks_match(pieces: &[Piece<'_>], parse: &Parse) -> bool {
+fn blocks_match(pieces: &[LayoutToken<'_>], parse: &Parse) -> bool {
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return true };
     let code = TextRange::new(first.range.start(), last.range.end());
     let mut faults = parse.errors().iter().filter(|error| error.kind.is_about_blocks());
@@ -59,7 +59,7 @@ fn blocks_match(pieces: &[Piece<'_>], parse: &Parse) -> bool {
 }
 
 /// Like [`format()`], for the lines that `range` touches. A range that ends at the start of a line does not touch it.
-pub fn format_range(text: &str, parse: &Parse, style: &Style, range: TextRange) -> Vec<Edit> {
+pub fn format_range(text: &str, parse: &Parse, style: &CodeStyle, range: TextRange) -> Vec<FormatEdit> {
     let lines = whole_lines(text, range);
     let mut edits = format(text, parse, style);
     // An indentation edit includes the line end before the indentation.
@@ -79,7 +79,7 @@ fn whole_lines(text: &str, range: TextRange) -> TextRange {
 }
 
 /// Applies the edits to the text. They must be sorted and inside the text.
-pub fn apply(text: &str, edits: &[Edit]) -> String {
+pub fn apply(text: &str, edits: &[FormatEdit]) -> String {
     let mut changed = String::with_capacity(text.len());
     let mut done = 0;
     for edit in edits {

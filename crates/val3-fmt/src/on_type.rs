@@ -5,10 +5,10 @@
 
 use rowan::{TextRange, TextSize};
 use val3_syntax::SyntaxKind::{self, *};
-use val3_syntax::{Parse, Part, text_size};
+use val3_syntax::{Parse, TextSlice, text_size};
 
-use crate::pieces::{self, Piece};
-use crate::{Edit, Style, spacing};
+use crate::pieces::{self, LayoutToken};
+use crate::{CodeStyle, FormatEdit, spacing};
 
 /// Characters after which [`on_type`] may return edits: the line end, and the last letters of the keywords that end a
 /// block or a part of a block.
@@ -16,7 +16,7 @@ pub const TRIGGERS: [char; 7] = ['\n', 'e', 'f', 'h', 'k', 'l', 'r'];
 
 /// Edits after `typed` was inserted before `offset`. A line end formats the line above and indents the new line. The
 /// last letter of a keyword such as `endIf` indents a line that contains only this keyword.
-pub fn on_type(text: &str, parse: &Parse, style: &Style, offset: TextSize, typed: char) -> Vec<Edit> {
+pub fn on_type(text: &str, parse: &Parse, style: &CodeStyle, offset: TextSize, typed: char) -> Vec<FormatEdit> {
     let codes = pieces::codes(parse, text);
     let Some(pieces) = codes.iter().find(|pieces| contains(pieces, offset)) else { return Vec::new() };
     let lines = lines(text, pieces);
@@ -34,7 +34,7 @@ struct TypedLine<'p, 't> {
     /// Indentation; empty if the line also contains the XML before the code.
     indent: &'t str,
     /// Tokens; empty for a blank line.
-    pieces: &'p [Piece<'t>],
+    pieces: &'p [LayoutToken<'t>],
 }
 
 impl TypedLine<'_, '_> {
@@ -43,7 +43,7 @@ impl TypedLine<'_, '_> {
         self.code().map(|piece| piece.kind)
     }
 
-    fn code(&self) -> Option<&Piece<'_>> {
+    fn code(&self) -> Option<&LayoutToken<'_>> {
         self.pieces.iter().find(|piece| piece.kind != CDATA_OPEN)
     }
 
@@ -52,7 +52,7 @@ impl TypedLine<'_, '_> {
     }
 }
 
-fn contains(pieces: &[Piece<'_>], offset: TextSize) -> bool {
+fn contains(pieces: &[LayoutToken<'_>], offset: TextSize) -> bool {
     match (pieces.first(), pieces.last()) {
         (Some(first), Some(last)) => first.range.end() <= offset && offset <= last.range.end(),
         _ => false,
@@ -60,7 +60,7 @@ fn contains(pieces: &[Piece<'_>], offset: TextSize) -> bool {
 }
 
 /// Lines from the first piece to the last.
-fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<TypedLine<'p, 't>> {
+fn lines<'p, 't>(text: &'t str, pieces: &'p [LayoutToken<'t>]) -> Vec<TypedLine<'p, 't>> {
     let mut lines = Vec::new();
     let mut rest = pieces;
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return lines };
@@ -83,11 +83,11 @@ fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<TypedLine<'p, 't
 }
 
 /// Whether only whitespace precedes the first piece of a line.
-fn is_first(pieces: &[Piece<'_>], at: usize) -> bool {
+fn is_first(pieces: &[LayoutToken<'_>], at: usize) -> bool {
     pieces.first().is_none_or(|piece| usize::from(piece.range.start()) == at && piece.kind != CDATA_OPEN)
 }
 
-fn after_line_end(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &Style) -> Vec<Edit> {
+fn after_line_end(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &CodeStyle) -> Vec<FormatEdit> {
     let Some(line) = lines.get(index) else { return Vec::new() };
     let Some(above) = index.checked_sub(1) else { return Vec::new() };
     let mut edits = Vec::new();
@@ -105,7 +105,13 @@ fn after_line_end(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: 
     edits
 }
 
-fn after_letter(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &Style, offset: TextSize) -> Vec<Edit> {
+fn after_letter(
+    text: &str,
+    lines: &[TypedLine<'_, '_>],
+    index: usize,
+    style: &CodeStyle,
+    offset: TextSize,
+) -> Vec<FormatEdit> {
     let Some(line) = lines.get(index) else { return Vec::new() };
     let Some(word) = line.code().filter(|word| word.range.end() == offset && opener(word.kind).is_some()) else {
         return Vec::new();
@@ -119,27 +125,27 @@ fn after_letter(text: &str, lines: &[TypedLine<'_, '_>], index: usize, style: &S
 }
 
 /// Edits of whitespace and keywords within a line.
-fn within(text: &str, line: &TypedLine<'_, '_>, style: &Style) -> Vec<Edit> {
+fn within(text: &str, line: &TypedLine<'_, '_>, style: &CodeStyle) -> Vec<FormatEdit> {
     let pairs = line.pieces.iter().zip(line.pieces.iter().skip(1));
     let gaps = pairs.filter_map(|(before, after)| spacing::gap(before, after, None, text, style));
-    let mut edits: Vec<Edit> = gaps.chain(line.pieces.iter().filter_map(spacing::keyword)).collect();
+    let mut edits: Vec<FormatEdit> = gaps.chain(line.pieces.iter().filter_map(spacing::keyword)).collect();
     edits.sort_by_key(|edit| edit.range.start());
     edits
 }
 
 /// Edit that indents a line.
-fn indented(text: &str, line: &TypedLine<'_, '_>, indent: &str) -> Option<Edit> {
+fn indented(text: &str, line: &TypedLine<'_, '_>, indent: &str) -> Option<FormatEdit> {
     if line.starts_in_xml() {
         return None;
     }
     let rest = text.get(usize::from(line.start)..)?;
     let found = rest.get(..rest.len() - rest.trim_start_matches([' ', '\t']).len())?;
     let range = TextRange::at(line.start, TextSize::of(found));
-    (found != indent).then(|| Edit { range, text: indent.to_owned() })
+    (found != indent).then(|| FormatEdit { range, text: indent.to_owned() })
 }
 
 /// Indentation of a line, computed from the lines above it.
-fn indentation(lines: &[TypedLine<'_, '_>], index: usize, style: &Style) -> String {
+fn indentation(lines: &[TypedLine<'_, '_>], index: usize, style: &CodeStyle) -> String {
     let above = lines.part(..index);
     let first = lines.get(index).and_then(TypedLine::first);
     if let Some((words, deeper)) = first.and_then(opener)
@@ -152,7 +158,7 @@ fn indentation(lines: &[TypedLine<'_, '_>], index: usize, style: &Style) -> Stri
 }
 
 /// Indentation of a line below a line with the indentation `indent`.
-fn below(line: Option<&TypedLine<'_, '_>>, indent: &str, style: &Style) -> String {
+fn below(line: Option<&TypedLine<'_, '_>>, indent: &str, style: &CodeStyle) -> String {
     let deeper = line.and_then(TypedLine::first).is_some_and(opens);
     indent.to_owned() + &style.indent.text(usize::from(deeper))
 }

@@ -1,20 +1,20 @@
 //! Whitespace between two pieces.
 
 use rowan::TextRange;
-use val3_syntax::Part;
 use val3_syntax::SyntaxKind::{self, *};
+use val3_syntax::TextSlice;
 
-use crate::pieces::{Piece, breaks_line, gap as blanks};
-use crate::{Edit, Style};
+use crate::pieces::{LayoutToken, breaks_line, gap as blanks};
+use crate::{CodeStyle, FormatEdit};
 
 /// Edit of the whitespace between two pieces. `level` is the indentation level of the line that starts with `after`.
 pub(crate) fn gap(
-    before: &Piece<'_>,
-    after: &Piece<'_>,
+    before: &LayoutToken<'_>,
+    after: &LayoutToken<'_>,
     level: Option<usize>,
     text: &str,
-    style: &Style,
-) -> Option<Edit> {
+    style: &CodeStyle,
+) -> Option<FormatEdit> {
     let found = blanks(before, after, text);
     let wanted = if breaks_line(found) {
         line_break(before, after, found, level?, style)?
@@ -22,19 +22,25 @@ pub(crate) fn gap(
         within_line(before, after, style)?.to_owned()
     };
     // Whitespace written as a character reference is intentional.
-    let edit = Edit { range: TextRange::new(before.range.end(), after.range.start()), text: wanted };
+    let edit = FormatEdit { range: TextRange::new(before.range.end(), after.range.start()), text: wanted };
     (edit.text != found && !found.contains('&')).then_some(edit)
 }
 
 /// Edit that corrects the letter case of a keyword.
-pub(crate) fn keyword(piece: &Piece<'_>) -> Option<Edit> {
+pub(crate) fn keyword(piece: &LayoutToken<'_>) -> Option<FormatEdit> {
     let canonical = piece.kind.keyword_text().filter(|_| !piece.frozen)?;
-    (piece.text != canonical).then(|| Edit { range: piece.range, text: canonical.to_owned() })
+    (piece.text != canonical).then(|| FormatEdit { range: piece.range, text: canonical.to_owned() })
 }
 
 /// New whitespace around a line break; `None` if it must be kept. Line ends keep their form, and the style limits their
 /// number.
-fn line_break(before: &Piece<'_>, after: &Piece<'_>, found: &str, level: usize, style: &Style) -> Option<String> {
+fn line_break(
+    before: &LayoutToken<'_>,
+    after: &LayoutToken<'_>,
+    found: &str,
+    level: usize,
+    style: &CodeStyle,
+) -> Option<String> {
     if before.kind == CDATA_OPEN || after.kind == CDATA_CLOSE || is_mark(before.kind) || is_mark(after.kind) {
         return None;
     }
@@ -72,7 +78,7 @@ fn line_ends(gap: &str) -> Vec<&str> {
 }
 
 /// New whitespace between two pieces of a line; `None` if the whitespace must be kept.
-fn within_line(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> Option<&'static str> {
+fn within_line(before: &LayoutToken<'_>, after: &LayoutToken<'_>, style: &CodeStyle) -> Option<&'static str> {
     if before.frozen || after.frozen || after.kind == COMMENT || is_outside(before.kind) || is_outside(after.kind) {
         return None;
     }
@@ -84,7 +90,7 @@ fn is_outside(kind: SyntaxKind) -> bool {
     matches!(kind, CDATA_OPEN | CDATA_CLOSE | BEGIN_KW | END_KW) || is_mark(kind)
 }
 
-fn has_blank(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> bool {
+fn has_blank(before: &LayoutToken<'_>, after: &LayoutToken<'_>, style: &CodeStyle) -> bool {
     match (before.kind, after.kind) {
         (L_PAREN | L_BRACK | L_CURLY | DOT | COLON, _)
         | (_, R_PAREN | R_BRACK | R_CURLY | COMMA | DOT | COLON | L_BRACK) => false,
@@ -100,19 +106,19 @@ fn has_blank(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> bool {
     }
 }
 
-fn is_unary(piece: &Piece<'_>) -> bool {
+fn is_unary(piece: &LayoutToken<'_>) -> bool {
     piece.parent == PREFIX_EXPR && matches!(piece.kind, MINUS | BANG)
 }
 
-fn is_assignment(piece: &Piece<'_>) -> bool {
+fn is_assignment(piece: &LayoutToken<'_>) -> bool {
     piece.kind == EQ
 }
 
 /// Whether the token is a keyword that is no value, or `?`.
-fn is_word(piece: &Piece<'_>) -> bool {
+fn is_word(piece: &LayoutToken<'_>) -> bool {
     piece.kind == QUESTION || piece.kind.is_keyword() && !matches!(piece.kind, TRUE_KW | FALSE_KW)
 }
 
-fn is_operator(piece: &Piece<'_>) -> bool {
+fn is_operator(piece: &LayoutToken<'_>) -> bool {
     piece.parent == BIN_EXPR
 }

@@ -1,10 +1,10 @@
 //! Format settings.
 
-use val3_config::{Format, IndentStyle};
+use val3_config::{CodeLayout, IndentStyle};
 
 /// Format style of code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Style {
+pub struct CodeStyle {
     /// One level of indentation.
     pub indent: Indent,
     /// Whether `=` has spaces on both sides.
@@ -26,9 +26,9 @@ pub enum Indent {
     Tab,
 }
 
-impl Style {
+impl CodeStyle {
     /// Style defined by `format`; `elsewhere` provides indentation settings that `format` does not contain.
-    pub fn new(format: &Format, elsewhere: IndentOverride) -> Self {
+    pub fn new(format: &CodeLayout, elsewhere: IndentOverride) -> Self {
         let indent = match format.indent_style.or(elsewhere.style) {
             Some(IndentStyle::Tab) => Indent::Tab,
             _ => Indent::Blanks(format.indent_size.or(elsewhere.size).unwrap_or(2)),
@@ -44,9 +44,9 @@ impl Style {
 }
 
 /// The style of most programs and of the vendor's editor.
-impl Default for Style {
+impl Default for CodeStyle {
     fn default() -> Self {
-        Self::new(&Format::default(), IndentOverride::default())
+        Self::new(&CodeLayout::default(), IndentOverride::default())
     }
 }
 

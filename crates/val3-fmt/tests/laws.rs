@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
 use proptest::prelude::*;
-use val3_fmt::{Style, apply, format, format_range, on_type};
+use val3_fmt::{CodeStyle, apply, format, format_range, on_type};
 use val3_syntax::{SyntaxKind, TextRange, TextSize, parse};
 
 /// A program in which `·` marks whitespace of any length.
@@ -108,7 +108,7 @@ impl Writing {
 }
 
 fn formatted(text: &str) -> String {
-    apply(text, &format(text, &parse(text), &Style::default()))
+    apply(text, &format(text, &parse(text), &CodeStyle::default()))
 }
 
 /// Tokens without whitespace, in lower case; comments and strings are unchanged.
@@ -173,12 +173,12 @@ proptest! {
     #[test]
     fn a_range_is_formatted_like_the_file(lines in program(), writing in writing(), at in any::<usize>(), len in 0usize..60) {
         let text = writing.write(&lines);
-        let all = format(&text, &parse(&text), &Style::default());
+        let all = format(&text, &parse(&text), &CodeStyle::default());
         let start = at % text.len();
         let range = TextRange::at(TextSize::try_from(start).unwrap(), TextSize::try_from(len.min(text.len() - start)).unwrap());
-        let part = format_range(&text, &parse(&text), &Style::default(), range);
+        let part = format_range(&text, &parse(&text), &CodeStyle::default(), range);
         prop_assert!(part.iter().all(|edit| all.contains(edit)));
-        let whole = format_range(&text, &parse(&text), &Style::default(), TextRange::up_to(TextSize::of(&text)));
+        let whole = format_range(&text, &parse(&text), &CodeStyle::default(), TextRange::up_to(TextSize::of(&text)));
         prop_assert_eq!(whole, all);
     }
 
@@ -187,7 +187,7 @@ proptest! {
         let text = writing.write(&lines);
         let text = broken(&text, at, 0, &typed.to_string());
         let offset = TextSize::try_from(at % (text.len() - 1) + 1).unwrap();
-        let edits = on_type(&text, &parse(&text), &Style::default(), offset, typed);
+        let edits = on_type(&text, &parse(&text), &CodeStyle::default(), offset, typed);
         let after = apply(&text, &edits);
         prop_assert_eq!(tokens(&after), tokens(&text));
     }

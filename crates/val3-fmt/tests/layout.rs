@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
 use expect_test::{Expect, expect};
-use val3_fmt::{Indent, Style, apply, format, format_range};
+use val3_fmt::{CodeStyle, Indent, apply, format, format_range};
 use val3_syntax::{TextRange, TextSize, parse};
 
-fn formatted(text: &str, style: &Style) -> String {
+fn formatted(text: &str, style: &CodeStyle) -> String {
     let parse = parse(text);
     let once = apply(text, &format(text, &parse, style));
     let again = apply(&once, &format(&once, &val3_syntax::parse(&once), style));
@@ -16,10 +16,10 @@ fn formatted(text: &str, style: &Style) -> String {
 
 /// Formats code in a CDATA section.
 fn check(code: &str, expected: Expect) {
-    check_in(code, &Style::default(), expected);
+    check_in(code, &CodeStyle::default(), expected);
 }
 
-fn check_in(code: &str, style: &Style, expected: Expect) {
+fn check_in(code: &str, style: &CodeStyle, expected: Expect) {
     let (head, tail) = ("<Programs><Program name=\"a\"><Code><![CDATA[", "]]></Code></Program></Programs>\n");
     let text = formatted(&format!("{head}{code}{tail}"), style);
     let code = text.strip_prefix(head).and_then(|text| text.strip_suffix(tail)).expect("the XML stays");
@@ -201,7 +201,7 @@ fn unmatched_blocks_keep_their_indentation() {
 
 #[test]
 fn the_style_can_be_configured() {
-    let style = Style {
+    let style = CodeStyle {
         indent: Indent::Blanks(4),
         around_assignment: true,
         around_operators: true,
@@ -219,7 +219,7 @@ fn the_style_can_be_configured() {
             end
         "#]],
     );
-    let tabs = Style { indent: Indent::Tab, ..Style::default() };
+    let tabs = CodeStyle { indent: Indent::Tab, ..CodeStyle::default() };
     check_in(
         "begin\n  a=1\nend",
         &tabs,
@@ -235,7 +235,7 @@ fn the_style_can_be_configured() {
 fn escaped_code_and_line_ends_are_kept() {
     let text = "<program><source><code>begin\r\nif a &lt; 1 and s == &quot;x&quot;\r\n b = 1\rendIf\nend</code></source></program>";
     let expected = "<program><source><code>begin\r\n  if a&lt;1 and s==&quot;x&quot;\r\n    b=1\r  endIf\nend</code></source></program>";
-    assert_eq!(formatted(text, &Style::default()), expected);
+    assert_eq!(formatted(text, &CodeStyle::default()), expected);
 }
 
 #[test]
@@ -243,7 +243,7 @@ fn the_xml_before_the_code_is_kept() {
     let text = "<Programs><Program name=\"a\"><Code><![CDATA[ \n begin\na = 1\nend \n\n]]></Code></Program></Programs>";
     let expected =
         "<Programs><Program name=\"a\"><Code><![CDATA[ \n begin\n  a=1\nend \n\n]]></Code></Program></Programs>";
-    assert_eq!(formatted(text, &Style::default()), expected);
+    assert_eq!(formatted(text, &CodeStyle::default()), expected);
 }
 
 #[test]
@@ -251,7 +251,7 @@ fn only_lines_of_the_range_change() {
     let text = "<Programs><Program name=\"a\"><Code><![CDATA[begin\n a = 1\n b = 2\n c = 3\nend]]></Code></Program></Programs>";
     let formatted = |part: &str| {
         let start = TextSize::try_from(text.find(part).unwrap()).unwrap();
-        let edits = format_range(text, &parse(text), &Style::default(), TextRange::at(start, TextSize::of(part)));
+        let edits = format_range(text, &parse(text), &CodeStyle::default(), TextRange::at(start, TextSize::of(part)));
         apply(text, &edits).split_once("CDATA[").unwrap().1.replace("]]></Code></Program></Programs>", "")
     };
     assert_eq!(formatted("2"), "begin\n a = 1\n  b=2\n c = 3\nend");

@@ -3,15 +3,15 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail loudly")]
 
 use expect_test::{Expect, expect};
-use val3_fmt::{Indent, Style, apply, on_type};
+use val3_fmt::{CodeStyle, Indent, apply, on_type};
 use val3_syntax::{TextSize, parse};
 
 /// Types the character before `$0` in code in a CDATA section.
 fn check(code: &str, expected: Expect) {
-    check_in(code, &Style::default(), expected);
+    check_in(code, &CodeStyle::default(), expected);
 }
 
-fn check_in(code: &str, style: &Style, expected: Expect) {
+fn check_in(code: &str, style: &CodeStyle, expected: Expect) {
     let (head, tail) = ("<Programs>\n  <Program name=\"a\">\n    <Code><![CDATA[", "]]></Code></Program></Programs>\n");
     let marked = format!("{head}{code}{tail}");
     let offset = marked.find("$0").expect("a cursor");
@@ -61,7 +61,7 @@ fn a_line_after_an_opening_keyword_is_indented() {
     );
     check_in(
         "begin\n\twhile a\n$0",
-        &Style { indent: Indent::Tab, ..Style::default() },
+        &CodeStyle { indent: Indent::Tab, ..CodeStyle::default() },
         expect![[r#"
             begin
             →while·a
@@ -267,6 +267,6 @@ fn xml_is_not_changed() {
     let text = "<Programs>\n\n<Program name=\"a\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n\n";
     for offset in [11, 12, text.len()] {
         let offset = TextSize::try_from(offset).unwrap();
-        assert_eq!(on_type(text, &parse(text), &Style::default(), offset, '\n'), []);
+        assert_eq!(on_type(text, &parse(text), &CodeStyle::default(), offset, '\n'), []);
     }
 }

@@ -10,13 +10,13 @@ use crate::{Trsf, rotation};
 
 /// Path of `movel`: the position on a line, the orientation about one axis by the smaller angle.
 #[derive(Clone, Copy, Debug)]
-pub struct Line {
+pub struct LinePath {
     start: IsometryMatrix3<f64>,
     translation: Vector3<f64>,
     turn: Vector3<f64>,
 }
 
-impl Line {
+impl LinePath {
     /// Creates the path from `start` to `end`.
     ///
     /// If the orientations are half a turn apart, both directions are equally short. The rotation axis is then the one
@@ -74,7 +74,7 @@ impl Error for InterpolationError {}
 /// # Errors
 /// The fraction is outside ]-1, 2[.
 pub fn interpolate_l(start: &Trsf, end: &Trsf, fraction: f64) -> Result<Trsf, InterpolationError> {
-    at_fraction(start, end, fraction, || Line::between(&start.isometry(), &end.isometry()).at(fraction))
+    at_fraction(start, end, fraction, || LinePath::between(&start.isometry(), &end.isometry()).at(fraction))
 }
 
 /// Implements the instruction `interpolateC` (manual 9.3.4): computes the pose at `fraction` of the arc from `start`
@@ -157,7 +157,7 @@ mod tests {
 
         #[test]
         fn equal_steps_turn_by_equal_angles(a in any_trsf(), b in any_trsf()) {
-            let line = Line::between(&a.isometry(), &b.isometry());
+            let line = LinePath::between(&a.isometry(), &b.isometry());
             let step = Trsf::from(line.at(0.0).inverse() * line.at(0.25));
             let next = Trsf::from(line.at(0.25).inverse() * line.at(0.5));
             let turn = Trsf { x: 0.0, y: 0.0, z: 0.0, ..step };

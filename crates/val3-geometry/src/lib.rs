@@ -23,5 +23,5 @@ pub use nalgebra::{IsometryMatrix3, Rotation3, Vector3};
 pub use self::align::align;
 pub use self::arc::{Arc, ArcError};
 pub use self::frame::{FrameError, set_frame};
-pub use self::interpolate::{InterpolationError, Line, interpolate_c, interpolate_l};
+pub use self::interpolate::{InterpolationError, LinePath, interpolate_c, interpolate_l};
 pub use self::trsf::Trsf;

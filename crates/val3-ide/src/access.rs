@@ -1,7 +1,7 @@
 //! Access of a program or data (public or private) in files of both dialects.
 
-use val3_analysis::xml::Element;
-use val3_syntax::{Part, TextRange, TextSize, text_at};
+use val3_analysis::xml::XmlElement;
+use val3_syntax::{TextRange, TextSize, TextSlice, text_at};
 
 /// Spelling of the access in a dialect.
 struct Spelling {
@@ -11,7 +11,7 @@ struct Spelling {
 }
 
 impl Spelling {
-    fn of(element: Element<'_>) -> Self {
+    fn of(element: XmlElement<'_>) -> Self {
         match element.name() {
             "Program" | "Data" => Self { attribute: "access", public: "public", private: "private" },
             _ => Self { attribute: "public", public: "true", private: "false" },
@@ -20,13 +20,13 @@ impl Spelling {
 }
 
 /// Whether the element makes its declaration public.
-pub(crate) fn is_public(element: Element<'_>) -> bool {
+pub(crate) fn is_public(element: XmlElement<'_>) -> bool {
     let spelling = Spelling::of(element);
     element.value(spelling.attribute).is_some_and(|text| text.trim() == spelling.public)
 }
 
 /// Edit that sets the access of a named element. `None` if the access cannot be inserted.
-pub(crate) fn set(text: &str, element: Element<'_>, public: bool) -> Option<(TextRange, String)> {
+pub(crate) fn set(text: &str, element: XmlElement<'_>, public: bool) -> Option<(TextRange, String)> {
     let Spelling { attribute, public: yes, private: no } = Spelling::of(element);
     let word = if public { yes } else { no };
     if let Some(found) = element.attribute(attribute) {
@@ -42,7 +42,7 @@ pub(crate) fn set(text: &str, element: Element<'_>, public: bool) -> Option<(Tex
 
 /// Whether the element omits the access of a private program, as the vendor's editor does. The controller writes the
 /// access, and a space before the end of the tag.
-fn omits_private(text: &str, element: Element<'_>) -> bool {
+fn omits_private(text: &str, element: XmlElement<'_>) -> bool {
     let tag = text_at(text, element.tag_range());
     element.name() == "Program" && !tag.trim_end_matches(['>', '/']).ends_with(' ')
 }

@@ -26,7 +26,7 @@ use crate::edit::{FileEdit, SourceChange};
 use crate::owner::projects_of;
 use crate::references::uses;
 use crate::test_programs::is_test;
-use programs::Program;
+use programs::AffectedProgram;
 
 /// Reason why the parameters or locals cannot be changed, as a sentence for the user.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -119,7 +119,7 @@ pub(crate) fn passes_variables(db: &dyn Db, file: File, index: usize, ty: Base) 
 }
 
 /// Edits that rename variables in the code of a program.
-fn renames(db: &dyn Db, program: &Program) -> Vec<FileEdit> {
+fn renames(db: &dyn Db, program: &AffectedProgram) -> Vec<FileEdit> {
     let (file, header) = (program.file, header(db, program.file));
     let params = program.wanted.parameters.iter().filter_map(|new| {
         let old = header.params.get(new.from?)?;
@@ -149,7 +149,7 @@ pub(crate) fn in_code(db: &dyn Db, symbol: &Symbol) -> Vec<TextRange> {
 }
 
 /// Checks that removed parameters and locals are unused, except in arguments that are removed as well.
-fn removed_are_unused(db: &dyn Db, program: &Program, removed: &[(File, TextRange)]) -> Result<(), String> {
+fn removed_are_unused(db: &dyn Db, program: &AffectedProgram, removed: &[(File, TextRange)]) -> Result<(), String> {
     let (file, header) = (program.file, header(db, program.file));
     let keeps_param = |index: usize| program.wanted.parameters.iter().any(|new| new.from == Some(index));
     let keeps_local = |index: usize| program.wanted.locals.iter().any(|new| new.from == Some(index));

@@ -16,7 +16,7 @@ use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::parse;
 use val3_analysis::xml;
 use val3_data::{apply, compose};
-use val3_syntax::Edit;
+use val3_syntax::TextEdit;
 use val3_syntax::encoding::Encoding;
 
 use crate::data_tables::{DataProblem, problem};
@@ -33,7 +33,7 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
         return Err(problem);
     }
     let mut text = String::new();
-    let mut done: Vec<Edit> = Vec::new();
+    let mut done: Vec<TextEdit> = Vec::new();
     for (at, edit) in edits.iter().enumerate() {
         let is_first = at == 0;
         let current = if is_first { file.text(db) } else { text.as_str() };
@@ -47,19 +47,19 @@ pub fn data_edits(db: &dyn Db, project: Project, file: File, edits: &[DataEdit])
         done = compose(&done, &new);
     }
     let is_latin1 = matches!(file.status(db), FileStatus::Read { encoding: Encoding::Latin1, .. });
-    let edit = |edit: Edit| FileEdit {
+    let edit = |edit: TextEdit| FileEdit {
         file,
         range: edit.range,
         text: if is_latin1 { with_references(&edit.insert) } else { edit.insert },
     };
-    let is_change = |edit: &Edit| {
+    let is_change = |edit: &TextEdit| {
         let range = std::ops::Range::<usize>::from(edit.range);
         file.text(db).get(range) != Some(edit.insert.as_str())
     };
     Ok(SourceChange::of(done.into_iter().filter(is_change).map(edit)))
 }
 
-fn change(target: &DataFile<'_>, edit: &DataEdit) -> Result<Vec<Edit>, DataProblem> {
+fn change(target: &DataFile<'_>, edit: &DataEdit) -> Result<Vec<TextEdit>, DataProblem> {
     match edit {
         DataEdit::Set(cells) => cells::set(target, cells),
         DataEdit::Add(new) => declarations::add(target, new),

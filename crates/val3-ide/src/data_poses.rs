@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 use val3_analysis::changes::is_changed;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::parse;
-use val3_analysis::items::positions::{Position, each};
+use val3_analysis::items::positions::{TaughtPosition, each};
 use val3_analysis::placement::{joints, placement, position, shown};
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints};
@@ -90,7 +90,7 @@ fn reached(
     db: &dyn Db,
     project: Project,
     path: &str,
-    value: &Position,
+    value: &TaughtPosition,
     (pose, arm): (&IsometryMatrix3<f64>, &Arm),
     found: DataPose,
 ) -> DataPose {

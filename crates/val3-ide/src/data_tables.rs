@@ -19,7 +19,7 @@ use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::parse;
-use val3_analysis::xml::{self, Element};
+use val3_analysis::xml::{self, XmlElement};
 use val3_lang::types::Container;
 use val3_syntax::TextRange;
 
@@ -42,7 +42,7 @@ pub struct DataTables {
     /// Types that the file may declare or does declare.
     pub types: Vec<DataType>,
     /// Data, in the order of the file.
-    pub data: Vec<Datum>,
+    pub data: Vec<TableVariable>,
 }
 
 /// A data file as tables, without data rows.
@@ -78,7 +78,7 @@ pub struct DataProblem {
 
 /// A variable of a data file, or a field of a user type's value.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Datum {
+pub struct TableVariable {
     /// Name.
     pub name: SmolStr,
     /// Whether other projects may use it.
@@ -103,7 +103,7 @@ pub struct DatumValue {
     /// Texts of the type's columns; `None` if the file omits the attribute, so that its default is in effect.
     pub texts: Vec<Option<String>>,
     /// Fields of a user type's value.
-    pub fields: Vec<Datum>,
+    pub fields: Vec<TableVariable>,
 }
 
 /// Tables of a data file, as part of `project`; `None` if the file is no data file.
@@ -122,7 +122,7 @@ pub fn data_outline(db: &dyn Db, project: Project, file: File) -> Option<DataOut
         _ => return None,
     };
     let text: &str = file.text(db);
-    let source = |(element, name): (Element<'_>, TextRange)| {
+    let source = |(element, name): (XmlElement<'_>, TextRange)| {
         let mut hasher = FxHasher::default();
         text.get(Range::<usize>::from(element.view().range())).hash(&mut hasher);
         DatumSource { name, fingerprint: hasher.finish() }
@@ -134,7 +134,7 @@ pub fn data_outline(db: &dyn Db, project: Project, file: File) -> Option<DataOut
 }
 
 /// Rows of some data in a file, by their index in [`DataOutline::data`].
-pub fn data_rows(db: &dyn Db, file: File, types: &[DataType], numbers: Range<usize>) -> Vec<Datum> {
+pub fn data_rows(db: &dyn Db, file: File, types: &[DataType], numbers: Range<usize>) -> Vec<TableVariable> {
     let parse = parse(db, file);
     let elements = rows::elements(parse.view()).skip(numbers.start).take(numbers.len());
     elements.map(|(element, name)| rows::row(element, name, types)).collect()

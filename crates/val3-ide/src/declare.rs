@@ -20,7 +20,7 @@ use crate::xml_list::{XmlList, escaped};
 
 /// Declaration of a variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Variable {
+pub(crate) struct NewVariable {
     pub(crate) name: String,
     /// Type name as spelled in files.
     pub(crate) type_name: String,
@@ -29,7 +29,7 @@ pub(crate) struct Variable {
     pub(crate) sizes: Vec<u32>,
 }
 
-impl Variable {
+impl NewVariable {
     /// A variable with a single value.
     pub(crate) fn single(name: &str, type_name: &str) -> Self {
         let container = Container::Array { dims: 1 };
@@ -52,7 +52,7 @@ pub(crate) fn is_old_program(db: &dyn Db, file: File) -> bool {
 }
 
 /// Declares local variables in the program in `file`; `None` if one of them is a collection.
-pub(crate) fn locals(db: &dyn Db, file: File, variables: &[&Variable]) -> Option<FileEdit> {
+pub(crate) fn locals(db: &dyn Db, file: File, variables: &[&NewVariable]) -> Option<FileEdit> {
     if variables.iter().any(|variable| variable.container == Container::Collection) {
         return None;
     }
@@ -70,7 +70,7 @@ pub(crate) fn into_locals(db: &dyn Db, file: File, entries: &[String]) -> Option
 }
 
 /// Element of a local.
-pub(crate) fn local_entry(old: bool, variable: &Variable) -> String {
+pub(crate) fn local_entry(old: bool, variable: &NewVariable) -> String {
     let (name, ty, size) = (&variable.name, &variable.type_name, variable.size());
     if old {
         return format!("<local name=\"{name}\" type=\"{ty}\" size=\"{size}\" />");
@@ -79,7 +79,7 @@ pub(crate) fn local_entry(old: bool, variable: &Variable) -> String {
 }
 
 /// Appends a parameter to the program in `file`.
-pub(crate) fn parameter(db: &dyn Db, file: File, variable: &Variable, by_reference: bool) -> Option<FileEdit> {
+pub(crate) fn parameter(db: &dyn Db, file: File, variable: &NewVariable, by_reference: bool) -> Option<FileEdit> {
     let old = is_old_program(db, file);
     // The old dialect has no collections, and only one-dimensional arrays.
     if old && (variable.container == Container::Collection || variable.sizes.len() > 1) {
@@ -99,7 +99,7 @@ pub(crate) fn into_parameters(db: &dyn Db, file: File, entries: &[String]) -> Op
 const PARAMETERS: &str = " xmlns=\"http://www.staubli.com/robotics/VAL3/Param/1\"";
 
 /// Element of a parameter.
-pub(crate) fn parameter_entry(old: bool, variable: &Variable, by_reference: bool) -> String {
+pub(crate) fn parameter_entry(old: bool, variable: &NewVariable, by_reference: bool) -> String {
     let (name, ty) = (&variable.name, &variable.type_name);
     if old {
         let by_value = !by_reference && variable.is_single();
@@ -132,7 +132,7 @@ fn into_program(
 
 /// Declares private global data in a project, with an initial value if its type has a value attribute. `None` if the
 /// project has no data file, or one of s5 or s6 that cannot represent the data.
-pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Option<&str>) -> Option<FileEdit> {
+pub(crate) fn data(db: &dyn Db, project: Project, variable: &NewVariable, value: Option<&str>) -> Option<FileEdit> {
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
     let root = xml::root(parse.view())?;
@@ -142,7 +142,7 @@ pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Op
 }
 
 /// Lines of a data declaration in a file with this root element; `None` if the file cannot represent the data.
-pub(crate) fn data_lines(root: &str, variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
+pub(crate) fn data_lines(root: &str, variable: &NewVariable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
     match root {
         "Database" => Some(new_data(variable, value, public)),
         "dataList" => old_data::lines(variable, value, public),
@@ -153,7 +153,7 @@ pub(crate) fn data_lines(root: &str, variable: &Variable, value: Option<&str>, p
 /// Edit that appends a declaration to the data list for its type.
 pub(crate) fn data_list(
     text: &str,
-    root: xml::Element<'_>,
+    root: xml::XmlElement<'_>,
     type_name: &str,
     entry: &[String],
 ) -> Option<(TextRange, String)> {
@@ -166,7 +166,7 @@ pub(crate) fn data_list(
 }
 
 /// Declares public data in a project of s7 or s8.
-pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[Variable]) -> Option<FileEdit> {
+pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[NewVariable]) -> Option<FileEdit> {
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
     let parent = xml::root(parse.view()).filter(|root| root.name() == "Database")?;
@@ -176,7 +176,7 @@ pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[Variable])
     Some(FileEdit { file, range, text })
 }
 
-fn new_data(variable: &Variable, value: Option<&str>, public: bool) -> Vec<String> {
+fn new_data(variable: &NewVariable, value: Option<&str>, public: bool) -> Vec<String> {
     let (name, ty) = (&variable.name, &variable.type_name);
     let access = if public { "public" } else { "private" };
     let shape = match variable.container {

@@ -6,7 +6,7 @@ use val3_analysis::db::{Db, File, Project};
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
 use val3_check::{
-    Checked, Faults, Unit, check_faults, check_in_application, check_local, finish_each, has_shared_cause,
+    CheckUnit, Checked, UnitFaults, check_faults, check_in_application, check_local, finish_each, has_shared_cause,
     is_once_per_application, join_causes, merge_findings, units,
 };
 
@@ -69,13 +69,13 @@ pub fn program_diagnostics(
     project: Project,
     file: File,
 ) -> Option<Vec<Diagnostic>> {
-    let own = Unit::Program(project, file);
+    let own = CheckUnit::Program(project, file);
     if !units(db, &[project]).contains(&own) {
         return None;
     }
     // Findings of the project may be in programs, for example at the libraries that they load. Other units only have
     // findings in their own file.
-    let units = [Unit::Project(project), own];
+    let units = [CheckUnit::Project(project), own];
     let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
     let mut found = finish_each(db, &units, settings.settings(db), checked).findings;
     found.retain(|finding| finding.place.file == file);
@@ -86,24 +86,24 @@ pub fn program_diagnostics(
 
 /// Findings in a unit.
 #[salsa::tracked]
-fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
+fn checked(db: &dyn Db, settings: CheckSettings, unit: CheckUnit) -> Checked {
     let member = member(db, settings, unit).clone();
     merge_findings(db, faults(db, settings, unit).clone(), alone(db, settings, unit).clone(), member)
 }
 
 #[salsa::tracked]
-fn faults(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Faults {
+fn faults(db: &dyn Db, settings: CheckSettings, unit: CheckUnit) -> UnitFaults {
     check_faults(db, unit, settings.settings(db))
 }
 
 /// A separate query, because most edits change the local findings of only one program.
 #[salsa::tracked]
-fn alone(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Vec<Diagnostic> {
+fn alone(db: &dyn Db, settings: CheckSettings, unit: CheckUnit) -> Vec<Diagnostic> {
     check_local(db, unit, settings.settings(db), faults(db, settings, unit))
 }
 
 #[salsa::tracked]
-fn member(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Vec<Diagnostic> {
+fn member(db: &dyn Db, settings: CheckSettings, unit: CheckUnit) -> Vec<Diagnostic> {
     check_in_application(db, unit, settings.settings(db), faults(db, settings, unit))
 }
 
@@ -118,7 +118,7 @@ mod tests {
     use val3_analysis::load::load_into;
     use val3_analysis::system::{Disk, Memory};
     use val3_check::rules;
-    use val3_check::settings::Selection;
+    use val3_check::settings::RuleSelection;
     use val3_test::{Fixture, ROOT};
 
     use super::*;
@@ -143,7 +143,7 @@ mod tests {
         let fixture = Fixture::parse(CELL);
         let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
         let mut workspace = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap();
-        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
+        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &RuleSelection::default()).unwrap();
         let settings = CheckSettings::new(&workspace.db, settings);
         let codes = |db: &Database| -> Vec<Vec<&str>> {
             let found = workspace.projects.iter().map(|project| own_diagnostics(db, settings, *project));
@@ -181,7 +181,7 @@ mod tests {
         });
         let files = Fixture::parse(REACH).files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
         let mut workspace = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap();
-        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
+        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &RuleSelection::default()).unwrap();
         let settings = CheckSettings::new(&workspace.db, settings);
         let project = workspace.projects[0];
         let reached = |db: &Database| {
@@ -219,7 +219,7 @@ mod tests {
         let workspace = load_into(db, &Disk, &[examples]).unwrap();
         let db = &workspace.db;
         let codes: BTreeSet<&str> = rules::all().iter().map(|rule| rule.code).collect();
-        let every = Selection { only: Some(codes.clone()), named: codes, ..Selection::default() };
+        let every = RuleSelection { only: Some(codes.clone()), named: codes, ..RuleSelection::default() };
         let settings = WorkspaceSettings::new(db, &workspace.projects, &every).unwrap();
         let settings = CheckSettings::new(db, settings);
         for unit in units(db, &workspace.projects) {
@@ -241,7 +241,7 @@ mod tests {
         for workspace in [load_into(Database::default(), &Disk, &[examples]).unwrap(), written] {
             let db = &workspace.db;
             let codes: BTreeSet<&str> = rules::all().iter().map(|rule| rule.code).collect();
-            let every = Selection { only: Some(codes.clone()), named: codes, ..Selection::default() };
+            let every = RuleSelection { only: Some(codes.clone()), named: codes, ..RuleSelection::default() };
             let settings = CheckSettings::new(db, WorkspaceSettings::new(db, &workspace.projects, &every).unwrap());
             for project in workspace.projects {
                 let whole = own_diagnostics(db, settings, project);
@@ -277,7 +277,7 @@ mod tests {
         let fixture = Fixture::parse(CELL);
         let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
         let mut workspace = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap();
-        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
+        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &RuleSelection::default()).unwrap();
         let settings = CheckSettings::builder(settings).durability(Durability::MEDIUM).new(&workspace.db);
         let other = Sources::get(&workspace.db).files(&workspace.db).iter().find(|(path, _)| path.contains("other"));
         let (_, other) = other.unwrap();

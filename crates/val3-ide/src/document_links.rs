@@ -5,7 +5,7 @@ use val3_analysis::interfaces::{LoadedPath, uses};
 use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::items::parse;
 use val3_analysis::items::project::{find_file, find_project, program_files};
-use val3_analysis::xml::{self, Element};
+use val3_analysis::xml::{self, XmlElement};
 use val3_syntax::{TextRange, text_at};
 
 use crate::owner::owner;
@@ -42,7 +42,7 @@ fn of_manifest(db: &dyn Db, project: Project) -> Vec<DocumentLink> {
     files.chain(libraries).chain(types).collect()
 }
 
-fn link(entry: Element<'_>, attribute: &str, find: impl Fn(&str) -> Option<File>) -> Option<DocumentLink> {
+fn link(entry: XmlElement<'_>, attribute: &str, find: impl Fn(&str) -> Option<File>) -> Option<DocumentLink> {
     let path = entry.attribute(attribute)?;
     Some(DocumentLink { range: path.range, target: find(&path.text())? })
 }

@@ -15,7 +15,7 @@ use val3_analysis::items::project::{find_file, folder};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::paths::{is_same, normalise, path_key};
 
-use val3_analysis::xml::{self, Attribute, Element};
+use val3_analysis::xml::{self, Attribute, XmlElement};
 use val3_lang::keywords::is_identifier;
 
 use crate::declare::{data_entries, program_entries, without};
@@ -134,7 +134,7 @@ fn program_edits(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec
 }
 
 /// Calls `see` for the elements of a `.pjx` that list files, with the attribute that contains the file name.
-fn each_entry(db: &dyn Db, project: Project, mut see: impl FnMut(Element<'_>, Attribute<'_>)) {
+fn each_entry(db: &dyn Db, project: Project, mut see: impl FnMut(XmlElement<'_>, Attribute<'_>)) {
     let parse = parse(db, project.manifest(db));
     let Some(root) = xml::root(parse.view()) else { return };
     let Spelling { programs, data, .. } = spelling(root);

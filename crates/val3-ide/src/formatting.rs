@@ -8,9 +8,9 @@ use ec4rs::{ConfigParser, Properties, PropertiesSource as _};
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::parse;
 use val3_analysis::system::System;
-use val3_config::{Format, IndentStyle};
+use val3_config::{CodeLayout, IndentStyle};
 use val3_files::{FileClass, Unreadable};
-use val3_fmt::{Edit, IndentOverride, Style};
+use val3_fmt::{CodeStyle, FormatEdit, IndentOverride};
 use val3_syntax::{TextRange, TextSize};
 
 use crate::FilePosition;
@@ -25,7 +25,7 @@ pub const FORMATTING_TRIGGERS: [char; 7] = val3_fmt::TRIGGERS;
 ///
 /// # Errors
 /// If an `.editorconfig` exists but cannot be read.
-pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Result<Style, UnreadableStyle> {
+pub fn style(system: &dyn System, format: &CodeLayout, path: &Utf8Path) -> Result<CodeStyle, UnreadableStyle> {
     let properties = editorconfig(system, path)?;
     let style = properties.get::<SuppressedRule>().ok().map(|style| match style {
         SuppressedRule::Tabs => IndentStyle::Tab,
@@ -39,7 +39,7 @@ pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Result<St
         },
         Err(_) => None,
     };
-    Ok(Style::new(format, IndentOverride { style, size: size.and_then(|size| u8::try_from(size).ok()) }))
+    Ok(CodeStyle::new(format, IndentOverride { style, size: size.and_then(|size| u8::try_from(size).ok()) }))
 }
 
 /// An unreadable `.editorconfig`.
@@ -90,17 +90,17 @@ fn editorconfig(system: &dyn System, path: &Utf8Path) -> Result<Properties, Unre
 }
 
 /// Edits that format a file.
-pub fn format_file(db: &dyn Db, file: File, style: &Style) -> Vec<FileEdit> {
+pub fn format_file(db: &dyn Db, file: File, style: &CodeStyle) -> Vec<FileEdit> {
     of_file(file, val3_fmt::format(file.text(db), &parse(db, file), style))
 }
 
 /// Edits that format the lines of a range.
-pub fn format_range(db: &dyn Db, file: File, range: TextRange, style: &Style) -> Vec<FileEdit> {
+pub fn format_range(db: &dyn Db, file: File, range: TextRange, style: &CodeStyle) -> Vec<FileEdit> {
     of_file(file, val3_fmt::format_range(file.text(db), &parse(db, file), style, range))
 }
 
 /// Edits after a character was typed directly before the position.
-pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &Style) -> Vec<FileEdit> {
+pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &CodeStyle) -> Vec<FileEdit> {
     let text: &str = at.file.text(db);
     if at.offset > TextSize::of(text) || is_page(db, at.file) {
         return Vec::new();
@@ -108,7 +108,7 @@ pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &Style)
     of_file(at.file, val3_fmt::on_type(text, &parse(db, at.file), style, at.offset, typed))
 }
 
-fn of_file(file: File, edits: Vec<Edit>) -> Vec<FileEdit> {
+fn of_file(file: File, edits: Vec<FormatEdit>) -> Vec<FileEdit> {
     edits.into_iter().map(|edit| FileEdit { file, range: edit.range, text: edit.text }).collect()
 }
 
@@ -119,7 +119,7 @@ mod tests {
 
     use super::*;
 
-    fn indent(format: &Format, files: &[(&str, &str)]) -> Indent {
+    fn indent(format: &CodeLayout, files: &[(&str, &str)]) -> Indent {
         let system = Memory::new(files.iter().map(|(path, text)| (*path, text.as_bytes())));
         style(&system, format, Utf8Path::new("/cell/app/start.pgx")).unwrap().indent
     }
@@ -129,12 +129,12 @@ mod tests {
         let outer = ("/.editorconfig", "root=true\n[*]\nindent_style=tab\n");
         let inner =
             ("/cell/.editorconfig", "[*.{pgx,dtx}]\nindent_style=space\nindent_size=4\n[*.py]\nindent_size=8\n");
-        assert_eq!(indent(&Format::default(), &[]), Indent::Blanks(2));
-        assert_eq!(indent(&Format::default(), &[outer]), Indent::Tab);
-        assert_eq!(indent(&Format::default(), &[outer, inner]), Indent::Blanks(4));
-        let own = Format { indent_size: Some(3), ..Format::default() };
+        assert_eq!(indent(&CodeLayout::default(), &[]), Indent::Blanks(2));
+        assert_eq!(indent(&CodeLayout::default(), &[outer]), Indent::Tab);
+        assert_eq!(indent(&CodeLayout::default(), &[outer, inner]), Indent::Blanks(4));
+        let own = CodeLayout { indent_size: Some(3), ..CodeLayout::default() };
         assert_eq!(indent(&own, &[outer, inner]), Indent::Blanks(3));
-        let own = Format { indent_style: Some(IndentStyle::Space), ..Format::default() };
+        let own = CodeLayout { indent_style: Some(IndentStyle::Space), ..CodeLayout::default() };
         assert_eq!(indent(&own, &[outer]), Indent::Blanks(2));
     }
 
@@ -142,7 +142,7 @@ mod tests {
     fn the_search_ends_at_a_root_editorconfig() {
         let root = ("/cell/.editorconfig", "root=true\n[*]\nindent_size=5\n");
         assert_eq!(
-            indent(&Format::default(), &[("/.editorconfig", "[*]\nindent_style=tab\n"), root]),
+            indent(&CodeLayout::default(), &[("/.editorconfig", "[*]\nindent_style=tab\n"), root]),
             Indent::Blanks(5)
         );
     }
@@ -150,8 +150,8 @@ mod tests {
     #[test]
     fn an_indent_size_can_refer_to_the_tab_width() {
         let file = ("/.editorconfig", "[*.pgx]\nindent_style=space\nindent_size=tab\ntab_width=3\n");
-        assert_eq!(indent(&Format::default(), &[file]), Indent::Blanks(3));
+        assert_eq!(indent(&CodeLayout::default(), &[file]), Indent::Blanks(3));
         let broken = ("/.editorconfig", "[*.pgx]\nindent_size=6\n[*.py]\n[[[\n");
-        assert_eq!(indent(&Format::default(), &[broken]), Indent::Blanks(6));
+        assert_eq!(indent(&CodeLayout::default(), &[broken]), Indent::Blanks(6));
     }
 }

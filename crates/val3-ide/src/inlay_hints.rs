@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::{Db, File, FileRange, Project};
-use val3_analysis::effects::{AccessKind, Effects, Root};
+use val3_analysis::effects::{AccessKind, Effects, RootVariable};
 use val3_analysis::infer::{Inference, infer};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
@@ -19,7 +19,7 @@ use val3_syntax::{TextRange, TextSize};
 use crate::FilePosition;
 use crate::navigate::declaration;
 use crate::owner::owner;
-use crate::placement::{Placement, placement};
+use crate::placement::{WrittenPlacement, placement};
 
 /// Enabled hints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -122,7 +122,7 @@ struct Hints<'db> {
     effects: Effects<'db>,
     settings: &'db InlayHintSettings,
     /// Variables that the program changes, so that their initial values may be stale. Computed on demand.
-    written: Option<FxHashSet<Root>>,
+    written: Option<FxHashSet<RootVariable>>,
     found: Vec<InlayHint>,
 }
 
@@ -205,7 +205,7 @@ impl<'db> Hints<'db> {
         if self.inference.ty(target).base.builtin() != Some(BaseType::Point) {
             return;
         }
-        if let Some((project, _, Placement { father: Some(father), .. })) = self.placement(target) {
+        if let Some((project, _, WrittenPlacement { father: Some(father), .. })) = self.placement(target) {
             let tooltip = "the father frame according to the data file".to_owned();
             let first = DataPath::new(father).steps().next();
             let symbol = first.map(|step| Symbol::Data(project, step.name.into()));
@@ -215,7 +215,7 @@ impl<'db> Hints<'db> {
     }
 
     fn blend(&mut self, mdesc: ExprId) {
-        if let Some((project, name, Placement { blend: Some(blend), .. })) = self.placement(mdesc) {
+        if let Some((project, name, WrittenPlacement { blend: Some(blend), .. })) = self.placement(mdesc) {
             let tooltip = "the blend of the motion descriptor according to the data file".to_owned();
             let symbol = Some(Symbol::Data(project, name));
             let (offset, label) = (self.body.range(mdesc).end(), blend.to_string());
@@ -225,22 +225,24 @@ impl<'db> Hints<'db> {
 
     /// Placement from the initial value of a variable or element, with the project and name of the data. `None` if this
     /// program changes the value.
-    fn placement(&mut self, id: ExprId) -> Option<(Project, SmolStr, &'db Placement)> {
+    fn placement(&mut self, id: ExprId) -> Option<(Project, SmolStr, &'db WrittenPlacement)> {
         let key = key(self.body, id)?;
         let root = self.effects.root(id)?;
         if self.is_written(&root) {
             return None;
         }
         let (project, name) = match root {
-            Root::Data(name) => (self.project, name),
-            Root::Item(library, name) => (items(self.db, self.project).libraries.get(&library)?.interface?, name),
-            Root::Local(_) | Root::Param(_) => return None,
+            RootVariable::Data(name) => (self.project, name),
+            RootVariable::Item(library, name) => {
+                (items(self.db, self.project).libraries.get(&library)?.interface?, name)
+            }
+            RootVariable::Local(_) | RootVariable::Param(_) => return None,
         };
         let found = placement(self.db, project, &name, &key)?;
         Some((project, name, found))
     }
 
-    fn is_written(&mut self, root: &Root) -> bool {
+    fn is_written(&mut self, root: &RootVariable) -> bool {
         let effects = &self.effects;
         let written = self.written.get_or_insert_with(|| {
             let changes = effects.all().iter().filter(|access| access.kind != AccessKind::Read);

@@ -68,8 +68,8 @@ pub use completion::{
 pub use data_edits::{CellEdit, DataEdit, NewDatum, added_data_findings, data_edits};
 pub use data_poses::{DataPose, data_poses};
 pub use data_tables::{
-    ColumnKind, DataColumn, DataFinding, DataOutline, DataPlace, DataProblem, DataTables, DataType, Datum, DatumSource,
-    DatumValue, Dialect, FieldStep, TypeField, data_findings, data_outline, data_rows, data_tables,
+    ColumnKind, DataColumn, DataFinding, DataOutline, DataPlace, DataProblem, DataTables, DataType, DatumSource,
+    DatumValue, Dialect, FieldStep, TableVariable, TypeField, data_findings, data_outline, data_rows, data_tables,
 };
 pub use delete_item::{DeleteError, Deletion, delete_item};
 pub use diagnostics::{CheckSettings, check_project, program_diagnostics, project_diagnostics};
@@ -83,7 +83,7 @@ pub use hover::{Hover, hover, type_at};
 pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hint_target, inlay_hints};
 pub use inline_values::{InlineValue, inline_values};
 pub use linked_editing::linked_names;
-pub use navigate::{Target, declarations, definition, implementations, type_definition};
+pub use navigate::{NavigationTarget, declarations, definition, implementations, type_definition};
 pub use new_test::new_test;
 pub use owner::{owner, projects_of};
 pub use project_tree::{
@@ -93,12 +93,12 @@ pub use references::references;
 pub use rename::{RenameError, prepare_rename, rename};
 pub use selection::selections;
 pub use semantic_tokens::{SemanticToken, TokenKind, TokenModifier, semantic_tokens};
-pub use signature_help::{Form, SignatureHelp, signature_help};
+pub use signature_help::{CallForm, SignatureHelp, signature_help};
 pub use symbols::{OutlineItem, SymbolKind, WorkspaceSymbol, outline, workspace_symbols};
 pub use test_programs::{TestProgram, test_programs};
 pub use type_hierarchy::{TypeItem, subtypes, supertypes, type_item};
-pub use val3_fmt::Style;
-pub use variables::{Variable, Variables, edit_variables, variables};
+pub use val3_fmt::CodeStyle;
+pub use variables::{ProgramVariable, Variables, edit_variables, variables};
 
 use val3_analysis::db::File;
 use val3_syntax::TextSize;

@@ -13,11 +13,11 @@ pub(crate) use blocks::{Block, CodePart, code_part, open_blocks};
 pub(crate) use bracket::Bracket;
 pub(crate) use call::{CallSite, Callee, takes_program};
 pub(crate) use expected::{Expected, ends_value, expected};
-pub(crate) use types::Names;
+pub(crate) use types::VisibleNames;
 
 use rowan::TokenAtOffset;
 use val3_syntax::SyntaxKind::{self, *};
-use val3_syntax::{Part, SyntaxNode, SyntaxToken, TextRange, TextSize, text_at, text_size};
+use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize, TextSlice, text_at, text_size};
 
 /// Tokens in a code line, without trivia.
 #[derive(Debug, Clone)]

@@ -16,7 +16,7 @@ use crate::owner::owner;
 
 /// Target of a navigation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Target {
+pub struct NavigationTarget {
     /// Range of the name at the cursor.
     pub from: TextRange,
     /// Target: the name in its declaration, or the start of a file.
@@ -24,7 +24,7 @@ pub struct Target {
 }
 
 /// Definition of the name at a position.
-pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
+pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<NavigationTarget> {
     let Some((project, found)) = name_at(db, at) else { return Vec::new() };
     let place = match &found.symbol {
         // The target for a library identifier in its own declaration is the library.
@@ -33,12 +33,12 @@ pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
         }
         symbol => declaration(db, symbol),
     };
-    place.into_iter().map(|to| Target { from: found.range, to }).collect()
+    place.into_iter().map(|to| NavigationTarget { from: found.range, to }).collect()
 }
 
 /// Declaration of the name at a position in the project file: the element of a program's file, or the library from
 /// which an item comes. Otherwise like [`definition`].
-pub fn declarations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
+pub fn declarations(db: &dyn Db, at: FilePosition) -> Vec<NavigationTarget> {
     let Some((project, found)) = name_at(db, at) else { return Vec::new() };
     let entry = match &found.symbol {
         Symbol::Program(owner, name) if *owner == project => program_entry(db, project, name),
@@ -46,7 +46,7 @@ pub fn declarations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
         _ => None,
     };
     match entry {
-        Some(to) => vec![Target { from: found.range, to }],
+        Some(to) => vec![NavigationTarget { from: found.range, to }],
         None => definition(db, at),
     }
 }
@@ -121,7 +121,7 @@ fn start_of(file: File) -> FileRange {
 }
 
 /// Project of the user type of the name at a position.
-pub fn type_definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
+pub fn type_definition(db: &dyn Db, at: FilePosition) -> Vec<NavigationTarget> {
     let Some((project, found)) = name_at(db, at) else { return Vec::new() };
     let base = match &found.symbol {
         Symbol::Data(project, name) => items(db, *project).data.get(name).map(|item| item.base),
@@ -138,12 +138,12 @@ pub fn type_definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
         symbol => project_of(db, symbol).map(Base::User),
     };
     let Some(Base::User(of)) = base else { return Vec::new() };
-    vec![Target { from: found.range, to: start_of(of.manifest(db)) }]
+    vec![NavigationTarget { from: found.range, to: start_of(of.manifest(db)) }]
 }
 
 /// From an item of a library's interface to the same item in all libraries that are loaded under an identifier with
 /// this interface and that make the item public.
-pub fn implementations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
+pub fn implementations(db: &dyn Db, at: FilePosition) -> Vec<NavigationTarget> {
     let Some((_, found)) = name_at(db, at) else { return Vec::new() };
     let (interface, name) = match &found.symbol {
         Symbol::Data(project, name) | Symbol::Program(project, name) => (*project, name),
@@ -154,7 +154,7 @@ pub fn implementations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
         _ => Symbol::Program(*project, name.clone()),
     };
     let places = implementing(db, interface).filter_map(|project| declaration(db, &same(&project)));
-    places.map(|to| Target { from: found.range, to }).collect()
+    places.map(|to| NavigationTarget { from: found.range, to }).collect()
 }
 
 /// Libraries that programs load for an interface.

@@ -12,7 +12,7 @@ use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::versions::Version;
 use val3_syntax::{SyntaxKind, TextRange};
 
-use crate::declare::{self, NewProgram, Variable};
+use crate::declare::{self, NewProgram, NewVariable};
 use crate::edit::{FileEdit, SourceChange};
 use crate::file_operations::relative;
 use crate::folding::find_code;
@@ -38,9 +38,9 @@ pub fn new_test(db: &dyn Db, project: Project, name: &str, tested: Option<&str>)
     }
     let assert = alias_of_assertions(db, project)
         .ok_or_else(|| format!("it does not load the library `{ASSERTIONS}`: `val3 test --init` writes one"))?;
-    let Body { locals, code, types } = match tested {
+    let TestBody { locals, code, types } = match tested {
         Some(tested) => body(db, project, &assert, tested)?,
-        None => Body { code: vec![unfinished(&assert)], ..Body::default() },
+        None => TestBody { code: vec![unfinished(&assert)], ..TestBody::default() },
     };
     let program = NewProgram {
         name: name.to_owned(),
@@ -75,8 +75,8 @@ fn alias_of_assertions(db: &dyn Db, project: Project) -> Option<SmolStr> {
 
 /// Local variables and code lines of a test.
 #[derive(Default)]
-struct Body {
-    locals: Vec<Variable>,
+struct TestBody {
+    locals: Vec<NewVariable>,
     code: Vec<String>,
     /// User types that the test application must declare, as name and path.
     types: Vec<(String, String)>,
@@ -84,17 +84,17 @@ struct Body {
 
 /// The tested program.
 #[derive(Clone)]
-struct Tested {
+struct TestedProgram {
     alias: SmolStr,
     project: Project,
     file: File,
 }
 
 /// Body of the test for a program of a library.
-fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Body, String> {
-    let Tested { alias, project: tested_project, file } = find(db, project, assert, tested)?;
+fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<TestBody, String> {
+    let TestedProgram { alias, project: tested_project, file } = find(db, project, assert, tested)?;
     let called = header(db, file);
-    let mut body = Body::default();
+    let mut body = TestBody::default();
     let (mut arguments, mut assertions) = (Vec::new(), Vec::new());
     for param in &called.params {
         let local = local_name(&param.name);
@@ -128,15 +128,15 @@ fn body(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Bod
 }
 
 /// Finds the library identifier and the file of the tested program.
-fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<Tested, String> {
+fn find(db: &dyn Db, project: Project, assert: &str, tested: &str) -> Result<TestedProgram, String> {
     let (wanted, name) = tested.split_once(':').map_or((None, tested), |(alias, name)| (Some(alias), name));
     let libraries = &items(db, project).libraries;
-    let mut found: Vec<Tested> = libraries
+    let mut found: Vec<TestedProgram> = libraries
         .iter()
         .filter(|(alias, _)| alias.as_str() != assert && wanted.is_none_or(|wanted| wanted == alias.as_str()))
         .filter_map(|(alias, item)| {
             let project = item.interface?;
-            Some(Tested { alias: alias.clone(), project, file: *items(db, project).programs.get(name)? })
+            Some(TestedProgram { alias: alias.clone(), project, file: *items(db, project).programs.get(name)? })
         })
         .collect();
     found.sort_by(|one, other| one.alias.cmp(&other.alias));
@@ -172,11 +172,11 @@ fn expected_name(local: &str, number: usize, version: Version) -> String {
 }
 
 /// Variable that can be passed for a parameter.
-fn variable(name: &str, param: &ParamDecl) -> Variable {
-    let single = Variable::single(name, &param.type_name);
+fn variable(name: &str, param: &ParamDecl) -> NewVariable {
+    let single = NewVariable::single(name, &param.type_name);
     match param.container {
         Container::Array { dims } => {
-            Variable { sizes: vec![2; usize::from(dims)], container: param.container, ..single }
+            NewVariable { sizes: vec![2; usize::from(dims)], container: param.container, ..single }
         }
         Container::Element | Container::Collection => single,
     }

@@ -5,14 +5,14 @@ use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::items;
 use val3_analysis::items::{data, parse};
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 use val3_lang::enumerations::{Enumerator, find_in_file, values};
 use val3_lang::motion::is_blend;
-use val3_lang::types::{AttributeValue, BaseType, DefaultValue, Unit, attributes, field};
+use val3_lang::types::{AttributeValue, BaseType, DefaultValue, NumberUnit, attributes, field};
 
 /// Father and blend in a value.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(crate) struct Placement {
+pub(crate) struct WrittenPlacement {
     /// Father frame or tool as spelled in the file, for example `fTable[0]`.
     pub(crate) father: Option<SmolStr>,
     /// Blend of a motion descriptor, for example `joint, leave 50, reach 50`.
@@ -20,34 +20,39 @@ pub(crate) struct Placement {
 }
 
 /// Initial value of global data with this key.
-pub(crate) fn placement<'db>(db: &'db dyn Db, project: Project, name: &str, key: &str) -> Option<&'db Placement> {
+pub(crate) fn placement<'db>(
+    db: &'db dyn Db,
+    project: Project,
+    name: &str,
+    key: &str,
+) -> Option<&'db WrittenPlacement> {
     let file = items(db, project).data.get(name)?.file;
     placements(db, file).get(name)?.get(key)
 }
 
 /// Values by name and key.
 #[salsa::tracked(lru = 64)]
-fn placements(db: &dyn Db, file: File) -> FxHashMap<SmolStr, FxHashMap<SmolStr, Placement>> {
+fn placements(db: &dyn Db, file: File) -> FxHashMap<SmolStr, FxHashMap<SmolStr, WrittenPlacement>> {
     let parse = parse(db, file);
     data::elements(parse.view()).filter_map(of_data).collect()
 }
 
-fn of_data(element: Element<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Placement>)> {
+fn of_data(element: XmlElement<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, WrittenPlacement>)> {
     let decl = data::declaration(element)?;
     let (ty, _) = BaseType::from_file_name(&decl.type_name)?;
     if !ty.has_father() && ty != BaseType::Mdesc {
         return None;
     }
-    let mut placements: FxHashMap<SmolStr, Placement> =
+    let mut placements: FxHashMap<SmolStr, WrittenPlacement> =
         element.elements().filter_map(|value| of_value(element, value, ty)).collect();
     if ty == BaseType::Mdesc && decl.sizes == [1] {
         // A value that consists only of defaults is omitted from the file.
-        placements.entry("0".into()).or_insert_with(|| Placement { father: None, blend: blend(|_| None) });
+        placements.entry("0".into()).or_insert_with(|| WrittenPlacement { father: None, blend: blend(|_| None) });
     }
     Some((decl.name, placements))
 }
 
-fn of_value(element: Element<'_>, value: Element<'_>, ty: BaseType) -> Option<(SmolStr, Placement)> {
+fn of_value(element: XmlElement<'_>, value: XmlElement<'_>, ty: BaseType) -> Option<(SmolStr, WrittenPlacement)> {
     let key = value.value("key").or_else(|| value.value("index"))?;
     let written = |name: &str| {
         let inner = || value.elements().find_map(|part| part.value(name));
@@ -55,11 +60,11 @@ fn of_value(element: Element<'_>, value: Element<'_>, ty: BaseType) -> Option<(S
     };
     let father = written("fatherId").filter(|father| !father.is_empty()).or_else(|| old_father(element));
     let blend = (ty == BaseType::Mdesc).then(|| blend(written)).flatten();
-    Some((key.into(), Placement { father, blend }))
+    Some((key.into(), WrittenPlacement { father, blend }))
 }
 
 /// Father of all values in s5 and s6.
-fn old_father(element: Element<'_>) -> Option<SmolStr> {
+fn old_father(element: XmlElement<'_>) -> Option<SmolStr> {
     let father = element.elements().find(|inner| inner.name().ends_with("Father"))?;
     let name = father.value("name").filter(|name| !name.is_empty())?;
     Some(format!("{name}[{}]", father.value("fatherIndex").unwrap_or("0".into())).into())
@@ -87,7 +92,7 @@ fn blend(written: impl Fn(&str) -> Option<SmolStr>) -> Option<SmolStr> {
 }
 
 fn is_distance(name: &str) -> bool {
-    field(BaseType::Mdesc, None, name).is_some_and(|field| field.unit == Unit::Length)
+    field(BaseType::Mdesc, None, name).is_some_and(|field| field.unit == NumberUnit::Length)
 }
 
 fn default(value: DefaultValue) -> Option<SmolStr> {

@@ -11,7 +11,7 @@ use val3_analysis::items::data::{self, DataDecl};
 use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::items::project::{data_files, find_project, program_files};
 use val3_analysis::items::{parse, program};
-use val3_analysis::xml::{self, Attribute, Element};
+use val3_analysis::xml::{self, Attribute, XmlElement};
 use val3_lang::types::{BaseType, Container, DefaultValue, attributes};
 use val3_syntax::TextRange;
 
@@ -104,7 +104,7 @@ pub fn project_content(db: &dyn Db, project: Project) -> ProjectContent {
 }
 
 /// Whether a project file of this dialect has user types.
-pub(crate) fn has_types(root: Element<'_>) -> bool {
+pub(crate) fn has_types(root: XmlElement<'_>) -> bool {
     root.name() == "Project"
 }
 
@@ -131,7 +131,7 @@ fn data_items(db: &dyn Db, file: File) -> Vec<TreeItem<TreeData>> {
     data::elements(parse.view()).filter_map(|element| datum(file, element)).collect()
 }
 
-fn datum(file: File, element: Element<'_>) -> Option<TreeItem<TreeData>> {
+fn datum(file: File, element: XmlElement<'_>) -> Option<TreeItem<TreeData>> {
     let decl = data::declaration(element)?;
     let value = value(element, &decl);
     let detail = datum_detail(&decl);
@@ -139,7 +139,7 @@ fn datum(file: File, element: Element<'_>) -> Option<TreeItem<TreeData>> {
 }
 
 /// Initial value of data with a single `num`, `bool` or `string`.
-fn value(element: Element<'_>, decl: &DataDecl) -> Option<String> {
+fn value(element: XmlElement<'_>, decl: &DataDecl) -> Option<String> {
     let (ty, _) = BaseType::from_file_name(&decl.type_name)?;
     let is_single = decl.container != Container::Collection && decl.sizes == [1];
     let default = match attributes(ty, None).first().filter(|_| is_single)?.default {
@@ -155,7 +155,7 @@ fn value(element: Element<'_>, decl: &DataDecl) -> Option<String> {
 fn reference(
     db: &dyn Db,
     project: Project,
-    entry: Element<'_>,
+    entry: XmlElement<'_>,
     name: &str,
     path: &str,
 ) -> Option<TreeItem<TreeReference>> {
@@ -167,7 +167,7 @@ fn reference(
     Some(item(project.manifest(db), entry, name, path, TreeReference { project: target, loaded }))
 }
 
-fn item<T>(file: File, element: Element<'_>, name: Attribute<'_>, detail: String, what: T) -> TreeItem<T> {
+fn item<T>(file: File, element: XmlElement<'_>, name: Attribute<'_>, detail: String, what: T) -> TreeItem<T> {
     TreeItem { name: name.text().into(), detail, file, range: element.view().range(), name_range: name.range, what }
 }
 

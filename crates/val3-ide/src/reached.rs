@@ -3,7 +3,7 @@
 use smol_str::SmolStr;
 use val3_analysis::arm::{ArmOrigin, arm};
 use val3_analysis::db::{Db, Project};
-use val3_analysis::items::positions::Position;
+use val3_analysis::items::positions::TaughtPosition;
 use val3_analysis::placement::{Unplaced, placement, shown};
 use val3_analysis::reach::reach;
 use val3_analysis::targets::targets;
@@ -27,12 +27,12 @@ pub(crate) enum Reached {
 }
 
 /// Arm of a project; `None` unless the files name an arm and its kind suits the value.
-pub(crate) fn arm_of<'db>(db: &'db dyn Db, project: Project, value: &Position) -> Option<&'db Arm> {
+pub(crate) fn arm_of<'db>(db: &'db dyn Db, project: Project, value: &TaughtPosition) -> Option<&'db Arm> {
     let arm = arm(db, project).as_ref().ok().filter(|arm| arm.origin == ArmOrigin::Named)?;
     Some(arm.model.as_ref()).filter(|arm| is_for(arm, value))
 }
 
-fn is_for(arm: &Arm, value: &Position) -> bool {
+fn is_for(arm: &Arm, value: &TaughtPosition) -> bool {
     let kind = if arm.is_scara() { types::Arm::Scara } else { types::Arm::SixAxis };
     value.arm.is_none_or(|arm| arm == kind)
 }
@@ -42,7 +42,7 @@ pub(crate) fn reached_with_tool(
     db: &dyn Db,
     owner: Project,
     path: &str,
-    value: &Position,
+    value: &TaughtPosition,
     point: &IsometryMatrix3<f64>,
     arm: &Arm,
 ) -> Reached {

@@ -9,7 +9,7 @@ use val3_analysis::occurrences::{Occurrence, Symbol, Usage, occurrences};
 use val3_lang::instruction::Availability;
 use val3_lang::instructions;
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{Part, SyntaxKind, TextRange};
+use val3_syntax::{SyntaxKind, TextRange, TextSlice};
 
 use crate::owner::owner;
 

@@ -11,14 +11,14 @@ use val3_lang::{instructions, page};
 
 use crate::FilePosition;
 use crate::hover::program_comment;
-use crate::line::{CallSite, Callee, LineTokens, Names};
+use crate::line::{CallSite, Callee, LineTokens, VisibleNames};
 use crate::owner::owner;
 
 /// Forms of a call.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SignatureHelp {
     /// All forms.
-    pub forms: Vec<Form>,
+    pub forms: Vec<CallForm>,
     /// Index of the form that matches the existing arguments.
     pub active_form: usize,
     /// Index of the argument at the cursor.
@@ -27,7 +27,7 @@ pub struct SignatureHelp {
 
 /// One form of a call.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Form {
+pub struct CallForm {
     /// Signature line, for example `num movej(joint jPosition, tool tTool, mdesc mDesc)`.
     pub line: String,
     /// Parameter ranges in the line, in bytes.
@@ -40,7 +40,7 @@ pub struct Form {
 pub fn signature_help(db: &dyn Db, at: FilePosition) -> Option<SignatureHelp> {
     let project = owner(db, at.file)?;
     let line = LineTokens::around(&parse(db, at.file).root(), at.offset)?;
-    let names = Names::new(db, project, at.file);
+    let names = VisibleNames::new(db, project, at.file);
     if let Some(help) = brackets::help(&names, &line) {
         return Some(help);
     }
@@ -64,10 +64,10 @@ fn suits_place(form: &Overload, found: &Instruction, callee: &Callee) -> bool {
     form.on_library == on_library || found.overloads.iter().all(|form| form.on_library != on_library)
 }
 
-fn instruction_form(found: &Instruction, form: &Overload) -> Form {
+fn instruction_form(found: &Instruction, form: &Overload) -> CallForm {
     let line = form.signature(found.name);
     let params = form.params.iter().map(ToString::to_string);
-    Form { parameters: places(&line, params), documentation: page::summary(found.page), line }
+    CallForm { parameters: places(&line, params), documentation: page::summary(found.page), line }
 }
 
 /// Ranges of the parameters in a line, in order.
@@ -95,7 +95,7 @@ fn best_form(forms: &[&Overload], types: &[Ty], active: usize) -> usize {
 }
 
 /// Program of a callee.
-fn program(names: &Names<'_>, callee: &Callee) -> Option<Form> {
+fn program(names: &VisibleNames<'_>, callee: &Callee) -> Option<CallForm> {
     let signature = names.signature(callee)?;
     let params: Vec<String> = signature
         .params
@@ -107,7 +107,7 @@ fn program(names: &Names<'_>, callee: &Callee) -> Option<Form> {
         .collect();
     let line = format!("{}({})", signature.name, params.join(", "));
     let documentation = names.program(callee).and_then(|(_, file)| program_comment(names.db, file)).unwrap_or_default();
-    Some(Form { parameters: places(&line, params.into_iter()), line, documentation })
+    Some(CallForm { parameters: places(&line, params.into_iter()), line, documentation })
 }
 
 #[cfg(test)]

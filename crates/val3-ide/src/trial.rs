@@ -12,14 +12,14 @@ use val3_analysis::paths::path_key;
 use val3_analysis::system::{OverlayFs, System};
 use val3_check::diagnostic::{Diagnostic, Fix};
 use val3_check::fix::TrialWorkspace;
-use val3_check::settings::{Selection, WorkspaceSettings};
-use val3_check::{Checked, Unit, check_unit, finish, units};
+use val3_check::settings::{RuleSelection, WorkspaceSettings};
+use val3_check::{CheckUnit, Checked, check_unit, finish, units};
 
 use crate::owner::projects_of;
 use crate::references::projects_using;
 
 /// Some projects in a separate database.
-pub(crate) struct Trial<'s> {
+pub(crate) struct TrialProjects<'s> {
     workspace: Workspace,
     files: OverlayFs<&'s dyn System>,
     /// Paths of the project files.
@@ -28,7 +28,7 @@ pub(crate) struct Trial<'s> {
     check_cancelled: &'s dyn Fn(),
 }
 
-impl<'s> Trial<'s> {
+impl<'s> TrialProjects<'s> {
     /// Creates a trial with the projects that fixes can affect: the projects whose files `fixes` edit, and all projects
     /// that use them.
     pub(crate) fn of_fixes<'f>(
@@ -63,17 +63,17 @@ impl<'s> Trial<'s> {
         let db = &self.workspace.db;
         let file = *Sources::get(db).files(db).get(&path_key(path.as_str()))?;
         let settings = self.settings();
-        let is_wanted = |unit: &Unit| matches!(unit, Unit::Data(_, found) if *found == file);
+        let is_wanted = |unit: &CheckUnit| matches!(unit, CheckUnit::Data(_, found) if *found == file);
         let units = units(db, &self.workspace.projects).into_iter().filter(is_wanted);
         Some((file, units.map(|unit| self.checked(unit, &settings)).sum::<Checked>().findings))
     }
 
     fn settings(&self) -> WorkspaceSettings {
         let Workspace { db, projects, .. } = &self.workspace;
-        WorkspaceSettings::new(db, projects, &Selection::default()).unwrap_or_default()
+        WorkspaceSettings::new(db, projects, &RuleSelection::default()).unwrap_or_default()
     }
 
-    fn checked(&self, unit: Unit, settings: &WorkspaceSettings) -> Checked {
+    fn checked(&self, unit: CheckUnit, settings: &WorkspaceSettings) -> Checked {
         (self.check_cancelled)();
         check_unit(&self.workspace.db, unit, settings)
     }
@@ -84,7 +84,7 @@ impl<'s> Trial<'s> {
     }
 }
 
-impl TrialWorkspace for Trial<'_> {
+impl TrialWorkspace for TrialProjects<'_> {
     fn db(&self) -> &dyn Db {
         &self.workspace.db
     }

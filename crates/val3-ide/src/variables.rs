@@ -21,9 +21,9 @@ pub struct Variables {
     /// Program name.
     pub program: SmolStr,
     /// Parameters in order.
-    pub parameters: Vec<Variable>,
+    pub parameters: Vec<ProgramVariable>,
     /// Locals in order.
-    pub locals: Vec<Variable>,
+    pub locals: Vec<ProgramVariable>,
     /// Names of the types that variables may have.
     pub types: Vec<SmolStr>,
     /// Whether the program has the dialect of s5 and s6, in which arrays have one dimension and collections do not
@@ -35,7 +35,7 @@ pub struct Variables {
 
 /// A parameter or a local.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Variable {
+pub struct ProgramVariable {
     /// Name.
     pub name: SmolStr,
     /// Type name as spelled in the file.
@@ -74,8 +74,8 @@ pub fn variables(db: &dyn Db, file: File) -> Option<Variables> {
     })
 }
 
-fn parameters(db: &dyn Db, file: File, header: &Header) -> Vec<Variable> {
-    let described = |(param, declared): (&ParamDecl, Declared)| Variable {
+fn parameters(db: &dyn Db, file: File, header: &Header) -> Vec<ProgramVariable> {
+    let described = |(param, declared): (&ParamDecl, Declared)| ProgramVariable {
         name: param.name.clone(),
         type_name: param.type_name.clone(),
         container: param.container,
@@ -87,8 +87,8 @@ fn parameters(db: &dyn Db, file: File, header: &Header) -> Vec<Variable> {
     header.params.iter().zip(all_params(db, file)).map(described).collect()
 }
 
-fn locals(db: &dyn Db, file: File, header: &Header) -> Vec<Variable> {
-    let described = |(local, declared): (&LocalDecl, Declared)| Variable {
+fn locals(db: &dyn Db, file: File, header: &Header) -> Vec<ProgramVariable> {
+    let described = |(local, declared): (&LocalDecl, Declared)| ProgramVariable {
         name: local.name.clone(),
         type_name: local.type_name.clone(),
         container: local.container,
@@ -134,7 +134,7 @@ mod tests {
         let marked = MarkedListing::new(LISTING);
         let (db, file) = (marked.db(), marked.at().file);
         let found = variables(db, file).unwrap();
-        let line = |it: &Variable| {
+        let line = |it: &ProgramVariable| {
             let place = shown(db, FileRange { file, range: it.range });
             format!("{place} {} {:?} {:?} {} {}\n", it.type_name, it.container, it.sizes, it.by_reference, it.uses)
         };

@@ -2,7 +2,7 @@
 //! text instead of the tree. The text before the position is interpreted independently of the text after it.
 
 use memchr::{memchr, memmem};
-use val3_syntax::{Part, TextRange, TextSize, text_at, text_size};
+use val3_syntax::{TextRange, TextSize, TextSlice, text_at, text_size};
 
 /// A start tag, possibly incomplete.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

@@ -1,9 +1,9 @@
 //! Insertion of elements into XML lists such as `<Locals>`, `<Datas>`, `<Programs>`.
 
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 pub(crate) use val3_syntax::xml::{escaped, whole_line};
 use val3_syntax::xml::{indentation, line_end};
-use val3_syntax::{Part, TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, TextSlice};
 
 /// One level of indentation in XML written by the tools.
 const LEVEL: &str = "  ";
@@ -13,7 +13,7 @@ pub(crate) struct XmlList<'a> {
     /// Text of the file.
     pub(crate) text: &'a str,
     /// Parent element of the list.
-    pub(crate) parent: Element<'a>,
+    pub(crate) parent: XmlElement<'a>,
     /// Element name of the list.
     pub(crate) name: &'a str,
     /// Start tag attributes, with a leading space, if the list must be created.
@@ -31,7 +31,7 @@ impl XmlList<'_> {
         }
     }
 
-    fn with_entry(&self, list: Element<'_>, entry: &[String]) -> (TextRange, String) {
+    fn with_entry(&self, list: XmlElement<'_>, entry: &[String]) -> (TextRange, String) {
         let tag = list.tag_range();
         let outer = self.indentation(tag.start());
         let slot = list.elements().last().map(|last| last.view().range());

@@ -20,7 +20,7 @@ const USUAL_LOAD: f64 = 5.0;
 pub struct Arm {
     pub(crate) name: String,
     pub(crate) geometry: Geometry,
-    pub(crate) axes: Vec<Axis>,
+    pub(crate) axes: Vec<AxisLimits>,
     pub(crate) payload: Payload,
     pub(crate) height: f64,
     pub(crate) sources: Vec<String>,
@@ -37,7 +37,7 @@ pub(crate) enum Geometry {
 
 /// Axis limits, in degrees; for a SCARA arm's stroke in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Axis {
+pub struct AxisLimits {
     /// Lowest position.
     pub min: f64,
     /// Highest position.
@@ -175,7 +175,7 @@ impl Arm {
 
     /// Returns the limits of all axes.
     #[must_use]
-    pub fn limits(&self) -> &[Axis] {
+    pub fn limits(&self) -> &[AxisLimits] {
         &self.axes
     }
 
@@ -269,7 +269,7 @@ impl Arm {
     /// Returns the axes outside their limits.
     pub fn violations(&self, joints: &Joints) -> impl Iterator<Item = Violation> {
         let axes = joints.iter().zip(&self.axes).enumerate();
-        let violations = axes.map(|(index, (&position, &Axis { min, max, .. }))| {
+        let violations = axes.map(|(index, (&position, &AxisLimits { min, max, .. }))| {
             let inside = min <= position && position <= max;
             (!inside).then_some(Violation { axis: index + 1, position, min, max })
         });

@@ -74,7 +74,7 @@ impl Configuration {
 
 /// Requested value for a field of a configuration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Request<T> {
+pub enum ConfigurationRequest<T> {
     /// `sfree`, `efree`, `wfree`: any value.
     #[default]
     Free,
@@ -84,7 +84,7 @@ pub enum Request<T> {
     Exactly(T),
 }
 
-impl<T: PartialEq> Request<T> {
+impl<T: PartialEq> ConfigurationRequest<T> {
     fn allows(&self, value: &T, start: &T) -> bool {
         match self {
             Self::Free => true,
@@ -98,19 +98,27 @@ impl<T: PartialEq> Request<T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct RequestedConfiguration {
     /// Shoulder.
-    pub shoulder: Request<Shoulder>,
+    pub shoulder: ConfigurationRequest<Shoulder>,
     /// Elbow; ignored by SCARA arms.
-    pub elbow: Request<Elbow>,
+    pub elbow: ConfigurationRequest<Elbow>,
     /// Wrist; ignored by SCARA arms.
-    pub wrist: Request<Wrist>,
+    pub wrist: ConfigurationRequest<Wrist>,
 }
 
 impl RequestedConfiguration {
     /// Any configuration.
-    pub const FREE: Self = Self { shoulder: Request::Free, elbow: Request::Free, wrist: Request::Free };
+    pub const FREE: Self = Self {
+        shoulder: ConfigurationRequest::Free,
+        elbow: ConfigurationRequest::Free,
+        wrist: ConfigurationRequest::Free,
+    };
 
     /// The start configuration.
-    pub const SAME: Self = Self { shoulder: Request::Same, elbow: Request::Same, wrist: Request::Same };
+    pub const SAME: Self = Self {
+        shoulder: ConfigurationRequest::Same,
+        elbow: ConfigurationRequest::Same,
+        wrist: ConfigurationRequest::Same,
+    };
 
     /// Whether a move from the configuration `start` may end in `end`.
     #[must_use]
@@ -124,9 +132,9 @@ impl RequestedConfiguration {
 impl From<Configuration> for RequestedConfiguration {
     fn from(exact: Configuration) -> Self {
         Self {
-            shoulder: Request::Exactly(exact.shoulder),
-            elbow: Request::Exactly(exact.elbow),
-            wrist: Request::Exactly(exact.wrist),
+            shoulder: ConfigurationRequest::Exactly(exact.shoulder),
+            elbow: ConfigurationRequest::Exactly(exact.elbow),
+            wrist: ConfigurationRequest::Exactly(exact.wrist),
         }
     }
 }

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use toml::Spanned;
 use val3_lines::LineIndex;
 
-use crate::arm::{Arm, Axis, Geometry, Payload};
+use crate::arm::{Arm, AxisLimits, Geometry, Payload};
 use crate::scara::Scara;
 use crate::six_axis::SixAxis;
 
@@ -42,30 +42,30 @@ impl Error for ArmError {}
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct ArmDataFile {
     name: Spanned<String>,
-    kind: Kind,
+    kind: ArmKind,
     #[serde(default)]
     sources: Vec<String>,
     #[serde(default)]
     model: Vec<Spanned<String>>,
-    times: Option<Spanned<Times>>,
+    times: Option<Spanned<TimesOrigin>>,
     geometry: Spanned<Lengths>,
-    axes: Spanned<Columns>,
+    axes: Spanned<ArmTableColumns>,
     payload: Option<Loads>,
 }
 
 /// Origin of nominal speeds, accelerations and decelerations.
 #[derive(Clone, Copy, Deserialize, PartialEq)]
 #[serde(rename_all = "kebab-case")]
-enum Times {
+enum TimesOrigin {
     Model,
     Measured,
 }
 
 #[derive(Clone, Copy, Deserialize, PartialEq)]
 #[serde(rename_all = "kebab-case")]
-enum Kind {
+enum ArmKind {
     SixAxis,
     Scara,
 }
@@ -86,7 +86,7 @@ struct Lengths {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Columns {
+struct ArmTableColumns {
     min: Spanned<Vec<f64>>,
     max: Spanned<Vec<f64>>,
     nominal_speed: Option<Spanned<Vec<f64>>>,
@@ -129,16 +129,16 @@ const MODEL_ENTRIES: &[&str] = &[
 const TIME_ENTRIES: [&str; 3] = ["nominal_speed", "acceleration", "deceleration"];
 
 pub(crate) fn parse(text: &str) -> Result<Arm, ArmError> {
-    let file: File = toml::from_str(text).map_err(|error| Reader { text }.syntax(&error))?;
-    Reader { text }.arm(&file)
+    let file: ArmDataFile = toml::from_str(text).map_err(|error| ArmTableReader { text }.syntax(&error))?;
+    ArmTableReader { text }.arm(&file)
 }
 
-struct Reader<'a> {
+struct ArmTableReader<'a> {
     text: &'a str,
 }
 
-impl Reader<'_> {
-    fn arm(&self, file: &File) -> Result<Arm, ArmError> {
+impl ArmTableReader<'_> {
+    fn arm(&self, file: &ArmDataFile) -> Result<Arm, ArmError> {
         if file.name.get_ref().trim().is_empty() {
             return Err(self.error(file.name.span().start, "name", "the name is empty, write one".to_owned()));
         }
@@ -164,8 +164,8 @@ impl Reader<'_> {
 
     /// Whether the file has measured times. Such a file must contain all of them, and must not list them as model
     /// choices.
-    fn has_measured_times(&self, file: &File) -> Result<bool, ArmError> {
-        let Some(times) = file.times.as_ref().filter(|times| *times.get_ref() == Times::Measured) else {
+    fn has_measured_times(&self, file: &ArmDataFile) -> Result<bool, ArmError> {
+        let Some(times) = file.times.as_ref().filter(|times| *times.get_ref() == TimesOrigin::Measured) else {
             return Ok(false);
         };
         let columns = file.axes.get_ref();
@@ -183,11 +183,11 @@ impl Reader<'_> {
         Ok(true)
     }
 
-    fn geometry(&self, file: &File) -> Result<(Geometry, f64), ArmError> {
+    fn geometry(&self, file: &ArmDataFile) -> Result<(Geometry, f64), ArmError> {
         let lengths = file.geometry.get_ref();
         let foreign = match file.kind {
-            Kind::SixAxis => vec![("l1", &lengths.l1), ("l2", &lengths.l2), ("z0", &lengths.z0)],
-            Kind::Scara => [("a1", &lengths.a1), ("b", &lengths.b), ("c2", &lengths.c2), ("c3", &lengths.c3)]
+            ArmKind::SixAxis => vec![("l1", &lengths.l1), ("l2", &lengths.l2), ("z0", &lengths.z0)],
+            ArmKind::Scara => [("a1", &lengths.a1), ("b", &lengths.b), ("c2", &lengths.c2), ("c3", &lengths.c3)]
                 .into_iter()
                 .chain([("c4", &lengths.c4)])
                 .collect(),
@@ -211,14 +211,14 @@ impl Reader<'_> {
             None => 0.0,
         };
         let geometry = match file.kind {
-            Kind::SixAxis => Geometry::SixAxis(SixAxis {
+            ArmKind::SixAxis => Geometry::SixAxis(SixAxis {
                 a1: read("a1", &lengths.a1, Sign::NotNegative)?,
                 b: read("b", &lengths.b, Sign::Any)?,
                 c2: read("c2", &lengths.c2, Sign::Positive)?,
                 c3: read("c3", &lengths.c3, Sign::Positive)?,
                 c4: read("c4", &lengths.c4, Sign::NotNegative)?,
             }),
-            Kind::Scara => Geometry::Scara(Scara {
+            ArmKind::Scara => Geometry::Scara(Scara {
                 l1: read("l1", &lengths.l1, Sign::Positive)?,
                 l2: read("l2", &lengths.l2, Sign::Positive)?,
                 z0: read("z0", &lengths.z0, Sign::Any)?,
@@ -227,7 +227,7 @@ impl Reader<'_> {
         Ok((geometry, height))
     }
 
-    fn axes(&self, file: &File) -> Result<Vec<Axis>, ArmError> {
+    fn axes(&self, file: &ArmDataFile) -> Result<Vec<AxisLimits>, ArmError> {
         let columns = file.axes.get_ref();
         let count = file.kind.axes();
         let read = |name: &str, column: &Spanned<Vec<f64>>, sign| self.column(file.kind, name, column, sign);
@@ -247,7 +247,7 @@ impl Reader<'_> {
         let at = |column: &[f64], index: usize| column.get(index).copied().unwrap_or_default();
         let mut axes = Vec::with_capacity(count);
         for index in 0..count {
-            let axis = Axis {
+            let axis = AxisLimits {
                 min: at(&min, index),
                 max: at(&max, index),
                 nominal_speed: at(&nominal_speed, index),
@@ -262,8 +262,8 @@ impl Reader<'_> {
         Ok(axes)
     }
 
-    fn check_axis(&self, columns: &Columns, number: usize, axis: &Axis) -> Result<(), ArmError> {
-        let Axis { min, max, nominal_speed, maximum_speed, .. } = *axis;
+    fn check_axis(&self, columns: &ArmTableColumns, number: usize, axis: &AxisLimits) -> Result<(), ArmError> {
+        let AxisLimits { min, max, nominal_speed, maximum_speed, .. } = *axis;
         if min >= max {
             let message = format!("axis {number} has min = {min} and max = {max}, min must be less than max");
             return Err(self.error(columns.min.span().start, "axes.min", message));
@@ -279,7 +279,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn column(&self, kind: Kind, name: &str, column: &Spanned<Vec<f64>>, sign: Sign) -> Result<Vec<f64>, ArmError> {
+    fn column(&self, kind: ArmKind, name: &str, column: &Spanned<Vec<f64>>, sign: Sign) -> Result<Vec<f64>, ArmError> {
         let key = format!("axes.{name}");
         let values = column.get_ref();
         let error = |message| self.error(column.span().start, &key, message);
@@ -334,7 +334,7 @@ impl Reader<'_> {
     }
 }
 
-impl Kind {
+impl ArmKind {
     const fn axes(self) -> usize {
         match self {
             Self::SixAxis => 6,

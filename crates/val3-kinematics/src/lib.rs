@@ -33,8 +33,8 @@ mod times;
 mod turns;
 mod unreachable;
 
-pub use self::arm::{Arm, Axis, Payload, Violation};
-pub use self::configuration::{Configuration, Elbow, Request, RequestedConfiguration, Shoulder, Wrist};
+pub use self::arm::{Arm, AxisLimits, Payload, Violation};
+pub use self::configuration::{Configuration, ConfigurationRequest, Elbow, RequestedConfiguration, Shoulder, Wrist};
 pub use self::data::ArmError;
 pub use self::dh::{Dh, DhError};
 pub use self::excess_speed::ExcessSpeed;

@@ -1,12 +1,12 @@
 //! Whole turns of an axis.
 
-use crate::arm::Axis;
+use crate::arm::AxisLimits;
 
 /// Amount by which rounding may exceed a limit, in degrees or mm. The result is then at the limit.
 const NOISE: f64 = 1e-11;
 
 /// Shifts `angle` by whole turns to the position nearest to `near` within the axis limits.
-pub(crate) fn nearest_within(angle: f64, near: f64, axis: &Axis) -> Option<f64> {
+pub(crate) fn nearest_within(angle: f64, near: f64, axis: &AxisLimits) -> Option<f64> {
     let nearest = nearest(angle, near);
     if axis.min <= nearest && nearest <= axis.max {
         return Some(nearest);
@@ -24,7 +24,7 @@ pub(crate) fn nearest(angle: f64, near: f64) -> f64 {
 }
 
 /// Returns `position` if it is within the axis limits, up to rounding.
-pub(crate) fn clamped(position: f64, axis: &Axis) -> Option<f64> {
+pub(crate) fn clamped(position: f64, axis: &AxisLimits) -> Option<f64> {
     let inside = axis.min - NOISE <= position && position <= axis.max + NOISE;
     inside.then(|| position.clamp(axis.min, axis.max))
 }

@@ -15,7 +15,7 @@ pub use providers::providers;
 pub use table::parse_table;
 
 use crate::{
-    instruction::{Class, Instruction, Overload, Shape},
+    instruction::{ArgumentForm, CallClass, Instruction, Overload},
     instructions,
     types::{Arm, BaseType},
 };
@@ -49,7 +49,7 @@ pub struct AddOnOverload {
     /// Type of the result; `None` without a result.
     pub result: Option<BaseType>,
     /// Whether the form can be a statement.
-    pub class: Class,
+    pub class: CallClass,
 }
 
 /// An instruction parameter.
@@ -61,7 +61,7 @@ pub struct AddOnParam {
     /// Type; `None` for any type, including types that this version does not support.
     pub ty: Option<BaseType>,
     /// Form of the argument.
-    pub shape: Shape,
+    pub shape: ArgumentForm,
 }
 
 impl AddOnTable {
@@ -102,7 +102,7 @@ impl AddOnOverload {
     #[must_use]
     pub fn known(&self, name: &str) -> Option<(&'static Instruction, &'static Overload)> {
         let instruction = instructions::find(name)?;
-        let found = |same: fn(Shape, Shape) -> bool| {
+        let found = |same: fn(ArgumentForm, ArgumentForm) -> bool| {
             instruction.overloads.iter().find(|form| {
                 let mut pairs = form.params.iter().zip(&self.params);
                 form.on_library == self.on_library

@@ -4,6 +4,6 @@ mod ranges;
 mod serial;
 mod texts;
 
-pub use ranges::{DIMENSION, OutOfRange, Range, bits, counts_seconds, dimensions, power_base, range};
+pub use ranges::{ArgumentRange, DIMENSION, OutOfRange, bits, counts_seconds, dimensions, power_base, range};
 pub use serial::{SERIAL_PARAMETERS, SerialFault, SerialParameter, SerialValue};
 pub use texts::{BINARY_FORMATS, DATE_KEYS, TextForm, bytes, text_form};

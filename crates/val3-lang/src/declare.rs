@@ -49,7 +49,7 @@ pub(crate) use instruction;
 /// [`MotionRole`](crate::motion::MotionRole) of an instruction: `Arrive`, or `Move` with its path.
 macro_rules! role {
     (Move $path:ident) => {
-        $crate::motion::MotionRole::Move($crate::motion::Path::$path)
+        $crate::motion::MotionRole::Move($crate::motion::RequestedPath::$path)
     };
     ($role:ident) => {
         $crate::motion::MotionRole::$role
@@ -83,10 +83,10 @@ macro_rules! param {
         $crate::declare::param!(@ $name, $crate::declare::base_type!($ty), Array { dims: 1 })
     };
     (@ $name:ident, $ty:expr, $($shape:tt)+) => {
-        $crate::instruction::Param {
+        $crate::instruction::InstructionParam {
             name: stringify!($name),
             ty: $ty,
-            shape: $crate::instruction::Shape::$($shape)+,
+            shape: $crate::instruction::ArgumentForm::$($shape)+,
         }
     };
 }
@@ -153,10 +153,10 @@ pub(crate) use result;
 
 macro_rules! class {
     (function) => {
-        $crate::instruction::Class::Function
+        $crate::instruction::CallClass::Function
     };
     (modifier) => {
-        $crate::instruction::Class::Modifier
+        $crate::instruction::CallClass::Modifier
     };
 }
 pub(crate) use class;

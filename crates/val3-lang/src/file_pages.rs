@@ -4,7 +4,7 @@ use crate::files::FileKind;
 use crate::types::BaseType;
 
 /// A description: the element, the attribute (empty for the element itself), the text.
-type Page = (&'static str, &'static str, &'static str);
+type FilePage = (&'static str, &'static str, &'static str);
 
 /// Element description. Names are case-sensitive, as in [`crate::files::find`].
 #[must_use]
@@ -35,7 +35,7 @@ fn find(file: FileKind, element: &str, attribute: &str) -> Option<&'static str> 
     pages.iter().find(|(of, name, _)| *of == element && *name == attribute).map(|(.., page)| *page)
 }
 
-const PROJECT: &[Page] = &[
+const PROJECT: &[FilePage] = &[
     ("Project", "", "An application, a library or a user type: what it consists of (s7, s8)."),
     ("project", "", "An application or a library: what it consists of (s5, s6)."),
     ("Parameters", "", "Settings of the application."),
@@ -90,7 +90,7 @@ const LIBRARY_PATH: &str = "Path of the project that gives the interface of the 
 const AUTOLOAD: &str = "The library is loaded with the application (`true`), or by `libLoad` while it runs (`false`).";
 const PASSWORD: &str = "Password of a library that is an encrypted archive; empty for others.";
 
-const DATA: &[Page] = &[
+const DATA: &[FilePage] = &[
     ("Database", "", "The global data of the application with their initial values (s7, s8)."),
     ("dataList", "", "The global data of the application with their initial values, a section for each type (s5, s6)."),
     ("Datas", "", "The global data, in any order."),
@@ -113,7 +113,7 @@ const VARIABLE_NAME: &str = "Name of the variable. Up to s7 it has at most 15 ch
 const STORED: &str = "How the values are stored: an `array` has indexes, a `collection` has keys.";
 const SIZE: &str = "Number of values; with two or three dimensions one number for each, separated by a blank.";
 
-const PROGRAM: &[Page] = &[
+const PROGRAM: &[FilePage] = &[
     ("Programs", "", "A file with one program (s7, s8)."),
     ("programList", "", "A file with one program (s5, s6)."),
     ("Program", "", PROGRAM_ELEMENT),

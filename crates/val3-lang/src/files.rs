@@ -15,12 +15,12 @@ pub enum FileKind {
 
 /// An element.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Element {
+pub struct ElementPage {
     /// Name. It is case-sensitive: the old dialect (s5, s6) uses lower case.
     pub name: &'static str,
     /// Attributes, in the order of the controller's files. The attributes of a `Value` also depend on its type
     /// ([`crate::types::attributes`]).
-    pub attributes: &'static [Attribute],
+    pub attributes: &'static [AttributePage],
     /// Child elements, in the order of the controller's files.
     pub children: &'static [&'static str],
     /// Declared namespace, at the root of a file or file part.
@@ -29,7 +29,7 @@ pub struct Element {
 
 /// An attribute.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Attribute {
+pub struct AttributePage {
     /// Name with prefix.
     pub name: &'static str,
     /// Whether the attribute is optional.
@@ -49,15 +49,15 @@ pub enum Presence {
     Optional(&'static str),
 }
 
-impl Element {
+impl ElementPage {
     /// Finds an attribute by name.
     #[must_use]
-    pub fn attribute(&self, name: &str) -> Option<&'static Attribute> {
+    pub fn attribute(&self, name: &str) -> Option<&'static AttributePage> {
         self.attributes.iter().find(|attribute| attribute.name == name)
     }
 }
 
-impl Attribute {
+impl AttributePage {
     const fn of(mut self, values: &'static [&'static str]) -> Self {
         self.values = values;
         self
@@ -66,7 +66,7 @@ impl Attribute {
 
 /// Finds an element by name in a file of this kind.
 #[must_use]
-pub fn find(file: FileKind, name: &str) -> Option<&'static Element> {
+pub fn find(file: FileKind, name: &str) -> Option<&'static ElementPage> {
     let elements = match file {
         FileKind::Project => PROJECT,
         FileKind::Data => DATA,
@@ -78,7 +78,7 @@ pub fn find(file: FileKind, name: &str) -> Option<&'static Element> {
 
 /// Finds an element by name that declares a variable: data, a field, a parameter or a local.
 #[must_use]
-pub fn variable(name: &str) -> Option<(FileKind, &'static Element)> {
+pub fn variable(name: &str) -> Option<(FileKind, &'static ElementPage)> {
     let file = match name {
         "Data" | "Field" => FileKind::Data,
         "Parameter" | "Local" | "param" | "local" => FileKind::Program,
@@ -87,28 +87,28 @@ pub fn variable(name: &str) -> Option<(FileKind, &'static Element)> {
     Some((file, find(file, name)?))
 }
 
-const fn required(name: &'static str) -> Attribute {
-    Attribute { name, presence: Presence::Required, values: &[] }
+const fn required(name: &'static str) -> AttributePage {
+    AttributePage { name, presence: Presence::Required, values: &[] }
 }
 
-const fn expected(name: &'static str, default: &'static str) -> Attribute {
-    Attribute { name, presence: Presence::Expected(default), values: &[] }
+const fn expected(name: &'static str, default: &'static str) -> AttributePage {
+    AttributePage { name, presence: Presence::Expected(default), values: &[] }
 }
 
-const fn optional(name: &'static str, default: &'static str) -> Attribute {
-    Attribute { name, presence: Presence::Optional(default), values: &[] }
+const fn optional(name: &'static str, default: &'static str) -> AttributePage {
+    AttributePage { name, presence: Presence::Optional(default), values: &[] }
 }
 
-const fn root(name: &'static str, namespace: &'static str, children: &'static [&'static str]) -> Element {
-    Element { name, attributes: &[], children, namespace: Some(namespace) }
+const fn root(name: &'static str, namespace: &'static str, children: &'static [&'static str]) -> ElementPage {
+    ElementPage { name, attributes: &[], children, namespace: Some(namespace) }
 }
 
-const fn list(name: &'static str, children: &'static [&'static str]) -> Element {
-    Element { name, attributes: &[], children, namespace: None }
+const fn list(name: &'static str, children: &'static [&'static str]) -> ElementPage {
+    ElementPage { name, attributes: &[], children, namespace: None }
 }
 
-const fn item(name: &'static str, attributes: &'static [Attribute]) -> Element {
-    Element { name, attributes, children: &[], namespace: None }
+const fn item(name: &'static str, attributes: &'static [AttributePage]) -> ElementPage {
+    ElementPage { name, attributes, children: &[], namespace: None }
 }
 
 const TRUTH: &[&str] = &["true", "false"];
@@ -116,7 +116,7 @@ const ACCESS: &[&str] = &["public", "private"];
 const STORED: &[&str] = &["array", "collection"];
 const PASSED: &[&str] = &["element", "array", "collection"];
 
-const PROJECT: &[Element] = &[
+const PROJECT: &[ElementPage] = &[
     root(
         "Project",
         "http://www.staubli.com/robotics/VAL3/Project/3",
@@ -147,13 +147,13 @@ const PROJECT: &[Element] = &[
     ),
 ];
 
-const PARAMETERS: &[Attribute] =
+const PARAMETERS: &[AttributePage] =
     &[expected("version", "s7.11"), optional("stackSize", "5000"), optional("millimeterUnit", "true").of(TRUTH)];
 
-const DATA: &[Element] = &[
+const DATA: &[ElementPage] = &[
     root("Database", "http://www.staubli.com/robotics/VAL3/Data/2", &["Datas"]),
     list("Datas", &["Data"]),
-    Element {
+    ElementPage {
         name: "Data",
         attributes: &[
             required("name"),
@@ -165,8 +165,8 @@ const DATA: &[Element] = &[
         children: &["Value"],
         namespace: None,
     },
-    Element { name: "Value", attributes: &[required("key")], children: &["Field"], namespace: None },
-    Element {
+    ElementPage { name: "Value", attributes: &[required("key")], children: &["Field"], namespace: None },
+    ElementPage {
         name: "Field",
         attributes: &[
             required("name"),
@@ -181,14 +181,14 @@ const DATA: &[Element] = &[
 ];
 
 /// A data element of the old dialect is named after its type, and its size is the number of its values.
-const OLD_DATA: Element = item(
+const OLD_DATA: ElementPage = item(
     "",
     &[required("name"), optional("public", "false").of(TRUTH), optional("privilege", "0"), optional("size", "1")],
 );
 
-const PROGRAM: &[Element] = &[
+const PROGRAM: &[ElementPage] = &[
     root("Programs", "http://www.staubli.com/robotics/VAL3/Program/2", &["Program"]),
-    Element {
+    ElementPage {
         name: "Program",
         attributes: &[required("name"), optional("access", "private").of(ACCESS)],
         children: &["Description", "Parameters", "Locals", "Code"],
@@ -213,7 +213,7 @@ const PROGRAM: &[Element] = &[
     ),
     list("Code", &[]),
     root("programList", "ProgramNameSpace", &["program"]),
-    Element {
+    ElementPage {
         name: "program",
         attributes: &[required("name"), optional("public", "false").of(TRUTH)],
         children: &["description", "paramSection", "localSection", "source"],

@@ -9,7 +9,7 @@ pub use list::ENTRIES;
 
 /// A page.
 #[derive(Debug)]
-pub struct Entry {
+pub struct GlossaryPage {
     /// Kind of the subject.
     pub kind: EntryKind,
     /// Words that find the page. The first word is the title.
@@ -37,7 +37,7 @@ pub enum EntryKind {
 
 /// Finds the page of this kind by name.
 #[must_use]
-pub fn find(kind: EntryKind, name: &str) -> Option<&'static Entry> {
+pub fn find(kind: EntryKind, name: &str) -> Option<&'static GlossaryPage> {
     ENTRIES.iter().find(|entry| entry.kind == kind && entry.names.contains(&name))
 }
 

@@ -40,12 +40,12 @@ pub struct Overload {
     /// Whether the form is called on a library identifier: `id:libLoad(…)`.
     pub on_library: bool,
     /// Parameters in order.
-    pub params: &'static [Param],
+    pub params: &'static [InstructionParam],
     /// Type of the result; `None` without a result.
     pub result: Option<BaseType>,
     /// Whether the form can be a statement. Forms of one name may differ: `insert` modifies a container, but only
     /// returns the new string for a string.
-    pub class: Class,
+    pub class: CallClass,
     /// First major version with this form, if it was added after the instruction.
     pub since: Option<u8>,
     /// Whether the form is in the manual. Other forms are known from programs that run on controllers.
@@ -56,20 +56,20 @@ pub struct Overload {
 
 /// An instruction parameter.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Param {
+pub struct InstructionParam {
     /// Name in the syntax line (`nSeconds`).
     pub name: &'static str,
     /// Type; `None` for any type.
     pub ty: Option<BaseType>,
     /// Form of the argument.
-    pub shape: Shape,
+    pub shape: ArgumentForm,
 }
 
 /// Argument form.
 ///
 /// An element counts as an array with one value (2.3.4), so `x`, `x[3]` and `x["k"]` all match `Array { dims: 1 }`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shape {
+pub enum ArgumentForm {
     /// An expression of the type, passed by value.
     Value,
     /// A variable or an element, passed by reference (2.6.2).
@@ -143,7 +143,7 @@ pub enum Availability {
 
 /// Whether the call can be a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Class {
+pub enum CallClass {
     /// Only returns a value. As a statement it would have no effect, so the compiler rejects it.
     Function,
     /// Has an effect; its value, if any, may be discarded.

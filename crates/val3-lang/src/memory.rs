@@ -21,11 +21,11 @@ mod store;
 mod stores;
 
 pub use budget::{MEMORY, MemoryBudget, bytes_of};
-pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset, path_offset};
+pub use kind::{ElementType, FieldKind, KindBase, PartInit, ValueType, enumerator, field_offset, path_offset};
 pub use lanes::Lanes;
 pub use owner::Owner;
-pub use place::{Link, Place, Slot, StoreId, Subscript, View};
-pub use shape::Shape;
+pub use place::{LinkPlace, Place, Slot, StoreId, Subscript, View};
+pub use shape::ContainerShape;
 pub use stack::Stack;
 pub use store::Store;
 pub use stores::Stores;
@@ -54,8 +54,8 @@ impl Memory {
     pub fn new() -> Self {
         let mut memory = Self { stores: Stores::default(), stack: Stack::default(), libraries: Vec::new() };
         for (index, base) in [(Self::WORLD, BaseType::Frame), (Self::FLANGE, BaseType::Tool)] {
-            let mut store = Store::filled(Arc::new(Kind::builtin(base, None)), Shape::ELEMENT);
-            store.links.first_mut().into_iter().for_each(|link| *link = Link::Data(Place::first(index)));
+            let mut store = Store::filled(Arc::new(ValueType::builtin(base, None)), ContainerShape::ELEMENT);
+            store.links.first_mut().into_iter().for_each(|link| *link = LinkPlace::Data(Place::first(index)));
             // Two small values always fit into the memory.
             let _ = memory.add(store);
         }
@@ -206,7 +206,7 @@ impl Memory {
     /// # Errors
     /// 20 if the value does not exist.
     #[inline]
-    pub fn link(&self, at: Place, offset: u32) -> Result<Link> {
+    pub fn link(&self, at: Place, offset: u32) -> Result<LinkPlace> {
         let index = (at.link + offset) as usize;
         let found = match at.store {
             StoreId::STACK => self.stack.links.get(index),
@@ -220,7 +220,7 @@ impl Memory {
     /// # Errors
     /// 20 if the value does not exist, 165 if it is global and the target is local, 82 if it cannot refer to the
     /// target.
-    pub fn set_link(&mut self, at: Place, offset: u32, link: Link) -> Result<()> {
+    pub fn set_link(&mut self, at: Place, offset: u32, link: LinkPlace) -> Result<()> {
         self.check_link(self.owner(at.store), link)?;
         self.set_file_link(at, offset, link)
     }
@@ -229,7 +229,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 if the value does not exist.
-    pub fn set_file_link(&mut self, at: Place, offset: u32, link: Link) -> Result<()> {
+    pub fn set_file_link(&mut self, at: Place, offset: u32, link: LinkPlace) -> Result<()> {
         let index = (at.link + offset) as usize;
         let found = match at.store {
             StoreId::STACK => self.stack.links.get_mut(index),

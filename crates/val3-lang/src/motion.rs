@@ -3,8 +3,8 @@
 //! The program runs ahead of the arm: a move is recorded, and the arm makes it later (10.2).
 
 use crate::enumerations::Enumerator;
-use crate::instruction::{Family, Instruction, Overload, Param, Shape};
-use crate::types::{Attribute, BaseType};
+use crate::instruction::{ArgumentForm, Family, Instruction, InstructionParam, Overload};
+use crate::types::{BaseType, ValueAttribute};
 
 /// The field of a motion descriptor with the speed of the axes in per cent of the nominal one, and its attribute in data
 /// files (10.5.1).
@@ -14,7 +14,7 @@ pub const AXIS_SPEED: &str = "vel";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MotionRole {
     /// Records a move.
-    Move(Path),
+    Move(RequestedPath),
     /// Waits until the arm has made every recorded move. The arm stops there: a blend of the last one is lost
     /// (9.5.4, 10.1.2.2).
     Arrive,
@@ -32,7 +32,7 @@ pub enum MotionRole {
 
 /// The path of a move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Path {
+pub enum RequestedPath {
     /// All axes start and arrive together; the arm may change its configuration.
     Joint,
     /// A line or circle of the tool: the arm keeps its configuration (10.1.4.2).
@@ -87,7 +87,7 @@ pub fn is_blend(choice: &Enumerator) -> bool {
 
 /// The attribute of a motion descriptor says whether and how the corner at the target is rounded (10.1.2).
 #[must_use]
-pub fn rounds_corner(attribute: &Attribute) -> bool {
+pub fn rounds_corner(attribute: &ValueAttribute) -> bool {
     matches!(attribute.field, "blend" | "leave" | "reach")
 }
 
@@ -114,16 +114,16 @@ pub fn missing_reference(ty: BaseType) -> Option<u16> {
 /// Whether `instruction` fails where the argument for `param` has no reference: each move does, and any other
 /// instruction for which the manual names such an error.
 #[must_use]
-pub fn needs_reference(instruction: &Instruction, param: &Param) -> bool {
+pub fn needs_reference(instruction: &Instruction, param: &InstructionParam) -> bool {
     let Some(error) = param.ty.and_then(missing_reference) else { return false };
     let is_move = || matches!(instruction.role, Some(MotionRole::Move(_)));
-    param.shape == Shape::Value && (instruction.errors.contains(&error) || is_move())
+    param.shape == ArgumentForm::Value && (instruction.errors.contains(&error) || is_move())
 }
 
 #[cfg(test)]
 mod tests {
     use super::{
-        Enumerator, MotionRole, Path, descriptor, is_blend, is_definite, missing_reference, needs_reference,
+        Enumerator, MotionRole, RequestedPath, descriptor, is_blend, is_definite, missing_reference, needs_reference,
         rounds_corner, target,
     };
     use crate::enumerations::ENUMERATORS;
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn instructions_name_their_roles() {
         let role = |name| instructions::find(name).unwrap().role;
-        assert_eq!(role("alterMovej"), Some(MotionRole::Move(Path::Altered)));
+        assert_eq!(role("alterMovej"), Some(MotionRole::Move(RequestedPath::Altered)));
         assert_eq!(role("open"), Some(MotionRole::Arrive));
         assert_eq!(role("appro"), None);
         assert_eq!(instructions::all().iter().filter(|instruction| instruction.role.is_some()).count(), 21);
@@ -147,7 +147,7 @@ mod tests {
             assert!(target(form).is_some() && descriptor(form).is_some(), "{form:?}");
         }
         let circle = instructions::find("movec").unwrap();
-        assert_eq!(circle.role, Some(MotionRole::Move(Path::Cartesian)));
+        assert_eq!(circle.role, Some(MotionRole::Move(RequestedPath::Cartesian)));
         assert_eq!(circle.overloads.first().and_then(target), Some(1));
     }
 

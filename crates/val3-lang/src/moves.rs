@@ -6,7 +6,7 @@ use val3_moves::{Manner, MovePath, MoveTarget, Percent};
 
 use crate::call::{Call, Flow, FrameRef, PointRef, PointValue, StoredValue, ToolRef, Wait};
 use crate::fault::{Fault, Result};
-use crate::memory::Link;
+use crate::memory::LinkPlace;
 use crate::ports::MoveRequest;
 use crate::references;
 use crate::runtime_errors::{ANOTHER_ARM, INVALID_PARAMETER};
@@ -137,5 +137,5 @@ pub(crate) fn point_at(call: &mut Call<'_>, joint: &[f64; 6], tool: ToolRef, fra
     let arm = call.ports.arm();
     let config = ConfigValue::at(arm, joint);
     let seen = Trsf::from(reference.inverse() * arm.flange(joint) * tool);
-    Ok(PointValue { trsf: seen.scaled(1.0 / call.unit.millimetres()), config, frame: Link::Data(frame.0) })
+    Ok(PointValue { trsf: seen.scaled(1.0 / call.unit.millimetres()), config, frame: LinkPlace::Data(frame.0) })
 }

@@ -6,7 +6,7 @@
 use val3_geometry::degrees;
 
 use crate::fault::{Fault, Result};
-use crate::instruction::{Instruction, Overload, Shape};
+use crate::instruction::{ArgumentForm, Instruction, Overload};
 use crate::runtime_errors::INVALID_NUMBER;
 use crate::types::BaseType;
 use crate::values::{bits, numbers};
@@ -61,7 +61,7 @@ impl NumberFunction {
     #[must_use]
     pub fn of(instruction: &Instruction, form: &Overload, version: Version) -> Option<Self> {
         let is_number = |ty| matches!(ty, Some(BaseType::Num | BaseType::Bool));
-        let takes_numbers = form.params.iter().all(|param| param.shape == Shape::Value && is_number(param.ty));
+        let takes_numbers = form.params.iter().all(|param| param.shape == ArgumentForm::Value && is_number(param.ty));
         let (function, ..) = ALL.iter().find(|(_, name, _)| *name == instruction.name)?;
         let function = match function {
             Self::Power if version.raises_negative_numbers() => Self::SignedPower,
@@ -120,7 +120,7 @@ mod tests {
                 continue;
             };
             for (a, b, c) in NUMBERS.iter().flat_map(|a| NUMBERS.map(|b| (*a, b, 7.0))) {
-                let spoken = |(value, param): (f64, &crate::instruction::Param)| match param.ty {
+                let spoken = |(value, param): (f64, &crate::instruction::InstructionParam)| match param.ty {
                     Some(BaseType::Bool) => (value != 0.0).to_string(),
                     _ => value.to_string(),
                 };

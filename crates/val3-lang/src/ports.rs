@@ -11,11 +11,11 @@ mod screen;
 mod serial;
 mod time;
 
-pub use io::{Io, IoDescription};
-pub use media::Media;
-pub use motion::{Motion, MoveRequest};
+pub use io::{IoDescription, IoPort};
+pub use media::MediaPort;
+pub use motion::{MotionPort, MoveRequest};
 pub use robot::Robot;
-pub use screen::{DEFAULT_PAGE, Entry, InputKind, InputResult, Screen};
+pub use screen::{DEFAULT_PAGE, InputKind, InputResult, OperatorInput, Screen};
 pub use serial::{LineValue, Outgoing, Reply, Serial};
 pub use time::{SECOND, Time, nanoseconds};
 
@@ -25,7 +25,7 @@ use crate::types::BaseType;
 use crate::values::Text;
 
 /// Everything outside programs and their data.
-pub trait Ports: Io + Serial + Screen + Robot + Motion + Media {
+pub trait Ports: IoPort + Serial + Screen + Robot + MotionPort + MediaPort {
     /// The origin of the next calls. The runtime sets it before each instruction.
     fn origin(&mut self, origin: Origin);
 
@@ -81,7 +81,7 @@ pub enum TaskChange {
 
 /// Work of the run time for an instruction after its handler; the resulting code is the value of the instruction (6.6).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Request {
+pub enum RuntimeRequest {
     /// Loads a library under an identifier (6.7).
     Load {
         /// The identifier, by number.
@@ -127,7 +127,7 @@ pub trait Tasks {
     fn data(&self, name: &str) -> std::result::Result<View, i16>;
 
     /// Asks for what only the run time can do.
-    fn request(&mut self, request: Request);
+    fn request(&mut self, request: RuntimeRequest);
 
     /// The path that a library was loaded from; of the application itself without an identifier. Empty where nothing
     /// is loaded.

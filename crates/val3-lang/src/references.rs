@@ -10,7 +10,7 @@ use val3_geometry::Trsf;
 
 use crate::call::{FrameRef, PointRef, StoredValue, ToolRef};
 use crate::fault::{Fault, Result};
-use crate::memory::{Link, Memory, Place, StoreId};
+use crate::memory::{LinkPlace, Memory, Place, StoreId};
 use crate::runtime_errors::{
     FLANGE_CHANGED, FRAME_WITHOUT_REFERENCE, POINT_WITHOUT_REFERENCE, TOOL_WITHOUT_REFERENCE, WORLD_CHANGED,
 };
@@ -23,24 +23,24 @@ pub use poses::Poses;
 pub type Chain = SmallVec<[Trsf; 4]>;
 
 /// Root of frame or tool chains.
-struct Root {
+struct ChainRoot {
     store: StoreId,
     changed: Fault,
     lacking: Fault,
 }
 
-impl Root {
+impl ChainRoot {
     /// Checks that the root has not been moved.
     fn check(&self, memory: &Memory, at: Place) -> Result<()> {
         if Trsf::read(memory, at)? == Trsf::IDENTITY { Ok(()) } else { Err(self.changed) }
     }
 }
 
-const WORLD: Root =
-    Root { store: Memory::WORLD, changed: Fault(WORLD_CHANGED), lacking: Fault(FRAME_WITHOUT_REFERENCE) };
+const WORLD: ChainRoot =
+    ChainRoot { store: Memory::WORLD, changed: Fault(WORLD_CHANGED), lacking: Fault(FRAME_WITHOUT_REFERENCE) };
 
-const FLANGE: Root =
-    Root { store: Memory::FLANGE, changed: Fault(FLANGE_CHANGED), lacking: Fault(TOOL_WITHOUT_REFERENCE) };
+const FLANGE: ChainRoot =
+    ChainRoot { store: Memory::FLANGE, changed: Fault(FLANGE_CHANGED), lacking: Fault(TOOL_WITHOUT_REFERENCE) };
 
 /// Chain from a frame to `world`.
 ///
@@ -83,16 +83,16 @@ pub fn frame_of(memory: &Memory, PointRef(point): PointRef) -> Result<FrameRef> 
 /// 20 if the value itself does not exist, 82 if it must not refer to its father.
 pub fn reference(memory: &Memory, at: Place) -> Result<Option<Place>> {
     match memory.link(at, 0)? {
-        Link::Data(reference) if memory.link(reference, 0).is_ok() => {
+        LinkPlace::Data(reference) if memory.link(reference, 0).is_ok() => {
             memory.check_reference(at, reference)?;
             Ok(Some(reference))
         }
-        Link::Data(_) | Link::None | Link::Port(_) => Ok(None),
+        LinkPlace::Data(_) | LinkPlace::None | LinkPlace::Port(_) => Ok(None),
     }
 }
 
 /// Appends the transformations from `start` to `root`.
-fn follow(memory: &Memory, mut chain: Chain, start: Place, root: &Root) -> Result<Chain> {
+fn follow(memory: &Memory, mut chain: Chain, start: Place, root: &ChainRoot) -> Result<Chain> {
     let mut way = SmallVec::<[Place; 4]>::new();
     let mut at = start;
     // Detects loops by Brent's algorithm: the checkpoint moves forward at doubling distances until it is inside a loop

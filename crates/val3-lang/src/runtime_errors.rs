@@ -16,7 +16,7 @@ pub struct RuntimeError {
 
 /// Result of `taskStatus` for a task that no error has stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum TaskState {
+pub enum TaskStatusCode {
     /// -1: the library or application has no task with this name.
     Absent,
     /// 0: halted, by `taskSuspend` or a debugger.
@@ -25,7 +25,7 @@ pub enum TaskState {
     Running,
 }
 
-impl TaskState {
+impl TaskStatusCode {
     /// Number that `taskStatus` returns.
     #[must_use]
     pub fn number(self) -> i16 {

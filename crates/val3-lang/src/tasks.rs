@@ -1,6 +1,6 @@
 //! Limits for tasks on the controller (5.5, 5.10).
 
-use crate::arguments::{Range, range};
+use crate::arguments::{ArgumentRange, range};
 use crate::versions::Version;
 
 /// Unit of periods in seconds; the controller rounds a period down to a multiple of it.
@@ -11,13 +11,13 @@ pub const MAX_PERIODS: usize = 2;
 
 /// Valid number of lines that a task executes in its turn.
 #[must_use]
-pub fn priority() -> Option<&'static Range> {
+pub fn priority() -> Option<&'static ArgumentRange> {
     range("taskCreate", "nPriority")
 }
 
 /// Valid time between two turns of a synchronous task, in seconds.
 #[must_use]
-pub fn period() -> Option<&'static Range> {
+pub fn period() -> Option<&'static ArgumentRange> {
     range("taskCreateSync", "nPeriod")
 }
 

@@ -9,14 +9,14 @@ mod outside;
 
 use std::collections::BTreeMap;
 
-use self::notation::{Variable, WrittenArgument, WrittenCall, WrittenSubscript};
+use self::notation::{NotedVariable, WrittenArgument, WrittenCall, WrittenSubscript};
 use self::outside::NoController;
 pub(crate) use self::outside::TaskList;
 use crate::call::{Argument, Call, Flow, StoredValue, Waiting};
 use crate::fault::{Fault, Result};
-use crate::instruction::{Instruction, Overload, Param};
+use crate::instruction::{Instruction, InstructionParam, Overload};
 use crate::instructions;
-use crate::memory::{Memory, Place, Shape, Slot, StoreId, Subscript, View};
+use crate::memory::{ContainerShape, Memory, Place, Slot, StoreId, Subscript, View};
 use crate::ports::{Ports, Tasks, Time};
 use crate::types::{Arm, BaseType, LengthUnit};
 use crate::values::{Text, printed};
@@ -45,7 +45,7 @@ pub(crate) fn check(call: &str, expected: &str) {
 impl Bench {
     /// Adds global variables, declared as in a listing: `num nGrid[4,6]`, `point pPick`.
     pub(crate) fn global(mut self, declarations: &str) -> Self {
-        for variable in declarations.split("; ").map(Variable::parse) {
+        for variable in declarations.split("; ").map(NotedVariable::parse) {
             let store = self.memory.create(&variable.init()).unwrap();
             self.declare(&variable, store);
         }
@@ -54,14 +54,14 @@ impl Bench {
 
     /// Adds local variables. Each of them has a container here, even with a single value.
     pub(crate) fn local(mut self, declarations: &str) -> Self {
-        for variable in declarations.split("; ").map(Variable::parse) {
+        for variable in declarations.split("; ").map(NotedVariable::parse) {
             let store = self.memory.create_local(&variable.init()).unwrap();
             self.declare(&variable, store);
         }
         self
     }
 
-    fn declare(&mut self, variable: &Variable<'_>, store: StoreId) {
+    fn declare(&mut self, variable: &NotedVariable<'_>, store: StoreId) {
         self.variables.insert(variable.name.to_owned(), (View::whole(store), variable.base));
     }
 
@@ -155,8 +155,10 @@ impl Bench {
         let store = self.memory.store(view.store).unwrap();
         let value = |number| self.printed(store.place(view.store, number), base).unwrap();
         let values: Vec<_> = match &store.shape {
-            Shape::Array { .. } => (view.start..store.shape.len()).map(value).collect(),
-            Shape::Collection(keys) => keys.iter().map(|(key, number)| format!("{key}: {}", value(*number))).collect(),
+            ContainerShape::Array { .. } => (view.start..store.shape.len()).map(value).collect(),
+            ContainerShape::Collection(keys) => {
+                keys.iter().map(|(key, number)| format!("{key}: {}", value(*number))).collect()
+            }
         };
         values.join(", ")
     }
@@ -170,7 +172,7 @@ impl Bench {
         (instruction, instruction.overloads.iter().find(fits).unwrap_or_else(|| panic!("no form of {}", line.name)))
     }
 
-    fn fits(&self, param: &Param, spoken: &WrittenArgument<'_>) -> bool {
+    fn fits(&self, param: &InstructionParam, spoken: &WrittenArgument<'_>) -> bool {
         param.ty.is_none_or(|ty| match spoken {
             WrittenArgument::Num(_) => ty == BaseType::Num,
             WrittenArgument::Text(_) => ty == BaseType::String,
@@ -180,8 +182,8 @@ impl Bench {
         })
     }
 
-    fn argument(&mut self, param: &Param, spoken: &WrittenArgument<'_>) -> Argument {
-        use crate::instruction::Shape as Wanted;
+    fn argument(&mut self, param: &InstructionParam, spoken: &WrittenArgument<'_>) -> Argument {
+        use crate::instruction::ArgumentForm as Wanted;
         match (param.shape, spoken) {
             (Wanted::Value, WrittenArgument::Num(number)) => self.constant(BaseType::Num, &[*number]),
             (Wanted::Value, WrittenArgument::Bool(value)) => {
@@ -214,7 +216,7 @@ impl Bench {
 
     /// Creates a container for an unnamed value.
     fn value_of(&mut self, base: BaseType) -> StoreId {
-        self.memory.create_local(&Variable { name: "", base, shape: Shape::ELEMENT }.init()).unwrap()
+        self.memory.create_local(&NotedVariable { name: "", base, shape: ContainerShape::ELEMENT }.init()).unwrap()
     }
 
     fn variable(&self, name: &str) -> Option<(View, BaseType)> {

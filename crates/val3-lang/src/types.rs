@@ -7,8 +7,8 @@ mod fields;
 mod length_unit;
 mod names;
 
-pub use attributes::{Attribute, AttributeValue, attribute, attributes};
-pub use fields::{DefaultValue, Field, Unit, field, fields};
+pub use attributes::{AttributeValue, ValueAttribute, attribute, attributes};
+pub use fields::{DefaultValue, Field, NumberUnit, field, fields};
 pub use length_unit::LengthUnit;
 
 /// Kind of an arm's kinematics. Positions for one kind have no meaning for another kind.

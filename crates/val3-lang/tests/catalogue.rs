@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use val3_lang::{
-    instruction::{Availability, Family, Instruction, Overload, Param, Shape},
+    instruction::{ArgumentForm, Availability, Family, Instruction, InstructionParam, Overload},
     instructions, page,
     types::BaseType,
 };
@@ -146,7 +146,7 @@ fn explains_error(page: &str, error: u16) -> bool {
 
 #[test]
 fn parameters_have_a_type_or_a_reason() {
-    let untyped = |param: &&Param| param.ty.is_none() && param.shape == Shape::Value;
+    let untyped = |param: &&InstructionParam| param.ty.is_none() && param.shape == ArgumentForm::Value;
     for instruction in instructions::all() {
         let values = instruction.overloads.iter().flat_map(|form| form.params).filter(untyped).count();
         let expected = usize::from(matches!(instruction.name, "sioCtrl" | "userPageSet" | "$getName"));

@@ -5,7 +5,7 @@ use std::ops::Range;
 use memchr::memchr_iter;
 
 use crate::wide::{WideCharacter, wide_characters};
-use crate::{Columns, LineColumn, Unit, protocol_line_ends};
+use crate::{ColumnCounting, ColumnUnit, LineColumn, protocol_line_ends};
 
 const MARK: char = '\u{feff}';
 
@@ -13,7 +13,7 @@ const MARK: char = '\u{feff}';
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LineIndex {
     /// Lines, ascending; never empty.
-    lines: Vec<Line>,
+    lines: Vec<LinePosition>,
     /// Multi-byte characters, ascending.
     wide: Vec<WideCharacter>,
     starts_with_mark: bool,
@@ -21,7 +21,7 @@ pub struct LineIndex {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Line {
+struct LinePosition {
     start: u32,
     /// Start of the line end.
     end: u32,
@@ -42,7 +42,7 @@ impl LineIndex {
         let starts = std::iter::once(0).chain(breaks.clone().map(|at| at + 1));
         let lines = starts.zip(breaks.chain([text.len()])).map(|(start, end)| {
             let line = text.get(start..end).unwrap_or("");
-            Line { start: small(start), end: small(start + line.trim_end_matches('\r').len()) }
+            LinePosition { start: small(start), end: small(start + line.trim_end_matches('\r').len()) }
         });
         Self {
             lines: lines.collect(),
@@ -65,7 +65,7 @@ impl LineIndex {
 
     /// Converts an offset to a position. An offset after the end counts as the end, an offset inside a character as its
     /// start.
-    pub fn line_column(&self, offset: usize, columns: Columns) -> LineColumn {
+    pub fn line_column(&self, offset: usize, columns: ColumnCounting) -> LineColumn {
         let offset = self.boundary(small(offset).min(self.len));
         let line = self.line(offset as usize);
         let start = self.lines.get(line).map_or(0, |line| line.start);
@@ -75,7 +75,7 @@ impl LineIndex {
 
     /// Converts a position to an offset. A position after the end of a line counts as the line's end, a position inside
     /// a character as its start, and a position after the last line as the end of the text.
-    pub fn offset(&self, position: LineColumn, columns: Columns) -> usize {
+    pub fn offset(&self, position: LineColumn, columns: ColumnCounting) -> usize {
         let number = position.line as usize;
         let Some(line) = self.lines.get(number) else { return self.len as usize };
         let (mut at, mut left) = (line.start, position.column.saturating_add(self.uncounted(number, columns)));
@@ -96,17 +96,17 @@ impl LineIndex {
 
     /// Number of characters before an offset.
     pub fn characters(&self, offset: usize) -> usize {
-        self.units(self.boundary(small(offset).min(self.len)), Unit::Utf32) as usize
+        self.units(self.boundary(small(offset).min(self.len)), ColumnUnit::Utf32) as usize
     }
 
     /// Width of the byte order mark, if this line begins with it and it does not count; otherwise 0.
-    fn uncounted(&self, line: usize, columns: Columns) -> u32 {
+    fn uncounted(&self, line: usize, columns: ColumnCounting) -> u32 {
         let is_uncounted = line == 0 && self.starts_with_mark && !columns.count_mark;
         self.wide.first().filter(|_| is_uncounted).map_or(0, |mark| mark.width(columns.unit))
     }
 
     /// Number of units before a character boundary.
-    fn units(&self, offset: u32, unit: Unit) -> u32 {
+    fn units(&self, offset: u32, unit: ColumnUnit) -> u32 {
         offset - self.last_wide(offset).map_or(0, |wide| wide.surplus(unit))
     }
 

@@ -14,7 +14,7 @@ use memchr::memchr2_iter;
 
 /// Unit of a column.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Unit {
+pub enum ColumnUnit {
     /// Bytes.
     Utf8,
     /// UTF-16 code units, which every language client supports.
@@ -26,18 +26,18 @@ pub enum Unit {
 
 /// Counting of columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Columns {
+pub struct ColumnCounting {
     /// Unit.
-    pub unit: Unit,
+    pub unit: ColumnUnit,
     /// Whether a byte order mark at the start of the text counts. Editors do not display it.
     pub count_mark: bool,
 }
 
-impl Columns {
+impl ColumnCounting {
     /// Characters as displayed by an editor.
-    pub const SHOWN_CHARACTERS: Self = Self { unit: Unit::Utf32, count_mark: false };
+    pub const SHOWN_CHARACTERS: Self = Self { unit: ColumnUnit::Utf32, count_mark: false };
     /// All bytes.
-    pub const BYTES: Self = Self { unit: Unit::Utf8, count_mark: true };
+    pub const BYTES: Self = Self { unit: ColumnUnit::Utf8, count_mark: true };
 }
 
 /// A position in a text.
@@ -51,12 +51,12 @@ pub struct LineColumn {
 
 /// Byte range between two Language Server Protocol positions, in any order, in a text without an index. Only the lines
 /// of the positions are indexed, so that edits of large texts are fast. The byte order mark counts.
-pub fn range_between(text: &str, one: LineColumn, other: LineColumn, unit: Unit) -> Range<usize> {
+pub fn range_between(text: &str, one: LineColumn, other: LineColumn, unit: ColumnUnit) -> Range<usize> {
     let first = one.line.min(other.line);
     let start = line_start(text, first);
     let end = line_start(text, one.line.max(other.line).saturating_add(1));
     let lines = LineIndex::for_protocol(text.get(start..end).unwrap_or(""));
-    let columns = Columns { unit, count_mark: true };
+    let columns = ColumnCounting { unit, count_mark: true };
     let offset = |at: LineColumn| start + lines.offset(LineColumn { line: at.line - first, ..at }, columns);
     let (one, other) = (offset(one), offset(other));
     one.min(other)..one.max(other)

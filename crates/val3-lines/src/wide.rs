@@ -1,6 +1,6 @@
 //! Multi-byte characters.
 
-use crate::Unit;
+use crate::ColumnUnit;
 
 /// A multi-byte character.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,16 +22,16 @@ impl WideCharacter {
     }
 
     /// Width in columns.
-    pub(crate) fn width(&self, unit: Unit) -> u32 {
+    pub(crate) fn width(&self, unit: ColumnUnit) -> u32 {
         self.len - surplus(self.len, unit)
     }
 
     /// Number of bytes minus number of units in the text, up to the end of this character.
-    pub(crate) fn surplus(&self, unit: Unit) -> u32 {
+    pub(crate) fn surplus(&self, unit: ColumnUnit) -> u32 {
         match unit {
-            Unit::Utf8 => 0,
-            Unit::Utf16 => self.over_utf16,
-            Unit::Utf32 => self.over_characters,
+            ColumnUnit::Utf8 => 0,
+            ColumnUnit::Utf16 => self.over_utf16,
+            ColumnUnit::Utf32 => self.over_characters,
         }
     }
 }
@@ -47,8 +47,8 @@ pub(crate) fn wide_characters(text: &str) -> Vec<WideCharacter> {
         if !line.is_ascii() {
             for (at, first) in (start..).zip(line.bytes()).filter(|(_, byte)| *byte >= 0xC0) {
                 let len = bytes(first);
-                over_characters += surplus(len, Unit::Utf32);
-                over_utf16 += surplus(len, Unit::Utf16);
+                over_characters += surplus(len, ColumnUnit::Utf32);
+                over_utf16 += surplus(len, ColumnUnit::Utf16);
                 wide.push(WideCharacter { at, len, over_characters, over_utf16 });
             }
         }
@@ -58,11 +58,11 @@ pub(crate) fn wide_characters(text: &str) -> Vec<WideCharacter> {
 }
 
 /// Number of bytes minus number of units in a character with `len` bytes.
-fn surplus(len: u32, unit: Unit) -> u32 {
+fn surplus(len: u32, unit: ColumnUnit) -> u32 {
     match unit {
-        Unit::Utf8 => 0,
-        Unit::Utf16 => len - len / 2,
-        Unit::Utf32 => len - 1,
+        ColumnUnit::Utf8 => 0,
+        ColumnUnit::Utf16 => len - len / 2,
+        ColumnUnit::Utf32 => len - 1,
     }
 }
 

@@ -18,7 +18,7 @@ use val3_config::ConfigError;
 use val3_ide as ide;
 use val3_lines::LineIndex;
 
-use crate::lines::Lines;
+use crate::lines::PositionConverter;
 use crate::snapshot::Snapshot;
 
 /// Source name of diagnostics.
@@ -121,7 +121,7 @@ pub(crate) fn configuration_faults(snapshot: &Snapshot) -> Vec<(Url, Vec<Diagnos
 /// Converts one configuration fault.
 pub(crate) fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
     let index = LineIndex::for_protocol(&error.text);
-    let lines = Lines::new(&error.text, &index, snapshot.session.encoding, true);
+    let lines = PositionConverter::new(&error.text, &index, snapshot.session.encoding, true);
     let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX).into();
     let range =
         Range { start: lines.position(offset(error.range.start)), end: lines.position(offset(error.range.end)) };
@@ -186,7 +186,7 @@ pub(crate) fn edits<'e>(
 }
 
 /// Locations, or location links with the source range if the client supports them.
-pub(crate) fn targets(snapshot: &Snapshot, from: File, targets: &[ide::Target]) -> GotoDefinitionResponse {
+pub(crate) fn targets(snapshot: &Snapshot, from: File, targets: &[ide::NavigationTarget]) -> GotoDefinitionResponse {
     let targets = targets.iter().filter(|target| snapshot.is_shown(target.to.file));
     if snapshot.session.client.has_links {
         let links = targets.map(|target| snapshot.link(snapshot.range(from, target.from), target.to));

@@ -6,7 +6,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{SemanticTokens, TextDocumentContentChangeEvent, Url};
 use val3_analysis::paths::path_key;
-use val3_lines::Unit;
+use val3_lines::ColumnUnit;
 
 use crate::display_cache::DisplayCache;
 use crate::lines::byte_range;
@@ -27,7 +27,7 @@ pub(crate) struct Document {
 
 /// Findings of a document that the client has.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Report {
+pub(crate) struct SentFindings {
     /// Document version of the findings.
     pub(crate) version: i32,
     /// Result id: equal for equal findings.
@@ -45,7 +45,7 @@ pub(crate) struct Documents {
     /// difference from the last response.
     tokens: Arc<Mutex<FxHashMap<Url, SemanticTokens>>>,
     /// Findings of the client's last pull, shared for the same reason.
-    reports: Arc<Mutex<FxHashMap<Url, Report>>>,
+    reports: Arc<Mutex<FxHashMap<Url, SentFindings>>>,
     /// Tables of data files that the client shows, shared for the same reason.
     tables: Arc<Mutex<FxHashMap<Url, KeptTables>>>,
     /// Inlay hints and code lenses that the client shows, shared for the same reason.
@@ -133,16 +133,16 @@ impl Documents {
     }
 
     /// Stores the findings sent to the client.
-    pub(crate) fn keep_report(&self, uri: &Url, report: Report) {
+    pub(crate) fn keep_report(&self, uri: &Url, report: SentFindings) {
         self.lock_reports().insert(uri.clone(), report);
     }
 
     /// Findings last sent to the client, for all documents.
-    pub(crate) fn reports(&self) -> Vec<(Url, Report)> {
+    pub(crate) fn reports(&self) -> Vec<(Url, SentFindings)> {
         self.lock_reports().iter().map(|(uri, report)| (uri.clone(), report.clone())).collect()
     }
 
-    fn lock_reports(&self) -> MutexGuard<'_, FxHashMap<Url, Report>> {
+    fn lock_reports(&self) -> MutexGuard<'_, FxHashMap<Url, SentFindings>> {
         self.reports.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -159,7 +159,7 @@ impl Documents {
 
 impl Document {
     /// Applies the changes in order; each change applies to the result of the previous ones.
-    pub(crate) fn change(&mut self, changes: Vec<TextDocumentContentChangeEvent>, encoding: Unit) {
+    pub(crate) fn change(&mut self, changes: Vec<TextDocumentContentChangeEvent>, encoding: ColumnUnit) {
         let mut text = String::from(&*self.text);
         for change in changes {
             match change.range {
@@ -188,7 +188,7 @@ mod tests {
             range_length: None,
             text: (*text).to_owned(),
         });
-        document.change(changes.collect(), Unit::Utf16);
+        document.change(changes.collect(), ColumnUnit::Utf16);
         document.text.to_string()
     }
 

@@ -5,15 +5,15 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use crate::server_state::ServerState;
 
 /// Action for the main loop.
-pub(crate) type Message = Box<dyn FnOnce(&mut ServerState) + Send>;
+pub(crate) type MainLoopAction = Box<dyn FnOnce(&mut ServerState) + Send>;
 
 /// Sender to the main loop. The queue is unbounded, so sending never blocks.
 #[derive(Clone)]
-pub(crate) struct Inbox(Sender<Message>);
+pub(crate) struct Inbox(Sender<MainLoopAction>);
 
 impl Inbox {
     /// Creates an inbox and the receiver for the main loop.
-    pub(crate) fn new() -> (Self, Receiver<Message>) {
+    pub(crate) fn new() -> (Self, Receiver<MainLoopAction>) {
         let (sender, receiver) = channel();
         (Self(sender), receiver)
     }

@@ -25,7 +25,7 @@ pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<Option<String>> + Send
 
 /// Outcome of a request that is computed in parts. The data of a completed part are freed before the next part.
 #[derive(Debug)]
-pub(crate) enum Part<T> {
+pub(crate) enum JobPart<T> {
     /// Final result.
     Last(T),
     /// A part is complete and the request is computed again; the database keeps the results of this part.

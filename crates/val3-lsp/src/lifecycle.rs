@@ -5,7 +5,7 @@ use tower_lsp::lsp_types::{InitializeParams, InitializeResult, InitializedParams
 use tower_lsp::{LanguageServer, async_trait};
 
 use crate::inbox::Inbox;
-use crate::log::Log;
+use crate::log::ServerLog;
 use crate::parent_process;
 use crate::requests::capabilities;
 use crate::session::Session;
@@ -13,7 +13,7 @@ use crate::session::Session;
 /// State for the messages that tower-lsp handles itself.
 pub(crate) struct Lifecycle {
     pub(crate) inbox: Inbox,
-    pub(crate) log: Log,
+    pub(crate) log: ServerLog,
     pub(crate) version: String,
 }
 

@@ -2,8 +2,8 @@
 
 use tower_lsp::lsp_types::{Position, Range};
 use val3_analysis::db::{Db, File};
-use val3_lines::{Columns, LineColumn, LineIndex, Unit, range_between};
-use val3_syntax::{Part, TextRange, TextSize};
+use val3_lines::{ColumnCounting, ColumnUnit, LineColumn, LineIndex, range_between};
+use val3_syntax::{TextRange, TextSize, TextSlice};
 
 /// Line index of a file, memoised until the text changes.
 #[salsa::tracked(no_eq)]
@@ -12,21 +12,21 @@ pub(crate) fn line_index(db: &dyn Db, file: File) -> LineIndex {
 }
 
 /// Byte range of a protocol range in an open document.
-pub(crate) fn byte_range(text: &str, range: Range, unit: Unit) -> std::ops::Range<usize> {
+pub(crate) fn byte_range(text: &str, range: Range, unit: ColumnUnit) -> std::ops::Range<usize> {
     range_between(text, line_column(range.start), line_column(range.end), unit)
 }
 
 /// Text with its line index.
-pub(crate) struct Lines<'a> {
+pub(crate) struct PositionConverter<'a> {
     text: &'a str,
     index: &'a LineIndex,
-    columns: Columns,
+    columns: ColumnCounting,
 }
 
-impl<'a> Lines<'a> {
+impl<'a> PositionConverter<'a> {
     /// `hides_mark` is true for a stored text: an editor's text begins after the byte order mark.
-    pub(crate) fn new(text: &'a str, index: &'a LineIndex, unit: Unit, hides_mark: bool) -> Self {
-        Self { text, index, columns: Columns { unit, count_mark: !hides_mark } }
+    pub(crate) fn new(text: &'a str, index: &'a LineIndex, unit: ColumnUnit, hides_mark: bool) -> Self {
+        Self { text, index, columns: ColumnCounting { unit, count_mark: !hides_mark } }
     }
 
     /// Converts an offset to a position. An offset after the end of the text returns the end.
@@ -45,9 +45,9 @@ impl<'a> Lines<'a> {
         let text = self.text.part(usize::from(range.start())..usize::from(range.end()));
         let width = match self.columns.unit {
             _ if text.is_ascii() => text.len(),
-            Unit::Utf8 => text.len(),
-            Unit::Utf16 => text.encode_utf16().count(),
-            Unit::Utf32 => text.chars().count(),
+            ColumnUnit::Utf8 => text.len(),
+            ColumnUnit::Utf16 => text.encode_utf16().count(),
+            ColumnUnit::Utf32 => text.chars().count(),
         };
         u32::try_from(width).unwrap_or(u32::MAX)
     }

@@ -10,12 +10,12 @@ use val3_files::LogFile;
 /// Writes lines with the time since the start, in seconds. Without a log file it writes nothing. Clones write to the
 /// same file.
 #[derive(Clone)]
-pub(crate) struct Log {
+pub(crate) struct ServerLog {
     file: Option<Arc<Mutex<LogFile>>>,
     started: Instant,
 }
 
-impl Log {
+impl ServerLog {
     /// Opens the log file and empties it.
     pub(crate) fn open(path: Option<&Utf8Path>) -> io::Result<Self> {
         let file = path.map(LogFile::open).transpose().map_err(io::Error::other)?;

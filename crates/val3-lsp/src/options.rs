@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use val3_check::settings::{Selection, meant_by};
+use val3_check::settings::{RuleSelection, meant_by};
 use val3_ide::InlayHintSettings;
 use val3_lang::suggest::{nearest, question};
 
@@ -100,13 +100,13 @@ impl Options {
     }
 
     /// Selected findings.
-    pub(crate) fn selection(&self) -> Selection {
+    pub(crate) fn selection(&self) -> RuleSelection {
         let CheckOptions { select, ignore, .. } = &self.check;
         let codes =
             |words: &[String]| words.iter().flat_map(|word| meant_by(word)).map(|(rule, _)| rule.code).collect();
         let only = (!select.is_empty()).then(|| codes(select));
         let named = only.clone().unwrap_or_default();
-        Selection { only, named, never: codes(ignore), target: None }
+        RuleSelection { only, named, never: codes(ignore), target: None }
     }
 }
 

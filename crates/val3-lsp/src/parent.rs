@@ -2,7 +2,7 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::inside;
-use val3_analysis::system::{Kind, System};
+use val3_analysis::system::{PathKind, System};
 
 use crate::documents::Document;
 
@@ -20,7 +20,7 @@ pub(crate) fn project_above(system: &dyn System, document: &Document, folders: &
     document.path.ancestors().skip(1).take(HEIGHT).find_map(|folder| {
         let names = system.list(folder).ok()?;
         let paths = names.iter().map(|name| folder.join(name));
-        paths.filter(|path| is_manifest(path)).find(|path| system.kind(path) == Some(Kind::File))
+        paths.filter(|path| is_manifest(path)).find(|path| system.kind(path) == Some(PathKind::File))
     })
 }
 

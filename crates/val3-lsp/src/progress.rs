@@ -12,13 +12,13 @@ use tower_lsp::lsp_types::{
 use crate::outbox::Outbox;
 
 /// Progress report that the client shows until it is dropped.
-pub(crate) struct Progress {
+pub(crate) struct WorkProgress {
     outbox: Outbox,
     token: ProgressToken,
     percentage: Cell<u32>,
 }
 
-impl Progress {
+impl WorkProgress {
     /// Begins a progress report. The client has created or accepted the token.
     pub(crate) fn begin(outbox: Outbox, token: ProgressToken, message: &str) -> Self {
         let progress = Self { outbox, token, percentage: Cell::new(0) };
@@ -49,7 +49,7 @@ impl Progress {
     }
 }
 
-impl Drop for Progress {
+impl Drop for WorkProgress {
     fn drop(&mut self) {
         self.tell(WorkDoneProgress::End(WorkDoneProgressEnd { message: None }));
     }
@@ -64,7 +64,7 @@ pub(crate) enum ScanProgress {
     /// The client was requested to create the token.
     Asked,
     /// The client shows the progress.
-    Shown(Progress),
+    Shown(WorkProgress),
     /// Complete, or not supported by the client.
     Over,
 }

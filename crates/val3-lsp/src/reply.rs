@@ -20,11 +20,11 @@ struct Inner {
     id: Id,
     pump: Pump,
     waiting: Waiting,
-    state: Mutex<State>,
+    state: Mutex<ReplyState>,
 }
 
 #[derive(Default)]
-struct State {
+struct ReplyState {
     is_answered: bool,
     /// Token that cancels the current computation.
     running: Option<CancellationToken>,
@@ -66,7 +66,7 @@ impl Inner {
         self.pump.write(frame(message.as_bytes()));
     }
 
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, ReplyState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

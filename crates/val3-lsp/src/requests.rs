@@ -75,13 +75,13 @@ fn showing(routes: &mut Routes) {
     routes.on::<workspace_tree::WorkspaceTree>(Background, Retry, workspace_tree::workspace_tree);
     routes.on::<variables::VariablesOfProgram>(Latency, Retry, variables::variables);
     routes.on::<libraries::Libraries>(Latency, Retry, libraries::libraries);
-    routes.on::<page::Page>(Latency, Retry, page::page);
+    routes.on::<page::DocPage>(Latency, Retry, page::page);
     routes.on::<text_document_content::TextDocumentContent>(
         Latency,
         Retry,
         text_document_content::text_document_content,
     );
-    routes.on::<data::Data>(Latency, Retry, data::data);
+    routes.on::<data::DataRequest>(Latency, Retry, data::data);
     routes.on::<data::DataPoses>(Latency, Retry, data::data_poses);
 }
 

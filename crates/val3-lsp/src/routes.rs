@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::Value;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 
-use crate::job::{Job, OnEdit, Part};
+use crate::job::{Job, JobPart, OnEdit};
 use crate::pool::Priority;
 use crate::server_state::ServerState;
 use crate::snapshot::{Refusal, Snapshot};
@@ -52,7 +52,7 @@ impl Routes {
         &mut self,
         priority: Priority,
         on_edit: OnEdit,
-        handler: fn(&Snapshot, &R::Params, &mut S) -> Part<R::Result>,
+        handler: fn(&Snapshot, &R::Params, &mut S) -> JobPart<R::Result>,
     ) where
         R: tower_lsp::lsp_types::request::Request,
         R::Params: Send + Sync + 'static,
@@ -65,8 +65,8 @@ impl Routes {
             let compute = Arc::new(move |snapshot: &Snapshot| {
                 let mut state = state.lock().unwrap_or_else(PoisonError::into_inner);
                 match handler(snapshot, &params, &mut state) {
-                    Part::Last(result) => answer(Ok(result)).map(Some),
-                    Part::More => Ok(None),
+                    JobPart::Last(result) => answer(Ok(result)).map(Some),
+                    JobPart::More => Ok(None),
                 }
             });
             Ok(Job { method: R::METHOD, priority, on_edit, compute })

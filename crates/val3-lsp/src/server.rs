@@ -10,7 +10,7 @@ use tower_lsp::{LspService, Server};
 
 use crate::inbox::Inbox;
 use crate::lifecycle::Lifecycle;
-use crate::log::Log;
+use crate::log::ServerLog;
 use crate::outbox::Outbox;
 use crate::pool::Pool;
 use crate::requests::routes;
@@ -66,7 +66,7 @@ pub(crate) fn serve(
     let pump = Pump::start(output, move || _ = closed.send(false))?;
     let (inbox, messages) = Inbox::new();
     let outbox = Outbox::new(pump.clone());
-    let log = Log::open(options.log.as_deref())?;
+    let log = ServerLog::open(options.log.as_deref())?;
     let server = ServerState::new(inbox.clone(), outbox, Pool::start()?, log.clone(), &options.executable);
     let main_loop = thread::Builder::new().name("main loop".to_owned()).stack_size(STACK_SIZE);
     main_loop.spawn(move || server.run(&messages))?;

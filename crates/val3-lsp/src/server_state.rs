@@ -29,7 +29,7 @@ use self::stale::Stale;
 use crate::checks::Checks;
 use crate::documents::Documents;
 use crate::inbox::Inbox;
-use crate::log::Log;
+use crate::log::ServerLog;
 use crate::outbox::Outbox;
 use crate::pool::Pool;
 use crate::progress::{FirstPull, ScanProgress};
@@ -94,14 +94,14 @@ pub(crate) struct ServerState {
     answer_handlers: FxHashMap<i64, AnswerHandler>,
     /// Messages already shown to the user.
     complained: FxHashSet<String>,
-    log: Log,
+    log: ServerLog,
     /// The executable that executes tests.
     executable: Arc<str>,
 }
 
 impl ServerState {
     /// Creates a server without open folders and documents.
-    pub(crate) fn new(inbox: Inbox, outbox: Outbox, pool: Pool, log: Log, executable: &str) -> Self {
+    pub(crate) fn new(inbox: Inbox, outbox: Outbox, pool: Pool, log: ServerLog, executable: &str) -> Self {
         let own = inbox.clone();
         Self {
             session: Arc::default(),

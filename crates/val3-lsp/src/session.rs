@@ -7,7 +7,7 @@ use tower_lsp::lsp_types::{
     WorkspaceEditClientCapabilities,
 };
 use val3_analysis::paths::normalise;
-use val3_lines::Unit;
+use val3_lines::ColumnUnit;
 
 use crate::options::{Delivery, Options, SECTION};
 use crate::uri;
@@ -16,7 +16,7 @@ use crate::uri;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Session {
     /// Unit of columns.
-    pub(crate) encoding: Unit,
+    pub(crate) encoding: ColumnUnit,
     /// Open folders.
     pub(crate) folders: Vec<Utf8PathBuf>,
     /// User's settings.
@@ -26,7 +26,7 @@ pub(crate) struct Session {
     /// Commands of this server that the client implements.
     pub(crate) commands: ClientCommands,
     /// Trace level.
-    pub(crate) trace: Trace,
+    pub(crate) trace: TraceLevel,
 }
 
 /// Client capabilities; each field is true if the client supports the feature.
@@ -159,7 +159,7 @@ impl ClientCommands {
 
 /// Trace level of a client.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) enum Trace {
+pub(crate) enum TraceLevel {
     /// No trace.
     #[default]
     Off,
@@ -178,9 +178,9 @@ impl Session {
             client: ClientAbilities::of(params),
             commands: ClientCommands::read(params.initialization_options.as_ref()),
             trace: if params.trace.is_some_and(|trace| trace != tower_lsp::lsp_types::TraceValue::Off) {
-                Trace::On
+                TraceLevel::On
             } else {
-                Trace::Off
+                TraceLevel::Off
             },
         };
         (session, faults)
@@ -198,16 +198,16 @@ impl Session {
 
 /// Position encoding: UTF-8 if the client supports it, because texts are stored in UTF-8; otherwise UTF-16, which all
 /// clients support.
-fn encoding(params: &InitializeParams) -> Unit {
+fn encoding(params: &InitializeParams) -> ColumnUnit {
     let general = params.capabilities.general.as_ref();
     let offered = general.and_then(|general| general.position_encodings.as_deref()).unwrap_or_default();
     let wanted = [
-        (PositionEncodingKind::UTF8, Unit::Utf8),
-        (PositionEncodingKind::UTF16, Unit::Utf16),
-        (PositionEncodingKind::UTF32, Unit::Utf32),
+        (PositionEncodingKind::UTF8, ColumnUnit::Utf8),
+        (PositionEncodingKind::UTF16, ColumnUnit::Utf16),
+        (PositionEncodingKind::UTF32, ColumnUnit::Utf32),
     ];
     let agreed = wanted.iter().find(|(kind, _)| offered.contains(kind));
-    agreed.map_or(Unit::Utf16, |(_, encoding)| *encoding)
+    agreed.map_or(ColumnUnit::Utf16, |(_, encoding)| *encoding)
 }
 
 #[allow(deprecated, reason = "older clients name one folder only")]

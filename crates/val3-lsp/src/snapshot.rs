@@ -17,7 +17,7 @@ use val3_syntax::TextRange;
 
 use crate::detached;
 use crate::documents::{Document, Documents};
-use crate::lines::{Lines, line_index};
+use crate::lines::{PositionConverter, line_index};
 use crate::outbox::Outbox;
 use crate::overlay;
 use crate::progress::FirstPull;
@@ -94,14 +94,14 @@ impl Snapshot {
     }
 
     /// Lines of a file.
-    pub(crate) fn lines(&self, file: File) -> Lines<'_> {
+    pub(crate) fn lines(&self, file: File) -> PositionConverter<'_> {
         self.lines_of(file, file.text(&self.db), line_index(&self.db, file))
     }
 
     /// Lines of a text that replaces the file's text.
-    pub(crate) fn lines_of<'a>(&self, file: File, text: &'a str, index: &'a LineIndex) -> Lines<'a> {
+    pub(crate) fn lines_of<'a>(&self, file: File, text: &'a str, index: &'a LineIndex) -> PositionConverter<'a> {
         let is_open = self.documents.at(file.path(&self.db)).is_some();
-        Lines::new(text, index, self.session.encoding, !is_open)
+        PositionConverter::new(text, index, self.session.encoding, !is_open)
     }
 
     /// Range in the client's units.

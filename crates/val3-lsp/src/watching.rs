@@ -9,7 +9,7 @@ use tower_lsp::lsp_types::{
     DidChangeWatchedFilesParams, DidChangeWatchedFilesRegistrationOptions, FileChangeType, FileSystemWatcher,
     GlobPattern, Registration, RegistrationParams,
 };
-use val3_analysis::system::{Disk, Kind, System as _};
+use val3_analysis::system::{Disk, PathKind, System as _};
 
 use crate::inbox::Inbox;
 use crate::server_state::ServerState;
@@ -75,7 +75,7 @@ pub(crate) fn files_changed(server: &mut ServerState, changes: Vec<(Utf8PathBuf,
 /// Whether the path is or was a folder that may contain files of projects. A deleted folder is recognised by its files.
 fn may_be_folder(server: &ServerState, path: &Utf8Path) -> bool {
     match Disk.kind(path) {
-        Some(kind) => kind == Kind::Folder,
+        Some(kind) => kind == PathKind::Folder,
         None => path.extension().is_none() || server.has_files_in(path),
     }
 }

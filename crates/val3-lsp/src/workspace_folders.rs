@@ -7,7 +7,7 @@ use val3_analysis::paths::{is_same, normalise};
 
 use crate::options::Options;
 use crate::server_state::ServerState;
-use crate::session::Trace;
+use crate::session::TraceLevel;
 use crate::uri;
 use crate::watching;
 
@@ -43,5 +43,5 @@ pub(crate) fn settings_changed(server: &mut ServerState, params: DidChangeConfig
 /// Handles a changed trace level.
 pub(crate) fn trace_set(server: &mut ServerState, params: SetTraceParams) {
     let is_off = params.value == TraceValue::Off;
-    Arc::make_mut(&mut server.session).trace = if is_off { Trace::Off } else { Trace::On };
+    Arc::make_mut(&mut server.session).trace = if is_off { TraceLevel::Off } else { TraceLevel::On };
 }

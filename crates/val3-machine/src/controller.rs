@@ -13,7 +13,7 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Time};
-use val3_vm::{CYCLE, CycleEnd, Host as _, InstanceId, Schedule, TaskState, Vm, Watch};
+use val3_vm::{CYCLE, CycleEnd, CycleWatch, Host as _, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
 use crate::script::Script;
@@ -21,7 +21,7 @@ use crate::script::Script;
 pub use crate::run_status::RunStatus;
 
 pub use motion::{BlendPoint, CodeSource, MotionFault, MotionPiece, MotionStatus, RecordedMove};
-pub use operator::Operation;
+pub use operator::OperatorAction;
 pub use positions::{Activity, TaskPosition};
 pub use snapshot::Snapshot;
 
@@ -39,7 +39,7 @@ pub struct Controller {
     pub devices: Devices,
     schedule: Schedule,
     application: InstanceId,
-    phase: Phase,
+    phase: RunPhase,
     /// Task that executes `start` and later `stop`.
     lead: Option<TaskNumber>,
     stopped: bool,
@@ -52,7 +52,7 @@ pub struct Controller {
 
 /// Phase of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Phase {
+enum RunPhase {
     /// The tasks run.
     Running,
     /// `stop` runs; after a stop from outside together with other tasks.
@@ -90,7 +90,7 @@ impl Controller {
             devices,
             schedule: Schedule::new(line_cost),
             application,
-            phase: Phase::Running,
+            phase: RunPhase::Running,
             lead: None,
             stopped: false,
             outlives_tasks: false,
@@ -156,7 +156,7 @@ impl Controller {
     /// Stops the application as the operator does: `stop` runs, then all tasks are killed in the reverse order of
     /// their creation (5.2).
     pub fn stop(&mut self) {
-        if self.phase == Phase::Running {
+        if self.phase == RunPhase::Running {
             self.stopped = true;
             if let Some(start) = self.lead {
                 self.kill(start);
@@ -185,7 +185,7 @@ impl Controller {
 
     /// Starts `stop` in the task `~application` (5.2).
     fn begin_stop(&mut self) {
-        self.phase = Phase::Stopping;
+        self.phase = RunPhase::Stopping;
         if self.start_leading_task("stop", &[], |application| format!("~{application}")).is_err() {
             self.end();
         }
@@ -194,7 +194,7 @@ impl Controller {
     fn end(&mut self) {
         self.kill_tasks();
         self.devices.lines.shut_down();
-        self.phase = Phase::Stopped;
+        self.phase = RunPhase::Stopped;
     }
 
     /// Replaces the image of the application in memory. Data that both images declare alike keep their values.
@@ -229,7 +229,7 @@ impl Controller {
             return end.into();
         }
         self.advance_phase();
-        let is_over = (self.phase == Phase::Stopped).then_some(self.end_of_application());
+        let is_over = (self.phase == RunPhase::Stopped).then_some(self.end_of_application());
         self.status(end, is_over)
     }
 
@@ -283,7 +283,7 @@ impl Controller {
     }
 
     /// Sets the condition under which a cycle stops so that the caller can inspect a task.
-    pub fn watch(&mut self, watch: Watch) {
+    pub fn watch(&mut self, watch: CycleWatch) {
         self.schedule.watch = watch;
     }
 
@@ -336,8 +336,8 @@ impl Controller {
 
     fn advance_phase(&mut self) {
         match self.phase {
-            Phase::Running if !self.has_tasks() => self.begin_stop(),
-            Phase::Stopping if !self.leads() => self.end(),
+            RunPhase::Running if !self.has_tasks() => self.begin_stop(),
+            RunPhase::Stopping if !self.leads() => self.end(),
             _ => {}
         }
     }

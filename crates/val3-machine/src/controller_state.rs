@@ -18,6 +18,6 @@ pub use languages::Languages;
 pub use power::{POWER_OFF_TIME, POWER_ON_TIME, Power};
 pub use profiles::{Profile, ProfileChange, Profiles};
 pub use robot::{EmergencyStop, PowerRequest, Robot, RobotEvent, SpeedChange};
-pub use severity::Severity;
-pub use versions::{Licence, Versions};
+pub use severity::MessageSeverity;
+pub use versions::{ControllerVersions, Licence};
 pub use working_mode::{Activity, WorkingMode};

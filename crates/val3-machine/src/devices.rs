@@ -34,19 +34,19 @@ use val3_lang::memory::Place;
 use val3_lang::ports::{CodePlace, Time};
 use val3_vm::{InstanceId, Space};
 
-use crate::controller_state::Severity;
+use crate::controller_state::MessageSeverity;
 use crate::event::{Event, EventKind};
 use crate::files::{FileFault, Roots};
 use crate::inputs::Inputs;
 use crate::screen::Pendant;
 use crate::shapes::LinkShape;
 
-pub use limits::Limits;
-pub use lines::{Lines, LinesState};
+pub use limits::DeviceLimits;
+pub use lines::{ChannelTable, LinesState};
 pub use outside::{Libraries, MediaState};
 pub use saving::SavedValues;
 pub use stand_ins::StandIns;
-pub use state::State;
+pub use state::DeviceState;
 
 use cell::CellFile;
 use outside::Outside;
@@ -55,16 +55,16 @@ use signal_reads::SignalReads;
 /// All parts of the controller except the programs.
 pub struct Devices {
     /// Inputs and outputs, pendant, power, log and the other parts that are plain data.
-    pub state: State,
+    pub state: DeviceState,
     /// Serial lines and sockets.
-    pub lines: Lines,
+    pub lines: ChannelTable,
     /// Media and libraries.
     outside: Outside,
     /// While set, the cycle is suspended after the current instruction, so that the caller can end the run even in a loop
     /// of slow instructions.
     pub interrupt: Arc<AtomicBool>,
     /// Memory limits of the devices.
-    pub limits: Limits,
+    pub limits: DeviceLimits,
     /// Shapes of the base and the following links, if known.
     pub shapes: Vec<Option<LinkShape>>,
     /// Libraries that are loaded in place of other libraries.
@@ -85,11 +85,11 @@ impl Devices {
     pub fn new(roots: Roots, libraries: Box<dyn Libraries>) -> Self {
         let inputs = Inputs::default();
         Self {
-            state: State::default(),
-            lines: Lines::new(inputs.clone()),
+            state: DeviceState::default(),
+            lines: ChannelTable::new(inputs.clone()),
             outside: Outside::new(roots, libraries, inputs),
             interrupt: Arc::default(),
-            limits: Limits::default(),
+            limits: DeviceLimits::default(),
             shapes: Vec::new(),
             stand_ins: StandIns::default(),
             signal_reads: SignalReads::default(),
@@ -120,14 +120,14 @@ impl Devices {
     }
 
     /// Writes a line of the controller itself to the event log, where such lines are never lost.
-    pub fn report(&mut self, text: &str, severity: Severity, now: Time) {
+    pub fn report(&mut self, text: &str, severity: MessageSeverity, now: Time) {
         self.state.log.report(text, severity, now);
         let logged = part_events::logged(&mut self.state.log);
         self.record_all_outside(now, logged);
     }
 
     /// Writes a line about the instruction of the task that runs to the event log.
-    fn report_here(&mut self, text: &str, severity: Severity) {
+    fn report_here(&mut self, text: &str, severity: MessageSeverity) {
         self.state.log.report(text, severity, self.now());
         let logged = part_events::logged(&mut self.state.log);
         self.record_all(logged);
@@ -136,7 +136,7 @@ impl Devices {
     /// Applies the settings of the arm, its speed and the language in a file such as `arm.cfx` or `cell.cfx`.
     pub fn describe(&mut self, file: &str) {
         for warning in CellFile::read(file).apply(&mut self.state) {
-            self.report(&warning, Severity::Warning, 0);
+            self.report(&warning, MessageSeverity::Warning, 0);
         }
     }
 
@@ -152,7 +152,7 @@ impl Devices {
     /// # Errors
     /// A file cannot be read or written, or belongs to an encrypted library.
     pub fn save_values(&mut self, space: &Space, places: &[Place], overwrite: bool) -> Result<SavedValues, FileFault> {
-        let State { io, loaded, .. } = &mut self.state;
+        let DeviceState { io, loaded, .. } = &mut self.state;
         saving::save((space, places), (io, &self.lines), loaded, &mut self.outside, overwrite)
     }
 
@@ -170,7 +170,7 @@ impl Devices {
     /// reason.
     pub(crate) fn write_files(&mut self, now: Time) {
         for message in self.outside.write() {
-            self.report(&message, Severity::Warning, now);
+            self.report(&message, MessageSeverity::Warning, now);
         }
     }
 

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use val3_lang::ports::{SECOND, Time};
 
 use crate::blend_ends::BlendEnds;
-use crate::sio::Entry;
+use crate::sio::RecordedReply;
 
 /// Event of a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -148,7 +148,7 @@ pub enum EventKind {
         link: String,
         /// Call number and result.
         #[serde(flatten)]
-        entry: Entry,
+        entry: RecordedReply,
     },
     /// The time source has changed: the wall clock applies while a serial line or socket has a peer.
     Clock {

@@ -35,10 +35,10 @@ impl<T: Answer, E: Clone + 'static> Answer for Result<T, E> {
 
 /// Recorder of external input. Clones share one recording.
 #[derive(Clone, Default)]
-pub struct Inputs(Rc<RefCell<Recording>>);
+pub struct Inputs(Rc<RefCell<InputRecording>>);
 
 #[derive(Default)]
-struct Recording {
+struct InputRecording {
     is_on: bool,
     /// Number of the next call.
     next: u64,
@@ -101,7 +101,7 @@ impl Inputs {
     /// Ends the recording and discards its results, so that all calls reach the outside.
     pub fn end(&self) {
         let mut recording = self.0.borrow_mut();
-        *recording = Recording { next: recording.next, recorded: recording.next, ..Recording::default() };
+        *recording = InputRecording { next: recording.next, recorded: recording.next, ..InputRecording::default() };
     }
 
     /// Returns the recorded result of the call, or executes it.
@@ -129,7 +129,7 @@ impl Inputs {
     }
 }
 
-impl Recording {
+impl InputRecording {
     /// Returns the recorded result of the next call; `None` at the end of the recording.
     ///
     /// An execution with another call than the recorded call has left the recording, whose rest is dropped.
@@ -172,7 +172,7 @@ fn bytes(answers: &BTreeMap<u64, Recorded>) -> u64 {
 
 impl fmt::Debug for Inputs {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Recording { is_on, next, recorded, .. } = &*self.0.borrow();
+        let InputRecording { is_on, next, recorded, .. } = &*self.0.borrow();
         f.debug_struct("Inputs").field("is_on", is_on).field("next", next).field("recorded", recorded).finish()
     }
 }

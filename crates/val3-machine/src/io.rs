@@ -11,6 +11,6 @@ mod table;
 pub use bus::DeviceFault;
 pub use declarations::NoSignal;
 pub use outside::Forcing;
-pub use signal::{Direction, Format, Kind, Signal};
+pub use signal::{Direction, Signal, SignalKind, SignalRange};
 pub use status::{IoError, IoStatus, SignalFault};
 pub use table::{IoChange, IoTable, LinkId, SignalId};

@@ -13,8 +13,8 @@ mod width;
 
 pub use ids::{PageId, ReadingId};
 pub use keyboard::TAP;
-pub use page::{COLUMNS, Page, Position, ROWS};
+pub use page::{COLUMNS, CursorCell, PageContent, ROWS};
 pub use pendant::{HtmlCallback, HtmlPage, HtmlValue, Pendant, PopUp, ScreenEvent};
-pub use row::Cell;
+pub use row::ScreenCell;
 pub use text_mode::TextMode;
 pub use width::{display_columns, fitting};

@@ -68,16 +68,16 @@ use val3_lang::ports::Time;
 
 pub use bytes::LineBytes;
 pub use check::{Misfit, ScriptFault};
-pub use comparison::{Comparison, LevelComparison, Range};
+pub use comparison::{ComparedRange, Comparison, LevelComparison};
 pub use condition::{Condition, Mismatch};
-pub(crate) use entry::Entry;
 use entry::Pending;
-pub use entry::{Action, ScriptPlace, TimedEntry};
+pub(crate) use entry::ScriptEntry;
+pub use entry::{ScriptAction, ScriptPlace, TimedEntry};
 pub use keys::{key_codes, typed_keys};
 use reaction::Reaction;
-pub use reaction::Rule;
+pub use reaction::ReactionRule;
 pub use sent::SentText;
-pub use values::{Level, Seconds, Value};
+pub use values::{ScriptLevel, ScriptValue, Seconds};
 
 /// Timed events, and the reactions of the cell.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -96,11 +96,11 @@ pub struct Script {
 /// Content of a script file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct ScriptContent {
     #[serde(default)]
     at: Vec<TimedEntry>,
     #[serde(default)]
-    when: Vec<Spanned<Rule>>,
+    when: Vec<Spanned<ReactionRule>>,
     #[serde(default)]
     silent: Vec<String>,
 }
@@ -121,7 +121,7 @@ impl Script {
     /// Creates a script from the tables of a file with this text. Entries with the same time keep their order. The
     /// script is the other end of the `silent` lines, even if it never sends anything.
     #[must_use]
-    pub fn new(mut at: Vec<TimedEntry>, when: Vec<Spanned<Rule>>, silent: Vec<String>, text: &str) -> Self {
+    pub fn new(mut at: Vec<TimedEntry>, when: Vec<Spanned<ReactionRule>>, silent: Vec<String>, text: &str) -> Self {
         at.sort_by_key(|TimedEntry { t, .. }| t.time());
         let pending = at.into_iter().map(|TimedEntry { t, entry }| Pending {
             time: t.time(),
@@ -139,7 +139,7 @@ impl Script {
     /// # Errors
     /// The text is no TOML, or contains keys or values that a script does not support.
     pub fn parse(text: &str) -> Result<Self, ScriptError> {
-        let File { at, when, silent } = toml::from_str(text).map_err(ScriptError)?;
+        let ScriptContent { at, when, silent } = toml::from_str(text).map_err(ScriptError)?;
         Ok(Self::new(at, when, silent, text))
     }
 

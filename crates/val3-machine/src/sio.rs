@@ -25,11 +25,11 @@ pub use guarded::{SocketGuard, SocketRequest};
 pub use line::{ByteStream, Connection, LineKind, Received, SendResult, SettingRefusal};
 pub use memory::{MemoryLine, Peer};
 pub use network_access::NetworkAccess;
-pub use recording::{Entry, LineAnswer, Recorder, RecorderState, Replay, replay};
+pub use recording::{LineAnswer, LineRecorder, RecordedReply, RecorderState, Replay, replay};
 pub use scripted::{ScriptedLine, ScriptedPeer};
 #[cfg(unix)]
 pub use serial::SerialLine;
-pub use setting::{Parity, Setting, SettingValue};
+pub use setting::{LineSetting, Parity, SettingValue};
 pub use tcp_client::TcpClient;
 pub use tcp_server::TcpServer;
 pub use udp::UdpLine;

@@ -10,7 +10,7 @@ use std::io;
 use std::process::Command;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_data::{Content, SavedData, SavedValue, Shape};
+use val3_data::{SavedContainer, SavedContent, SavedData, SavedValue};
 use val3_machine::files::{ControllerPath, LibraryFiles, LibraryPath, Roots, Steps, Uninterrupted};
 
 const FOLDER: &str = "VAL3_TEST_FOLDER";
@@ -42,9 +42,15 @@ fn mounted(disk: &Utf8Path) -> Roots {
 }
 
 fn number(name: &str, value: u32) -> SavedData {
-    let content = Content::Attributes(vec![("value".into(), value.to_string())]);
+    let content = SavedContent::Attributes(vec![("value".into(), value.to_string())]);
     let values = vec![SavedValue { key: "0".to_owned(), content }];
-    SavedData { name: name.into(), type_name: "num".into(), shape: Shape::Sizes(vec![1]), values, is_part: false }
+    SavedData {
+        name: name.into(),
+        type_name: "num".into(),
+        shape: SavedContainer::Sizes(vec![1]),
+        values,
+        is_part: false,
+    }
 }
 
 fn changed(old: &LibraryFiles) -> LibraryFiles {

@@ -2,24 +2,24 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::kind::{DECLARATION, FileKind};
-use crate::node::Node;
+use crate::kind::{DECLARATION, MergedKind};
+use crate::node::MergeNode;
 use crate::same::same_value;
 
 /// Container of values in one version of a file.
 pub(crate) struct Array<'n, 't> {
     /// Sizes of the dimensions; `None` for a collection.
     pub(crate) sizes: Option<Vec<usize>>,
-    elements: FxHashMap<Vec<usize>, &'n Node<'t>>,
+    elements: FxHashMap<Vec<usize>, &'n MergeNode<'t>>,
 }
 
 /// Whether an element at this depth declares values: `Data`, `Field`, or a variable of s5 and s6.
-pub(crate) fn is_container(node: &Node<'_>, depth: usize) -> bool {
+pub(crate) fn is_container(node: &MergeNode<'_>, depth: usize) -> bool {
     node.key.is_some() && (matches!(node.name(), "Data" | "Field") || depth == DECLARATION)
 }
 
 impl<'n, 't> Array<'n, 't> {
-    pub(crate) fn of(node: &'n Node<'t>) -> Self {
+    pub(crate) fn of(node: &'n MergeNode<'t>) -> Self {
         let elements: FxHashMap<_, _> = values(node).filter_map(|value| Some((index_of(value)?, value))).collect();
         let sizes = match (node.value("xsi:type").as_deref(), node.value("size")) {
             (Some("collection"), _) => None,
@@ -36,30 +36,30 @@ impl<'n, 't> Array<'n, 't> {
     }
 
     /// Returns the element at `index` of a one-dimensional array.
-    pub(crate) fn at(&self, index: usize) -> Option<&'n Node<'t>> {
+    pub(crate) fn at(&self, index: usize) -> Option<&'n MergeNode<'t>> {
         self.elements.get(&[index][..]).copied()
     }
 
     /// Returns the first index at which the arrays differ, at most the smaller size.
-    pub(crate) fn first_difference(&self, kind: FileKind, other: &Self) -> usize {
+    pub(crate) fn first_difference(&self, kind: MergedKind, other: &Self) -> usize {
         let common = self.size(0).min(other.size(0));
         let differs = |index: &usize| !same_value(kind, self.at(*index), other.at(*index));
         (0..common).find(differs).unwrap_or(common)
     }
 
     /// Whether an element with a wanted index differs.
-    pub(crate) fn differs_where(&self, kind: FileKind, other: &Self, is_wanted: impl Fn(&[usize]) -> bool) -> bool {
+    pub(crate) fn differs_where(&self, kind: MergedKind, other: &Self, is_wanted: impl Fn(&[usize]) -> bool) -> bool {
         let mut indexes = self.elements.keys().chain(other.elements.keys()).filter(|index| is_wanted(index));
         indexes.any(|index| !same_value(kind, self.elements.get(index).copied(), other.elements.get(index).copied()))
     }
 
     /// Whether an element from `start` on differs.
-    pub(crate) fn differs_from(&self, kind: FileKind, other: &Self, start: usize) -> bool {
+    pub(crate) fn differs_from(&self, kind: MergedKind, other: &Self, start: usize) -> bool {
         self.differs_where(kind, other, |index| index.len() != 1 || index.first().is_some_and(|index| *index >= start))
     }
 
     /// Whether elements were inserted before the last elements of `base`, which moved to higher indexes.
-    pub(crate) fn is_shifted(&self, kind: FileKind, base: &Self) -> bool {
+    pub(crate) fn is_shifted(&self, kind: MergedKind, base: &Self) -> bool {
         let is_list = |array: &Self| array.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1);
         let Some(by) = self.size(0).checked_sub(base.size(0)).filter(|by| *by > 0 && is_list(self) && is_list(base))
         else {
@@ -72,12 +72,12 @@ impl<'n, 't> Array<'n, 't> {
 }
 
 /// Returns the elements of a variable or field.
-pub(crate) fn values<'n, 't>(node: &'n Node<'t>) -> impl Iterator<Item = &'n Node<'t>> {
+pub(crate) fn values<'n, 't>(node: &'n MergeNode<'t>) -> impl Iterator<Item = &'n MergeNode<'t>> {
     node.children.iter().filter(|child| child.name().to_ascii_lowercase().starts_with("value"))
 }
 
 /// Parses an element's index: `7`, `2,1`.
-pub(crate) fn index_of(value: &Node<'_>) -> Option<Vec<usize>> {
+pub(crate) fn index_of(value: &MergeNode<'_>) -> Option<Vec<usize>> {
     numbers(value.key.as_deref()?, ',')
 }
 
@@ -88,7 +88,7 @@ fn numbers(text: &str, separator: char) -> Option<Vec<usize>> {
 }
 
 /// Whether two elements are equal except for their indexes.
-pub(crate) fn same_element(kind: FileKind, one: Option<&Node<'_>>, other: Option<&Node<'_>>) -> bool {
+pub(crate) fn same_element(kind: MergedKind, one: Option<&MergeNode<'_>>, other: Option<&MergeNode<'_>>) -> bool {
     match (one, other) {
         (Some(one), Some(other)) => crate::same::same_content(kind, one, other),
         (one, other) => same_value(kind, one, other),

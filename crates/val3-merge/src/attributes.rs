@@ -1,10 +1,10 @@
 //! Three-way merge of attributes.
 
-use val3_syntax::xml::{Attribute, Element, escaped};
-use val3_syntax::{Edit, TextRange, TextSize};
+use val3_syntax::xml::{Attribute, XmlElement, escaped};
+use val3_syntax::{TextEdit, TextRange, TextSize};
 
-use crate::merger::{Merger, Versions};
-use crate::node::Node;
+use crate::merger::{ElementVersions, Merger};
+use crate::node::MergeNode;
 use crate::same::same_attribute;
 
 /// Attributes that form one value: a mixture of two positions would be a position that was never taught.
@@ -14,7 +14,7 @@ const UNITS: [&[&str]; 2] = [
 ];
 
 /// Merges the attributes. Attributes in `of_theirs` are copied from theirs.
-pub(crate) fn merge(merger: &mut Merger<'_>, versions: Versions<'_, '_>, path: &str, of_theirs: &[&str]) {
+pub(crate) fn merge(merger: &mut Merger<'_>, versions: ElementVersions<'_, '_>, path: &str, of_theirs: &[&str]) {
     let mut names: Vec<&str> = Vec::new();
     for node in [Some(versions.theirs), Some(versions.ours), versions.base].into_iter().flatten() {
         for attribute in node.element.iter().flat_map(|element| element.attributes()) {
@@ -53,8 +53,12 @@ enum Changed {
     Both,
 }
 
-fn changed(merger: &Merger<'_>, Versions { base, ours, theirs }: Versions<'_, '_>, unit: &[&str]) -> Changed {
-    let differs = |one: Option<&Node<'_>>, other: Option<&Node<'_>>| {
+fn changed(
+    merger: &Merger<'_>,
+    ElementVersions { base, ours, theirs }: ElementVersions<'_, '_>,
+    unit: &[&str],
+) -> Changed {
+    let differs = |one: Option<&MergeNode<'_>>, other: Option<&MergeNode<'_>>| {
         unit.iter().any(|name| {
             let [one, other] = [one, other].map(|node| node.and_then(|node| node.value(name)));
             !same_attribute(merger.kind, ours, name, one.as_deref(), other.as_deref())
@@ -70,7 +74,11 @@ fn changed(merger: &Merger<'_>, Versions { base, ours, theirs }: Versions<'_, '_
 }
 
 /// Formats the difference: `x is 5 in ours and 7 in theirs`.
-fn described(merger: &Merger<'_>, Versions { ours, theirs, .. }: Versions<'_, '_>, unit: &[&str]) -> Vec<String> {
+fn described(
+    merger: &Merger<'_>,
+    ElementVersions { ours, theirs, .. }: ElementVersions<'_, '_>,
+    unit: &[&str],
+) -> Vec<String> {
     let shown =
         |value: &Option<String>| value.as_ref().map_or_else(|| "omitted".to_owned(), |value| format!("\"{value}\""));
     let differing = unit.iter().filter_map(|name| {
@@ -82,7 +90,7 @@ fn described(merger: &Merger<'_>, Versions { ours, theirs, .. }: Versions<'_, '_
 }
 
 /// Returns the text of the element without its content.
-fn head<'t>(node: &Node<'t>) -> &'t str {
+fn head<'t>(node: &MergeNode<'t>) -> &'t str {
     match node.element {
         Some(element) if node.content.is_some() => node.slice(element.tag_range()),
         _ => node.text(),
@@ -90,27 +98,27 @@ fn head<'t>(node: &Node<'t>) -> &'t str {
 }
 
 /// Returns the edit that changes the attribute in ours to its value in theirs.
-fn take(ours: &Node<'_>, theirs: &Node<'_>, name: &str) -> Option<Edit> {
+fn take(ours: &MergeNode<'_>, theirs: &MergeNode<'_>, name: &str) -> Option<TextEdit> {
     let (to, from) = (ours.element?, theirs.element?);
     match (to.attribute(name), from.attribute(name)) {
         (Some(old), Some(new)) if old.text() == new.text() => None,
-        (Some(old), Some(new)) => Some(Edit { range: old.range, insert: written(new, old.quote) }),
+        (Some(old), Some(new)) => Some(TextEdit { range: old.range, insert: written(new, old.quote) }),
         (Some(old), None) => {
             let before = ours.source.get(..usize::from(old.name_range.start()))?;
             let blanks = TextSize::of(before) - TextSize::of(before.trim_end());
             let range = TextRange::new(old.name_range.start() - blanks, end(old));
-            Some(Edit { range, insert: String::new() })
+            Some(TextEdit { range, insert: String::new() })
         }
         (None, Some(new)) => {
             let insert = format!(" {name}={quote}{}{quote}", written(new, new.quote), quote = new.quote);
-            Some(Edit { range: TextRange::empty(place(to, from, name)), insert })
+            Some(TextEdit { range: TextRange::empty(place(to, from, name)), insert })
         }
         (None, None) => None,
     }
 }
 
 /// Returns the end of the attribute in ours after which a new attribute is inserted.
-fn place(to: Element<'_>, from: Element<'_>, name: &str) -> TextSize {
+fn place(to: XmlElement<'_>, from: XmlElement<'_>, name: &str) -> TextSize {
     let mut before: Vec<Attribute<'_>> = from.attributes().take_while(|attribute| attribute.name != name).collect();
     before.reverse();
     let known = before.into_iter().find_map(|attribute| to.attribute(attribute.name));

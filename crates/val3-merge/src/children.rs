@@ -3,24 +3,24 @@
 use rustc_hash::FxHashMap;
 
 use crate::conflict::Ours;
-use crate::merger::{Merger, Versions};
-use crate::node::Node;
+use crate::merger::{ElementVersions, Merger};
+use crate::node::MergeNode;
 use crate::placement::{adapted, after, before, inside, prefix, prefix_in, removed};
 use crate::same::{is_default, same};
 
 /// Elements with one identity in three versions.
 #[derive(Default)]
-struct Group<'n, 't> {
-    base: Vec<&'n Node<'t>>,
-    ours: Vec<&'n Node<'t>>,
-    theirs: Vec<&'n Node<'t>>,
+struct ElementGroup<'n, 't> {
+    base: Vec<&'n MergeNode<'t>>,
+    ours: Vec<&'n MergeNode<'t>>,
+    theirs: Vec<&'n MergeNode<'t>>,
 }
 
 impl Merger<'_> {
     /// Merges the children if the element is in ours and theirs.
-    pub(crate) fn children(&mut self, versions: Versions<'_, '_>, path: &str) {
-        let Versions { base, ours, theirs } = versions;
-        let mut groups: FxHashMap<&str, Group<'_, '_>> = FxHashMap::default();
+    pub(crate) fn children(&mut self, versions: ElementVersions<'_, '_>, path: &str) {
+        let ElementVersions { base, ours, theirs } = versions;
+        let mut groups: FxHashMap<&str, ElementGroup<'_, '_>> = FxHashMap::default();
         for child in base.iter().flat_map(|base| &base.children) {
             groups.entry(&child.id).or_default().base.push(child);
         }
@@ -30,8 +30,8 @@ impl Merger<'_> {
         for child in &theirs.children {
             groups.entry(&child.id).or_default().theirs.push(child);
         }
-        let empty = Group::default();
-        let group = |child: &Node<'_>| groups.get(child.id.as_str()).unwrap_or(&empty);
+        let empty = ElementGroup::default();
+        let group = |child: &MergeNode<'_>| groups.get(child.id.as_str()).unwrap_or(&empty);
         // New elements are inserted before conflict comments at the same place, which stay next to their elements.
         let mut places = Places::new(ours, theirs, |child| {
             let group = group(child);
@@ -39,7 +39,7 @@ impl Merger<'_> {
         });
         for (at, child) in theirs.children.iter().enumerate() {
             places.pass(at);
-            let Group { base, ours, theirs } = group(child);
+            let ElementGroup { base, ours, theirs } = group(child);
             let text = match (base.as_slice(), ours.as_slice(), theirs.as_slice()) {
                 (_, [_, ..], _) => continue,
                 ([base], [], [_]) => match self.removed_by_ours(base, child, path) {
@@ -67,10 +67,10 @@ impl Merger<'_> {
         }
         self.edits.extend(places.edits());
         for child in &ours.children {
-            let Group { base, ours, theirs } = group(child);
+            let ElementGroup { base, ours, theirs } = group(child);
             match (base.as_slice(), ours.as_slice(), theirs.as_slice()) {
                 (base, [ours], [theirs]) if base.len() <= 1 => {
-                    self.element(Versions { base: base.first().copied(), ours, theirs }, path);
+                    self.element(ElementVersions { base: base.first().copied(), ours, theirs }, path);
                 }
                 ([base], [ours], []) => self.removed_by_theirs(base, ours, path),
                 ([], _, []) => {}
@@ -83,12 +83,12 @@ impl Merger<'_> {
     }
 
     /// Whether ours has added data with this name in a section for a different type.
-    fn is_added_by_ours(&self, theirs: &Node<'_>) -> bool {
+    fn is_added_by_ours(&self, theirs: &MergeNode<'_>) -> bool {
         let declares = theirs.name() == theirs.type_name.as_str();
         declares && theirs.key.as_ref().is_some_and(|name| self.added.contains(name))
     }
 
-    fn removed_by_theirs(&mut self, base: &Node<'_>, ours: &Node<'_>, path: &str) {
+    fn removed_by_theirs(&mut self, base: &MergeNode<'_>, ours: &MergeNode<'_>, path: &str) {
         if same(self.kind, base, ours) {
             self.edits.push(removed(ours));
         } else if !is_default(self.kind, base) {
@@ -100,7 +100,7 @@ impl Merger<'_> {
 
     /// Returns the text that is inserted in ours for an element that ours has removed; `None` if theirs has not changed
     /// the element.
-    fn removed_by_ours(&mut self, base: &Node<'_>, theirs: &Node<'_>, path: &str) -> Option<String> {
+    fn removed_by_ours(&mut self, base: &MergeNode<'_>, theirs: &MergeNode<'_>, path: &str) -> Option<String> {
         if same(self.kind, base, theirs) {
             return None;
         }
@@ -113,7 +113,7 @@ impl Merger<'_> {
     }
 
     /// Merges indistinguishable elements as one: they must be unchanged on one side.
-    fn repeated(&mut self, [base, ours, theirs]: [&[&Node<'_>]; 3], path: &str) {
+    fn repeated(&mut self, [base, ours, theirs]: [&[&MergeNode<'_>]; 3], path: &str) {
         if all_same(self.kind, base, theirs) || all_same(self.kind, ours, theirs) {
             return;
         }
@@ -132,9 +132,9 @@ impl Merger<'_> {
     }
 
     /// Merges a list whose order has a meaning.
-    pub(crate) fn ordered(&mut self, versions: Versions<'_, '_>, path: &str) {
-        let Versions { base, ours, theirs } = versions;
-        let ids = |node: &Node<'_>| -> Vec<String> {
+    pub(crate) fn ordered(&mut self, versions: ElementVersions<'_, '_>, path: &str) {
+        let ElementVersions { base, ours, theirs } = versions;
+        let ids = |node: &MergeNode<'_>| -> Vec<String> {
             node.children.iter().filter(|child| child.element.is_some()).map(|child| child.id.clone()).collect()
         };
         let [b, o, t] = [base.map(ids).unwrap_or_default(), ids(ours), ids(theirs)];
@@ -156,31 +156,35 @@ impl Merger<'_> {
     }
 }
 
-fn all_same(kind: crate::kind::FileKind, one: &[&Node<'_>], other: &[&Node<'_>]) -> bool {
+fn all_same(kind: crate::kind::MergedKind, one: &[&MergeNode<'_>], other: &[&MergeNode<'_>]) -> bool {
     one.len() == other.len() && one.iter().zip(other).all(|(one, other)| same(kind, one, other))
 }
 
-fn joined(nodes: &[&Node<'_>]) -> String {
+fn joined(nodes: &[&MergeNode<'_>]) -> String {
     nodes.iter().map(|node| node.text()).collect::<Vec<_>>().join("\n")
 }
 
 /// Insertion places for elements of theirs among the children of ours.
 struct Places<'n, 't> {
-    ours: &'n Node<'t>,
-    theirs: &'n Node<'t>,
+    ours: &'n MergeNode<'t>,
+    theirs: &'n MergeNode<'t>,
     /// Index in ours for each child of theirs, if ours has the child.
     known: Vec<Option<usize>>,
     /// For each child of ours, the index of the last directly following child that only ours has.
     ends: Vec<usize>,
     /// Index in ours of the last passed child that both sides have.
     anchor: Option<usize>,
-    edits: Vec<val3_syntax::Edit>,
+    edits: Vec<val3_syntax::TextEdit>,
     /// Elements for a list that is empty in ours: index in theirs, and text.
     first: Vec<(usize, String)>,
 }
 
 impl<'n, 't> Places<'n, 't> {
-    fn new(ours: &'n Node<'t>, theirs: &'n Node<'t>, is_only_in_ours: impl Fn(&Node<'t>) -> bool) -> Self {
+    fn new(
+        ours: &'n MergeNode<'t>,
+        theirs: &'n MergeNode<'t>,
+        is_only_in_ours: impl Fn(&MergeNode<'t>) -> bool,
+    ) -> Self {
         let indexes: FxHashMap<&str, usize> =
             ours.children.iter().enumerate().map(|(at, child)| (child.id.as_str(), at)).collect();
         let known = theirs.children.iter().map(|child| indexes.get(child.id.as_str()).copied()).collect();
@@ -221,7 +225,7 @@ impl<'n, 't> Places<'n, 't> {
         }
     }
 
-    fn edits(mut self) -> Vec<val3_syntax::Edit> {
+    fn edits(mut self) -> Vec<val3_syntax::TextEdit> {
         let mut text = String::new();
         for (at, inserted) in &self.first {
             let child = self.theirs.children.get(*at).filter(|_| !text.is_empty());

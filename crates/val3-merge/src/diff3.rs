@@ -3,7 +3,7 @@
 use similar::{Algorithm, DiffOp, capture_diff_slices};
 use std::hash::Hash;
 use std::ops::Range;
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 /// A part of the merged sequence.
 #[derive(Debug, Clone, PartialEq, Eq)]

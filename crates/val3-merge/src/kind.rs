@@ -2,11 +2,11 @@
 
 use std::borrow::Cow;
 
-use val3_syntax::xml::Element;
+use val3_syntax::xml::XmlElement;
 
 /// Kind of a merged file, determined by its extension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FileKind {
+pub enum MergedKind {
     /// Global data (`.dtx`).
     Data,
     /// Lists of programs, data files, libraries and types (`.pjx`).
@@ -27,7 +27,7 @@ const SETTINGS: [&str; 4] = ["index", "key", "id", "name"];
 const DEFAULTS: [(&str, &str); 5] =
     [("access", "private"), ("use", "value"), ("dimensions", "1"), ("autoload", "true"), ("password", "")];
 
-impl FileKind {
+impl MergedKind {
     /// Returns the kind of a file with this name; `None` for a file that is not merged.
     #[must_use]
     pub fn of_name(name: &str) -> Option<Self> {
@@ -42,7 +42,7 @@ impl FileKind {
     }
 
     /// Returns the attribute that identifies an element among its siblings, with its value. The root has depth 0.
-    pub(crate) fn key<'g>(self, element: Element<'g>, depth: usize) -> Option<(&'static str, Cow<'g, str>)> {
+    pub(crate) fn key<'g>(self, element: XmlElement<'g>, depth: usize) -> Option<(&'static str, Cow<'g, str>)> {
         let first = |names: &[&'static str]| names.iter().find_map(|name| Some((*name, element.value(name)?)));
         match self {
             Self::Data => match element.name() {

@@ -32,16 +32,16 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use val3_syntax::xml::line_end;
 
 pub use conflict::Conflict;
-pub use kind::FileKind;
+pub use kind::MergedKind;
 pub use moved::Moved;
 
-use crate::merger::{Merger, Versions};
-use crate::node::{Node, parse, read};
+use crate::merger::{ElementVersions, Merger};
+use crate::node::{MergeNode, parse, read};
 use crate::plan::{Plans, plans};
 
 /// Result of a merge.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Merged {
+pub struct MergeResult {
     /// Merged text. It is well-formed XML if `by_lines` is `None`.
     pub text: String,
     /// Contradicting changes of both sides. The text contains both versions.
@@ -52,7 +52,7 @@ pub struct Merged {
     pub by_lines: Option<String>,
 }
 
-impl Merged {
+impl MergeResult {
     /// Whether the text contains all changes, so that no person has to check it.
     #[must_use]
     pub fn is_clean(&self) -> bool {
@@ -66,12 +66,12 @@ impl Merged {
 
 /// Merges the changes of `ours` and `theirs` since `base`, which is empty if both sides have added the file.
 #[must_use]
-pub fn merge(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Merged {
+pub fn merge(kind: MergedKind, base: &str, ours: &str, theirs: &str) -> MergeResult {
     if base == theirs || ours == theirs {
-        return Merged::unchanged(ours);
+        return MergeResult::unchanged(ours);
     }
     if base == ours {
-        return Merged::unchanged(theirs);
+        return MergeResult::unchanged(theirs);
     }
     match trees(kind, base, ours, theirs) {
         Ok(merged) => merged,
@@ -80,7 +80,7 @@ pub fn merge(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Merged {
             let conflict =
                 |line| Conflict { path: format!("line {line}"), reason: "both sides have changed it".to_owned() };
             let conflicts = lines.into_iter().map(conflict).collect();
-            Merged { text, conflicts, moved: Vec::new(), by_lines: Some(reason) }
+            MergeResult { text, conflicts, moved: Vec::new(), by_lines: Some(reason) }
         }
     }
 }
@@ -89,7 +89,7 @@ pub fn merge(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Merged {
 ///
 /// # Errors
 /// If the texts cannot be merged as trees, with the reason.
-fn trees(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Result<Merged, String> {
+fn trees(kind: MergedKind, base: &str, ours: &str, theirs: &str) -> Result<MergeResult, String> {
     let parses = [base, ours, theirs].map(parse);
     let [base_parse, our_parse, their_parse] = &parses;
     let has_base = !base.trim_start_matches('\u{feff}').trim().is_empty();
@@ -98,7 +98,7 @@ fn trees(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Result<Merged,
     let their_tree = tree(kind, their_parse, theirs, "THEIRS")?;
     check_roots([base_tree.as_ref(), Some(&our_tree), Some(&their_tree)])?;
     let plans = match &base_tree {
-        Some(base) if kind == FileKind::Data => plans(base, &our_tree, &their_tree),
+        Some(base) if kind == MergedKind::Data => plans(base, &our_tree, &their_tree),
         _ => FxHashMap::default(),
     };
     let renumbered = val3_data::apply(theirs, &renumber::edits(&their_tree, &plans));
@@ -111,14 +111,19 @@ fn trees(kind: FileKind, base: &str, ours: &str, theirs: &str) -> Result<Merged,
     Ok(merged)
 }
 
-fn tree<'t>(kind: FileKind, parse: &'t val3_syntax::Parse, text: &'t str, name: &str) -> Result<Node<'t>, String> {
+fn tree<'t>(
+    kind: MergedKind,
+    parse: &'t val3_syntax::Parse,
+    text: &'t str,
+    name: &str,
+) -> Result<MergeNode<'t>, String> {
     read(kind, parse, text).ok_or_else(|| format!("{name} is not well-formed XML"))
 }
 
 /// Checks that all versions have the same dialect.
-fn check_roots(files: [Option<&Node<'_>>; 3]) -> Result<(), String> {
-    let root = |file: &Node<'_>| {
-        file.children.iter().map(Node::name).find(|name| !name.is_empty()).unwrap_or_default().to_owned()
+fn check_roots(files: [Option<&MergeNode<'_>>; 3]) -> Result<(), String> {
+    let root = |file: &MergeNode<'_>| {
+        file.children.iter().map(MergeNode::name).find(|name| !name.is_empty()).unwrap_or_default().to_owned()
     };
     let mut roots: Vec<String> = files.into_iter().flatten().map(root).collect();
     roots.dedup();
@@ -128,18 +133,23 @@ fn check_roots(files: [Option<&Node<'_>>; 3]) -> Result<(), String> {
     }
 }
 
-fn merged(kind: FileKind, plans: &Plans, [base, ours, theirs]: [Option<&Node<'_>>; 3], text: &str) -> Merged {
+fn merged(
+    kind: MergedKind,
+    plans: &Plans,
+    [base, ours, theirs]: [Option<&MergeNode<'_>>; 3],
+    text: &str,
+) -> MergeResult {
     let added = match (kind, ours) {
-        (FileKind::Data, Some(ours)) => declared::added(base, ours),
+        (MergedKind::Data, Some(ours)) => declared::added(base, ours),
         _ => FxHashSet::default(),
     };
     let line_end = line_end(text);
     let mut merger = Merger { kind, plans, added, edits: Vec::new(), conflicts: Vec::new(), line_end };
     if let (Some(ours), Some(theirs)) = (ours, theirs) {
-        merger.children(Versions { base, ours, theirs }, "");
+        merger.children(ElementVersions { base, ours, theirs }, "");
     }
     merger.edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
-    Merged {
+    MergeResult {
         text: val3_data::apply(text, &merger.edits),
         conflicts: merger.conflicts,
         moved: moved::of(plans),

@@ -1,18 +1,18 @@
 //! Merge of texts by lines: code, descriptions, and files that are no XML.
 
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 use crate::conflict::Conflict;
 use crate::diff3::{Chunk, merge};
-use crate::merger::{Merger, Versions};
-use crate::node::Node;
-use crate::text::{Content, Form, Line};
+use crate::merger::{ElementVersions, Merger};
+use crate::node::MergeNode;
+use crate::text::{ElementText, TextLine, TextSpelling};
 
 /// Conflict marks, as in version control.
 const MARKS: [&str; 4] = ["<<<<<<< ours", "||||||| base", "=======", ">>>>>>> theirs"];
 
 /// A merged text.
-struct Merged {
+struct MergedText {
     text: String,
     /// Lines of the merged text at which conflicts start, from 1.
     conflicts: Vec<usize>,
@@ -20,9 +20,9 @@ struct Merged {
 
 impl Merger<'_> {
     /// Merges the text in an element.
-    pub(crate) fn text(&mut self, versions: Versions<'_, '_>, path: &str) {
-        let Versions { base, ours, theirs } = versions;
-        let [in_base, in_ours, in_theirs] = [base, Some(ours), Some(theirs)].map(|node| node.and_then(Content::of));
+    pub(crate) fn text(&mut self, versions: ElementVersions<'_, '_>, path: &str) {
+        let ElementVersions { base, ours, theirs } = versions;
+        let [in_base, in_ours, in_theirs] = [base, Some(ours), Some(theirs)].map(|node| node.and_then(ElementText::of));
         let (true, Some(in_ours), Some(in_theirs)) = (self.kind.has_lines(ours.name()), in_ours, in_theirs) else {
             return self.whole_text(versions, path);
         };
@@ -38,8 +38,8 @@ impl Merger<'_> {
     }
 
     /// Merges a text that is not split into lines: it must be unchanged on one side.
-    fn whole_text(&mut self, versions: Versions<'_, '_>, path: &str) {
-        let is_unchanged = |base: &Node<'_>| crate::same::same(self.kind, base, versions.ours);
+    fn whole_text(&mut self, versions: ElementVersions<'_, '_>, path: &str) {
+        let is_unchanged = |base: &MergeNode<'_>| crate::same::same(self.kind, base, versions.ours);
         match versions.base.is_some_and(is_unchanged) {
             true => self.replace(versions.ours, versions.theirs),
             false => self.conflict(versions, path, "ours and theirs have another text".to_owned()),
@@ -47,15 +47,15 @@ impl Merger<'_> {
     }
 }
 
-fn merged(base: Option<Content<'_>>, ours: Content<'_>, theirs: Content<'_>, line_end: &str) -> Merged {
-    let decoded = |content: Content<'_>, lines: &[Line<'_>]| -> Vec<String> {
+fn merged(base: Option<ElementText<'_>>, ours: ElementText<'_>, theirs: ElementText<'_>, line_end: &str) -> MergedText {
+    let decoded = |content: ElementText<'_>, lines: &[TextLine<'_>]| -> Vec<String> {
         lines.iter().map(|line| content.decoded(line)).collect()
     };
     let [base_lines, our_lines, their_lines] =
-        [base, Some(ours), Some(theirs)].map(|content| content.map(Content::lines).unwrap_or_default());
+        [base, Some(ours), Some(theirs)].map(|content| content.map(ElementText::lines).unwrap_or_default());
     let base = base.map(|content| decoded(content, &base_lines)).unwrap_or_default();
     let [of_ours, of_theirs] = [decoded(ours, &our_lines), decoded(theirs, &their_lines)];
-    let mut out = Output { lines: Vec::new(), conflicts: Vec::new() };
+    let mut out = MergedLines { lines: Vec::new(), conflicts: Vec::new() };
     let encoded = |line: &String| (ours.encoded(line), "");
     for chunk in merge(&base, &of_ours, &of_theirs) {
         let own =
@@ -87,14 +87,14 @@ fn merged(base: Option<Content<'_>>, ours: Content<'_>, theirs: Content<'_>, lin
     out.joined(line_end)
 }
 
-struct Output {
+struct MergedLines {
     lines: Vec<(String, &'static str)>,
     conflicts: Vec<usize>,
 }
 
-impl Output {
+impl MergedLines {
     /// Joins the lines. Lines of theirs get the line end of ours.
-    fn joined(self, line_end: &str) -> Merged {
+    fn joined(self, line_end: &str) -> MergedText {
         let last = self.lines.len().saturating_sub(1);
         let end = |at: usize, own: &'static str| match (at == last, own.is_empty()) {
             (true, _) => String::new(),
@@ -103,13 +103,13 @@ impl Output {
         };
         let lines = self.lines.into_iter().enumerate();
         let text = lines.map(|(at, (text, own))| text + &end(at, own)).collect();
-        Merged { text, conflicts: self.conflicts }
+        MergedText { text, conflicts: self.conflicts }
     }
 }
 
 /// Merges files by lines, as in version control. Returns the text and the lines at which conflicts start.
 pub(crate) fn merge_files(base: &str, ours: &str, theirs: &str, line_end: &str) -> (String, Vec<usize>) {
-    let whole = |raw| Content { before: "", raw, after: "", form: Form::Plain };
+    let whole = |raw| ElementText { before: "", raw, after: "", form: TextSpelling::Plain };
     let merged = merged(Some(whole(base)), whole(ours), whole(theirs), line_end);
     (merged.text, merged.conflicts)
 }

@@ -3,19 +3,19 @@
 use rowan::NodeOrToken;
 use smol_str::SmolStr;
 use val3_syntax::view::View;
-use val3_syntax::xml::{self, Attribute, Element};
-use val3_syntax::{Parse, Part, SyntaxKind, TextRange};
+use val3_syntax::xml::{self, Attribute, XmlElement};
+use val3_syntax::{Parse, SyntaxKind, TextRange, TextSlice};
 
-use crate::kind::{DECLARATION, FileKind};
+use crate::kind::{DECLARATION, MergedKind};
 
 /// Maximum nesting of elements that are read, so that hostile files cannot overflow the stack.
 const NESTING: usize = 64;
 
 /// An element or a comment in a file. The node of the entire file also has the comments around the root as children.
 #[derive(Debug)]
-pub(crate) struct Node<'t> {
+pub(crate) struct MergeNode<'t> {
     /// The element; `None` for a comment and for the file.
-    pub(crate) element: Option<Element<'t>>,
+    pub(crate) element: Option<XmlElement<'t>>,
     /// Identity among siblings: name and key for an element, text for a comment.
     pub(crate) id: String,
     /// Attribute that contains the key.
@@ -27,7 +27,7 @@ pub(crate) struct Node<'t> {
     /// Range between the tags; `None` for an empty element with one tag.
     pub(crate) content: Option<TextRange>,
     /// Child elements and comments.
-    pub(crate) children: Vec<Node<'t>>,
+    pub(crate) children: Vec<MergeNode<'t>>,
     /// Type of the contained values, in data files.
     pub(crate) type_name: SmolStr,
     /// Whether the element directly contains text other than blanks.
@@ -47,11 +47,11 @@ pub(crate) fn parse(text: &str) -> Parse {
 
 /// Reads the tree of a text; `None` if the text is no well-formed XML with one root element. Errors in the code are
 /// allowed.
-pub(crate) fn read<'t>(kind: FileKind, parse: &'t Parse, source: &'t str) -> Option<Node<'t>> {
+pub(crate) fn read<'t>(kind: MergedKind, parse: &'t Parse, source: &'t str) -> Option<MergeNode<'t>> {
     let root = xml::root(parse.view())?;
-    let mut reader = Reader { kind, source, line_end: xml::line_end(source), codes: Vec::new() };
+    let mut reader = NodeReader { kind, source, line_end: xml::line_end(source), codes: Vec::new() };
     let mut file = reader.node(parse.view().range());
-    file.children = reader.children(parse.view(), [root].into_iter(), Level::default())?;
+    file.children = reader.children(parse.view(), [root].into_iter(), NodeLevel::default())?;
     file.content = Some(file.range);
     let is_in_code = |range: TextRange| reader.codes.iter().any(|code| code.contains_range(range));
     parse.errors().iter().all(|error| is_in_code(error.range)).then_some(file)
@@ -59,23 +59,23 @@ pub(crate) fn read<'t>(kind: FileKind, parse: &'t Parse, source: &'t str) -> Opt
 
 /// Depth of elements, and inherited properties.
 #[derive(Clone, Default)]
-struct Level {
+struct NodeLevel {
     depth: usize,
     type_name: SmolStr,
 }
 
-struct Reader<'t> {
-    kind: FileKind,
+struct NodeReader<'t> {
+    kind: MergedKind,
     source: &'t str,
     line_end: &'static str,
     /// Ranges of code.
     codes: Vec<TextRange>,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> NodeReader<'t> {
     /// Creates a node without an element.
-    fn node(&self, range: TextRange) -> Node<'t> {
-        Node {
+    fn node(&self, range: TextRange) -> MergeNode<'t> {
+        MergeNode {
             element: None,
             id: String::new(),
             key_name: None,
@@ -94,9 +94,9 @@ impl<'t> Reader<'t> {
     fn children(
         &mut self,
         parent: View<'t>,
-        elements: impl Iterator<Item = Element<'t>>,
-        level: Level,
-    ) -> Option<Vec<Node<'t>>> {
+        elements: impl Iterator<Item = XmlElement<'t>>,
+        level: NodeLevel,
+    ) -> Option<Vec<MergeNode<'t>>> {
         if level.depth > NESTING {
             return None;
         }
@@ -106,7 +106,7 @@ impl<'t> Reader<'t> {
             match child {
                 NodeOrToken::Token(token) if token.kind() == SyntaxKind::XML_COMMENT => {
                     let comment = self.node(token.range());
-                    nodes.push(Node { id: comment.text().to_owned(), ..comment });
+                    nodes.push(MergeNode { id: comment.text().to_owned(), ..comment });
                 }
                 NodeOrToken::Token(_) => {}
                 NodeOrToken::Node(view) => {
@@ -119,7 +119,7 @@ impl<'t> Reader<'t> {
         Some(nodes)
     }
 
-    fn element(&mut self, element: Element<'t>, level: Level) -> Option<Node<'t>> {
+    fn element(&mut self, element: XmlElement<'t>, level: NodeLevel) -> Option<MergeNode<'t>> {
         let view = element.view();
         let mut node = self.node(view.range());
         if let Some((name, key)) = self.kind.key(element, level.depth) {
@@ -132,15 +132,15 @@ impl<'t> Reader<'t> {
         node.type_name = self.type_of(element, &level);
         node.has_text = view.child(SyntaxKind::CODE).is_some() || has_text(view);
         self.codes.extend(view.child(SyntaxKind::CODE).map(View::range));
-        let inner = Level { depth: level.depth + 1, type_name: node.type_name.clone() };
+        let inner = NodeLevel { depth: level.depth + 1, type_name: node.type_name.clone() };
         node.children = self.children(view, element.elements(), inner)?;
         Some(node)
     }
 
     /// Returns the type of the values in an element of a data file.
-    fn type_of(&self, element: Element<'t>, level: &Level) -> SmolStr {
+    fn type_of(&self, element: XmlElement<'t>, level: &NodeLevel) -> SmolStr {
         match element.name() {
-            _ if self.kind != FileKind::Data => SmolStr::default(),
+            _ if self.kind != MergedKind::Data => SmolStr::default(),
             "Data" | "Field" => element.value("type").unwrap_or_default().into(),
             name if level.depth == DECLARATION => name.into(),
             _ => level.type_name.clone(),
@@ -168,10 +168,10 @@ fn has_text(view: View<'_>) -> bool {
     })
 }
 
-impl<'t> Node<'t> {
+impl<'t> MergeNode<'t> {
     /// Returns the element name; empty for a comment and for the file.
     pub(crate) fn name(&self) -> &'t str {
-        self.element.map_or("", Element::name)
+        self.element.map_or("", XmlElement::name)
     }
 
     /// Returns an attribute's value.

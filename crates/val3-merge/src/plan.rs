@@ -3,8 +3,8 @@
 use rustc_hash::FxHashMap;
 
 use crate::array::{Array, is_container, same_element, values};
-use crate::kind::FileKind;
-use crate::node::Node;
+use crate::kind::MergedKind;
+use crate::node::MergeNode;
 use crate::same::{has_defaults, same};
 
 /// Plan for merging one variable or field.
@@ -46,14 +46,14 @@ pub(crate) struct Append {
 pub(crate) type Plans = FxHashMap<String, Plan>;
 
 /// Plans the merge of a data file.
-pub(crate) fn plans(base: &Node<'_>, ours: &Node<'_>, theirs: &Node<'_>) -> Plans {
+pub(crate) fn plans(base: &MergeNode<'_>, ours: &MergeNode<'_>, theirs: &MergeNode<'_>) -> Plans {
     let mut planner = Planner(Plans::default());
     planner.nodes([base, ours, theirs], 0, "");
     planner.0
 }
 
 /// Returns the data path of a variable, value or field in an element with the path `around`.
-pub(crate) fn path_of(around: &str, node: &Node<'_>) -> String {
+pub(crate) fn path_of(around: &str, node: &MergeNode<'_>) -> String {
     match (node.name(), node.key.as_deref()) {
         (_, None) => around.to_owned(),
         ("Field", Some(name)) => format!("{around}.{name}"),
@@ -66,7 +66,7 @@ struct Planner(Plans);
 
 impl Planner {
     /// Plans the content of elements that are in all three versions.
-    fn nodes(&mut self, [base, ours, theirs]: [&Node<'_>; 3], depth: usize, around: &str) {
+    fn nodes(&mut self, [base, ours, theirs]: [&MergeNode<'_>; 3], depth: usize, around: &str) {
         let [in_base, in_theirs] = [base, theirs].map(by_id);
         for ours in ours.children.iter().filter(|child| child.element.is_some()) {
             let (Some(base), Some(theirs)) = (in_base.get(ours.id.as_str()), in_theirs.get(ours.id.as_str())) else {
@@ -82,9 +82,9 @@ impl Planner {
         }
     }
 
-    fn container(&mut self, nodes: [&Node<'_>; 3], depth: usize, path: &str) {
+    fn container(&mut self, nodes: [&MergeNode<'_>; 3], depth: usize, path: &str) {
         let [base, ours, theirs] = nodes;
-        let kind = FileKind::Data;
+        let kind = MergedKind::Data;
         if same(kind, base, theirs) || same(kind, base, ours) || same(kind, ours, theirs) {
             // A change on one side needs no plan, except a change of the type, because the old values are invalid then.
             if same(kind, base, ours) && shape(base) != shape(theirs) {
@@ -105,17 +105,17 @@ impl Planner {
     }
 }
 
-fn by_id<'n, 't>(node: &'n Node<'t>) -> FxHashMap<&'n str, &'n Node<'t>> {
+fn by_id<'n, 't>(node: &'n MergeNode<'t>) -> FxHashMap<&'n str, &'n MergeNode<'t>> {
     node.children.iter().map(|child| (child.id.as_str(), child)).collect()
 }
 
 /// Returns the type, the container and the number of dimensions.
-fn shape(node: &Node<'_>) -> (String, Option<String>, Option<usize>) {
+fn shape(node: &MergeNode<'_>) -> (String, Option<String>, Option<usize>) {
     (node.type_name.to_string(), node.value("xsi:type"), Array::of(node).sizes.map(|sizes| sizes.len()))
 }
 
-fn plan([base, ours, theirs]: [&Node<'_>; 3], path: &str) -> Option<Plan> {
-    let kind = FileKind::Data;
+fn plan([base, ours, theirs]: [&MergeNode<'_>; 3], path: &str) -> Option<Plan> {
+    let kind = MergedKind::Data;
     let [b, o, t] = [base, ours, theirs].map(Array::of);
     if shape(base) != shape(ours) || shape(base) != shape(theirs) {
         let is_same = shape(ours) == shape(theirs) && o.sizes == t.sizes;
@@ -139,7 +139,7 @@ fn plan([base, ours, theirs]: [&Node<'_>; 3], path: &str) -> Option<Plan> {
 
 /// Plans a variable whose size only `changed` has changed; `other` has the size of the base.
 fn one_sided(base: &Array<'_, '_>, changed: &Array<'_, '_>, other: &Array<'_, '_>) -> Option<Plan> {
-    let kind = FileKind::Data;
+    let kind = MergedKind::Data;
     let sizes = |array: &Array<'_, '_>| array.sizes.clone().unwrap_or_default();
     let grows = sizes(base).iter().zip(sizes(changed)).all(|(base, changed)| *base <= changed);
     if grows && !changed.is_shifted(kind, base) {
@@ -155,13 +155,13 @@ fn one_sided(base: &Array<'_, '_>, changed: &Array<'_, '_>, other: &Array<'_, '_
 fn by_index(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>) -> Option<Plan> {
     let is_list = base.sizes.as_ref().is_some_and(|sizes| sizes.len() == 1);
     let start = if is_list {
-        let first = |side: &Array<'_, '_>| side.first_difference(FileKind::Data, base);
+        let first = |side: &Array<'_, '_>| side.first_difference(MergedKind::Data, base);
         first(ours).min(first(theirs))
     } else {
         0
     };
     let reason = "both sides have inserted or removed elements";
-    ours.differs_from(FileKind::Data, theirs, start).then_some(Plan::Conflict(reason))
+    ours.differs_from(MergedKind::Data, theirs, start).then_some(Plan::Conflict(reason))
 }
 
 /// Returns the dimension that both sides have extended, if all other dimensions are unchanged.
@@ -184,7 +184,7 @@ fn append(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>, ax
     let is_shared = |index: &usize| {
         // Two elements with default values may be different elements.
         let is_written = ours.at(*index).is_some_and(|element| !has_defaults(element, &["fatherId"]));
-        is_written && same_element(FileKind::Data, ours.at(*index), theirs.at(*index))
+        is_written && same_element(MergedKind::Data, ours.at(*index), theirs.at(*index))
     };
     let common = first..our_size.min(their_size);
     let shared = if is_list { common.take_while(is_shared).count() } else { 0 };
@@ -196,12 +196,12 @@ fn append(base: &Array<'_, '_>, ours: &Array<'_, '_>, theirs: &Array<'_, '_>, ax
 impl Array<'_, '_> {
     /// Whether an element with an index from `start` on in the dimension `axis` differs.
     fn differs_after(&self, other: &Self, axis: usize, start: usize) -> bool {
-        self.differs_where(FileKind::Data, other, |index| index.get(axis).is_some_and(|index| *index >= start))
+        self.differs_where(MergedKind::Data, other, |index| index.get(axis).is_some_and(|index| *index >= start))
     }
 }
 
 /// Returns the elements of theirs that move, with their new indexes.
-pub(crate) fn moved<'n, 't>(theirs: &'n Node<'t>, append: &Append) -> Vec<(&'n Node<'t>, Vec<usize>)> {
+pub(crate) fn moved<'n, 't>(theirs: &'n MergeNode<'t>, append: &Append) -> Vec<(&'n MergeNode<'t>, Vec<usize>)> {
     let found = values(theirs).filter_map(|value| {
         let mut index = crate::array::index_of(value)?;
         let at = index.get_mut(append.axis).filter(|at| **at >= append.from)?;

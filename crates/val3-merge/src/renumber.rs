@@ -1,14 +1,14 @@
 //! Renumbering of appended elements of theirs, and of references to them.
 
-use val3_syntax::Edit;
+use val3_syntax::TextEdit;
 use val3_syntax::xml::{Attribute, escaped};
 
-use crate::node::Node;
+use crate::node::MergeNode;
 use crate::plan::{Append, Plan, Plans, moved, path_of};
 
 /// Returns edits of theirs that set the indexes of the merged file. References in theirs to renumbered elements are
 /// changed as well, so that the frame of a point is still the same frame.
-pub(crate) fn edits(theirs: &Node<'_>, plans: &Plans) -> Vec<Edit> {
+pub(crate) fn edits(theirs: &MergeNode<'_>, plans: &Plans) -> Vec<TextEdit> {
     let mut appends: Vec<&Append> = plans.values().filter_map(Plan::append).collect();
     if appends.is_empty() {
         return Vec::new();
@@ -17,11 +17,11 @@ pub(crate) fn edits(theirs: &Node<'_>, plans: &Plans) -> Vec<Edit> {
     appends.sort_by(|one, other| (other.path.len(), &other.path).cmp(&(one.path.len(), &one.path)));
     let mut edits = Vec::new();
     node(theirs, "", &appends, &mut edits);
-    edits.sort_by_key(|edit: &Edit| edit.range.start());
+    edits.sort_by_key(|edit: &TextEdit| edit.range.start());
     edits
 }
 
-fn node(around: &Node<'_>, path: &str, appends: &[&Append], edits: &mut Vec<Edit>) {
+fn node(around: &MergeNode<'_>, path: &str, appends: &[&Append], edits: &mut Vec<TextEdit>) {
     for child in &around.children {
         let Some(element) = child.element else { continue };
         let path = path_of(path, child);
@@ -39,10 +39,10 @@ fn node(around: &Node<'_>, path: &str, appends: &[&Append], edits: &mut Vec<Edit
     }
 }
 
-fn container(child: &Node<'_>, append: &Append, edits: &mut Vec<Edit>) {
+fn container(child: &MergeNode<'_>, append: &Append, edits: &mut Vec<TextEdit>) {
     for (value, index) in moved(child, append) {
         if let Some(found) = value.key_name.and_then(|name| value.attribute(name)) {
-            edits.push(Edit { range: found.range, insert: joined(&index, ",") });
+            edits.push(TextEdit { range: found.range, insert: joined(&index, ",") });
         }
     }
     if let Some(size) = child.attribute("size") {
@@ -50,18 +50,18 @@ fn container(child: &Node<'_>, append: &Append, edits: &mut Vec<Edit>) {
         if let Some(size) = sizes.get_mut(append.axis) {
             *size = append.size.to_string();
         }
-        edits.push(Edit { range: size.range, insert: sizes.join(" ") });
+        edits.push(TextEdit { range: size.range, insert: sizes.join(" ") });
     }
 }
 
 /// Renumbers a reference: `fTray[3]`, `tSlot["a"].fPlace[3]`.
-fn reference(attribute: Attribute<'_>, appends: &[&Append]) -> Option<Edit> {
+fn reference(attribute: Attribute<'_>, appends: &[&Append]) -> Option<TextEdit> {
     let old = attribute.text().into_owned();
     let mut text = old.clone();
     for append in appends {
         text = renumbered(&text, append).unwrap_or(text);
     }
-    (text != old).then(|| Edit { range: attribute.range, insert: escaped(&text) })
+    (text != old).then(|| TextEdit { range: attribute.range, insert: escaped(&text) })
 }
 
 /// Returns the reference with its new index; `None` if it does not refer to a moved element.
@@ -77,10 +77,10 @@ fn renumbered(text: &str, append: &Append) -> Option<String> {
 }
 
 /// Renumbers a reference of the old dialect: `name="fTray" fatherIndex="3"`.
-fn old_reference(name: &str, index: Attribute<'_>, appends: &[&Append]) -> Option<Edit> {
+fn old_reference(name: &str, index: Attribute<'_>, appends: &[&Append]) -> Option<TextEdit> {
     let append = appends.iter().find(|append| append.path == name)?;
     let at = index.text().trim().parse::<usize>().ok().filter(|at| *at >= append.from)?;
-    Some(Edit { range: index.range, insert: (at + append.by).to_string() })
+    Some(TextEdit { range: index.range, insert: (at + append.by).to_string() })
 }
 
 fn joined(numbers: &[usize], separator: &str) -> String {

@@ -2,19 +2,19 @@
 
 use val3_data::same_text;
 use val3_lang::types::BaseType;
-use val3_syntax::xml::Element;
+use val3_syntax::xml::XmlElement;
 
-use crate::kind::FileKind;
-use crate::node::Node;
+use crate::kind::MergedKind;
+use crate::node::MergeNode;
 use crate::text::lines_of;
 
 /// Whether both elements have the same meaning, including comments.
-pub(crate) fn same(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
+pub(crate) fn same(kind: MergedKind, one: &MergeNode<'_>, other: &MergeNode<'_>) -> bool {
     one.id == other.id && same_content(kind, one, other)
 }
 
 /// Like [`same`], ignoring the keys of the elements.
-pub(crate) fn same_content(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
+pub(crate) fn same_content(kind: MergedKind, one: &MergeNode<'_>, other: &MergeNode<'_>) -> bool {
     one.name() == other.name()
         && same_attributes(kind, one, other)
         && one.has_text == other.has_text
@@ -23,7 +23,7 @@ pub(crate) fn same_content(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> 
 }
 
 /// Like [`same`]; a missing element has the type's default.
-pub(crate) fn same_value(kind: FileKind, one: Option<&Node<'_>>, other: Option<&Node<'_>>) -> bool {
+pub(crate) fn same_value(kind: MergedKind, one: Option<&MergeNode<'_>>, other: Option<&MergeNode<'_>>) -> bool {
     match (one, other) {
         (Some(one), Some(other)) => same(kind, one, other),
         (Some(written), None) | (None, Some(written)) => is_default(kind, written),
@@ -32,13 +32,13 @@ pub(crate) fn same_value(kind: FileKind, one: Option<&Node<'_>>, other: Option<&
 }
 
 /// Whether an array element has the default of a built-in type, which files may omit.
-pub(crate) fn is_default(kind: FileKind, node: &Node<'_>) -> bool {
-    kind == FileKind::Data && node.name() == "Value" && has_defaults(node, &[])
+pub(crate) fn is_default(kind: MergedKind, node: &MergeNode<'_>) -> bool {
+    kind == MergedKind::Data && node.name() == "Value" && has_defaults(node, &[])
 }
 
 /// Whether a value of a built-in type equals the default, ignoring some attributes.
-pub(crate) fn has_defaults(node: &Node<'_>, except: &[&str]) -> bool {
-    let attributes = node.element.into_iter().flat_map(Element::attributes);
+pub(crate) fn has_defaults(node: &MergeNode<'_>, except: &[&str]) -> bool {
+    let attributes = node.element.into_iter().flat_map(XmlElement::attributes);
     let mut content =
         attributes.filter(|attribute| Some(attribute.name) != node.key_name && !except.contains(&attribute.name));
     BaseType::from_file_name(&node.type_name).is_some()
@@ -46,7 +46,7 @@ pub(crate) fn has_defaults(node: &Node<'_>, except: &[&str]) -> bool {
         && node.children.iter().all(|child| has_defaults(child, except))
 }
 
-fn same_attributes(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
+fn same_attributes(kind: MergedKind, one: &MergeNode<'_>, other: &MergeNode<'_>) -> bool {
     let (Some(first), Some(second)) = (one.element, other.element) else { return true };
     let names = first.attributes().chain(second.attributes()).map(|attribute| attribute.name);
     let mut names = names.filter(|name| !name.starts_with("xmlns") && Some(*name) != one.key_name);
@@ -55,8 +55,8 @@ fn same_attributes(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
 
 /// Whether two attribute values have the same meaning; `None` for an omitted attribute.
 pub(crate) fn same_attribute(
-    kind: FileKind,
-    node: &Node<'_>,
+    kind: MergedKind,
+    node: &MergeNode<'_>,
     name: &str,
     one: Option<&str>,
     other: Option<&str>,
@@ -71,21 +71,22 @@ pub(crate) fn same_attribute(
 }
 
 /// Whether the element is a value of a variable or a part of a value.
-fn is_in_value(kind: FileKind, node: &Node<'_>) -> bool {
-    let declares =
-        |element: Element<'_>| matches!(element.name(), "Data" | "Field") || node.type_name.as_str() == element.name();
-    kind == FileKind::Data && !node.type_name.is_empty() && node.element.is_some_and(|element| !declares(element))
+fn is_in_value(kind: MergedKind, node: &MergeNode<'_>) -> bool {
+    let declares = |element: XmlElement<'_>| {
+        matches!(element.name(), "Data" | "Field") || node.type_name.as_str() == element.name()
+    };
+    kind == MergedKind::Data && !node.type_name.is_empty() && node.element.is_some_and(|element| !declares(element))
 }
 
-fn same_children(kind: FileKind, one: &Node<'_>, other: &Node<'_>) -> bool {
+fn same_children(kind: MergedKind, one: &MergeNode<'_>, other: &MergeNode<'_>) -> bool {
     let (first, second) = (written(kind, one), written(kind, other));
     first.len() == second.len() && first.iter().zip(&second).all(|(one, other)| same(kind, one, other))
 }
 
 /// Returns the children without omissible default values, sorted by identity if their order has no meaning.
-fn written<'n, 't>(kind: FileKind, node: &'n Node<'t>) -> Vec<&'n Node<'t>> {
+fn written<'n, 't>(kind: MergedKind, node: &'n MergeNode<'t>) -> Vec<&'n MergeNode<'t>> {
     let is_collection = node.value("xsi:type").is_some_and(|shape| shape == "collection");
-    let counts = |child: &&Node<'_>| is_collection || !is_default(kind, child);
+    let counts = |child: &&MergeNode<'_>| is_collection || !is_default(kind, child);
     let mut children: Vec<_> = node.children.iter().filter(counts).collect();
     if !kind.is_ordered(node.name()) {
         children.sort_by(|one, other| one.id.cmp(&other.id));

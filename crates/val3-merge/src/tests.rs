@@ -8,10 +8,10 @@ use std::fmt::Write as _;
 
 use val3_syntax::error::SyntaxErrorKind;
 
-use crate::{FileKind, merge};
+use crate::{MergedKind, merge};
 
 /// Shows the result of a merge: the text, and the report.
-fn merged(kind: FileKind, base: &str, ours: &str, theirs: &str) -> String {
+fn merged(kind: MergedKind, base: &str, ours: &str, theirs: &str) -> String {
     let merged = merge(kind, base, ours, theirs);
     let mut out = merged.text.trim_start_matches('\u{feff}').replace("\r\n", "\n");
     merged.moved.iter().for_each(|moved| writeln!(out, "\n# {moved}").unwrap());

@@ -6,7 +6,7 @@ use val3_moves::{AlterReference, Seconds};
 
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
-use crate::request::Limits;
+use crate::request::SpeedLimits;
 
 /// Speeds may exceed their limits by this factor, which is rounding.
 const ROUNDING: f64 = 1.001;
@@ -44,7 +44,7 @@ impl AlterStatus {
 #[derive(Clone, Debug)]
 pub(crate) struct Alteration {
     reference: AlterReference,
-    limits: Limits,
+    limits: SpeedLimits,
     /// The configuration of the path, which no deviation changes.
     branch: Configuration,
     wanted: IsometryMatrix3<f64>,
@@ -62,7 +62,7 @@ pub(crate) struct Alteration {
 
 impl Alteration {
     /// No deviation yet from the path, on which the arm is at `axes`.
-    pub(crate) fn new(model: &Model<'_>, reference: AlterReference, limits: Limits, axes: Axes) -> Self {
+    pub(crate) fn new(model: &Model<'_>, reference: AlterReference, limits: SpeedLimits, axes: Axes) -> Self {
         Self {
             reference,
             limits,
@@ -155,7 +155,7 @@ impl Alteration {
         let [before, after] = [&self.axes, axes].map(|axes| model.flange(axes) * tool);
         let way = (after.translation.vector - before.translation.vector).norm();
         let turn = rotation::angle_between(&before.rotation, &after.rotation).to_degrees();
-        let Limits { translation, rotation, .. } = self.limits;
+        let SpeedLimits { translation, rotation, .. } = self.limits;
         if is_too_fast || way > translation.0 * seconds || turn > rotation.0 * seconds {
             return Err(Cause::AlterSpeed);
         }

@@ -5,7 +5,7 @@ use val3_moves::Millimetres;
 
 use crate::fault::Cause;
 use crate::model::Model;
-use crate::path::Path;
+use crate::path::PathEnd;
 use crate::request::Move;
 
 /// Why an arm at `start` cannot follow the blend between two moves; `None` if it can, or if there is no blend.
@@ -15,5 +15,5 @@ use crate::request::Move;
 /// # Errors
 /// The arm cannot follow one of the moves themselves.
 pub fn blend_fault(arm: &Arm, start: Joints, moves: [&Move; 2], reach: Millimetres) -> Result<Option<Cause>, Cause> {
-    Path::starting_at(start.into()).blend_fault(&Model(arm), moves, reach)
+    PathEnd::starting_at(start.into()).blend_fault(&Model(arm), moves, reach)
 }

@@ -2,7 +2,7 @@
 //! (manual 10.1.4.2, section (k) of the motion model).
 
 use val3_geometry::degrees;
-use val3_kinematics::{Arm, Configuration, Elbow, Request, RequestedConfiguration, Shoulder, Wrist};
+use val3_kinematics::{Arm, Configuration, ConfigurationRequest, Elbow, RequestedConfiguration, Shoulder, Wrist};
 
 use crate::fault::Cause;
 use crate::model::Axes;
@@ -24,19 +24,19 @@ const SEARCH: usize = 80;
 
 /// A part of the configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum ConfigurationPart {
     Shoulder,
     Elbow,
     Wrist,
 }
 
-impl Part {
+impl ConfigurationPart {
     /// The parts that a destination leaves free.
     pub(crate) fn free(requested: &RequestedConfiguration) -> impl Iterator<Item = Self> + use<> {
         let parts = [
-            (Self::Shoulder, requested.shoulder == Request::Free),
-            (Self::Elbow, requested.elbow == Request::Free),
-            (Self::Wrist, requested.wrist == Request::Free),
+            (Self::Shoulder, requested.shoulder == ConfigurationRequest::Free),
+            (Self::Elbow, requested.elbow == ConfigurationRequest::Free),
+            (Self::Wrist, requested.wrist == ConfigurationRequest::Free),
         ];
         parts.into_iter().filter_map(|(part, is_free)| is_free.then_some(part))
     }
@@ -131,7 +131,14 @@ impl Branches {
     }
 
     /// Looks for a change of a part between two values of σ. `near` are the axes at the first.
-    pub(crate) fn look_for(&mut self, part: Part, arm: &Arm, solve: impl Solve, [from, to]: [f64; 2], near: &Axes) {
+    pub(crate) fn look_for(
+        &mut self,
+        part: ConfigurationPart,
+        arm: &Arm,
+        solve: impl Solve,
+        [from, to]: [f64; 2],
+        near: &Axes,
+    ) {
         if self.changes.last().is_some_and(|(change, _)| *change > from - PROBE) {
             return;
         }

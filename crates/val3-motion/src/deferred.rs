@@ -2,12 +2,12 @@
 
 use std::collections::VecDeque;
 
-use crate::path::Path;
+use crate::path::PathEnd;
 use crate::request::Move;
 
 /// A request that waits.
 #[derive(Clone, Debug)]
-pub(crate) enum Request {
+pub(crate) enum DeferredRequest {
     /// A move with its serial number.
     Move(u64, Box<Move>),
     /// The last move ends at its destination.
@@ -17,7 +17,7 @@ pub(crate) enum Request {
 /// The requests that wait.
 #[derive(Clone, Debug)]
 pub(crate) struct Deferred {
-    pub(crate) requests: VecDeque<Request>,
+    pub(crate) requests: VecDeque<DeferredRequest>,
     /// The path without any deviation, on which their targets are checked.
-    pub(crate) nominal: Path,
+    pub(crate) nominal: PathEnd,
 }

@@ -10,7 +10,7 @@ use val3_moves::{Blend, Degrees, DegreesPerSecond, Manner, Millimetres, Millimet
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::motion::Motion;
-use crate::request::{Limits, Move};
+use crate::request::{Move, SpeedLimits};
 
 /// The arm continues without a connection move if no axis is further away from its path, in degrees or mm.
 const ON_PATH: f64 = 1e-3;
@@ -92,7 +92,7 @@ pub(crate) fn connection(
     tool: IsometryMatrix3<f64>,
 ) -> Result<Motion, Cause> {
     let share = |nominal: fn(&Arm, usize) -> f64| std::array::from_fn(|axis| SLOW * nominal(arm, axis));
-    let limits = Limits {
+    let limits = SpeedLimits {
         speed: share(Arm::nominal_speed),
         acceleration: share(Arm::nominal_acceleration),
         deceleration: share(Arm::nominal_deceleration),
@@ -126,7 +126,7 @@ mod tests {
 
     fn record(motion: &mut Motion, joints: Joints) {
         let arm = Arm::by_name("TX2-90").unwrap();
-        let limits = Limits {
+        let limits = SpeedLimits {
             speed: std::array::from_fn(|axis| arm.nominal_speed(axis)),
             acceleration: std::array::from_fn(|axis| arm.nominal_acceleration(axis)),
             deceleration: std::array::from_fn(|axis| arm.nominal_deceleration(axis)),

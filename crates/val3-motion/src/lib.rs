@@ -63,9 +63,9 @@ pub use self::blend_fault::blend_fault;
 pub use self::compliant::ExternalForce;
 pub use self::departure::Connection;
 pub use self::fault::{Cause, PathFault};
-pub use self::motion::{Jog, Motion, MotionMode, PathPiece, PieceEnd, PieceKind, Sample, Way};
-pub use self::queue::{Corner, MoveEvent, MoveEventKind, QueuedMove, Shortening};
-pub use self::request::{Limits, Move};
+pub use self::motion::{Jog, Motion, MotionMode, PathPiece, PieceAhead, PieceEnd, PieceKind, Sample};
+pub use self::queue::{BlendCorner, MoveEvent, MoveEventKind, QueuedMove, Shortening};
+pub use self::request::{Move, SpeedLimits};
 pub use self::speed_limit::SpeedLimit;
 pub use val3_moves::{
     AlterReference, Blend, BlendKind, Degrees, DegreesPerSecond, Manner, Millimetres, MillimetresPerSecond,

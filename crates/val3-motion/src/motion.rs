@@ -10,7 +10,7 @@ mod way;
 
 pub use self::jog::Jog;
 pub use self::stepping::{MotionMode, PathPiece, PieceEnd, PieceKind};
-pub use self::way::Way;
+pub use self::way::PieceAhead;
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -21,12 +21,12 @@ use val3_moves::{Manner, MillimetresPerSecond, MotionPhase, MovePath, Percent, S
 
 use crate::alteration::Alteration;
 use crate::compliant::{ExternalForce, Forces, Glide};
-use crate::deferred::{Deferred, Request};
+use crate::deferred::{Deferred, DeferredRequest};
 use crate::departure::{self, Connection, Departure};
 use crate::executor::{Advance, Executor};
 use crate::fault::{Cause, PathFault};
 use crate::model::{Axes, Model};
-use crate::path::{Determined, Path};
+use crate::path::{Determined, PathEnd};
 use crate::queue::{MoveEvent, Queue, QueuedMove};
 use crate::request::Move;
 use crate::speed_limit::{ActingLimit, SpeedLimit};
@@ -36,7 +36,7 @@ use crate::timeline::Timeline;
 #[derive(Clone, Debug)]
 pub struct Motion {
     arm: Arc<Arm>,
-    path: Path,
+    path: PathEnd,
     timeline: Timeline,
     executor: Executor,
     mode: MotionMode,
@@ -91,7 +91,7 @@ impl Motion {
     pub fn new(arm: Arc<Arm>, start: Joints) -> Self {
         Self {
             arm,
-            path: Path::starting_at(start.into()),
+            path: PathEnd::starting_at(start.into()),
             timeline: Timeline::default(),
             executor: Executor::default(),
             mode: MotionMode::default(),
@@ -176,7 +176,7 @@ impl Motion {
         if let Some(deferred) = &mut self.deferred {
             if deferred.nominal.is_open() {
                 deferred.nominal.close(&Model(&self.arm));
-                deferred.requests.push_back(Request::Close);
+                deferred.requests.push_back(DeferredRequest::Close);
             }
             return Ok(());
         }
@@ -221,7 +221,7 @@ impl Motion {
         self.timeline.spans.iter_mut().for_each(|span| span.is_forgotten = true);
         let end = self.timeline.spans.back().zip(self.timeline.end());
         let rest = end.map_or(self.rest, |(last, p)| last.span.axes(&Model(&self.arm), p));
-        self.path = Path::starting_at(rest);
+        self.path = PathEnd::starting_at(rest);
         self.reset_alteration();
         (self.fault, self.done_id, self.is_stopped) = (None, 0.0, false);
     }
@@ -242,7 +242,7 @@ impl Motion {
         let mut left = Self { timeline: std::mem::take(&mut self.timeline), ..self.clone() };
         left.departure = None;
         self.alteration = None;
-        (self.rest, self.path) = (start.into(), Path::starting_at(start.into()));
+        (self.rest, self.path) = (start.into(), PathEnd::starting_at(start.into()));
         self.departure = Some(Departure::Braking(Box::new(left)));
         self.settle_departure();
     }
@@ -255,7 +255,7 @@ impl Motion {
         }
         if self.is_empty() && self.departure.is_none() && self.alteration.is_none() {
             (self.rest, self.timeline) = (joints.into(), Timeline::default());
-            self.path = Path::starting_at(self.rest);
+            self.path = PathEnd::starting_at(self.rest);
         } else {
             self.departure = Departure::at(joints.into(), &self.axes_on_path());
         }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_geometry::{IsometryMatrix3, Line};
+use val3_geometry::{IsometryMatrix3, LinePath};
 use val3_kinematics::{Joints, RequestedConfiguration};
 use val3_moves::{Blend, Manner, Millimetres, MovePath, MoveTarget};
 
@@ -10,10 +10,10 @@ use crate::alteration::Alteration;
 use crate::blend::{BlendCurve, BlendEnd};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
-use crate::queue::{Corner, Shortening};
-use crate::request::{Limits, Move};
+use crate::queue::{BlendCorner, Shortening};
+use crate::request::{Move, SpeedLimits};
 use crate::segment::{Corners, PoseCurve, Segment};
-use crate::span::{BlendPart, Curve, Part, Pieces, Span, SpanLimits, SpanRequest};
+use crate::span::{BlendPart, Curve, Pieces, Span, SpanLimits, SpanPart, SpanRequest};
 
 /// An end of a blend is shorter than requested if it is so by more than this, in mm.
 const SHORTER: f64 = 0.1;
@@ -23,7 +23,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// The end of the recorded path.
 #[derive(Clone, Debug)]
-pub(crate) struct Path {
+pub(crate) struct PathEnd {
     /// Destination of the move recorded last.
     destination: Axes,
     /// The move recorded last, while its path ends at its leave point.
@@ -36,7 +36,7 @@ struct OpenCorner {
     segment: Arc<Segment>,
     serial: u64,
     id: f64,
-    limits: Limits,
+    limits: SpeedLimits,
     blend: Blend,
     manner: Manner,
     /// σ of the leave point.
@@ -57,8 +57,8 @@ pub(crate) struct Determined {
     /// Whether `fault` is the fault of the blend.
     pub(crate) has_blend_fault: bool,
     /// Where the blend of the move before ends, and where that of this move begins.
-    pub(crate) reach: Option<Corner>,
-    pub(crate) leave: Option<Corner>,
+    pub(crate) reach: Option<BlendCorner>,
+    pub(crate) leave: Option<BlendCorner>,
 }
 
 impl Determined {
@@ -72,7 +72,7 @@ impl Determined {
     }
 }
 
-impl Path {
+impl PathEnd {
     /// A path that starts at these axes.
     pub(crate) fn starting_at(start: Axes) -> Self {
         Self { destination: start, open: None }
@@ -135,7 +135,7 @@ impl Path {
             };
             let is_exact = (distance - requested).abs() < ROUNDING;
             let distance = Millimetres(if is_exact { requested } else { distance });
-            Corner { requested: Millimetres(requested), distance, shortening, position }
+            BlendCorner { requested: Millimetres(requested), distance, shortening, position }
         };
         let [before, after] = corners.distances;
         determined.reach = open.as_ref().map(|_| {
@@ -147,7 +147,7 @@ impl Path {
             let shared = shared.map(|open| Shortening::SharedWithPrevious(open.serial));
             corner([leave, after, reach_after], corners.leave, shared)
         });
-        let part = Part::Nominal { serial, id: request.id };
+        let part = SpanPart::Nominal { serial, id: request.id };
         let to = BlendPart { serial, id: request.id, sigma: corners.reach };
         determined.blended = open.as_ref().map(|open| open.serial);
         let can_follow = open.is_none_or(|open| blend(model, &open, (&segment, to), corners, request, &mut determined));
@@ -213,7 +213,7 @@ impl Path {
             match open.segment.axes(model, open.leave) {
                 Ok(start) => {
                     let tail = SpanRequest {
-                        part: Part::Nominal { serial: open.serial, id: open.id },
+                        part: SpanPart::Nominal { serial: open.serial, id: open.id },
                         manner: open.manner,
                         tool: *open.segment.tool(),
                         limits: SpanLimits([open.limits; 2]),
@@ -262,7 +262,7 @@ impl Path {
                 Ok((self.joint(model, request, &joints)?, None))
             }
             MovePath::Line(destination) => {
-                let line = Line::between(&(model.flange(&start) * request.tool), &destination.pose);
+                let line = LinePath::between(&(model.flange(&start) * request.tool), &destination.pose);
                 self.cartesian(model, request, PoseCurve::Line(line), destination)
             }
             MovePath::Circle(intermediate, destination) => {
@@ -325,7 +325,7 @@ impl Path {
 fn nominal(
     model: &Model<'_>,
     request: &Move,
-    (segment, part): (&Arc<Segment>, Part),
+    (segment, part): (&Arc<Segment>, SpanPart),
     range: [f64; 2],
 ) -> Result<SpanRequest, Cause> {
     let [from, _] = range;
@@ -365,7 +365,7 @@ fn blend(
             return false;
         }
     };
-    let part = Part::Blend { from: BlendPart { serial: open.serial, id: open.id, sigma: open.leave }, to };
+    let part = SpanPart::Blend { from: BlendPart { serial: open.serial, id: open.id, sigma: open.leave }, to };
     let limits = SpanLimits::of_blend(&open.limits, &request.limits);
     let manner = if open.manner == request.manner { request.manner } else { Manner::Rigid };
     let pieces = curve.pieces();

@@ -7,7 +7,7 @@
 use crate::bounds::Bounds;
 use crate::motion::MotionMode;
 use crate::span::Span;
-use crate::timeline::{Interval, Point, TimedSpan, Timeline, UNPLANNED};
+use crate::timeline::{Interval, TimedSpan, Timeline, TimelinePoint, UNPLANNED};
 
 /// Points nearer than this share of their interval are one.
 const SAME_POINT: f64 = 1e-6;
@@ -125,7 +125,7 @@ impl Timeline {
         if self.cursor.elapsed > 0.0 {
             let most = front.points.get(self.cursor.point + 1).map_or(0.0, |point| point.most);
             self.cursor.point += 1;
-            front.points.insert(self.cursor.point, Point { p, x: rate * rate, most, halt: false });
+            front.points.insert(self.cursor.point, TimelinePoint { p, x: rate * rate, most, halt: false });
             self.cursor.elapsed = 0.0;
         }
         if let Some(point) = front.points.get_mut(self.cursor.point) {
@@ -170,13 +170,13 @@ fn halt_after(timed: &mut TimedSpan, at: usize, way: f64) {
         at
     } else {
         let p = from.p + way.min(step * (1.0 - SAME_POINT));
-        timed.points.insert(at + 1, Point { p, ..to });
+        timed.points.insert(at + 1, TimelinePoint { p, ..to });
         at + 1
     };
     if let Some(point) = timed.points.get_mut(halt) {
         (point.x, point.halt) = (0.0, true);
         let p = (point.p + to.p) / 2.0;
-        timed.points.insert(halt + 1, Point { p, ..to });
+        timed.points.insert(halt + 1, TimelinePoint { p, ..to });
     }
 }
 
@@ -231,7 +231,7 @@ fn forwards(timed: &mut TimedSpan, first: usize, start: f64) -> f64 {
 }
 
 /// The point at which the arm, at a constant x until then, has to brake in order to be slow enough at the end.
-fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Option<Point> {
+fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Option<TimelinePoint> {
     let x = bounds.level();
     if to.most >= x {
         return None;
@@ -239,11 +239,11 @@ fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Op
     let lowest = bounds.lowest(x);
     let way = (to.most - x) / (2.0 * lowest);
     let is_inside = lowest < 0.0 && bounds.allows_constant(x) && is_between(way, to.p - from.p);
-    is_inside.then_some(Point { p: to.p - way, x, most: x, halt: false })
+    is_inside.then_some(TimelinePoint { p: to.p - way, x, most: x, halt: false })
 }
 
 /// The point from which on x is constant, because more would be too much at one end of the interval.
-fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Option<Point> {
+fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Option<TimelinePoint> {
     let x = from.most.min(to.most);
     if x <= from.x {
         return None;
@@ -251,14 +251,14 @@ fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds<'_>) ->
     let highest = bounds.highest(from.x);
     let way = (x - from.x) / (2.0 * highest);
     let is_inside = highest > 0.0 && bounds.allows_constant(x) && is_between(way, to.p - from.p);
-    is_inside.then_some(Point { p: from.p + way, x, most: x, halt: false })
+    is_inside.then_some(TimelinePoint { p: from.p + way, x, most: x, halt: false })
 }
 
 /// The middle of an interval at whose ends the arm has to rest, with the greatest speed from rest to rest.
-fn between_rests(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Point {
+fn between_rests(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> TimelinePoint {
     let weaker = bounds.highest(0.0).min(-bounds.lowest(0.0));
     let x = bounds.level().min((to.p - from.p) * weaker);
-    Point { p: (from.p + to.p) / 2.0, x, most: x, halt: false }
+    TimelinePoint { p: (from.p + to.p) / 2.0, x, most: x, halt: false }
 }
 
 /// Whether a way ends inside a step, apart from both of its ends.

@@ -7,7 +7,7 @@ use val3_kinematics::Joints;
 use val3_moves::{Millimetres, MoveStage, PathShape, Seconds};
 
 use crate::request::Move;
-use crate::span::Part;
+use crate::span::SpanPart;
 
 /// A recorded move that is not done yet.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,9 +25,9 @@ pub struct QueuedMove {
     /// Joint position at the destination.
     pub joints: Joints,
     /// Start of the blend around the destination; `None` without a blend.
-    pub leave: Option<Corner>,
+    pub leave: Option<BlendCorner>,
     /// End of that blend, on the path of the next move; `None` before the next move is recorded.
-    pub reach: Option<Corner>,
+    pub reach: Option<BlendCorner>,
     /// Requested leave and reach of a blend that [`Motion::close`](crate::Motion::close) has cancelled.
     pub cancelled: Option<[Millimetres; 2]>,
     /// Stage of the execution.
@@ -36,7 +36,7 @@ pub struct QueuedMove {
 
 /// An end of a blend.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Corner {
+pub struct BlendCorner {
     /// Distance to the destination that the move requests.
     pub requested: Millimetres,
     /// Distance of this point to the destination; 0 for a pure rotation.
@@ -47,7 +47,7 @@ pub struct Corner {
     pub position: Vector3<f64>,
 }
 
-impl Corner {
+impl BlendCorner {
     /// Distance to the destination within which the arm rounds the corner.
     #[must_use]
     pub fn effective(&self) -> Millimetres {
@@ -94,9 +94,9 @@ pub struct MoveEvent {
     /// Time since the start of the cycle.
     pub at: Seconds,
     /// Blend ends of the move, as in [`QueuedMove`].
-    pub leave: Option<Corner>,
+    pub leave: Option<BlendCorner>,
     /// See `leave`.
-    pub reach: Option<Corner>,
+    pub reach: Option<BlendCorner>,
     /// See [`QueuedMove::cancelled`].
     pub cancelled: Option<[Millimetres; 2]>,
 }
@@ -160,7 +160,7 @@ impl Queue {
     }
 
     /// Sets the previous blend's end and the blend start of a move whose path was determined.
-    pub(crate) fn lay_out(&mut self, serial: u64, reach: Option<Corner>, leave: Option<Corner>) {
+    pub(crate) fn lay_out(&mut self, serial: u64, reach: Option<BlendCorner>, leave: Option<BlendCorner>) {
         if let (Some(reach), Some(before)) = (reach, self.open()) {
             before.reach = Some(reach);
         }
@@ -196,10 +196,10 @@ impl Queue {
     }
 
     /// Records that the arm has begun a part of the path.
-    pub(crate) fn begin(&mut self, part: &Part, at: Seconds) {
+    pub(crate) fn begin(&mut self, part: &SpanPart, at: Seconds) {
         match part {
-            Part::Nominal { serial, .. } => self.advance(*serial, MoveStage::Started, MoveEventKind::Started, at),
-            Part::Blend { from, .. } => {
+            SpanPart::Nominal { serial, .. } => self.advance(*serial, MoveStage::Started, MoveEventKind::Started, at),
+            SpanPart::Blend { from, .. } => {
                 self.advance(from.serial, MoveStage::Started, MoveEventKind::Started, at);
                 self.advance(from.serial, MoveStage::Blending, MoveEventKind::Blend, at);
             }
@@ -207,10 +207,10 @@ impl Queue {
     }
 
     /// Records that the arm has completed a part of the path. A nominal part ends at the destination of its move.
-    pub(crate) fn end(&mut self, part: &Part, at: Seconds) {
+    pub(crate) fn end(&mut self, part: &SpanPart, at: Seconds) {
         match part {
-            Part::Nominal { serial, .. } => self.finish(*serial, at),
-            Part::Blend { from, to } => {
+            SpanPart::Nominal { serial, .. } => self.finish(*serial, at),
+            SpanPart::Blend { from, to } => {
                 self.emit(from.serial, MoveEventKind::Reached, at);
                 self.finish(from.serial, at);
                 self.advance(to.serial, MoveStage::Started, MoveEventKind::Started, at);

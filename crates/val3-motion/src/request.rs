@@ -11,7 +11,7 @@ pub struct Move {
     /// Tool centre point relative to the flange.
     pub tool: IsometryMatrix3<f64>,
     /// Limits of speed and acceleration.
-    pub limits: Limits,
+    pub limits: SpeedLimits,
     /// Blend around the destination if another move follows.
     pub blend: Blend,
     /// Id that `getMoveId` returns during the move (manual 10.6).
@@ -22,7 +22,7 @@ pub struct Move {
 
 /// Greatest speeds and accelerations of a move, as absolute values of the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
+pub struct SpeedLimits {
     /// Axis speeds, in degrees (linear axes: mm) per second.
     pub speed: [f64; 6],
     /// Axis accelerations, per second squared.

@@ -3,11 +3,11 @@
 use std::sync::Arc as Shared;
 
 use nalgebra::Vector3;
-use val3_geometry::{Arc, IsometryMatrix3, Line, rotation};
+use val3_geometry::{Arc, IsometryMatrix3, LinePath, rotation};
 use val3_kinematics::RequestedConfiguration;
 
 use crate::alteration::Alteration;
-use crate::branches::{Branches, Part};
+use crate::branches::{Branches, ConfigurationPart};
 use crate::derivatives;
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
@@ -67,7 +67,7 @@ struct PoseRoute {
 /// The path of the tool centre point of a Cartesian move.
 #[derive(Clone, Debug)]
 pub(crate) enum PoseCurve {
-    Line(Line),
+    Line(LinePath),
     Arc(Arc),
 }
 
@@ -139,7 +139,7 @@ impl Segment {
             let near = waypoints.last().copied().unwrap_or(start);
             let before = waypoint.checked_sub(2).map_or(before_start.as_ref(), |before| waypoints.get(before));
             let range = [share(waypoint - 1, WAYPOINTS), share((waypoint + 1).min(WAYPOINTS), WAYPOINTS)];
-            for part in Part::free(configuration).filter(|part| part.may_change(model.0, before, &near)) {
+            for part in ConfigurationPart::free(configuration).filter(|part| part.may_change(model.0, before, &near)) {
                 branches.look_for(part, model.0, solve, range, &near);
             }
             let axes = branches.axes(solve, share(waypoint, WAYPOINTS), &near).and_then(|axes| {

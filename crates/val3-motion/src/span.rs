@@ -22,7 +22,7 @@ use crate::blend::BlendCurve;
 use crate::bounds::{Bounds, BoundsTable, IntervalEnd};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
-use crate::request::Limits;
+use crate::request::SpeedLimits;
 use crate::segment::Segment;
 
 /// Values of p that differ by less are one, as are places between knots.
@@ -54,7 +54,7 @@ impl Curve {
 
 /// The part of the recorded moves that a span executes; ids are as in `getMoveId`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Part {
+pub(crate) enum SpanPart {
     /// The nominal path of a move.
     Nominal {
         /// Number of the move.
@@ -82,7 +82,7 @@ pub(crate) struct BlendPart {
     pub(crate) sigma: f64,
 }
 
-impl Part {
+impl SpanPart {
     /// The number of the move whose corner it rounds.
     pub(crate) fn blend_of(&self) -> Option<u64> {
         match self {
@@ -103,19 +103,19 @@ impl Part {
 
 /// Limits along a span: those before and after its middle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SpanLimits(pub(crate) [Limits; 2]);
+pub(crate) struct SpanLimits(pub(crate) [SpeedLimits; 2]);
 
 impl SpanLimits {
     /// On a blend the smaller speeds count; accelerations are those of the nearer move.
-    pub(crate) fn of_blend(first: &Limits, second: &Limits) -> Self {
+    pub(crate) fn of_blend(first: &SpeedLimits, second: &SpeedLimits) -> Self {
         let mut speed = first.speed;
         speed.iter_mut().zip(second.speed).for_each(|(speed, other)| *speed = speed.min(other));
         let translation = if first.translation < second.translation { first.translation } else { second.translation };
         let rotation = if first.rotation < second.rotation { first.rotation } else { second.rotation };
-        Self([first, second].map(|limits| Limits { speed, translation, rotation, ..*limits }))
+        Self([first, second].map(|limits| SpeedLimits { speed, translation, rotation, ..*limits }))
     }
 
-    fn at(&self, p: f64) -> &Limits {
+    fn at(&self, p: f64) -> &SpeedLimits {
         let [first, second] = &self.0;
         if p <= 0.5 { first } else { second }
     }
@@ -125,7 +125,7 @@ impl SpanLimits {
 #[derive(Debug)]
 pub(crate) struct Span {
     pub(crate) curve: Curve,
-    pub(crate) part: Part,
+    pub(crate) part: SpanPart,
     pub(crate) manner: Manner,
     pub(crate) tool: IsometryMatrix3<f64>,
     limits: SpanLimits,
@@ -143,7 +143,7 @@ pub(crate) struct Span {
 #[derive(Clone)]
 pub(crate) struct SpanRequest {
     pub(crate) curve: Curve,
-    pub(crate) part: Part,
+    pub(crate) part: SpanPart,
     pub(crate) manner: Manner,
     pub(crate) tool: IsometryMatrix3<f64>,
     pub(crate) limits: SpanLimits,
@@ -232,6 +232,6 @@ impl Span {
 
     /// Whether p belongs to a blend.
     pub(crate) fn is_blend(&self) -> bool {
-        matches!(self.part, Part::Blend { .. })
+        matches!(self.part, SpanPart::Blend { .. })
     }
 }

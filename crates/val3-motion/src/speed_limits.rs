@@ -6,13 +6,18 @@ use val3_geometry::{IsometryMatrix3, rotation};
 use crate::bounds::AXES;
 use crate::derivatives::tangents;
 use crate::model::Axes;
-use crate::request::Limits;
+use crate::request::SpeedLimits;
 
 /// Speeds, or what limits them: axes, tool centre point and rotation of the tool.
 type Speeds = SVector<f64, { AXES + 2 }>;
 
 /// The limit of x by all speeds at each knot.
-pub(crate) fn speed_limits(axes: &[Axes], tips: &[IsometryMatrix3<f64>], step: f64, limits: &[&Limits]) -> Vec<f64> {
+pub(crate) fn speed_limits(
+    axes: &[Axes],
+    tips: &[IsometryMatrix3<f64>],
+    step: f64,
+    limits: &[&SpeedLimits],
+) -> Vec<f64> {
     let positions: Vec<Vector3<f64>> = tips.iter().map(|tip| tip.translation.vector).collect();
     let translations = tangents(&positions, step).map(|tangent| tangent.norm());
     let rotations = rotations(tips, step);

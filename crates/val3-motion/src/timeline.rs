@@ -26,7 +26,7 @@ pub(crate) const UNPLANNED: f64 = f64::NAN;
 pub(crate) struct TimedSpan {
     pub(crate) span: Arc<Span>,
     /// At least two, by increasing p.
-    pub(crate) points: Vec<Point>,
+    pub(crate) points: Vec<TimelinePoint>,
     /// Whether the arm rests before this span.
     pub(crate) from_rest: bool,
     /// Whether the arm waits before this span until it is released (step mode).
@@ -41,7 +41,7 @@ pub(crate) struct TimedSpan {
 
 /// The speed at one value of p. Between two points p̈ is constant.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Point {
+pub(crate) struct TimelinePoint {
     pub(crate) p: f64,
     /// ṗ².
     pub(crate) x: f64,
@@ -68,7 +68,8 @@ impl TimedSpan {
         let last = span.len() - 1;
         let [_, end] = span.range();
         let p = |index| if index == last { end } else { span.at_knot(index) };
-        let points = (0..=last).map(|index| Point { p: p(index), x: 0.0, most: UNPLANNED, halt: false }).collect();
+        let points =
+            (0..=last).map(|index| TimelinePoint { p: p(index), x: 0.0, most: UNPLANNED, halt: false }).collect();
         Self { span, points, from_rest, is_gated: false, exit_rate: None, is_forgotten: false, reduction: None }
     }
 
@@ -83,7 +84,7 @@ impl TimedSpan {
     }
 
     /// The limits, and the points that get their speeds within them.
-    pub(crate) fn plan(&mut self) -> (SpanLimit<'_>, &mut Vec<Point>) {
+    pub(crate) fn plan(&mut self) -> (SpanLimit<'_>, &mut Vec<TimelinePoint>) {
         (SpanLimit { span: &self.span, reduction: self.reduction.as_ref() }, &mut self.points)
     }
 
@@ -102,7 +103,7 @@ pub(crate) struct SpanLimit<'a> {
 
 impl<'a> SpanLimit<'a> {
     /// The limits from the point `index` to the next one.
-    pub(crate) fn bounds(&self, points: &[Point], index: usize) -> Option<Bounds<'a>> {
+    pub(crate) fn bounds(&self, points: &[TimelinePoint], index: usize) -> Option<Bounds<'a>> {
         let next = points.get(index + 1).map(|next| next.p);
         self.span.bounds_within(points.get(index)?.p, next, self.reduction)
     }
@@ -111,13 +112,13 @@ impl<'a> SpanLimit<'a> {
 /// The motion between two points: p̈ is constant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Interval {
-    pub(crate) from: Point,
-    pub(crate) to: Point,
+    pub(crate) from: TimelinePoint,
+    pub(crate) to: TimelinePoint,
 }
 
 impl Interval {
     /// The interval that begins at the point `index`.
-    pub(crate) fn at(points: &[Point], index: usize) -> Option<Self> {
+    pub(crate) fn at(points: &[TimelinePoint], index: usize) -> Option<Self> {
         let (from, to) = (points.get(index)?, points.get(index + 1)?);
         Some(Self { from: *from, to: *to })
     }

@@ -4,7 +4,7 @@ use crate::{MoveLimits, Picture};
 
 /// A constant limit during a part of the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Step {
+pub(crate) struct LimitStep {
     /// Beginning in seconds.
     pub(crate) from: f64,
     /// End in seconds.
@@ -14,7 +14,7 @@ pub(crate) struct Step {
 }
 
 /// A limit over time. There is no limit while no move is executed.
-pub(crate) struct InForce(Vec<Step>);
+pub(crate) struct InForce(Vec<LimitStep>);
 
 /// Rule for the limit on the blend between two moves.
 #[derive(Clone, Copy)]
@@ -35,21 +35,21 @@ impl InForce {
             let ended = mark.ended.unwrap_or(end);
             let next = picture.moves.get(index + 1).and_then(|next| next.limits.as_ref()).map(&limit);
             let (Some(blended), Some(next)) = (mark.blended, next) else {
-                limits.push(Step { from: started, to: ended, value: own });
+                limits.push(LimitStep { from: started, to: ended, value: own });
                 continue;
             };
             let (changes, value) = match on_blend {
                 OnBlend::Smaller => (blended, own.min(next)),
                 OnBlend::Nearer => ((blended + ended) / 2.0, next),
             };
-            limits.push(Step { from: started, to: changes, value: own });
-            limits.push(Step { from: changes, to: ended, value });
+            limits.push(LimitStep { from: started, to: changes, value: own });
+            limits.push(LimitStep { from: changes, to: ended, value });
         }
         limits
     }
 
     /// Adds a step. If its limit equals the last limit, the last step is extended.
-    fn push(&mut self, step: Step) {
+    fn push(&mut self, step: LimitStep) {
         if step.to <= step.from || !step.value.is_finite() {
             return;
         }
@@ -60,7 +60,7 @@ impl InForce {
     }
 
     /// Returns the steps sorted by time.
-    pub(crate) fn steps(&self) -> &[Step] {
+    pub(crate) fn steps(&self) -> &[LimitStep] {
         &self.0
     }
 
@@ -74,10 +74,10 @@ impl InForce {
 #[cfg(test)]
 mod tests {
     use super::{InForce, OnBlend};
-    use crate::{Mark, MoveLimits, Picture};
+    use crate::{MoveLimits, MoveMark, Picture};
 
     fn limits(on_blend: OnBlend) -> InForce {
-        let mark = |tool_speed, [started, blended, ended]: [Option<f64>; 3]| Mark {
+        let mark = |tool_speed, [started, blended, ended]: [Option<f64>; 3]| MoveMark {
             limits: Some(MoveLimits {
                 joint_speed: 100.0,
                 acceleration: 100.0,
@@ -88,7 +88,7 @@ mod tests {
             started,
             blended,
             ended,
-            ..Mark::default()
+            ..MoveMark::default()
         };
         let moves = vec![
             mark(400.0, [Some(0.0), Some(1.0), Some(1.2)]),

@@ -20,7 +20,7 @@ type Area = [f64; 4];
 
 /// Maximum distance of a label from its point.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Reach {
+pub(crate) enum LabelDistance {
     /// Next to the point.
     Near,
     /// Anywhere around the point, with a line to it.
@@ -39,7 +39,7 @@ pub(crate) struct Labels {
 const CELL: f64 = 4.0;
 
 /// Place of a label: the beginning of the base line, and the start of the leader line to the point.
-pub(crate) struct Place {
+pub(crate) struct LabelPosition {
     pub(crate) at: [f64; 2],
     pub(crate) anchor: Option<[f64; 2]>,
 }
@@ -62,7 +62,7 @@ impl Labels {
     }
 
     /// Returns a free place near a point for a text; `None` if no place is free.
-    pub(crate) fn place(&mut self, point: [f64; 2], text: &str, reach: Reach) -> Option<Place> {
+    pub(crate) fn place(&mut self, point: [f64; 2], text: &str, reach: LabelDistance) -> Option<LabelPosition> {
         let width = LETTER * text.chars().count() as f64;
         let near = |count: usize| {
             let candidate =
@@ -70,7 +70,7 @@ impl Labels {
             DISTANCES.into_iter().take(count).flat_map(candidate)
         };
         let beside = near(NEAR).find(|(area, _)| self.is_free(area) && !self.is_on_path(area));
-        let count = if reach == Reach::Far { DISTANCES.len() } else { NEAR };
+        let count = if reach == LabelDistance::Far { DISTANCES.len() } else { NEAR };
         let (area, place) = beside.or_else(|| near(count).find(|(area, _)| self.is_free(area)))?;
         self.taken.push(area);
         Some(place)
@@ -94,23 +94,23 @@ fn cell(point: [f64; 2]) -> [i64; 2] {
 }
 
 /// Returns the area and the place of a text in a direction from a point.
-fn candidate([x, y]: [f64; 2], [right, down]: [f64; 2], distance: f64, width: f64) -> (Area, Place) {
+fn candidate([x, y]: [f64; 2], [right, down]: [f64; 2], distance: f64, width: f64) -> (Area, LabelPosition) {
     let (near_x, near_y) = (x + right * distance, y + down * distance);
     let left = if right < 0.0 { near_x - width } else { near_x };
     let area = [left, near_y - HEIGHT / 2.0, left + width, near_y + HEIGHT / 2.0];
     let anchor = (distance > 20.0).then_some([near_x, near_y]);
-    (area, Place { at: [left, near_y + 4.0], anchor })
+    (area, LabelPosition { at: [left, near_y + 4.0], anchor })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Labels, Reach};
+    use super::{LabelDistance, Labels};
 
     #[test]
     fn labels_of_one_point_lie_apart() {
         let mut labels = Labels::within([0.0, 0.0, 200.0, 200.0]);
         let places: Vec<_> = (0..12)
-            .filter_map(|_| labels.place([100.0, 100.0], "start:12", Reach::Far))
+            .filter_map(|_| labels.place([100.0, 100.0], "start:12", LabelDistance::Far))
             .map(|place| place.at)
             .collect();
         assert!(places.len() > 6);
@@ -127,15 +127,15 @@ mod tests {
     fn labels_lie_beside_the_path_where_there_is_room() {
         let mut labels = Labels::within([0.0, 0.0, 200.0, 200.0]);
         labels.avoid_line([100.0, 90.0], [200.0, 90.0]);
-        let place = labels.place([100.0, 95.0], "start:12", Reach::Far).unwrap();
+        let place = labels.place([100.0, 95.0], "start:12", LabelDistance::Far).unwrap();
         assert!(place.at[1] > 100.0, "{:?}", place.at);
     }
 
     #[test]
     fn a_label_that_must_be_near_has_no_place_in_a_crowd() {
         let mut labels = Labels::within([0.0, 0.0, 400.0, 400.0]);
-        while labels.place([200.0, 200.0], "start:12", Reach::Near).is_some() {}
-        let place = labels.place([200.0, 200.0], "start:12", Reach::Far).unwrap();
+        while labels.place([200.0, 200.0], "start:12", LabelDistance::Near).is_some() {}
+        let place = labels.place([200.0, 200.0], "start:12", LabelDistance::Far).unwrap();
         assert!(place.anchor.is_some());
     }
 }

@@ -16,7 +16,7 @@ mod views;
 
 pub use val3_motion::{MotionPhase, SpeedLimit};
 
-pub use picture::{Axis, Deviation, Mark, MoveLimits, Picture, Sample};
+pub use picture::{Deviation, MoveLimits, MoveMark, Picture, PictureAxis, Sample};
 pub use thinning::significant;
 
 use canvas::Canvas;

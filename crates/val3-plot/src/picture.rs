@@ -10,11 +10,11 @@ pub struct Picture {
     /// Model of the arm.
     pub arm: String,
     /// Axes of the arm.
-    pub axes: Vec<Axis>,
+    pub axes: Vec<PictureAxis>,
     /// Samples of the motion, sorted by time.
     pub samples: Vec<Sample>,
     /// Moves, in the order in which they were recorded.
-    pub moves: Vec<Mark>,
+    pub moves: Vec<MoveMark>,
     /// Recorded motion for comparison; empty without a comparison.
     pub reference: Vec<Sample>,
     /// Largest deviation from the recorded motion.
@@ -40,7 +40,7 @@ pub struct Deviation {
 
 /// An axis of the arm, in degrees, or in mm for a linear axis.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
+pub struct PictureAxis {
     /// Whether the axis is linear.
     pub is_stroke: bool,
     /// Lower software limit.
@@ -76,7 +76,7 @@ pub struct Sample {
 
 /// A move.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Mark {
+pub struct MoveMark {
     /// Program name.
     pub program: String,
     /// Line in the program's file, from 1.
@@ -103,7 +103,7 @@ pub struct Mark {
     pub ended: Option<f64>,
 }
 
-impl Mark {
+impl MoveMark {
     /// Formats the program and the line: `start:12`.
     pub(crate) fn label(&self) -> String {
         format!("{}:{}", self.program, self.line)

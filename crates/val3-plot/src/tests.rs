@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::colours::{PHASES, REFERENCE, colour};
 
-fn axes(count: usize) -> Vec<Axis> {
-    let axis = |index| Axis {
+fn axes(count: usize) -> Vec<PictureAxis> {
+    let axis = |index| PictureAxis {
         is_stroke: count == 4 && index == 2,
         min: -180.0,
         max: 180.0,
@@ -37,13 +37,13 @@ fn line() -> Picture {
         }
     };
     let target = [100.0, 50.0, 300.0];
-    let mark = |line, started| Mark {
+    let mark = |line, started| MoveMark {
         program: "start".to_owned(),
         line,
         target,
         leave: Some([60.0, 50.0, 300.0]),
         started: Some(started),
-        ..Mark::default()
+        ..MoveMark::default()
     };
     Picture {
         title: "cell & <table>".to_owned(),
@@ -89,12 +89,12 @@ fn nothing_moves() {
 
 #[test]
 fn a_line_with_many_targets_has_one_label_a_view() {
-    let mark = |index: u32| Mark {
+    let mark = |index: u32| MoveMark {
         program: "start".to_owned(),
         line: 13,
         target: [f64::from(index), f64::from(index), f64::from(index)].map(|step| step * 20.0),
         started: Some(f64::from(index) * 0.01),
-        ..Mark::default()
+        ..MoveMark::default()
     };
     let svg = Picture { moves: (0..4).map(mark).collect(), ..line() }.to_svg();
     assert_eq!((svg.matches(">13 (4 moves)<").count(), svg.matches(">13<").count()), (3, 1), "{svg}");
@@ -183,13 +183,13 @@ fn sweep([from, to]: [f64; 2], joint_speed: f64, tool_speed: f64) -> Picture {
         .map(|sample| Sample { joints: [from + (to - from) * sample.t / 0.04, 0.0, 0.0, 0.0, 0.0, 0.0], ..sample });
     let limits =
         MoveLimits { joint_speed, acceleration: 100.0, deceleration: 100.0, tool_speed, tool_rotation: 9999.0 };
-    let mark = Mark {
+    let mark = MoveMark {
         program: "start".to_owned(),
         line: 7,
         limits: Some(limits),
         started: Some(0.0),
         ended: Some(0.04),
-        ..Mark::default()
+        ..MoveMark::default()
     };
     Picture { samples: samples.collect(), axes: axes(1), moves: vec![mark], ..line() }
 }

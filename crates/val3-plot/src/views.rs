@@ -6,11 +6,11 @@ use std::collections::BTreeSet;
 
 use crate::canvas::Canvas;
 use crate::colours::{REFERENCE, colour};
-use crate::labels::{Labels, Place, Reach};
+use crate::labels::{LabelDistance, LabelPosition, Labels};
 use crate::thinning::thinned;
 use crate::ticks;
 use crate::{Picture, marks};
-use names::{Named, Origin, SAME};
+use names::{LineName, Named, SAME};
 
 /// Size of a panel, and space around its drawing, in pixels.
 const SIZE: [f64; 2] = [490.0, 470.0];
@@ -71,7 +71,7 @@ fn extents(picture: &Picture) -> [[f64; 2]; 3] {
 #[derive(Default)]
 struct Written<'a> {
     /// Program lines of targets.
-    targets: BTreeSet<Origin<'a>>,
+    targets: BTreeSet<LineName<'a>>,
     /// Notes on blends with their positions in world.
     notes: Vec<([f64; 3], &'a str)>,
 }
@@ -184,15 +184,18 @@ impl Panel<'_> {
             let (at, nearest) = (self.at(&gap.at), self.at(&gap.nearest));
             canvas.rule(at, nearest, "deviation");
             marks::deviation(canvas, at);
-            label(canvas, labels.place(at, &gap.label, Reach::Far), (at, "deviation label"), &gap.label);
+            label(canvas, labels.place(at, &gap.label, LabelDistance::Far), (at, "deviation label"), &gap.label);
         }
         for Named { point, origins, text } in Named::all(picture, |target| self.at(target)) {
             marks::target(canvas, point);
             if text.is_empty() {
                 continue;
             }
-            let reach =
-                if origins.iter().all(|origin| written.targets.contains(origin)) { Reach::Near } else { Reach::Far };
+            let reach = if origins.iter().all(|origin| written.targets.contains(origin)) {
+                LabelDistance::Near
+            } else {
+                LabelDistance::Far
+            };
             if label(canvas, labels.place(point, &text, reach), (point, "label"), &text) {
                 written.targets.extend(origins);
             }
@@ -209,7 +212,7 @@ impl Panel<'_> {
                 continue;
             }
             let point = self.at(&leave);
-            let Some(place) = labels.place(point, note, Reach::Near) else { continue };
+            let Some(place) = labels.place(point, note, LabelDistance::Near) else { continue };
             leader(canvas, &place, point);
             match &mark.explanation {
                 Some(explanation) => canvas.explained(place.at, "note", note, explanation),
@@ -252,7 +255,7 @@ impl Panel<'_> {
 }
 
 /// Draws a label at its place near a point. Returns whether there is a place.
-fn label(canvas: &mut Canvas, place: Option<Place>, (point, class): ([f64; 2], &str), text: &str) -> bool {
+fn label(canvas: &mut Canvas, place: Option<LabelPosition>, (point, class): ([f64; 2], &str), text: &str) -> bool {
     let Some(place) = place else { return false };
     leader(canvas, &place, point);
     canvas.text(place.at, class, text);
@@ -260,7 +263,7 @@ fn label(canvas: &mut Canvas, place: Option<Place>, (point, class): ([f64; 2], &
 }
 
 /// Draws the leader line from a point to a label that is not next to it.
-fn leader(canvas: &mut Canvas, place: &Place, point: [f64; 2]) {
+fn leader(canvas: &mut Canvas, place: &LabelPosition, point: [f64; 2]) {
     if let Some(anchor) = place.anchor {
         canvas.rule(point, anchor, "leader");
     }

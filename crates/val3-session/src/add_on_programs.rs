@@ -60,14 +60,14 @@ fn fault(file: &ConfigFile, instruction: &str, message: String, help: String) ->
 }
 
 /// A message with its help.
-type Fault = (String, String);
+type AddOnFault = (String, String);
 
 /// Checks that a program can be called in place of an instruction.
 fn check(
     db: &Database,
     user: Project,
     (file, instruction, setting): (&ConfigFile, &str, &StandInProgram),
-) -> Result<(), Fault> {
+) -> Result<(), AddOnFault> {
     let library = add_on_programs::library(db, file, setting).ok_or_else(|| no_library(file, setting))?;
     let Some(program) = add_on_programs::program(db, user, instruction) else {
         return Err(no_program(db, library.project, setting));
@@ -90,7 +90,7 @@ fn line(text: &str, offset: usize) -> usize {
     LineIndex::new(text).line(offset) + 1
 }
 
-fn no_library(file: &ConfigFile, setting: &StandInProgram) -> Fault {
+fn no_library(file: &ConfigFile, setting: &StandInProgram) -> AddOnFault {
     let manifest = add_on_programs::manifest_of(file, setting);
     let around = file.folder();
     let help = "add the library with the program, or correct the path: it names a program in the folder of its library";
@@ -98,7 +98,7 @@ fn no_library(file: &ConfigFile, setting: &StandInProgram) -> Fault {
     (message, help.to_owned())
 }
 
-fn no_program(db: &dyn Db, library: Project, setting: &StandInProgram) -> Fault {
+fn no_program(db: &dyn Db, library: Project, setting: &StandInProgram) -> AddOnFault {
     let name = setting.name();
     let path = library.manifest(db).path(db);
     let project = path.file_name().unwrap_or_default();
@@ -113,7 +113,7 @@ fn no_program(db: &dyn Db, library: Project, setting: &StandInProgram) -> Fault 
 
 /// Checks that the program has the parameters of the instruction, as declared in the cell's tables. Without a table,
 /// the calls are checked instead.
-fn check_signature(db: &dyn Db, user: Project, instruction: &str, program: &AddOnProgram) -> Result<(), Fault> {
+fn check_signature(db: &dyn Db, user: Project, instruction: &str, program: &AddOnProgram) -> Result<(), AddOnFault> {
     let params = program.params(db);
     if let Some(param) = params.iter().find(|param| param.base.builtin().is_none()) {
         let message = format!("the parameter `{}` of `{}` has a type that no add-on has", param.name, program.name);

@@ -7,8 +7,10 @@ use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::FileClass;
-use val3_machine::devices::Lines;
-use val3_machine::sio::{ByteStream, ChannelConfig, Entry, LineKind, NetworkAccess, Setting, channels, replay};
+use val3_machine::devices::ChannelTable;
+use val3_machine::sio::{
+    ByteStream, ChannelConfig, LineKind, LineSetting, NetworkAccess, RecordedReply, channels, replay,
+};
 
 use crate::cell::config;
 use crate::error::SessionError;
@@ -25,7 +27,7 @@ pub struct Connection {
 #[derive(Debug, Clone, PartialEq)]
 enum LineEnd {
     /// A socket of this kind.
-    Socket(LineKind, Vec<Setting>),
+    Socket(LineKind, Vec<LineSetting>),
     /// A serial device of this machine.
     Device(Utf8PathBuf),
 }
@@ -37,14 +39,14 @@ impl FromStr for Connection {
         const FORM: &str = r"write LINK=server:PORT, LINK=client:ADDRESS:PORT, LINK=udp:PORT or LINK=serial:DEVICE, for example Socket\host=server:2000";
         let (link, end) = text.split_once('=').filter(|(link, _)| !link.is_empty()).ok_or(FORM)?;
         let (kind, place) = end.split_once(':').ok_or(FORM)?;
-        let port = |text: &str| text.parse().map(Setting::Port).map_err(|_| FORM);
+        let port = |text: &str| text.parse().map(LineSetting::Port).map_err(|_| FORM);
         let end = match kind {
             "server" => LineEnd::Socket(LineKind::Server, vec![port(place)?]),
             "udp" => LineEnd::Socket(LineKind::Udp, vec![port(place)?]),
             "client" => {
                 let (address, number) = place.rsplit_once(':').ok_or(FORM)?;
                 let address: IpAddr = address.trim_matches(['[', ']']).parse().map_err(|_| FORM)?;
-                LineEnd::Socket(LineKind::Client, vec![Setting::Target(address), port(number)?])
+                LineEnd::Socket(LineKind::Client, vec![LineSetting::Target(address), port(number)?])
             }
             "serial" if !place.is_empty() => LineEnd::Device(place.into()),
             _ => return Err(FORM),
@@ -64,7 +66,7 @@ pub struct Tape<'a> {
 
 /// Connects the lines of the cell around `disk` and the lines in the settings.
 pub(crate) fn connect(
-    lines: &mut Lines,
+    lines: &mut ChannelTable,
     disk: &Utf8Path,
     tape: Tape<'_>,
     settings: &MergedSettings,
@@ -102,7 +104,7 @@ fn connected(mut configs: Vec<ChannelConfig>, lines: &[Connection]) -> Vec<Chann
 }
 
 /// Data that lines have received in another run, by line.
-fn recorded(file: &Utf8Path) -> Result<BTreeMap<String, Vec<Entry>>, SessionError> {
+fn recorded(file: &Utf8Path) -> Result<BTreeMap<String, Vec<RecordedReply>>, SessionError> {
     let refused = |reason: String| SessionError::Recording { file: file.to_owned(), reason };
     let text = val3_files::read_text(file, FileClass::Record).map_err(|reason| refused(reason.to_string()))?;
     replay(&text).map_err(|error| refused(error.to_string()))
@@ -160,7 +162,7 @@ impl Connection {
     }
 
     /// Connects a serial device. Sockets are opened when a program uses them.
-    fn open(&self, lines: &mut Lines, configs: &[ChannelConfig]) -> Result<(), SessionError> {
+    fn open(&self, lines: &mut ChannelTable, configs: &[ChannelConfig]) -> Result<(), SessionError> {
         let LineEnd::Device(device) = &self.end else { return Ok(()) };
         let refused = |reason: String| SessionError::Device { device: device.clone(), link: self.link.clone(), reason };
         let line = serial(device).map_err(|error| refused(error.to_string()))?;
@@ -190,7 +192,7 @@ mod tests {
         for text in [r"S\a=server:2", r"S\a=client:[::1]:2", r"S\a=client:10.0.0.1:2", r"S\a=udp:2", "S=serial:/d"] {
             assert_eq!(Connection::from_str(text).unwrap().to_string(), text);
         }
-        assert_eq!(server.end, LineEnd::Socket(LineKind::Server, vec![Setting::Port(2000)]));
+        assert_eq!(server.end, LineEnd::Socket(LineKind::Server, vec![LineSetting::Port(2000)]));
         let client = Connection::from_str("Socket\\host=client:[::1]:2000").unwrap().config();
         assert_eq!((client.port(), client.target()), (Some(2000), "::1".parse().ok()));
         assert_eq!(

@@ -13,7 +13,7 @@ use val3_machine::devices::Devices;
 use crate::connection::{self, Tape};
 use crate::error::SessionError;
 use crate::libraries::LibraryCompiler;
-use crate::media::Media;
+use crate::media::CellMedia;
 use crate::settings::{ControllerSettings, MergedSettings};
 use crate::stand_ins::StandIn;
 use crate::{add_on_programs, arm, cell, pages, shapes};
@@ -28,11 +28,11 @@ pub(crate) fn open(
 ) -> Result<Controller, SessionError> {
     let file = project.configuration(db).map(|configuration| configuration.file(db));
     let merged = MergedSettings::of(settings, file)?;
-    let mut media = Media::of(db, project)?;
+    let mut media = CellMedia::of(db, project)?;
     merged.roots.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
     let mut replaced = media.place_stand_ins(db, stand_ins)?;
     media.place_add_ons(db, &add_on_programs::libraries(db)?, &mut replaced)?;
-    let Media { roots, disk, application, outside } = media;
+    let CellMedia { roots, disk, application, outside } = media;
     // Stand-ins belong to the tests, so they are not counted.
     let key = |stand_in: &StandIn| path_key(stand_in.project.manifest(db).path(db).as_str());
     let uncounted = settings.is_counted.then(|| stand_ins.iter().map(key).collect());

@@ -32,7 +32,7 @@ use crate::settings::ControllerSettings;
 use declaration::{Declaration, declarations};
 use execution::Execution;
 use sources::NAME;
-use variable::Variable;
+use variable::ScratchVariable;
 
 /// The start program. Applications contain it, libraries do not.
 const START: &str = "start";
@@ -51,7 +51,7 @@ pub struct Evaluator {
     manifest: Utf8PathBuf,
     execution: Execution,
     /// Variables declared by evaluated code.
-    variables: Vec<Variable>,
+    variables: Vec<ScratchVariable>,
     /// User types and data names of the application.
     types: BTreeSet<String>,
     data: BTreeSet<String>,
@@ -80,7 +80,7 @@ impl Evaluator {
         variables: &[String],
         settings: &ControllerSettings,
     ) -> Result<Self, SessionError> {
-        let variables = variables.iter().map(|text| Variable::parse(text)).collect::<Result<Vec<_>, _>>();
+        let variables = variables.iter().map(|text| ScratchVariable::parse(text)).collect::<Result<Vec<_>, _>>();
         let variables = variables.map_err(|message| SessionError::Variables { message, help: String::new() })?;
         let (manifest, text) = match application {
             Some(path) => {
@@ -170,7 +170,7 @@ impl Evaluator {
     }
 
     /// Replaces the declared variables. Unchanged variables keep their values.
-    fn exchange(&mut self, variables: Vec<Variable>) -> Result<(), CodeFault> {
+    fn exchange(&mut self, variables: Vec<ScratchVariable>) -> Result<(), CodeFault> {
         let path = self.manifest.with_file_name(DATA);
         self.set_text(&path, sources::data(&variables));
         self.set_code("");

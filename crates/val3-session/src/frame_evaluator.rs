@@ -16,7 +16,7 @@ use val3_analysis::body::{StmtKind, body};
 use val3_analysis::infer::infer;
 use val3_bytecode::Fragment;
 use val3_compile::{compile_expression, compile_statements};
-use val3_debug::{CompiledExpression, Format, Inside, LogMessage, Value, evaluate, expression_grant};
+use val3_debug::{CompiledExpression, DebugValue, DisplayFormat, Inside, LogMessage, evaluate, expression_grant};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_vm::{FragmentContext, FragmentEnd, Vm};
@@ -29,7 +29,7 @@ pub use evaluation::{Evaluation, EvaluationError};
 
 use effects::effect;
 use scratch::Scratch;
-use target::{Target, Targets};
+use target::{EvaluationContext, Targets};
 
 /// Number of lines that statements execute between two checks for cancellation, which takes about a millisecond.
 const PORTION: u32 = 100_000;
@@ -70,7 +70,7 @@ impl FrameEvaluator {
         controller: &mut Controller,
         context: FragmentContext,
         text: &str,
-        how: (Purpose, Format),
+        how: (Purpose, DisplayFormat),
     ) -> Result<Evaluation, EvaluationError> {
         self.evaluate_while(controller, context, text, how, &mut || true)
     }
@@ -85,7 +85,7 @@ impl FrameEvaluator {
         controller: &mut Controller,
         context: FragmentContext,
         text: &str,
-        (purpose, format): (Purpose, Format),
+        (purpose, format): (Purpose, DisplayFormat),
         may_go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Evaluation, EvaluationError> {
         let target = self.targets.of_context(&controller.vm, context)?;
@@ -120,8 +120,8 @@ impl FrameEvaluator {
         controller: &mut Controller,
         context: FragmentContext,
         (target_text, value): (&str, &str),
-        format: Format,
-    ) -> Result<Value, EvaluationError> {
+        format: DisplayFormat,
+    ) -> Result<DebugValue, EvaluationError> {
         let target = self.targets.of_context(&controller.vm, context)?;
         let fragment = self.assignment(&target, target_text, value).or_else(|error| match state_of(value) {
             Some(state) => self.assignment(&target, target_text, state),
@@ -144,13 +144,13 @@ impl FrameEvaluator {
         controller: &mut Controller,
         inside: &Inside,
         (name, value): (&str, &str),
-        format: Format,
-    ) -> Result<Value, EvaluationError> {
+        format: DisplayFormat,
+    ) -> Result<DebugValue, EvaluationError> {
         let (context, path) = inside.expression(name).ok_or_else(|| {
             EvaluationError::from(format!("`{name}` is computed from other values and cannot be assigned to"))
         })?;
         let assigned = self.assign(controller, context, (&path, value), format)?;
-        Ok(Value { name: name.to_owned(), ..assigned })
+        Ok(DebugValue { name: name.to_owned(), ..assigned })
     }
 
     /// Compiles the condition of a breakpoint in a file.
@@ -182,7 +182,7 @@ impl FrameEvaluator {
     }
 
     /// Whether the code is a single expression with a value.
-    fn is_expression(&mut self, target: &Target, text: &str) -> bool {
+    fn is_expression(&mut self, target: &EvaluationContext, text: &str) -> bool {
         let scratch = Scratch::new(&mut self.targets, target, ("", text));
         let (db, file) = (scratch.db(), scratch.file());
         let inference = infer(db, target.project, file);
@@ -194,7 +194,11 @@ impl FrameEvaluator {
     }
 
     /// Compiled expression, and a description if it has a side effect.
-    fn expression(&mut self, target: &Target, text: &str) -> Result<(Fragment, Option<String>), EvaluationError> {
+    fn expression(
+        &mut self,
+        target: &EvaluationContext,
+        text: &str,
+    ) -> Result<(Fragment, Option<String>), EvaluationError> {
         let scratch = Scratch::new(&mut self.targets, target, (PRINT, text));
         if let Some(fault) = scratch.fault() {
             let is_statement = !text.trim().is_empty() && self.statements(target, text).is_ok();
@@ -216,7 +220,7 @@ impl FrameEvaluator {
     /// Compiled expression without side effects, and its type.
     fn pure_expression(
         &mut self,
-        target: &Target,
+        target: &EvaluationContext,
         text: &str,
     ) -> Result<(Fragment, Option<BaseType>), EvaluationError> {
         match self.expression(target, text)? {
@@ -229,7 +233,7 @@ impl FrameEvaluator {
     }
 
     /// Compiled statements.
-    fn statements(&mut self, target: &Target, text: &str) -> Result<Fragment, EvaluationError> {
+    fn statements(&mut self, target: &EvaluationContext, text: &str) -> Result<Fragment, EvaluationError> {
         let scratch = Scratch::new(&mut self.targets, target, ("", text));
         match scratch.fault() {
             Some(fault) => Err(EvaluationError::Code(fault)),
@@ -238,7 +242,12 @@ impl FrameEvaluator {
     }
 
     /// Compiled assignment.
-    fn assignment(&mut self, target: &Target, variable: &str, value: &str) -> Result<Fragment, EvaluationError> {
+    fn assignment(
+        &mut self,
+        target: &EvaluationContext,
+        variable: &str,
+        value: &str,
+    ) -> Result<Fragment, EvaluationError> {
         let before = format!("{variable}=");
         let scratch = Scratch::new(&mut self.targets, target, (&before, value));
         if let Some(fault) = scratch.fault() {
@@ -261,7 +270,7 @@ const NO_EXPRESSION: &str = "write one expression";
 
 const STATEMENT: &str = "a statement has no value to show; execute it in the debug console";
 
-fn compile(scratch: &Scratch<'_>, target: &Target) -> Result<Fragment, EvaluationError> {
+fn compile(scratch: &Scratch<'_>, target: &EvaluationContext) -> Result<Fragment, EvaluationError> {
     let scope = (&*target.image, target.variables.as_slice());
     let fragment = compile_statements(scratch.db(), target.project, scratch.file(), scope);
     fragment.map_err(|error| EvaluationError::from(error.limit.to_string()))

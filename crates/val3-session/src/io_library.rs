@@ -9,7 +9,7 @@ use val3_analysis::body::{Expr, body};
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{folder, items, program_files};
-use val3_analysis::paths::{Target, project as target};
+use val3_analysis::paths::{ResolvedPath, project as target};
 
 /// Library identifier in projects.
 const ALIAS: &str = "io";
@@ -26,8 +26,8 @@ pub(crate) fn missing(db: &dyn Db, application: Project) -> Option<(String, Stri
     // Like the controller of a run, which always has a folder for `Disk`.
     roots.disk = roots.disk.or_else(|| folder(db, application).parent().map(Utf8Path::to_owned));
     let place = match target(folder(db, application), &roots, path) {
-        Target::Path(manifest) => manifest.parent()?.to_string(),
-        Target::Elsewhere => path.to_owned(),
+        ResolvedPath::Path(manifest) => manifest.parent()?.to_string(),
+        ResolvedPath::Elsewhere => path.to_owned(),
     };
     let used = listed(&used_items(db, application))?;
     let message = format!(

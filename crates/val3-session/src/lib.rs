@@ -35,5 +35,5 @@ pub use evaluate::{CodeFault, EvaluationOutput, Evaluator, Listener};
 pub use frame_evaluator::{Evaluation, EvaluationError, FrameCompletion, FrameEvaluator, LineCondition, Purpose};
 pub use pace::{Delay, Pace};
 pub use same_file::is_same_file;
-pub use settings::{ControllerSettings, LINE_COST, Root, line_cost};
+pub use settings::{ControllerSettings, LINE_COST, PathRoot, line_cost};
 pub use stand_ins::StandInFault;

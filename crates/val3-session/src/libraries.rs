@@ -10,7 +10,7 @@ use val3_machine::devices::Libraries;
 use val3_machine::files::{ControllerPath, LibraryFiles};
 
 use crate::application::Application;
-use crate::settings::Root;
+use crate::settings::PathRoot;
 
 /// Maximum number of cached images, because a program may save a library under ever new names.
 const CAPACITY: usize = 64;
@@ -23,7 +23,7 @@ pub(crate) struct LibraryCompiler {
     /// counters.
     uncounted: Option<Vec<String>>,
     /// Roots of libraries outside `Disk`, whose paths are relative to the surrounding folder.
-    outside: Vec<Root>,
+    outside: Vec<PathRoot>,
     /// Program texts that replace files on the disk, by path.
     edited: Vec<(Utf8PathBuf, Arc<str>)>,
     compiled: Cache,
@@ -52,7 +52,7 @@ impl Cache {
 }
 
 impl LibraryCompiler {
-    pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<Root>, uncounted: Option<Vec<String>>) -> Self {
+    pub(crate) fn new(disk: Utf8PathBuf, outside: Vec<PathRoot>, uncounted: Option<Vec<String>>) -> Self {
         let compiled = Cache { images: Vec::new(), capacity: CAPACITY };
         Self { disk, outside, uncounted, edited: Vec::new(), compiled }
     }

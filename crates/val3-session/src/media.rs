@@ -9,14 +9,14 @@ use val3_machine::devices::StandIns;
 use val3_machine::files::Roots;
 
 use crate::error::SessionError;
-use crate::settings::Root;
+use crate::settings::PathRoot;
 use crate::stand_ins::StandIn;
 
 /// Root of the folder with the applications.
 const DISK: &str = "Disk";
 
 /// Media of a controller.
-pub(crate) struct Media {
+pub(crate) struct CellMedia {
     /// Folders of the path roots.
     pub(crate) roots: Roots,
     /// Folder of `Disk`.
@@ -24,10 +24,10 @@ pub(crate) struct Media {
     /// Path of the application, for example `Disk://app`.
     pub(crate) application: String,
     /// Roots for an application and stand-ins outside `Disk`.
-    pub(crate) outside: Vec<Root>,
+    pub(crate) outside: Vec<PathRoot>,
 }
 
-impl Media {
+impl CellMedia {
     /// Opens the media. `Disk` is the folder that the analysis uses, otherwise the folder around the application. A
     /// missing folder counts as empty.
     ///
@@ -96,7 +96,7 @@ impl Media {
         }
         let name = format!("Outside{}", self.outside.len());
         self.mount(&name, &folder)?;
-        self.outside.push(Root { name: name.clone(), folder: folder.clone() });
+        self.outside.push(PathRoot { name: name.clone(), folder: folder.clone() });
         Ok((name, folder))
     }
 

@@ -28,7 +28,7 @@ pub struct ControllerSettings {
     /// Arm model or arm kind.
     pub arm: Option<String>,
     /// Folders of roots other than `Disk`, in addition to the roots in `val3.toml`.
-    pub roots: Vec<Root>,
+    pub roots: Vec<PathRoot>,
     /// Connections of serial lines and sockets. They replace connections in the cell and in `val3.toml`.
     pub connections: Vec<Connection>,
     /// Whether sockets reach other machines; otherwise every address is redirected to this machine.
@@ -53,7 +53,7 @@ pub struct ControllerSettings {
 
 /// A path root and its folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Root {
+pub struct PathRoot {
     /// Name before `://`.
     pub name: String,
     /// The folder.
@@ -69,7 +69,7 @@ pub fn line_cost(microseconds: f64) -> Option<Time> {
 /// Settings of the caller, with fallbacks from `val3.toml`.
 pub(crate) struct MergedSettings {
     /// Folders of roots other than `Disk`.
-    pub(crate) roots: Vec<Root>,
+    pub(crate) roots: Vec<PathRoot>,
     /// Connections of lines; the caller's connections are last.
     pub(crate) connections: Vec<Connection>,
     /// Connections that the user has authorised: from the caller, and from a trusted file.
@@ -165,8 +165,8 @@ impl MergedSettings {
     }
 }
 
-fn roots(file: &ConfigFile) -> impl Iterator<Item = Root> {
-    let root = |(name, folder): (&String, _)| Root { name: name.clone(), folder: file.folder().join(folder) };
+fn roots(file: &ConfigFile) -> impl Iterator<Item = PathRoot> {
+    let root = |(name, folder): (&String, _)| PathRoot { name: name.clone(), folder: file.folder().join(folder) };
     file.config.roots.iter().map(root)
 }
 

@@ -9,7 +9,7 @@ use val3_analysis::interfaces::replacements;
 use val3_analysis::items::project::{LibraryItem, items};
 use val3_analysis::load::LoadError;
 use val3_analysis::paths::{normalise, path_key, with_manifest};
-use val3_analysis::system::{Kind, System};
+use val3_analysis::system::{PathKind, System};
 use val3_config::{ConfigError, ConfigFile};
 use val3_lang::suggest::{nearest, question};
 
@@ -50,7 +50,7 @@ pub(crate) fn manifests(system: &dyn System, file: &ConfigFile) -> Result<Vec<Ut
     for (identifier, path) in &file.config.test.replace {
         let manifest = manifest(file, path);
         match system.kind(&manifest) {
-            Some(Kind::File) => found.push(manifest),
+            Some(PathKind::File) => found.push(manifest),
             _ => missing.push(no_library(system, file, identifier, path)),
         }
     }

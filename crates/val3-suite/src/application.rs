@@ -5,7 +5,7 @@ use val3_lang::ports::{TaskNumber, Time};
 use val3_machine::controller::{Controller, RunStatus};
 
 use crate::execute::{Supervision, wait};
-use crate::expect::{Cycle, Observer, written_page};
+use crate::expect::{CycleState, Observer, written_page};
 use crate::failure::Failure;
 use crate::journal::Journal;
 use crate::killed::{killed, task_name};
@@ -41,9 +41,10 @@ fn run(
     let limit = supervision.settings.limit;
     let until = scenario.run.until.as_ref().map(|until| until.get_ref().time());
     let name = task_name(controller, task).unwrap_or_default();
-    let mut run = Run { controller, name, observer: scenario.observer(), journal: Journal::default(), killed: None };
+    let mut run =
+        ApplicationRun { controller, name, observer: scenario.observer(), journal: Journal::default(), killed: None };
     let status = run.cycles(until.unwrap_or(limit), supervision.may_go_on)?;
-    let Run { controller, observer, journal, killed, .. } = run;
+    let ApplicationRun { controller, observer, journal, killed, .. } = run;
     // An application may end itself in this way; then its expectations determine the result.
     let killed = killed.filter(|_| scenario.expectations.is_empty());
     let has_ended = matches!(status, RunStatus::Finished | RunStatus::Stopped | RunStatus::Unsupported);
@@ -75,7 +76,7 @@ fn run(
 }
 
 /// An application run.
-struct Run<'c> {
+struct ApplicationRun<'c> {
     controller: &'c mut Controller,
     /// First task's name.
     name: String,
@@ -85,7 +86,7 @@ struct Run<'c> {
     killed: Option<Failure>,
 }
 
-impl Run<'_> {
+impl ApplicationRun<'_> {
     /// Executes cycles until the application ends, nothing can happen any more, or the clock has reached `end`. Returns
     /// the reason: [`RunStatus::Stuck`] or [`RunStatus::Limit`] if the application could not or did not end; `None` if it may
     /// not go on.
@@ -115,7 +116,7 @@ impl Run<'_> {
 
     fn see(&mut self, start: Time) {
         let events = self.controller.devices.take_events();
-        self.observer.see(Cycle { start, events: &events, controller: self.controller });
+        self.observer.see(CycleState { start, events: &events, controller: self.controller });
         for event in &events {
             self.journal.see(event);
             self.killed = self.killed.take().or_else(|| killed(event, &self.name, self.controller));

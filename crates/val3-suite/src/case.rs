@@ -4,7 +4,7 @@ use val3_bytecode::{Image, Program};
 use val3_lang::test_names::is_test;
 use val3_session::Application;
 
-use crate::table::{Table, table};
+use crate::table::{CaseTable, table};
 
 /// Kind of a test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -121,7 +121,7 @@ fn of(application: &Application, image: &Image, program: &Program) -> Vec<TestCa
     };
     match table(application, image, program) {
         Ok(None) => vec![case],
-        Ok(Some(Table { rows, columns })) => {
+        Ok(Some(CaseTable { rows, columns })) => {
             let row = |row| TestCase { row: Some(row), columns: columns.clone(), ..case.clone() };
             (0..rows).map(row).collect()
         }

@@ -82,7 +82,7 @@ fn counts(image: &Image, program: &Program, hits: &[u64]) -> ProgramCoverage {
         let count: &mut u64 = lines.entry(row).or_default();
         *count = hits(counter).max(*count);
     }
-    let side = |side: &val3_bytecode::Side| Side { name: side.name.clone(), hits: hits(side.counter) };
+    let side = |side: &val3_bytecode::BranchSide| Side { name: side.name.clone(), hits: hits(side.counter) };
     let branch =
         |branch: &val3_bytecode::Branch| Branch { line: branch.row, sides: branch.sides.iter().map(side).collect() };
     ProgramCoverage {

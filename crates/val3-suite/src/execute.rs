@@ -8,7 +8,7 @@ use val3_session::{LineCondition, Pace};
 
 use crate::application;
 use crate::case::{TestCase, TestKind};
-use crate::expect::Cycle;
+use crate::expect::CycleState;
 use crate::result::TestResult;
 use crate::scenario::Scenario;
 use crate::stages::{Stages, Transition};
@@ -68,7 +68,7 @@ fn execute_program(
         let start = controller.now();
         let status = controller.step_tasks();
         let events = controller.devices.take_events();
-        stages.see(Cycle { start, events: &events, controller });
+        stages.see(CycleState { start, events: &events, controller });
         if stages.follow(controller) != Transition::None {
             return ControlFlow::Continue(());
         }

@@ -47,17 +47,17 @@ use toml::Spanned;
 use val3_machine::script::SentText;
 use val3_trace::{Clear, Inside, Speed, TraceFile};
 
-pub(crate) use cycle::Cycle;
+pub(crate) use cycle::CycleState;
 use cycle_time::CycleTime;
 use errors::ExpectedError;
 pub(crate) use errors::failure as error_failure;
-pub(crate) use fit::{Fault, Fit};
+pub(crate) use fit::{ExpectationFault, Fit};
 pub(crate) use observer::Observer;
 use occurrence::Occurrence;
-use order::Order;
+use order::EventOrder;
 pub(crate) use screen::{shown as shown_page, written_page};
-use state::{State, TimedState};
-use values::Values;
+use state::{ExpectedState, TimedState};
+use values::ExpectedValues;
 use within::Within;
 
 /// Keys of `[expect]`.
@@ -68,9 +68,9 @@ pub(crate) struct Expectations {
     screen_file: Option<Spanned<String>>,
     print_file: Option<Spanned<String>>,
     #[serde(deserialize_with = "values::signals")]
-    io: Values,
+    io: ExpectedValues,
     #[serde(deserialize_with = "values::variables")]
-    data: Values,
+    data: ExpectedValues,
     print: Vec<Spanned<String>>,
     log: Vec<Spanned<String>>,
     popup: Vec<Spanned<String>>,
@@ -79,7 +79,7 @@ pub(crate) struct Expectations {
     errors: Vec<Spanned<ExpectedError>>,
     at: Vec<TimedState>,
     within: Vec<Spanned<Within>>,
-    order: Vec<Order>,
+    order: Vec<EventOrder>,
     time: Vec<Spanned<CycleTime>>,
     trace: Option<Spanned<TraceFile>>,
     speed: Vec<Spanned<Speed>>,
@@ -89,14 +89,14 @@ pub(crate) struct Expectations {
 
 impl Expectations {
     /// Expected state at the end.
-    fn last_state(&self) -> State<'_> {
-        State { table: "expect", screen: &self.screen, io: &self.io, data: &self.data }
+    fn last_state(&self) -> ExpectedState<'_> {
+        ExpectedState { table: "expect", screen: &self.screen, io: &self.io, data: &self.data }
     }
 
     /// Links of the lines with expected output.
     pub(crate) fn lines(&self) -> impl Iterator<Item = &str> {
         let deadlines = self.within.iter().flat_map(|within| within.get_ref().occurrences());
-        let orders = self.order.iter().flat_map(Order::occurrences);
+        let orders = self.order.iter().flat_map(EventOrder::occurrences);
         let times = self.time.iter().flat_map(|time| time.get_ref().occurrences());
         let occurrences = deadlines.chain(orders).chain(times).filter_map(Occurrence::line);
         self.sent.iter().map(|text| text.get_ref().link()).chain(occurrences)
@@ -114,7 +114,7 @@ impl Expectations {
     }
 
     /// Expectations that no run of the application can meet, because of their names or times.
-    pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
+    pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         let states =
             self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));
         let errors = self.errors.iter().filter_map(|error| error.get_ref().fault(fit, &error.span()));

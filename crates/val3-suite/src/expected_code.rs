@@ -5,7 +5,7 @@ use val3_lang::runtime_errors;
 use val3_machine::controller::Controller;
 
 use crate::case::TestCase;
-use crate::failure::{Failure, Place};
+use crate::failure::{Failure, FailureLocation};
 use crate::unfinished::{is_in_library, places};
 
 /// An expected run-time error, and the line that expects it.
@@ -13,7 +13,7 @@ pub(crate) struct ExpectedCode {
     /// Error number.
     pub(crate) code: u16,
     /// Call stack of the task, innermost program first.
-    places: Vec<Place>,
+    places: Vec<FailureLocation>,
 }
 
 impl ExpectedCode {
@@ -21,15 +21,17 @@ impl ExpectedCode {
     /// unknown, and the place is the test.
     pub(crate) fn new(code: u16, case: &TestCase, task: Option<TaskNumber>, controller: &Controller) -> Self {
         let expecting = task.filter(|task| is_in_library(controller, *task));
-        let test = || vec![Place { program: case.program_name(), file: case.file.clone(), line: case.line }];
+        let test = || vec![FailureLocation { program: case.program_name(), file: case.file.clone(), line: case.line }];
         Self { code, places: expecting.map_or_else(test, |task| places(controller, task)) }
     }
 
     /// Extends the failure of another error with the expected error.
     pub(crate) fn instead(&self, mut failure: Failure) -> Failure {
         failure.message += &format!("\n  instead of {}, which `expectError` expects", self.described());
-        let here =
-            self.places.first().map(|place| Place { program: format!("expectError({})", self.code), ..place.clone() });
+        let here = self
+            .places
+            .first()
+            .map(|place| FailureLocation { program: format!("expectError({})", self.code), ..place.clone() });
         failure.places.extend(here);
         failure
     }

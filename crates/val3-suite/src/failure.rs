@@ -7,12 +7,12 @@ pub struct Failure {
     pub message: String,
     /// Call stack of the task, innermost program first, without programs of `val3assert`; for an expectation, its place
     /// in the scenario file.
-    pub places: Vec<Place>,
+    pub places: Vec<FailureLocation>,
 }
 
 /// A line of a program or of a scenario.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct FailureLocation {
     /// Program name with its application or library, or the key of an expectation.
     pub program: String,
     /// File.

@@ -1,6 +1,6 @@
 //! Texts to compare with recorded texts: the page at the end of a test, and the printed lines.
 
-use crate::failure::{Failure, Place};
+use crate::failure::{Failure, FailureLocation};
 
 /// Help for a missing or outdated file.
 const RECORD: &str = "record it with `val3 test --update`";
@@ -46,7 +46,7 @@ pub struct GoldenText {
     /// File relative to the test's file.
     pub(crate) file: String,
     /// Expectation.
-    pub(crate) place: Place,
+    pub(crate) place: FailureLocation,
     /// Lines of the test, without trailing blanks.
     pub(crate) lines: Vec<String>,
 }
@@ -131,7 +131,7 @@ mod tests {
     use super::*;
 
     fn screen(lines: &[&str]) -> GoldenText {
-        let place = Place { program: String::new(), file: String::new(), line: 1 };
+        let place = FailureLocation { program: String::new(), file: String::new(), line: 1 };
         let lines = lines.iter().map(|line| (*line).to_owned()).collect();
         GoldenText { kind: GoldenKind::Screen, file: "end.txt".to_owned(), place, lines }
     }

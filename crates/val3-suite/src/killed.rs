@@ -4,7 +4,7 @@ use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind};
 
-use crate::failure::{Failure, Place};
+use crate::failure::{Failure, FailureLocation};
 use crate::unfinished::places_of;
 
 /// Returns the failure if this event kills the task with this name. Its places are the call stack of the killing task.
@@ -12,7 +12,7 @@ pub(crate) fn killed(event: &Event, name: &str, controller: &Controller) -> Opti
     let EventKind::Task { state: "killed", name: killed, program, line, file, .. } = &event.kind else { return None };
     // At the end of an application, its tasks are killed without a killing task.
     let killer = event.task.as_deref().filter(|_| killed == name)?;
-    let here = Place { program: program.clone(), file: file.clone(), line: *line };
+    let here = FailureLocation { program: program.clone(), file: file.clone(), line: *line };
     if killer == name {
         return Some(Failure { message: "its task has killed itself".to_owned(), places: vec![here] });
     }

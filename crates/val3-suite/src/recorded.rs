@@ -3,9 +3,9 @@
 use val3_machine::controller::CodeSource;
 use val3_machine::event::seconds;
 use val3_plot::Picture;
-use val3_trace::{Comparison, Recording, Trace, TraceError, TraceFile, amount, compare, describe};
+use val3_trace::{Comparison, MotionRecording, Trace, TraceError, TraceFile, amount, compare, describe};
 
-use crate::failure::{Failure, Place};
+use crate::failure::{Failure, FailureLocation};
 
 /// Help for failures that a new recording resolves.
 const RECORD: &str = "`val3 test --update` records this motion";
@@ -16,11 +16,11 @@ pub(crate) const AT_REST: &str = "the arm has not moved (`power = true` in a scr
 /// Motion of a test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedMotion {
-    pub(crate) recording: Recording,
+    pub(crate) recording: MotionRecording,
     pub(crate) picture: Picture,
     pub(crate) file: TraceFile,
     /// Place of the expectation.
-    pub(crate) place: Place,
+    pub(crate) place: FailureLocation,
 }
 
 /// Result of a comparison.
@@ -133,6 +133,6 @@ impl RecordedMotion {
 }
 
 /// An instruction's line.
-pub(crate) fn place_of(CodeSource { program, file, line, .. }: CodeSource) -> Place {
-    Place { program, file, line }
+pub(crate) fn place_of(CodeSource { program, file, line, .. }: CodeSource) -> FailureLocation {
+    FailureLocation { program, file, line }
 }

@@ -27,12 +27,12 @@ use serde::Deserialize;
 use toml::Spanned;
 use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
-use val3_machine::script::{Rule, Script, Seconds, TimedEntry};
+use val3_machine::script::{ReactionRule, Script, Seconds, TimedEntry};
 
 use crate::case::TestKind;
 use crate::controller_keys::ControllerKeys;
 use crate::expect::{Expectations, Fit, Observer};
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// Program that a scenario starts by default.
 pub(crate) const START: &str = "start";
@@ -42,7 +42,7 @@ pub(crate) const START: &str = "start";
 pub struct Scenario {
     /// Script of the controller's environment.
     script: Script,
-    pub(crate) run: Run,
+    pub(crate) run: RequestedRun,
     /// Initial state of the controller.
     controller_keys: ControllerKeys,
     /// Timeout of the test, in seconds.
@@ -54,12 +54,12 @@ pub struct Scenario {
     /// Tags for the selection of tests.
     tags: Vec<String>,
     pub(crate) expectations: Expectations,
-    pub(crate) source: Source,
+    pub(crate) source: ExpectationSource,
 }
 
 /// Requested application run.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Run {
+pub(crate) struct RequestedRun {
     application: Option<Spanned<String>>,
     pub(crate) program: Option<Spanned<String>>,
     pub(crate) until: Option<Spanned<Seconds>>,
@@ -68,7 +68,7 @@ pub(crate) struct Run {
 /// Keys of a file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct ScenarioFile {
     application: Option<Spanned<String>>,
     program: Option<Spanned<String>>,
     until: Option<Spanned<Seconds>>,
@@ -87,7 +87,7 @@ struct File {
     #[serde(default)]
     at: Vec<TimedEntry>,
     #[serde(default)]
-    when: Vec<Spanned<Rule>>,
+    when: Vec<Spanned<ReactionRule>>,
     #[serde(default)]
     silent: Vec<String>,
     #[serde(default)]
@@ -123,7 +123,7 @@ impl TryFrom<i64> for MonitorSpeed {
 
 /// Role of a TOML file among tests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Role {
+pub enum TestFileRole {
     /// It names the application that it runs.
     Scenario,
     /// It has expectations, but names no application: it belongs to a test program.
@@ -152,12 +152,12 @@ impl Scenario {
     /// # Errors
     /// The text is no TOML, or has an invalid key or value.
     pub fn parse(path: &str, text: &str) -> Result<Self, ScenarioError> {
-        let file: File =
+        let file: ScenarioFile =
             toml::from_str(text).map_err(|error| ScenarioError(error.to_string().trim_end().to_owned()))?;
-        let source = Source::new(path, text);
+        let source = ExpectationSource::new(path, text);
         let script = Script::new(file.at, file.when, file.silent, text);
-        let run = Run { application: file.application, program: file.program, until: file.until };
-        let File {
+        let run = RequestedRun { application: file.application, program: file.program, until: file.until };
+        let ScenarioFile {
             replace,
             tags,
             limit,
@@ -177,7 +177,7 @@ impl Scenario {
 
     /// Role of a file in a test folder or next to programs, according to its text.
     #[must_use]
-    pub fn role(text: &str) -> Role {
+    pub fn role(text: &str) -> TestFileRole {
         #[derive(Deserialize)]
         struct Probe {
             application: Option<serde::de::IgnoredAny>,
@@ -188,14 +188,14 @@ impl Scenario {
         }
         let begins = |word: &str| text.lines().any(|line| line.trim_start().starts_with(word));
         match toml::from_str::<Probe>(text) {
-            Ok(Probe { application: Some(_), .. }) => Role::Scenario,
-            Ok(Probe { expect: Some(_), .. }) => Role::Expectations,
-            Ok(Probe { at, when, silent, .. }) if at.or(when).or(silent).is_some() => Role::Script,
-            Ok(_) => Role::Other,
+            Ok(Probe { application: Some(_), .. }) => TestFileRole::Scenario,
+            Ok(Probe { expect: Some(_), .. }) => TestFileRole::Expectations,
+            Ok(Probe { at, when, silent, .. }) if at.or(when).or(silent).is_some() => TestFileRole::Script,
+            Ok(_) => TestFileRole::Other,
             // An invalid file that appears to be a scenario is reported.
-            Err(_) if begins("application") => Role::Scenario,
-            Err(_) if begins("[expect") || begins("[[expect") => Role::Expectations,
-            Err(_) => Role::Other,
+            Err(_) if begins("application") => TestFileRole::Scenario,
+            Err(_) if begins("[expect") || begins("[[expect") => TestFileRole::Expectations,
+            Err(_) => TestFileRole::Other,
         }
     }
 
@@ -272,7 +272,7 @@ impl Scenario {
     /// # Errors
     /// The file belongs to a test program, and states which application to run.
     pub fn check_kind(&self, kind: TestKind) -> Result<(), ScenarioError> {
-        let Run { application, program, until } = &self.run;
+        let RequestedRun { application, program, until } = &self.run;
         let keys = [
             ("application", application.as_ref().map(Spanned::span)),
             ("program", program.as_ref().map(Spanned::span)),
@@ -315,15 +315,15 @@ mod tests {
     #[test]
     fn files_have_roles() {
         for (text, expected) in [
-            ("application = \"a\"", Role::Scenario),
-            ("[[at]]\nt = 1\n[expect]\napplication = \"a\"", Role::Expectations),
-            ("aplication = \"a\"\n[expect]\nprint = []", Role::Expectations),
-            ("[[when]]\n", Role::Script),
-            ("x = 1", Role::Other),
-            ("", Role::Other),
-            ("application = \"a", Role::Scenario),
-            ("[expect]\nprint = [", Role::Expectations),
-            ("no toml", Role::Other),
+            ("application = \"a\"", TestFileRole::Scenario),
+            ("[[at]]\nt = 1\n[expect]\napplication = \"a\"", TestFileRole::Expectations),
+            ("aplication = \"a\"\n[expect]\nprint = []", TestFileRole::Expectations),
+            ("[[when]]\n", TestFileRole::Script),
+            ("x = 1", TestFileRole::Other),
+            ("", TestFileRole::Other),
+            ("application = \"a", TestFileRole::Scenario),
+            ("[expect]\nprint = [", TestFileRole::Expectations),
+            ("no toml", TestFileRole::Other),
         ] {
             assert_eq!(Scenario::role(text), expected, "{text}");
         }

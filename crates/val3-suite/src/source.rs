@@ -4,22 +4,22 @@ use std::ops::Range;
 
 use val3_lines::LineIndex;
 
-use crate::failure::Place;
+use crate::failure::FailureLocation;
 
 /// A file with expectations.
 #[derive(Debug, Clone)]
-pub(crate) struct Source {
+pub(crate) struct ExpectationSource {
     path: String,
     lines: LineIndex,
 }
 
-impl Default for Source {
+impl Default for ExpectationSource {
     fn default() -> Self {
         Self::new("", "")
     }
 }
 
-impl Source {
+impl ExpectationSource {
     pub(crate) fn new(path: &str, text: &str) -> Self {
         Self { path: path.to_owned(), lines: LineIndex::new(text) }
     }
@@ -30,7 +30,7 @@ impl Source {
     }
 
     /// An expectation's place: a key such as `expect.screen` with its line.
-    pub(crate) fn place(&self, key: &str, range: Range<usize>) -> Place {
-        Place { program: key.to_owned(), file: self.path.clone(), line: self.line(range) }
+    pub(crate) fn place(&self, key: &str, range: Range<usize>) -> FailureLocation {
+        FailureLocation { program: key.to_owned(), file: self.path.clone(), line: self.line(range) }
     }
 }

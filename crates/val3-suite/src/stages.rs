@@ -12,9 +12,9 @@ use val3_machine::event::{Event, EventKind};
 use crate::assertion::failed_assertion;
 use crate::case::TestCase;
 use crate::exemption::Exemption;
-use crate::expect::{Cycle, Observer, error_failure, written_page};
+use crate::expect::{CycleState, Observer, error_failure, written_page};
 use crate::expected_code::ExpectedCode;
-use crate::failure::{Failure, Place};
+use crate::failure::{Failure, FailureLocation};
 use crate::golden_text::GoldenText;
 use crate::journal::Journal;
 use crate::killed::{killed, task_name, task_number};
@@ -98,7 +98,8 @@ impl Stages {
             part: None,
         };
         if let Some(refusal) = stages.case.refusal.clone() {
-            let place = Place { program: stages.case.name(), file: stages.case.file.clone(), line: stages.case.line };
+            let place =
+                FailureLocation { program: stages.case.name(), file: stages.case.file.clone(), line: stages.case.line };
             stages.fail(failure(refusal, vec![place]));
             stages.stage = Stage::Over;
         } else if !stages.enter(Stage::Setup, controller) {
@@ -128,12 +129,12 @@ impl Stages {
         if controller.is_within_cycle() {
             self.part = Some((start, seen));
         } else {
-            self.see(Cycle { start, events: &seen, controller });
+            self.see(CycleState { start, events: &seen, controller });
         }
     }
 
     /// Processes a finished cycle.
-    pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
+    pub(crate) fn see(&mut self, cycle: CycleState<'_>) {
         // Expectations are checked before `teardown`.
         if matches!(self.stage, Stage::Setup | Stage::Test) {
             self.observer.see(cycle);
@@ -213,7 +214,7 @@ impl Stages {
         self.is_decided = true;
     }
 
-    fn places(&self, controller: &Controller) -> Vec<Place> {
+    fn places(&self, controller: &Controller) -> Vec<FailureLocation> {
         self.lead.map(|lead| places(controller, lead)).unwrap_or_default()
     }
 
@@ -290,7 +291,7 @@ impl Stages {
     #[must_use]
     pub fn result(mut self, controller: &Controller) -> TestResult {
         if let Some((start, events)) = self.part.take() {
-            self.see(Cycle { start, events: &events, controller });
+            self.see(CycleState { start, events: &events, controller });
         }
         if !self.is_over() {
             let places = self.places(controller);
@@ -327,7 +328,7 @@ fn row_values(controller: &Controller, case: &TestCase, lead: TaskNumber) -> Vec
     case.columns.iter().filter_map(value).collect()
 }
 
-fn failure(message: String, places: Vec<Place>) -> Failure {
+fn failure(message: String, places: Vec<FailureLocation>) -> Failure {
     Failure { message, places }
 }
 

@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 
 use val3_analysis::body::{Body, Expr, ExprId, body};
 use val3_analysis::items::project::items;
-use val3_bytecode::{Image, Param, Program, Storage};
-use val3_lang::memory::Shape;
+use val3_bytecode::{Image, Program, ProgramParam, Storage};
+use val3_lang::memory::ContainerShape;
 use val3_lang::types::{BaseType, Container};
 use val3_session::Application;
 
@@ -17,7 +17,7 @@ const ROW: &str = "x_nCase";
 
 /// Table of a test.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Table {
+pub(crate) struct CaseTable {
     pub(crate) rows: u32,
     /// Column names, in order.
     pub(crate) columns: Vec<String>,
@@ -27,7 +27,7 @@ pub(crate) struct Table {
 ///
 /// # Errors
 /// The test has other parameters, or its table has no rows or columns of different lengths.
-pub(crate) fn table(application: &Application, image: &Image, program: &Program) -> Result<Option<Table>, String> {
+pub(crate) fn table(application: &Application, image: &Image, program: &Program) -> Result<Option<CaseTable>, String> {
     match program.params.as_slice() {
         [] => return Ok(None),
         [param] if param.name == ROW && is_number(param) => {}
@@ -49,7 +49,7 @@ pub(crate) fn table(application: &Application, image: &Image, program: &Program)
     distinct.dedup();
     match distinct.as_slice() {
         [] => Err(format!("`{}` reads no global array by `{ROW}`, so that it has no rows", program.name)),
-        [rows] => Ok(Some(Table { rows: *rows, columns: lengths.into_keys().map(str::to_owned).collect() })),
+        [rows] => Ok(Some(CaseTable { rows: *rows, columns: lengths.into_keys().map(str::to_owned).collect() })),
         _ => {
             let listed: Vec<String> = lengths.iter().map(|(name, length)| format!("`{name}` {length}")).collect();
             Err(format!("the columns of its table have different numbers of rows: {}", listed.join(", ")))
@@ -57,7 +57,7 @@ pub(crate) fn table(application: &Application, image: &Image, program: &Program)
     }
 }
 
-fn is_number(param: &Param) -> bool {
+fn is_number(param: &ProgramParam) -> bool {
     let is_value = matches!(param.storage, Storage::Value(_));
     is_value && param.container == Container::Element && param.kind.base_type() == Some(BaseType::Num)
 }
@@ -88,7 +88,7 @@ fn name(body: &Body, id: ExprId) -> Option<&str> {
 fn length(image: &Image, name: &str) -> Option<u32> {
     let data = image.data.get(usize::from(image.data(name)?))?;
     match data.init.shape {
-        Shape::Array { sizes: [length, ..], .. } => Some(length),
-        Shape::Collection(_) => None,
+        ContainerShape::Array { sizes: [length, ..], .. } => Some(length),
+        ContainerShape::Collection(_) => None,
     }
 }

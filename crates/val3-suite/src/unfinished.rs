@@ -6,7 +6,7 @@ use val3_machine::controller::{Activity, Controller};
 use val3_machine::event::shown_seconds;
 use val3_session::LineCondition;
 
-use crate::failure::{Failure, Place};
+use crate::failure::{Failure, FailureLocation};
 use crate::killed::task_number;
 use crate::library::NAME;
 
@@ -61,9 +61,9 @@ fn activity(controller: &Controller, task: TaskNumber) -> Option<Activity> {
 }
 
 /// Call stack of a task, without programs of the library `val3assert`.
-pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<Place> {
+pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<FailureLocation> {
     let frames = frames(&controller.vm, task).into_iter().filter(|frame| frame.application != NAME);
-    let place = |frame: TaskFrame| Place {
+    let place = |frame: TaskFrame| FailureLocation {
         program: format!("{}:{}", frame.application, frame.program),
         file: frame.file,
         line: frame.row,
@@ -72,7 +72,7 @@ pub(crate) fn places(controller: &Controller, task: TaskNumber) -> Vec<Place> {
 }
 
 /// Call stack of the task with this name; empty if it has ended.
-pub(crate) fn places_of(controller: &Controller, task: &str) -> Vec<Place> {
+pub(crate) fn places_of(controller: &Controller, task: &str) -> Vec<FailureLocation> {
     task_number(controller, task).map(|task| places(controller, task)).unwrap_or_default()
 }
 

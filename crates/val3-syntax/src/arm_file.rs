@@ -1,6 +1,6 @@
 //! Arm entries in the configuration files of a cell (`arm.cfx`, `cell.cfx`).
 
-use crate::xml::{self, Element};
+use crate::xml::{self, XmlElement};
 
 /// The entries of a file that describe the arm.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -17,7 +17,7 @@ impl ArmFile {
     /// Reads the arm entries in a file. Other entries are ignored.
     pub fn read(text: &str) -> Self {
         let parse = crate::parse(text);
-        let entries = || xml::root(parse.view()).into_iter().flat_map(Element::elements);
+        let entries = || xml::root(parse.view()).into_iter().flat_map(XmlElement::elements);
         let value = |name: &str| {
             let named = entries().find(|entry| entry.value("name").as_deref() == Some(name));
             named.and_then(|entry| entry.value("value")).map(|value| value.trim().to_owned())
@@ -30,7 +30,7 @@ impl ArmFile {
     }
 }
 
-fn range(list: Element<'_>) -> Option<[Vec<f64>; 2]> {
+fn range(list: XmlElement<'_>) -> Option<[Vec<f64>; 2]> {
     match list.value("name").as_deref() {
         Some("minArmJointPos") => Some([axes(list).into(), Vec::new()]),
         Some("maxArmJointPos") => Some([Vec::new(), axes(list).into()]),
@@ -39,7 +39,7 @@ fn range(list: Element<'_>) -> Option<[Vec<f64>; 2]> {
 }
 
 /// Returns the numbers in a list, one for each axis.
-fn axes(list: Element<'_>) -> [f64; 6] {
+fn axes(list: XmlElement<'_>) -> [f64; 6] {
     let mut axes = [f64::INFINITY; 6];
     for entry in list.elements() {
         let number = |name| entry.value(name).map(|text| text.trim().to_owned());

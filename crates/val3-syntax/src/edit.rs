@@ -5,18 +5,18 @@ use std::ops::Range;
 use rowan::{TextRange, TextSize};
 
 use crate::lexer::range;
-use crate::never::Part;
+use crate::never::TextSlice;
 
 /// A replacement of a range in a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Edit {
+pub struct TextEdit {
     /// Range in the old text.
     pub range: TextRange,
     /// New text.
     pub insert: String,
 }
 
-impl Edit {
+impl TextEdit {
     /// Returns the text after the edit. A range is clipped to the text and extended to start at a character boundary.
     pub fn apply(&self, text: &str) -> String {
         let Range { start, end } = self.range_in(text).into();
@@ -40,7 +40,7 @@ pub(crate) struct Change {
 
 impl Change {
     /// Returns the change of `text` by `edit`.
-    pub(crate) fn of(edit: &Edit, text: &str) -> Self {
+    pub(crate) fn of(edit: &TextEdit, text: &str) -> Self {
         Self { range: edit.range_in(text), inserted: TextSize::of(&edit.insert) }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Files of s6 to s8 are UTF-8, usually with a byte order mark. Files of s5 are ISO-8859-1 and declare it.
 
-use crate::never::Part;
+use crate::never::TextSlice;
 
 /// Encoding of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -14,7 +14,7 @@ use rowan::{TextRange, TextSize};
 
 use crate::error::{SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind;
-use crate::never::Part;
+use crate::never::TextSlice;
 
 /// A token: its kind, its end, and its indentation if it starts a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

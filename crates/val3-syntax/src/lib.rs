@@ -23,10 +23,10 @@ pub mod version_file;
 pub mod view;
 pub mod xml;
 
-pub use edit::Edit;
+pub use edit::TextEdit;
 pub use joined::joined;
 pub use kind::{SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use lexer::{decode_entities, resolve_entity};
-pub use never::{Bug, BugHook, Part, report as report_bug, set_bug_hook, text_at, text_size};
+pub use never::{Bug, BugHook, TextSlice, report as report_bug, set_bug_hook, text_at, text_size};
 pub use parse::{Parse, parse, parse_shared};
 pub use rowan::{TextRange, TextSize};

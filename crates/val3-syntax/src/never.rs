@@ -56,7 +56,7 @@ macro_rules! never {
 }
 
 /// Parts of texts and slices that exist unless a bug computed the range.
-pub trait Part {
+pub trait TextSlice {
     /// Returns this part. A range outside of the text or the slice, or one that divides a character, is reported as a bug,
     /// and the part is empty.
     #[must_use]
@@ -64,7 +64,7 @@ pub trait Part {
     fn part<R: SliceIndex<Self, Output = Self> + fmt::Debug + Clone>(&self, range: R) -> &Self;
 }
 
-impl Part for str {
+impl TextSlice for str {
     #[track_caller]
     fn part<R: SliceIndex<Self, Output = Self> + fmt::Debug + Clone>(&self, range: R) -> &Self {
         // No closure, because its location would be reported instead of the caller's.
@@ -76,7 +76,7 @@ impl Part for str {
     }
 }
 
-impl<T> Part for [T] {
+impl<T> TextSlice for [T] {
     #[track_caller]
     fn part<R: SliceIndex<Self, Output = Self> + fmt::Debug + Clone>(&self, range: R) -> &Self {
         let Some(part) = self.get(range.clone()) else {

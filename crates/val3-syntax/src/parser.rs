@@ -24,7 +24,7 @@ const LEFT_TO_EXPRESSIONS: u32 = 100;
 
 /// An event of the grammar, from which the tree is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Event {
+pub(crate) enum ParseEvent {
     /// A node starts. `parent` is the distance to a later `Start` event of a node that encloses this node; 0 if there
     /// is none.
     Start { kind: SyntaxKind, parent: u32 },
@@ -62,7 +62,7 @@ pub(crate) struct Parser<'i> {
     /// Maximum height of the completed nodes in the innermost node.
     height: u32,
     pub(crate) matching: Matching,
-    events: Vec<Event>,
+    events: Vec<ParseEvent>,
     errors: Vec<SyntaxError>,
 }
 
@@ -83,7 +83,7 @@ impl<'i> Parser<'i> {
         }
     }
 
-    pub(crate) fn finish(self) -> (Vec<Event>, Vec<SyntaxError>) {
+    pub(crate) fn finish(self) -> (Vec<ParseEvent>, Vec<SyntaxError>) {
         (self.events, self.errors)
     }
 
@@ -181,7 +181,7 @@ impl<'i> Parser<'i> {
     /// Adds the current token to the tree and advances.
     pub(crate) fn bump(&mut self) {
         if self.current() != EOF {
-            self.events.push(Event::Token);
+            self.events.push(ParseEvent::Token);
             self.pos += 1;
         }
     }

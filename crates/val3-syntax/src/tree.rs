@@ -15,15 +15,15 @@ use rowan::{GreenNode, TextRange, TextSize};
 
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
-use crate::never::{Part, text_at};
+use crate::never::{TextSlice, text_at};
 
 pub use visits::visits;
 
 /// A text and its tree.
 #[derive(Debug)]
-pub(crate) struct Tree {
+pub(crate) struct SyntaxText {
     text: Arc<str>,
-    entries: Box<[Entry]>,
+    entries: Box<[TreeEntry]>,
     green: OnceLock<GreenNode>,
     /// A similar tree that has its rowan tree, until this tree has its own.
     before: Mutex<Option<Arc<Self>>>,
@@ -31,7 +31,7 @@ pub(crate) struct Tree {
 
 /// Entry of a node or token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Entry {
+pub(crate) struct TreeEntry {
     pub(crate) kind: SyntaxKind,
     /// Length of the text in bytes.
     pub(crate) len: u32,
@@ -42,26 +42,26 @@ pub(crate) struct Entry {
 /// Replacement of a range of entries by slices from another tree.
 pub(crate) struct Splice<'n> {
     pub(crate) range: Range<usize>,
-    pub(crate) new: &'n [&'n [Entry]],
+    pub(crate) new: &'n [&'n [TreeEntry]],
 }
 
 /// A node or token with its position.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Piece<'t> {
-    tree: &'t Tree,
+pub(crate) struct NodeRef<'t> {
+    tree: &'t SyntaxText,
     index: u32,
     start: TextSize,
 }
 
-impl Tree {
+impl SyntaxText {
     /// Creates a tree from entries; the first entry contains all others.
-    pub(crate) fn new(text: Arc<str>, entries: Vec<Entry>) -> Self {
+    pub(crate) fn new(text: Arc<str>, entries: Vec<TreeEntry>) -> Self {
         Self { text, entries: entries.into_boxed_slice(), green: OnceLock::new(), before: Mutex::default() }
     }
 
     /// Returns the tree of `text`, which is this tree's text after `change`: the entries in `range` are replaced by
     /// `new`. All nodes in `around`, innermost last, contain this range.
-    pub(crate) fn spliced(&self, text: Arc<str>, change: Change, around: &[Piece<'_>], splice: &Splice<'_>) -> Self {
+    pub(crate) fn spliced(&self, text: Arc<str>, change: Change, around: &[NodeRef<'_>], splice: &Splice<'_>) -> Self {
         let Splice { range, new } = splice;
         let (before, rest) = self.entries.split_at(range.start.min(self.entries.len()));
         let after = rest.part(range.len()..);
@@ -93,8 +93,8 @@ impl Tree {
         &self.text
     }
 
-    pub(crate) fn root(&self) -> Piece<'_> {
-        Piece { tree: self, index: 0, start: TextSize::new(0) }
+    pub(crate) fn root(&self) -> NodeRef<'_> {
+        NodeRef { tree: self, index: 0, start: TextSize::new(0) }
     }
 
     /// Returns the rowan tree, which is created on demand.
@@ -109,13 +109,13 @@ impl Tree {
 }
 
 /// Compares text and entries, which determine the rowan tree.
-impl PartialEq for Tree {
+impl PartialEq for SyntaxText {
     fn eq(&self, other: &Self) -> bool {
         self.text == other.text && self.entries == other.entries
     }
 }
 
-impl Eq for Tree {}
+impl Eq for SyntaxText {}
 
 /// Converts a number of entries. A byte of text has only a few entries, so the memory limit is reached before an
 /// overflow.
@@ -124,10 +124,10 @@ pub(crate) fn count(entries: usize) -> u32 {
 }
 
 /// Entry for an index after the last entry.
-const NOTHING: Entry = Entry { kind: SyntaxKind::EOF, len: 0, size: 0 };
+const NOTHING: TreeEntry = TreeEntry { kind: SyntaxKind::EOF, len: 0, size: 0 };
 
-impl<'t> Piece<'t> {
-    fn entry(self) -> Entry {
+impl<'t> NodeRef<'t> {
+    fn entry(self) -> TreeEntry {
         self.tree.entries.get(self.index()).copied().unwrap_or(NOTHING)
     }
 
@@ -137,12 +137,12 @@ impl<'t> Piece<'t> {
     }
 
     /// Returns the entries of the piece and everything below it.
-    pub(crate) fn entries(self) -> &'t [Entry] {
+    pub(crate) fn entries(self) -> &'t [TreeEntry] {
         self.tree.entries.get(self.indexes()).unwrap_or(&[])
     }
 
     /// Returns entries of the piece's tree.
-    pub(crate) fn entries_of_tree(self, range: Range<usize>) -> &'t [Entry] {
+    pub(crate) fn entries_of_tree(self, range: Range<usize>) -> &'t [TreeEntry] {
         self.tree.entries.part(range)
     }
 
@@ -165,14 +165,14 @@ impl<'t> Piece<'t> {
 
     /// Returns the nodes that contain `range`, from this one to the innermost. An empty range between two nodes is in
     /// the first.
-    pub(crate) fn path_to(self, range: TextRange) -> impl Iterator<Item = Piece<'t>> {
-        let holds = move |piece: &Piece<'_>| piece.kind().is_node() && piece.range().contains_range(range);
+    pub(crate) fn path_to(self, range: TextRange) -> impl Iterator<Item = NodeRef<'t>> {
+        let holds = move |piece: &NodeRef<'_>| piece.kind().is_node() && piece.range().contains_range(range);
         std::iter::successors(Some(self), move |piece| piece.children().find(holds))
     }
 
     /// Returns the children in order.
     pub(crate) fn children(self) -> Children<'t> {
-        let first = Piece { index: self.index + 1, ..self };
+        let first = NodeRef { index: self.index + 1, ..self };
         Children { next: first, end: first.index + self.entry().size }
     }
 }
@@ -180,15 +180,15 @@ impl<'t> Piece<'t> {
 /// Direct children of a piece.
 #[derive(Debug, Clone)]
 pub(crate) struct Children<'t> {
-    next: Piece<'t>,
+    next: NodeRef<'t>,
     /// Index after the last child.
     end: u32,
 }
 
 impl<'t> Iterator for Children<'t> {
-    type Item = Piece<'t>;
+    type Item = NodeRef<'t>;
 
-    fn next(&mut self) -> Option<Piece<'t>> {
+    fn next(&mut self) -> Option<NodeRef<'t>> {
         let piece = self.next;
         if piece.index >= self.end {
             return None;

@@ -6,20 +6,20 @@
 use rowan::{NodeOrToken, TextRange, TextSize};
 
 use crate::kind::SyntaxKind;
-use crate::tree::Piece;
+use crate::tree::NodeRef;
 
 pub use crate::tree::visits;
 
 /// A node with its position.
 #[derive(Debug, Clone, Copy)]
-pub struct View<'t>(Piece<'t>);
+pub struct View<'t>(NodeRef<'t>);
 
 /// A token with its position.
 #[derive(Debug, Clone, Copy)]
-pub struct TokenView<'t>(Piece<'t>);
+pub struct TokenView<'t>(NodeRef<'t>);
 
 impl<'t> View<'t> {
-    pub(crate) fn new(node: Piece<'t>) -> Self {
+    pub(crate) fn new(node: NodeRef<'t>) -> Self {
         Self(node)
     }
 

@@ -2,13 +2,13 @@
 
 use std::borrow::Cow;
 
-use crate::never::Part;
+use crate::never::TextSlice;
 use crate::view::{TokenView, View};
 use crate::{SyntaxKind, TextRange, TextSize, decode_entities};
 
 /// An element in a file.
 #[derive(Debug, Clone, Copy)]
-pub struct Element<'g> {
+pub struct XmlElement<'g> {
     view: View<'g>,
     tag: View<'g>,
 }
@@ -29,11 +29,11 @@ pub struct Attribute<'g> {
 }
 
 /// Returns the root element of a file.
-pub fn root<'g>(file: View<'g>) -> Option<Element<'g>> {
-    file.children().find_map(Element::new)
+pub fn root<'g>(file: View<'g>) -> Option<XmlElement<'g>> {
+    file.children().find_map(XmlElement::new)
 }
 
-impl<'g> Element<'g> {
+impl<'g> XmlElement<'g> {
     fn new(view: View<'g>) -> Option<Self> {
         let is_element = view.kind() == SyntaxKind::ELEMENT;
         is_element.then(|| view.child(SyntaxKind::START_TAG)).flatten().map(|tag| Self { view, tag })
@@ -76,20 +76,20 @@ impl<'g> Element<'g> {
     }
 
     /// Returns the child elements.
-    pub fn elements(self) -> impl Iterator<Item = Element<'g>> {
-        self.view.children().filter_map(Element::new)
+    pub fn elements(self) -> impl Iterator<Item = XmlElement<'g>> {
+        self.view.children().filter_map(XmlElement::new)
     }
 
     /// Returns the first child element with one of these `names`.
-    pub fn child(self, names: &[&str]) -> Option<Element<'g>> {
+    pub fn child(self, names: &[&str]) -> Option<XmlElement<'g>> {
         self.elements().find(|element| names.contains(&element.name()))
     }
 
     /// Returns the `item` elements in all `list` elements below this one: `<Programs><Program/></Programs>`.
-    pub fn list(self, list: &'static str, item: &'static str) -> impl Iterator<Item = Element<'g>> {
+    pub fn list(self, list: &'static str, item: &'static str) -> impl Iterator<Item = XmlElement<'g>> {
         self.elements()
             .filter(move |element| element.name() == list)
-            .flat_map(Element::elements)
+            .flat_map(XmlElement::elements)
             .filter(move |element| element.name() == item)
     }
 }

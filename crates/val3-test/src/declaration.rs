@@ -29,18 +29,18 @@ const TYPES: &[&str] = &[
 
 /// An application variable, or a local.
 #[derive(Debug, PartialEq)]
-pub(crate) struct Data {
+pub(crate) struct FixtureData {
     pub(crate) public: bool,
     pub(crate) ty: String,
     pub(crate) name: String,
-    pub(crate) shape: Shape,
+    pub(crate) shape: FixtureBrackets,
     /// Text after `=`: a VAL 3 literal.
     pub(crate) value: Option<String>,
 }
 
 /// Content of the brackets after a declared name.
 #[derive(Debug, PartialEq)]
-pub(crate) enum Shape {
+pub(crate) enum FixtureBrackets {
     /// Sizes, one number for each dimension; without brackets, one element.
     Array(Vec<usize>),
     /// Keys.
@@ -52,12 +52,12 @@ pub(crate) enum Shape {
 pub(crate) struct Head {
     pub(crate) public: bool,
     pub(crate) name: String,
-    pub(crate) parameters: Vec<Parameter>,
+    pub(crate) parameters: Vec<FixtureParameter>,
 }
 
 /// A parameter.
 #[derive(Debug, PartialEq)]
-pub(crate) struct Parameter {
+pub(crate) struct FixtureParameter {
     pub(crate) ty: String,
     pub(crate) name: String,
     pub(crate) reference: bool,
@@ -76,7 +76,7 @@ pub(crate) enum Container {
 ///
 /// `types` are the user types of the project.
 #[track_caller]
-pub(crate) fn data(line: &str, types: &[String]) -> Option<Data> {
+pub(crate) fn data(line: &str, types: &[String]) -> Option<FixtureData> {
     let (access, rest) = access(line);
     let (ty, rest) = word(rest)?;
     let is_type = access.is_some() || TYPES.contains(&ty) || types.iter().any(|known| known == ty);
@@ -93,12 +93,12 @@ pub(crate) fn data(line: &str, types: &[String]) -> Option<Data> {
     if let Some(value) = &value {
         check_value(line, ty, &shape, value);
     }
-    Some(Data { public: access == Some("public"), ty: ty.to_owned(), name: name.to_owned(), shape, value })
+    Some(FixtureData { public: access == Some("public"), ty: ty.to_owned(), name: name.to_owned(), shape, value })
 }
 
 /// Rejects an initial value that the data file would not contain.
 #[track_caller]
-fn check_value(line: &str, ty: &str, shape: &Shape, value: &str) {
+fn check_value(line: &str, ty: &str, shape: &FixtureBrackets, value: &str) {
     let fits = match ty {
         "bool" => ["true", "false"].contains(&value),
         "num" => value.parse::<f64>().is_ok(),
@@ -107,8 +107,8 @@ fn check_value(line: &str, ty: &str, shape: &Shape, value: &str) {
     };
     assert!(fits, "`{line}`: `{value}` is no value of type `{ty}`");
     let is_empty = match shape {
-        Shape::Array(sizes) => sizes.contains(&0),
-        Shape::Collection(keys) => keys.is_empty(),
+        FixtureBrackets::Array(sizes) => sizes.contains(&0),
+        FixtureBrackets::Collection(keys) => keys.is_empty(),
     };
     assert!(!is_empty, "`{line}`: there is no first element for the value `{value}`");
 }
@@ -125,7 +125,7 @@ pub(crate) fn head(line: &str) -> Option<Head> {
 }
 
 #[track_caller]
-fn parameter(text: &str, line: &str) -> Parameter {
+fn parameter(text: &str, line: &str) -> FixtureParameter {
     let Some((ty, name)) = text.trim().split_once(' ') else { panic!("`{line}`: `{text}` is no parameter") };
     let (name, container) = match name.trim().strip_suffix(']').and_then(|name| name.split_once('[')) {
         None => (name.trim(), Container::Element),
@@ -133,7 +133,7 @@ fn parameter(text: &str, line: &str) -> Parameter {
         Some((name, commas)) => (name, Container::Array { dims: commas.matches(',').count() + 1 }),
     };
     let reference = ty.ends_with('&');
-    Parameter { ty: ty.trim_end_matches('&').to_owned(), name: name.to_owned(), reference, container }
+    FixtureParameter { ty: ty.trim_end_matches('&').to_owned(), name: name.to_owned(), reference, container }
 }
 
 /// Splits a parameter list at commas outside of brackets.
@@ -164,18 +164,18 @@ pub(crate) fn word(text: &str) -> Option<(&str, &str)> {
 }
 
 #[track_caller]
-fn shape(text: &str) -> (Shape, &str) {
+fn shape(text: &str) -> (FixtureBrackets, &str) {
     let Some(inside) = text.strip_prefix('[') else {
-        return (Shape::Array(vec![1]), text);
+        return (FixtureBrackets::Array(vec![1]), text);
     };
     if inside.trim_start().starts_with('"') {
         let (keys, rest) = keys(inside.trim_start());
-        return (Shape::Collection(keys), rest);
+        return (FixtureBrackets::Collection(keys), rest);
     }
     let Some((inside, rest)) = inside.split_once(']') else { panic!("`{text}`: `]` is missing") };
     let parts = inside.split(',').map(str::trim);
     let sizes = parts.map(|size| size.parse().unwrap_or_else(|_| panic!("`[{inside}]`: `{size}` is no size")));
-    (Shape::Array(sizes.collect()), rest)
+    (FixtureBrackets::Array(sizes.collect()), rest)
 }
 
 /// Parses the keys at the start of `text`. Returns the keys and the text after the bracket. A single empty key means
@@ -207,15 +207,15 @@ pub(crate) fn quoted(text: &str) -> Option<(&str, &str)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Container, Shape, data, head};
+    use super::{Container, FixtureBrackets, data, head};
 
     #[test]
     fn data_lines() {
         let pick = data("public point pPick[3,4]", &[]).unwrap();
         assert!(pick.public);
         assert_eq!((pick.ty.as_str(), pick.name.as_str()), ("point", "pPick"));
-        assert_eq!(pick.shape, Shape::Array(vec![3, 4]));
-        assert_eq!(data("dio dIn[\"\"]", &[]).unwrap().shape, Shape::Collection(vec![]));
+        assert_eq!(pick.shape, FixtureBrackets::Array(vec![3, 4]));
+        assert_eq!(data("dio dIn[\"\"]", &[]).unwrap().shape, FixtureBrackets::Collection(vec![]));
         assert_eq!(data("string sName = \"box\"", &[]).unwrap().value.unwrap(), "\"box\"");
         assert_eq!(data("Slot tSlot", &["Slot".to_owned()]).unwrap().ty, "Slot");
     }
@@ -223,8 +223,8 @@ mod tests {
     #[test]
     fn keys_are_texts_in_quotes() {
         let keys = |line| match data(line, &[]).unwrap().shape {
-            Shape::Collection(keys) => keys,
-            Shape::Array(_) => panic!("`{line}` is an array"),
+            FixtureBrackets::Collection(keys) => keys,
+            FixtureBrackets::Array(_) => panic!("`{line}` is an array"),
         };
         assert_eq!(keys("num nA[\"a,b\", \"c]=\"]"), ["a,b", "c]="]);
         assert_eq!(keys("num nA[ \"\" ]"), [""; 0]);

@@ -1,8 +1,8 @@
 //! Converts a listing to files in memory.
 
 use crate::indent::dedent;
-use crate::listing::{self, Listing, Project};
-use crate::write::{self, File};
+use crate::listing::{self, ListedProject, Listing};
+use crate::write::{self, WrittenFile};
 
 /// Base folder of a fixture's paths: `Disk://x/y.pjx` is `/cell/usr/usrapp/x/y.pjx`.
 pub const ROOT: &str = "/cell/usr";
@@ -49,7 +49,7 @@ impl Fixture {
         Some((self.files.get(*file)?.0.as_str(), *line))
     }
 
-    fn add(&mut self, file: File) {
+    fn add(&mut self, file: WrittenFile) {
         let index = self.files.len();
         let lines = file.lines.iter().enumerate().filter(|(_, line)| line.number > 0);
         self.places.extend(lines.map(|(at, line)| (line.number, index, at + 1)));
@@ -59,15 +59,17 @@ impl Fixture {
 }
 
 /// Returns the files of a listing: generated project files, unless a raw file replaces them, followed by the raw files.
-fn files(listing: Listing) -> Vec<File> {
-    let given: Vec<File> = listing.files.into_iter().map(|file| File { path: file.path, lines: file.lines }).collect();
-    let mut files: Vec<File> = listing.projects.iter().flat_map(|project| project_files(project, &given)).collect();
+fn files(listing: Listing) -> Vec<WrittenFile> {
+    let given: Vec<WrittenFile> =
+        listing.files.into_iter().map(|file| WrittenFile { path: file.path, lines: file.lines }).collect();
+    let mut files: Vec<WrittenFile> =
+        listing.projects.iter().flat_map(|project| project_files(project, &given)).collect();
     files.retain(|file| given.iter().all(|other| other.path != file.path));
     files.extend(given);
     files
 }
 
-fn project_files(project: &Project, given: &[File]) -> Vec<File> {
+fn project_files(project: &ListedProject, given: &[WrittenFile]) -> Vec<WrittenFile> {
     let own = project.programs.iter().map(|program| format!("{}.pgx", program.head.content.name));
     let folder = write::path(project, "");
     let given = given.iter().filter_map(|file| file.path.strip_prefix(&folder));

@@ -1,11 +1,11 @@
 //! Parses the lines of a listing.
 
-use crate::declaration::{self, Data, Head, Shape};
+use crate::declaration::{self, FixtureBrackets, FixtureData, Head};
 
 /// Content of a listing.
 #[derive(Debug, Default)]
 pub(crate) struct Listing {
-    pub(crate) projects: Vec<Project>,
+    pub(crate) projects: Vec<ListedProject>,
     pub(crate) files: Vec<RawFile>,
 }
 
@@ -19,19 +19,19 @@ pub(crate) struct RawFile {
 
 /// An application, library or type.
 #[derive(Debug)]
-pub(crate) struct Project {
+pub(crate) struct ListedProject {
     /// Folder in `usrapp`.
     pub(crate) folder: String,
     pub(crate) version: Numbered<String>,
-    pub(crate) data: Vec<Numbered<Data>>,
-    pub(crate) libraries: Vec<Numbered<Reference>>,
-    pub(crate) types: Vec<Numbered<Reference>>,
-    pub(crate) programs: Vec<Program>,
+    pub(crate) data: Vec<Numbered<FixtureData>>,
+    pub(crate) libraries: Vec<Numbered<ListedReference>>,
+    pub(crate) types: Vec<Numbered<ListedReference>>,
+    pub(crate) programs: Vec<ListedProgram>,
 }
 
 /// `library name "path"` or `type name "path"`.
 #[derive(Debug)]
-pub(crate) struct Reference {
+pub(crate) struct ListedReference {
     pub(crate) name: String,
     pub(crate) path: String,
     pub(crate) autoload: bool,
@@ -39,9 +39,9 @@ pub(crate) struct Reference {
 
 /// A program; the code includes `begin` and `end`.
 #[derive(Debug)]
-pub(crate) struct Program {
+pub(crate) struct ListedProgram {
     pub(crate) head: Numbered<Head>,
-    pub(crate) locals: Vec<Numbered<Data>>,
+    pub(crate) locals: Vec<Numbered<FixtureData>>,
     pub(crate) code: Vec<Numbered<String>>,
 }
 
@@ -55,8 +55,9 @@ pub(crate) struct Numbered<T> {
 /// Parses a listing without common indentation.
 #[track_caller]
 pub(crate) fn read(text: &str) -> Listing {
-    let mut reader = Reader { listing: Listing::default(), state: State::Project, comments: Vec::new() };
-    reader.listing.projects.push(Project::new("main"));
+    let mut reader =
+        FixtureReader { listing: Listing::default(), state: ListingSection::Project, comments: Vec::new() };
+    reader.listing.projects.push(ListedProject::new("main"));
     for (index, line) in text.lines().enumerate() {
         reader.line(index + 1, line);
     }
@@ -64,13 +65,13 @@ pub(crate) fn read(text: &str) -> Listing {
     if listing.projects.len() + listing.files.len() > 1 {
         listing.projects.retain(|project| project.folder != "main" || !project.is_empty());
     }
-    listing.projects.iter_mut().for_each(Project::complete_start);
+    listing.projects.iter_mut().for_each(ListedProject::complete_start);
     listing
 }
 
-impl Project {
-    fn new(folder: &str) -> Project {
-        Project {
+impl ListedProject {
+    fn new(folder: &str) -> ListedProject {
+        ListedProject {
             folder: folder.to_owned(),
             version: Numbered { number: 0, content: "s7.11".to_owned() },
             data: Vec::new(),
@@ -85,11 +86,15 @@ impl Project {
     }
 
     /// Program for lines outside of `program … end`.
-    fn start(&mut self, number: usize) -> &mut Program {
+    fn start(&mut self, number: usize) -> &mut ListedProgram {
         let index = self.programs.iter().position(|program| program.head.content.name == "start");
         let index = index.unwrap_or_else(|| {
             let head = Head { public: false, name: "start".to_owned(), parameters: Vec::new() };
-            self.programs.push(Program { head: Numbered { number, content: head }, locals: vec![], code: vec![] });
+            self.programs.push(ListedProgram {
+                head: Numbered { number, content: head },
+                locals: vec![],
+                code: vec![],
+            });
             self.programs.len() - 1
         });
         &mut self.programs[index]
@@ -107,35 +112,35 @@ impl Project {
 }
 
 /// Part of the listing to which the next line belongs.
-enum State {
+enum ListingSection {
     Project,
     Locals,
     Code,
     RawFile,
 }
 
-struct Reader {
+struct FixtureReader {
     listing: Listing,
-    state: State,
+    state: ListingSection,
     /// Comments that belong to the next line, if it is code.
     comments: Vec<Numbered<String>>,
 }
 
-impl Reader {
+impl FixtureReader {
     #[track_caller]
     fn line(&mut self, number: usize, line: &str) {
         if let Some(path) = line.strip_prefix("=== ") {
             self.listing.files.push(RawFile { path: raw_path(path.trim()), lines: Vec::new() });
-            self.state = State::RawFile;
+            self.state = ListingSection::RawFile;
         } else if let Some(folder) = line.strip_prefix("--- ") {
-            self.listing.projects.push(Project::new(folder.trim()));
-            self.state = State::Project;
+            self.listing.projects.push(ListedProject::new(folder.trim()));
+            self.state = ListingSection::Project;
         } else {
             match self.state {
-                State::Project => self.project_line(number, line),
-                State::Locals => self.local_line(number, line),
-                State::Code => self.code_line(number, line),
-                State::RawFile => self.raw_line(number, line),
+                ListingSection::Project => self.project_line(number, line),
+                ListingSection::Locals => self.local_line(number, line),
+                ListingSection::Code => self.code_line(number, line),
+                ListingSection::RawFile => self.raw_line(number, line),
             }
         }
     }
@@ -150,8 +155,8 @@ impl Reader {
         let comments = std::mem::take(&mut self.comments);
         if let Some(head) = declaration::head(text) {
             let head = Numbered { number, content: head };
-            self.project().programs.push(Program { head, locals: Vec::new(), code: Vec::new() });
-            self.state = State::Locals;
+            self.project().programs.push(ListedProgram { head, locals: Vec::new(), code: Vec::new() });
+            self.state = ListingSection::Locals;
         } else if !self.declaration(number, text) {
             let start = self.project().start(number);
             start.code.extend(comments);
@@ -182,7 +187,7 @@ impl Reader {
     fn local_line(&mut self, number: usize, line: &str) {
         let text = line.trim();
         if first_word_is(text, "begin") {
-            self.state = State::Code;
+            self.state = ListingSection::Code;
             self.code_line(number, line);
         } else if !text.is_empty() && !text.starts_with("//") {
             let types: Vec<String> = self.project().types.iter().map(|it| it.content.name.clone()).collect();
@@ -190,7 +195,7 @@ impl Reader {
                 panic!("line {number} of the listing, `{text}`: expected a local or `begin`")
             };
             assert!(local.value.is_none(), "line {number} of the listing, `{text}`: a local has no initial value");
-            let has_keys = matches!(&local.shape, Shape::Collection(keys) if !keys.is_empty());
+            let has_keys = matches!(&local.shape, FixtureBrackets::Collection(keys) if !keys.is_empty());
             assert!(!has_keys, "line {number} of the listing, `{text}`: a local collection has no keys");
             self.program().locals.push(Numbered { number, content: local });
         }
@@ -199,7 +204,7 @@ impl Reader {
     fn code_line(&mut self, number: usize, line: &str) {
         self.program().code.push(Numbered { number, content: line.to_owned() });
         if first_word_is(line, "end") {
-            self.state = State::Project;
+            self.state = ListingSection::Project;
         }
     }
 
@@ -209,11 +214,11 @@ impl Reader {
         }
     }
 
-    fn project(&mut self) -> &mut Project {
+    fn project(&mut self) -> &mut ListedProject {
         self.listing.projects.last_mut().expect("a listing begins with its first project")
     }
 
-    fn program(&mut self) -> &mut Program {
+    fn program(&mut self) -> &mut ListedProgram {
         self.project().programs.last_mut().expect("locals and code follow a program's head")
     }
 }
@@ -224,7 +229,7 @@ fn raw_path(path: &str) -> String {
 }
 
 #[track_caller]
-fn reference(text: &str, keyword: &str) -> Option<Reference> {
+fn reference(text: &str, keyword: &str) -> Option<ListedReference> {
     let rest = text.strip_prefix(keyword)?;
     let mut parts = rest.split('"');
     let (Some(name), Some(path), Some(options)) = (parts.next(), parts.next(), parts.next()) else {
@@ -235,7 +240,7 @@ fn reference(text: &str, keyword: &str) -> Option<Reference> {
         "autoload=false" => false,
         other => panic!("`{text}`: `{other}` is no option of a library"),
     };
-    Some(Reference { name: name.trim().to_owned(), path: path.to_owned(), autoload })
+    Some(ListedReference { name: name.trim().to_owned(), path: path.to_owned(), autoload })
 }
 
 fn first_word_is(line: &str, keyword: &str) -> bool {

@@ -1,7 +1,7 @@
 //! Writes projects to files as the PC tools do: without default values, and with code in CDATA if possible.
 
-use crate::declaration::{Container, Data, Parameter, Shape, quoted};
-use crate::listing::{Numbered, Program, Project, Reference};
+use crate::declaration::{Container, FixtureBrackets, FixtureData, FixtureParameter, quoted};
+use crate::listing::{ListedProgram, ListedProject, ListedReference, Numbered};
 
 const DECLARATION: &str = r#"<?xml version="1.0" encoding="utf-8"?>"#;
 const VAL3: &str = "http://www.staubli.com/robotics/VAL3";
@@ -9,15 +9,15 @@ const INSTANCE: &str = "http://www.w3.org/2001/XMLSchema-instance";
 
 /// A file with the listing line number of every line.
 #[derive(Debug)]
-pub(crate) struct File {
+pub(crate) struct WrittenFile {
     /// Path relative to the `usr` folder.
     pub(crate) path: String,
     pub(crate) lines: Vec<Numbered<String>>,
 }
 
-impl File {
-    fn new(path: String) -> File {
-        let mut file = File { path, lines: Vec::new() };
+impl WrittenFile {
+    fn new(path: String) -> WrittenFile {
+        let mut file = WrittenFile { path, lines: Vec::new() };
         file.add(0, DECLARATION);
         file
     }
@@ -26,7 +26,7 @@ impl File {
         self.lines.push(Numbered { number, content: text.into() });
     }
 
-    fn list<T>(&mut self, name: &str, items: &[T], mut item: impl FnMut(&mut File, &T)) {
+    fn list<T>(&mut self, name: &str, items: &[T], mut item: impl FnMut(&mut WrittenFile, &T)) {
         if items.is_empty() {
             self.add(0, format!("  <{name} />"));
             return;
@@ -38,10 +38,10 @@ impl File {
 }
 
 /// Creates the `.pjx`; `programs` are the `.pgx` file names.
-pub(crate) fn project(project: &Project, mut programs: Vec<String>) -> File {
+pub(crate) fn project(project: &ListedProject, mut programs: Vec<String>) -> WrittenFile {
     programs.sort_by_key(|name| name.to_lowercase());
     let name = base_name(project);
-    let mut file = File::new(path(project, &format!("{name}.pjx")));
+    let mut file = WrittenFile::new(path(project, &format!("{name}.pjx")));
     file.add(0, format!(r#"<Project xmlns="{VAL3}/Project/3">"#));
     let version = escape(&project.version.content);
     let parameters = format!(r#"  <Parameters version="{version}" stackSize="5000" millimeterUnit="true" />"#);
@@ -54,30 +54,30 @@ pub(crate) fn project(project: &Project, mut programs: Vec<String>) -> File {
     file
 }
 
-fn library(library: &Reference) -> String {
+fn library(library: &ListedReference) -> String {
     let autoload = if library.autoload { "" } else { r#" autoload="false""# };
     format!(r#"    <Library alias="{}" path="{}"{autoload} />"#, escape(&library.name), escape(&library.path))
 }
 
-fn user_type(ty: &Reference) -> String {
+fn user_type(ty: &ListedReference) -> String {
     format!(r#"    <Type name="{}" path="{}" />"#, escape(&ty.name), escape(&ty.path))
 }
 
 /// Creates the `.dtx`.
-pub(crate) fn data_file(project: &Project) -> File {
-    let mut file = File::new(path(project, &format!("{}.dtx", base_name(project))));
+pub(crate) fn data_file(project: &ListedProject) -> WrittenFile {
+    let mut file = WrittenFile::new(path(project, &format!("{}.dtx", base_name(project))));
     file.add(0, format!(r#"<Database xmlns:xsi="{INSTANCE}" xmlns="{VAL3}/Data/2">"#));
     file.list("Datas", &project.data, |file, it| data(file, it.number, &it.content));
     file.add(0, "</Database>");
     file
 }
 
-fn data(file: &mut File, number: usize, data: &Data) {
+fn data(file: &mut WrittenFile, number: usize, data: &FixtureData) {
     let access = if data.public { "public" } else { "private" };
     let ty = stored_type(&data.ty);
     let container = match &data.shape {
-        Shape::Array(sizes) => format!(r#"xsi:type="array" type="{ty}" size="{}""#, join(sizes)),
-        Shape::Collection(_) => format!(r#"xsi:type="collection" type="{ty}""#),
+        FixtureBrackets::Array(sizes) => format!(r#"xsi:type="array" type="{ty}" size="{}""#, join(sizes)),
+        FixtureBrackets::Collection(_) => format!(r#"xsi:type="collection" type="{ty}""#),
     };
     let start = format!(r#"    <Data name="{}" access="{access}" {container}"#, escape(&data.name));
     let values = values(data);
@@ -91,17 +91,17 @@ fn data(file: &mut File, number: usize, data: &Data) {
 
 /// Attributes of values that differ from the default: links to `world` and `flange`, and the value of the first
 /// element.
-fn values(data: &Data) -> Vec<String> {
+fn values(data: &FixtureData) -> Vec<String> {
     let father = match data.ty.as_str() {
         "frame" | "point" | "pointRx" | "pointRs" | "pointVrb" => r#" fatherId="world[0]""#,
         "tool" => r#" fatherId="flange[0]""#,
         _ => "",
     };
     let keys = match &data.shape {
-        Shape::Collection(keys) => keys.clone(),
-        Shape::Array(sizes) if !father.is_empty() => indexes(sizes),
-        Shape::Array(sizes) if data.value.is_some() => vec![first_index(sizes)],
-        Shape::Array(_) => Vec::new(),
+        FixtureBrackets::Collection(keys) => keys.clone(),
+        FixtureBrackets::Array(sizes) if !father.is_empty() => indexes(sizes),
+        FixtureBrackets::Array(sizes) if data.value.is_some() => vec![first_index(sizes)],
+        FixtureBrackets::Array(_) => Vec::new(),
     };
     let first = data.value.as_ref().map_or_else(String::new, |value| format!(r#" value="{}""#, escape(plain(value))));
     let value = |index: usize| if index == 0 { first.as_str() } else { "" };
@@ -110,9 +110,9 @@ fn values(data: &Data) -> Vec<String> {
 }
 
 /// Creates a `.pgx`.
-pub(crate) fn program(project: &Project, program: &Program) -> File {
+pub(crate) fn program(project: &ListedProject, program: &ListedProgram) -> WrittenFile {
     let head = &program.head.content;
-    let mut file = File::new(path(project, &format!("{}.pgx", head.name)));
+    let mut file = WrittenFile::new(path(project, &format!("{}.pgx", head.name)));
     file.add(0, format!(r#"<Programs xmlns:xsi="{INSTANCE}" xmlns="{VAL3}/Program/2">"#));
     let access = if head.public { r#" access="public""# } else { "" };
     file.add(program.head.number, format!(r#"  <Program name="{}"{access}>"#, escape(&head.name)));
@@ -132,7 +132,7 @@ pub(crate) fn program(project: &Project, program: &Program) -> File {
     file
 }
 
-fn parameter(parameter: &Parameter) -> String {
+fn parameter(parameter: &FixtureParameter) -> String {
     let reference = if parameter.reference { r#" use="reference""# } else { "" };
     let container = match parameter.container {
         Container::Element => format!(r#"xsi:type="element"{reference}"#),
@@ -143,16 +143,16 @@ fn parameter(parameter: &Parameter) -> String {
     format!(r#"      <Parameter name="{}" type="{}" {container} />"#, escape(&parameter.name), escape(&parameter.ty))
 }
 
-fn local(local: &Data) -> String {
+fn local(local: &FixtureData) -> String {
     let start = format!(r#"      <Local name="{}" type="{}""#, escape(&local.name), escape(&local.ty));
     match &local.shape {
-        Shape::Array(sizes) => format!(r#"{start} xsi:type="array" size="{}" />"#, join(sizes)),
-        Shape::Collection(_) => format!(r#"{start} xsi:type="collection" />"#),
+        FixtureBrackets::Array(sizes) => format!(r#"{start} xsi:type="array" size="{}" />"#, join(sizes)),
+        FixtureBrackets::Collection(_) => format!(r#"{start} xsi:type="collection" />"#),
     }
 }
 
 /// Writes the code: in a CDATA section, or escaped if it contains the end of a CDATA section.
-fn code(file: &mut File, lines: &[Numbered<String>]) {
+fn code(file: &mut WrittenFile, lines: &[Numbered<String>]) {
     let is_escaped = lines.iter().any(|line| line.content.contains("]]>"));
     let (open, close) = if is_escaped { ("", "") } else { ("<![CDATA[", "]]>") };
     for (index, line) in lines.iter().enumerate() {
@@ -163,11 +163,11 @@ fn code(file: &mut File, lines: &[Numbered<String>]) {
     }
 }
 
-pub(crate) fn path(project: &Project, file: &str) -> String {
+pub(crate) fn path(project: &ListedProject, file: &str) -> String {
     format!("usrapp/{}/{file}", project.folder)
 }
 
-fn base_name(project: &Project) -> &str {
+fn base_name(project: &ListedProject) -> &str {
     project.folder.rsplit('/').next().unwrap_or(&project.folder)
 }
 

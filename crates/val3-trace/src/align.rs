@@ -8,7 +8,7 @@ use crate::stretch::Stretch;
 
 /// A move in the recorded trace, in the present trace, or in both.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Pair {
+pub(crate) struct MovePair {
     pub(crate) number: i64,
     /// Row range; an empty range at the move's place if the recorded trace does not contain it.
     pub(crate) recorded: Range<usize>,
@@ -16,7 +16,7 @@ pub(crate) struct Pair {
 }
 
 /// Aligns the moves in both traces.
-pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<Pair> {
+pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<MovePair> {
     let [old, new] = [recorded, present].map(|stretches| stretches.iter().map(|one| one.number).collect::<Vec<_>>());
     let mut pairs = Vec::new();
     for operation in capture_diff_slices(Algorithm::Myers, &old, &new) {
@@ -24,7 +24,7 @@ pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<Pair> {
         let recorded_ones = recorded.get(old.clone()).unwrap_or_default();
         let present_ones = present.get(new.clone()).unwrap_or_default();
         if tag == DiffTag::Equal {
-            let pair = |(one, other): (&Stretch, &Stretch)| Pair {
+            let pair = |(one, other): (&Stretch, &Stretch)| MovePair {
                 number: other.number,
                 recorded: one.rows.clone(),
                 present: other.rows.clone(),
@@ -32,13 +32,13 @@ pub(crate) fn aligned(recorded: &[Stretch], present: &[Stretch]) -> Vec<Pair> {
             pairs.extend(recorded_ones.iter().zip(present_ones).map(pair));
         } else {
             let (gap, gap_of_present) = (gap(recorded, old.end), gap(present, new.start));
-            let missing = |one: &Stretch| Pair {
+            let missing = |one: &Stretch| MovePair {
                 number: one.number,
                 recorded: one.rows.clone(),
                 present: gap_of_present.clone(),
             };
             let additional =
-                |one: &Stretch| Pair { number: one.number, recorded: gap.clone(), present: one.rows.clone() };
+                |one: &Stretch| MovePair { number: one.number, recorded: gap.clone(), present: one.rows.clone() };
             pairs.extend(recorded_ones.iter().map(missing));
             pairs.extend(present_ones.iter().map(additional));
         }

@@ -5,11 +5,11 @@ use std::ops::Range;
 use val3_geometry::Vector3;
 use val3_lang::ports::Time;
 
-use crate::align::{Pair, aligned};
+use crate::align::{MovePair, aligned};
 use crate::distance::{Distance, Tolerances, distance};
-use crate::row::Row;
+use crate::row::TraceRow;
 use crate::stretch::stretches;
-use crate::times::{Times, UNCERTAINTY, differs};
+use crate::times::{TraceTimes, UNCERTAINTY, differs};
 
 /// Differences between two traces.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,7 +17,7 @@ pub struct Comparison {
     /// Moves of both traces, in order.
     pub moves: Vec<MoveComparison>,
     /// Total times of the recorded trace and the present trace.
-    pub times: [Times; 2],
+    pub times: [TraceTimes; 2],
     /// Tolerances of the comparison.
     pub tolerances: Tolerances,
 }
@@ -30,7 +30,7 @@ pub struct MoveComparison {
     /// Row range in the present trace; an empty range at the move's place if the present trace does not contain it.
     pub rows: Range<usize>,
     /// Times in the recorded trace and the present trace; `None` in a trace without the move.
-    pub times: [Option<Times>; 2],
+    pub times: [Option<TraceTimes>; 2],
     /// Largest deviation between the traces.
     pub deviation: Option<Deviation>,
 }
@@ -39,7 +39,7 @@ pub struct MoveComparison {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
     /// Trace that contains the point.
-    pub side: Side,
+    pub side: TraceSide,
     /// Time at the point, in nanoseconds of the trace's clock.
     pub time: Time,
     /// Point in world, in mm.
@@ -52,7 +52,7 @@ pub struct Deviation {
 
 /// One of the two traces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum TraceSide {
     /// The recorded trace.
     Recorded,
     /// The present trace.
@@ -61,20 +61,25 @@ pub enum Side {
 
 /// Compares the rows of a recorded trace with the rows of the present trace.
 #[must_use]
-pub fn compare(recorded: &[Row], present: &[Row], tolerances: Tolerances) -> Comparison {
+pub fn compare(recorded: &[TraceRow], present: &[TraceRow], tolerances: Tolerances) -> Comparison {
     let pairs = aligned(&stretches(recorded), &stretches(present));
     let moves = pairs.into_iter().map(|pair| compare_move(pair, recorded, present, &tolerances)).collect();
-    let times = [recorded, present].map(|rows| Times::of(rows, 0..rows.len()));
+    let times = [recorded, present].map(|rows| TraceTimes::of(rows, 0..rows.len()));
     Comparison { moves, times, tolerances }
 }
 
-fn compare_move(pair: Pair, recorded: &[Row], present: &[Row], tolerances: &Tolerances) -> MoveComparison {
+fn compare_move(
+    pair: MovePair,
+    recorded: &[TraceRow],
+    present: &[TraceRow],
+    tolerances: &Tolerances,
+) -> MoveComparison {
     let (old, new) = (&pair.recorded, &pair.present);
     let ways = [
-        (Side::Present, rows(present, new), widened(recorded, old)),
-        (Side::Recorded, rows(recorded, old), widened(present, new)),
+        (TraceSide::Present, rows(present, new), widened(recorded, old)),
+        (TraceSide::Recorded, rows(recorded, old), widened(present, new)),
     ];
-    let times = |rows: &[Row], part: &Range<usize>| (!part.is_empty()).then(|| Times::of(rows, part.clone()));
+    let times = |rows: &[TraceRow], part: &Range<usize>| (!part.is_empty()).then(|| TraceTimes::of(rows, part.clone()));
     MoveComparison {
         number: pair.number,
         rows: new.clone(),
@@ -86,19 +91,19 @@ fn compare_move(pair: Pair, recorded: &[Row], present: &[Row], tolerances: &Tole
     }
 }
 
-fn rows<'r>(rows: &'r [Row], part: &Range<usize>) -> &'r [Row] {
+fn rows<'r>(rows: &'r [TraceRow], part: &Range<usize>) -> &'r [TraceRow] {
     rows.get(part.clone()).unwrap_or_default()
 }
 
 /// Extends a range by one row on both sides, because rows on the same path are at other points at another speed. A
 /// missing move is compared with the path past it.
-fn widened<'r>(all: &'r [Row], part: &Range<usize>) -> &'r [Row] {
+fn widened<'r>(all: &'r [TraceRow], part: &Range<usize>) -> &'r [TraceRow] {
     rows(all, &(part.start.saturating_sub(1)..all.len().min(part.end + 1)))
 }
 
 /// Returns the point with the largest distance to a path.
-fn largest(side: Side, places: &[Row], path: &[Row], tolerances: &Tolerances) -> Option<Deviation> {
-    let deviation = |place: &Row| {
+fn largest(side: TraceSide, places: &[TraceRow], path: &[TraceRow], tolerances: &Tolerances) -> Option<Deviation> {
+    let deviation = |place: &TraceRow| {
         let distance = distance(place, path, tolerances)?;
         let excess = distance.excess(tolerances);
         Some(Deviation { side, time: place.time, at: place.position(), distance, excess })

@@ -3,7 +3,7 @@
 use val3_geometry::{Rotation3, Vector3, rotation};
 use val3_kinematics::Joints;
 
-use crate::row::Row;
+use crate::row::TraceRow;
 
 /// Axis difference in degrees from which two joint positions with the same pose have different configurations.
 pub(crate) const CONFIGURATION: f64 = 10.0;
@@ -58,10 +58,10 @@ impl Distance {
 }
 
 /// Returns the distance between a point and the path through rows; `None` without rows.
-pub(crate) fn distance(place: &Row, path: &[Row], tolerances: &Tolerances) -> Option<Distance> {
-    let only = path.first().filter(|_| path.len() == 1).map(|row| Piece::between(row, row));
+pub(crate) fn distance(place: &TraceRow, path: &[TraceRow], tolerances: &Tolerances) -> Option<Distance> {
+    let only = path.first().filter(|_| path.len() == 1).map(|row| PathSection::between(row, row));
     let pieces = path.windows(2).filter_map(|pair| match pair {
-        [from, to] => Some(Piece::between(from, to)),
+        [from, to] => Some(PathSection::between(from, to)),
         _ => None,
     });
     let distances = only.into_iter().chain(pieces).map(|piece| piece.distance(place, tolerances));
@@ -69,25 +69,25 @@ pub(crate) fn distance(place: &Row, path: &[Row], tolerances: &Tolerances) -> Op
 }
 
 /// Returns the distance between a point and the straight line between two rows.
-pub(crate) fn distance_to_piece(place: &Row, from: &Row, to: &Row, tolerances: &Tolerances) -> Distance {
-    Piece::between(from, to).distance(place, tolerances)
+pub(crate) fn distance_to_piece(place: &TraceRow, from: &TraceRow, to: &TraceRow, tolerances: &Tolerances) -> Distance {
+    PathSection::between(from, to).distance(place, tolerances)
 }
 
 /// The straight line between two rows.
-struct Piece<'a> {
-    from: &'a Row,
-    way: Way,
+struct PathSection<'a> {
+    from: &'a TraceRow,
+    way: RowOffset,
 }
 
 /// Displacement from a row: translation in mm, rotation vector in degrees in the axes of the row, and joints.
-struct Way {
+struct RowOffset {
     translation: Vector3<f64>,
     turn: Vector3<f64>,
     joints: Joints,
 }
 
-impl Way {
-    fn between(from: &Row, to: &Row) -> Self {
+impl RowOffset {
+    fn between(from: &TraceRow, to: &TraceRow) -> Self {
         let turn = from.pose.rotation.inverse() * to.pose.rotation;
         let mut joints = to.joints;
         joints.iter_mut().zip(from.joints).for_each(|(joint, start)| *joint -= start);
@@ -107,15 +107,15 @@ impl Way {
     }
 }
 
-impl<'a> Piece<'a> {
-    fn between(from: &'a Row, to: &Row) -> Self {
-        Self { from, way: Way::between(from, to) }
+impl<'a> PathSection<'a> {
+    fn between(from: &'a TraceRow, to: &TraceRow) -> Self {
+        Self { from, way: RowOffset::between(from, to) }
     }
 
     /// Returns the distance between a point and the nearest point of the line. Tolerances in mm and in degrees have
     /// equal weights.
-    fn distance(&self, place: &Row, tolerances: &Tolerances) -> Distance {
-        let offset = Way::between(self.from, place);
+    fn distance(&self, place: &TraceRow, tolerances: &Tolerances) -> Distance {
+        let offset = RowOffset::between(self.from, place);
         let square = self.way.dot(&self.way, tolerances);
         let share = if square > 0.0 { (offset.dot(&self.way, tolerances) / square).clamp(0.0, 1.0) } else { 0.0 };
         let nearest = self.from.position() + self.way.translation * share;

@@ -7,7 +7,7 @@ use val3_lang::ports::Time;
 use val3_machine::event::seconds;
 use val3_vm::CYCLE;
 
-use crate::row::Row;
+use crate::row::TraceRow;
 use crate::zone::Zone;
 
 /// Excess in mm or mm/s below which a limit is kept, because of rounding.
@@ -50,15 +50,15 @@ pub struct Violation {
 impl Limit {
     /// Returns the worst point in a part of a trace; `None` if the limit is kept.
     #[must_use]
-    pub fn violation(&self, rows: &[Row], part: Range<usize>) -> Option<Violation> {
-        let ways = part.filter_map(|row| Way::to(row, rows));
+    pub fn violation(&self, rows: &[TraceRow], part: Range<usize>) -> Option<Violation> {
+        let ways = part.filter_map(|row| CyclePath::to(row, rows));
         let exceeding = ways.filter_map(|way| self.exceeded_by(&way));
         let (_, worst) = exceeding.reduce(|worst, next| if next.0 > worst.0 { next } else { worst })?;
         Some(worst)
     }
 
     /// Returns the excess and its point on the path of a cycle.
-    fn exceeded_by(&self, way: &Way<'_>) -> Option<(f64, Violation)> {
+    fn exceeded_by(&self, way: &CyclePath<'_>) -> Option<(f64, Violation)> {
         let (excess, value, share) = match self {
             Self::Speed { most, zone } => {
                 let share = zone.map_or(Some(1.0), |zone| way.share_in(&zone))?;
@@ -80,14 +80,14 @@ impl Limit {
 
 /// Path of the tool centre point in a cycle: a straight line, which deviates from the real path by less than a tenth of
 /// a millimetre.
-struct Way<'r> {
+struct CyclePath<'r> {
     from: Vector3<f64>,
-    row: &'r Row,
+    row: &'r TraceRow,
     place: usize,
 }
 
-impl<'r> Way<'r> {
-    fn to(place: usize, rows: &'r [Row]) -> Option<Self> {
+impl<'r> CyclePath<'r> {
+    fn to(place: usize, rows: &'r [TraceRow]) -> Option<Self> {
         let row = rows.get(place)?;
         let before = place.checked_sub(1).and_then(|before| rows.get(before));
         let from = before.filter(|before| before.leads_to(row)).unwrap_or(row);
@@ -101,7 +101,7 @@ impl<'r> Way<'r> {
     }
 }
 
-impl Row {
+impl TraceRow {
     /// Whether the tool centre point can have moved to the next row within one cycle. It cannot if the tool was exchanged
     /// or the arm was placed elsewhere.
     fn leads_to(&self, next: &Self) -> bool {

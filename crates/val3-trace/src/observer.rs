@@ -3,15 +3,15 @@
 use std::collections::BTreeMap;
 
 use val3_geometry::rotation;
-use val3_kinematics::{Arm, Axis as ArmAxis, Joints};
+use val3_kinematics::{Arm, AxisLimits as ArmAxis, Joints};
 use val3_lang::values::MdescValue;
 use val3_machine::arm::MoveOrigin;
 use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_motion::{MotionPhase, MoveStage, QueuedMove};
-use val3_plot::{Axis, Mark, MoveLimits, Picture, Sample};
+use val3_plot::{MoveLimits, MoveMark, Picture, PictureAxis, Sample};
 
-use crate::row::Row;
+use crate::row::TraceRow;
 
 /// Collects the data of a run's picture.
 #[derive(Debug)]
@@ -30,7 +30,7 @@ impl PictureObserver {
     #[must_use]
     pub fn new(controller: &Controller) -> Self {
         let arm = controller.arm().model();
-        let axis = |(index, axis): (usize, &ArmAxis)| Axis {
+        let axis = |(index, axis): (usize, &ArmAxis)| PictureAxis {
             is_stroke: arm.is_stroke(index),
             min: axis.min,
             max: axis.max,
@@ -116,15 +116,15 @@ impl PictureObserver {
 }
 
 /// Creates the mark of a recorded move.
-fn new_mark(controller: &Controller, queued: &QueuedMove, origin: Option<&MoveOrigin>) -> Mark {
+fn new_mark(controller: &Controller, queued: &QueuedMove, origin: Option<&MoveOrigin>) -> MoveMark {
     let (program, line, _) = origin.map(|origin| controller.devices.place(origin.at)).unwrap_or_default();
-    Mark {
+    MoveMark {
         program,
         line,
         target: queued.target.translation.vector.into(),
         intermediate: queued.intermediate.map(Into::into),
         limits: origin.map(|origin| limits(&origin.descriptor)),
-        ..Mark::default()
+        ..MoveMark::default()
     }
 }
 
@@ -133,9 +133,9 @@ fn limits(descriptor: &MdescValue) -> MoveLimits {
     MoveLimits { joint_speed: vel, acceleration: accel, deceleration: decel, tool_speed: tvel, tool_rotation: rvel }
 }
 
-impl From<&Row> for Sample {
-    fn from(row: &Row) -> Self {
-        let Row { joints, phase, speed, .. } = *row;
+impl From<&TraceRow> for Sample {
+    fn from(row: &TraceRow) -> Self {
+        let TraceRow { joints, phase, speed, .. } = *row;
         let position = row.position().into();
         Self { t: seconds(row.time), joints, position, speed, rotation: 0.0, phase, limit: None }
     }

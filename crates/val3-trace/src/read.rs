@@ -8,7 +8,7 @@ use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::event::seconds;
 use val3_motion::{MotionPhase, SpeedLimit};
 
-use crate::row::{Row, Trace};
+use crate::row::{Trace, TraceRow};
 use crate::write::{ARM, head, head_with_limit};
 
 /// Maximum number of axes.
@@ -70,13 +70,13 @@ fn no_trace(found: &str) -> String {
     format!("a trace begins with the names of its columns, as in `{}`: {found}", head(MOST_AXES))
 }
 
-fn row(line: &str, columns: &str, axes: usize, before: Option<Time>) -> Result<Row, String> {
+fn row(line: &str, columns: &str, axes: usize, before: Option<Time>) -> Result<TraceRow, String> {
     let names: Vec<&str> = columns.split(',').collect();
     let texts: Vec<&str> = line.split(',').map(str::trim).collect();
     if texts.len() != names.len() {
         return Err(format!("this row has {} values instead of {}", texts.len(), names.len()));
     }
-    let mut columns = Columns { cells: names.into_iter().zip(texts) };
+    let mut columns = UnparsedColumns { cells: names.into_iter().zip(texts) };
     let time = nanoseconds(columns.number()?);
     if let Some(before) = before.filter(|before| time <= *before) {
         return Err(format!("column t: this row is not later than the one before ({:.3} s)", seconds(before)));
@@ -90,15 +90,15 @@ fn row(line: &str, columns: &str, axes: usize, before: Option<Time>) -> Result<R
     let pose = Trsf::new(translation, columns.three_numbers()?).isometry();
     let speed = columns.number()?;
     columns.limit()?;
-    Ok(Row { time, id, phase, joints, pose, speed })
+    Ok(TraceRow { time, id, phase, joints, pose, speed })
 }
 
 /// Columns of a row that are not parsed yet.
-struct Columns<I> {
+struct UnparsedColumns<I> {
     cells: I,
 }
 
-impl<'a, I: Iterator<Item = (&'a str, &'a str)>> Columns<I> {
+impl<'a, I: Iterator<Item = (&'a str, &'a str)>> UnparsedColumns<I> {
     fn next(&mut self) -> (&'a str, &'a str) {
         self.cells.next().unwrap_or_default()
     }

@@ -6,12 +6,12 @@ use val3_lang::ports::Time;
 use val3_machine::controller::{CodeSource, Controller};
 use val3_vm::CYCLE;
 
-use crate::row::{Row, Trace};
-use crate::selection::Selection;
+use crate::row::{Trace, TraceRow};
+use crate::selection::RowSelection;
 
 /// Recorded motion of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Recording {
+pub struct MotionRecording {
     /// Trace with a row for each cycle.
     pub trace: Trace,
     /// Moves, with their first rows.
@@ -26,9 +26,9 @@ struct MoveStart {
 
 /// Records the motion of a controller.
 #[derive(Debug)]
-pub struct Recorder {
-    recording: Recording,
-    selection: Selection,
+pub struct MotionRecorder {
+    recording: MotionRecording,
+    selection: RowSelection,
     /// Instructions of moves, by the integer part of the id.
     sources: BTreeMap<i64, CodeSource>,
     /// Motion revision for which the instructions are known.
@@ -37,14 +37,14 @@ pub struct Recorder {
     last: Option<Time>,
 }
 
-impl Recorder {
+impl MotionRecorder {
     /// Creates a recorder for a controller whose arm has not moved yet.
     #[must_use]
     pub fn new(controller: &Controller) -> Self {
         let arm = controller.arm().model();
         let trace = Trace { arm: Some(arm.name().to_owned()), axes: arm.axes(), rows: Vec::new() };
-        let recording = Recording { trace, moves: Vec::new() };
-        Self { recording, selection: Selection::default(), sources: BTreeMap::new(), revision: None, last: None }
+        let recording = MotionRecording { trace, moves: Vec::new() };
+        Self { recording, selection: RowSelection::default(), sources: BTreeMap::new(), revision: None, last: None }
     }
 
     /// Adds the cycle that began at `start`.
@@ -60,12 +60,12 @@ impl Recorder {
         }
         let sample = controller.arm().sample();
         if self.selection.takes(sample.phase) {
-            self.record(Row::new(start, sample));
+            self.record(TraceRow::new(start, sample));
         }
     }
 
-    fn record(&mut self, row: Row) {
-        let Recording { trace, moves } = &mut self.recording;
+    fn record(&mut self, row: TraceRow) {
+        let MotionRecording { trace, moves } = &mut self.recording;
         if trace.rows.last().is_none_or(|last| last.number() != row.number()) {
             moves.push(MoveStart { row: trace.rows.len(), source: self.sources.get(&row.number()).cloned() });
         }
@@ -74,18 +74,18 @@ impl Recorder {
 
     /// Returns the motion recorded so far.
     #[must_use]
-    pub fn recording(&self) -> &Recording {
+    pub fn recording(&self) -> &MotionRecording {
         &self.recording
     }
 
     /// Returns the recorded motion.
     #[must_use]
-    pub fn finish(self) -> Recording {
+    pub fn finish(self) -> MotionRecording {
         self.recording
     }
 }
 
-impl Recording {
+impl MotionRecording {
     /// Creates a recording whose moves have instructions by move number.
     #[cfg(test)]
     pub(crate) fn with_sources(trace: Trace, source: impl Fn(i64) -> CodeSource) -> Self {
@@ -100,8 +100,8 @@ impl Recording {
     /// Returns the present position of the arm, for a run in which it has not moved.
     #[must_use]
     pub fn at_rest(controller: &Controller) -> Self {
-        let mut recorder = Recorder::new(controller);
-        recorder.record(Row::new(controller.now(), controller.arm().sample()));
+        let mut recorder = MotionRecorder::new(controller);
+        recorder.record(TraceRow::new(controller.now(), controller.arm().sample()));
         recorder.finish()
     }
 

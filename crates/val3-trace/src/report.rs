@@ -5,10 +5,10 @@ use val3_lang::ports::Time;
 use val3_machine::controller::CodeSource;
 use val3_machine::event::seconds;
 
-use crate::comparison::{Comparison, Deviation, MoveComparison, Side};
+use crate::comparison::{Comparison, Deviation, MoveComparison, TraceSide};
 use crate::distance::{Distance, Tolerances};
 use crate::limits::{Limit, Violation};
-use crate::recording::Recording;
+use crate::recording::MotionRecording;
 use crate::times::change;
 
 /// Maximum number of moves with another time that a report names.
@@ -26,15 +26,15 @@ pub struct Finding {
 /// Describes differences of the present motion from a recorded motion: path, moves, times. Empty if the motions are
 /// equal.
 #[must_use]
-pub fn describe(comparison: &Comparison, recording: &Recording) -> Vec<Finding> {
-    let report = Report { comparison, recording };
+pub fn describe(comparison: &Comparison, recording: &MotionRecording) -> Vec<Finding> {
+    let report = TraceReport { comparison, recording };
     let times = report.times_of_moves().into_iter().chain(report.whole_time());
     report.path().into_iter().chain(report.count()).chain(times).collect()
 }
 
 /// Describes an exceeded limit.
 #[must_use]
-pub fn describe_violation(limit: &Limit, violation: &Violation, recording: &Recording) -> Finding {
+pub fn describe_violation(limit: &Limit, violation: &Violation, recording: &MotionRecording) -> Finding {
     let Violation { value, at, time, row } = *violation;
     let excess = match limit {
         Limit::Speed { most, .. } => format!("moves at {value:.1} mm/s instead of at most {most} mm/s"),
@@ -50,12 +50,12 @@ pub fn describe_violation(limit: &Limit, violation: &Violation, recording: &Reco
     Finding { message: format!("the tool centre point {excess}, {place}, in {of_move}"), source }
 }
 
-struct Report<'a> {
+struct TraceReport<'a> {
     comparison: &'a Comparison,
-    recording: &'a Recording,
+    recording: &'a MotionRecording,
 }
 
-impl Report<'_> {
+impl TraceReport<'_> {
     /// Describes the first move whose path differs, and the largest deviation.
     fn path(&self) -> Option<Finding> {
         let first = self.comparison.first()?;
@@ -64,7 +64,7 @@ impl Report<'_> {
         let what = match first.deviation {
             _ if first.is_missing() => format!("move {} of the recorded motion is missing", first.number),
             _ if first.is_additional() => format!("{name} is not in the recorded motion"),
-            Some(Deviation { side: Side::Recorded, .. }) => format!("{name} misses a part of the recorded path"),
+            Some(Deviation { side: TraceSide::Recorded, .. }) => format!("{name} misses a part of the recorded path"),
             _ => format!("{name} leaves the recorded path"),
         };
         let details = first.deviation.filter(Deviation::is_beyond).map(|deviation| self.details(&deviation));
@@ -84,7 +84,7 @@ impl Report<'_> {
     }
 
     fn details(&self, Deviation { side, time, at, distance, .. }: &Deviation) -> String {
-        let recorded = if *side == Side::Recorded { "recorded " } else { "" };
+        let recorded = if *side == TraceSide::Recorded { "recorded " } else { "" };
         format!(": {}, {recorded}{}", amount(distance, &self.comparison.tolerances), place(*time, at))
     }
 

@@ -13,12 +13,12 @@ pub struct Trace {
     /// Number of axes.
     pub axes: usize,
     /// Rows while the arm moves, and the first row at rest after each motion, sorted by time.
-    pub rows: Vec<Row>,
+    pub rows: Vec<TraceRow>,
 }
 
 /// State of the arm at the end of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Row {
+pub struct TraceRow {
     /// Start time of the cycle in nanoseconds of the controller's clock.
     pub time: Time,
     /// Move id, as returned by `getMoveId`.
@@ -36,7 +36,7 @@ pub struct Row {
 /// Precision of the id in a file, with which [`Row::number`] is equal before and after writing.
 const ID_DECIMALS: f64 = 1e6;
 
-impl Row {
+impl TraceRow {
     /// Creates the row of the cycle that began at `time`.
     #[must_use]
     pub fn new(time: Time, sample: &Sample) -> Self {

@@ -4,11 +4,11 @@ use val3_motion::MotionPhase;
 
 /// Selects the rows of a trace: cycles in which the arm moves, and the first cycle at rest after each motion.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Selection {
+pub struct RowSelection {
     was_moving: bool,
 }
 
-impl Selection {
+impl RowSelection {
     /// Whether the next cycle has a row.
     pub fn takes(&mut self, phase: MotionPhase) -> bool {
         let is_moving = phase != MotionPhase::Waiting;
@@ -23,7 +23,7 @@ mod tests {
 
     #[test]
     fn a_motion_ends_with_one_row_at_rest() {
-        let mut selection = Selection::default();
+        let mut selection = RowSelection::default();
         let phases = [
             MotionPhase::Waiting,
             MotionPhase::Nominal,

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::row::Row;
+use crate::row::TraceRow;
 
 /// The rows of a move.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -14,9 +14,9 @@ pub(crate) struct Stretch {
 }
 
 /// Returns the stretches sorted by time.
-pub(crate) fn stretches(rows: &[Row]) -> Vec<Stretch> {
+pub(crate) fn stretches(rows: &[TraceRow]) -> Vec<Stretch> {
     let mut end = 0;
-    let of_chunk = |chunk: &[Row]| {
+    let of_chunk = |chunk: &[TraceRow]| {
         let start = end;
         end += chunk.len();
         Some(Stretch { number: chunk.first()?.number(), rows: start..end })
@@ -32,7 +32,7 @@ mod tests {
     #[test]
     fn the_end_of_a_move_belongs_to_it() {
         let ids = [1.1, 1.9, 2.0, 2.3, 4.0, 4.5];
-        let rows: Vec<Row> = line(6).into_iter().zip(ids).map(|(row, id)| Row { id, ..row }).collect();
+        let rows: Vec<TraceRow> = line(6).into_iter().zip(ids).map(|(row, id)| TraceRow { id, ..row }).collect();
         let expected = [(1, 0..3), (2, 3..4), (3, 4..5), (4, 5..6)].map(|(number, rows)| Stretch { number, rows });
         assert_eq!(stretches(&rows), expected);
         assert_eq!(stretches(&[]), []);

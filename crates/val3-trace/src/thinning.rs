@@ -3,7 +3,7 @@
 use val3_plot::significant;
 
 use crate::distance::{Tolerances, distance_to_piece};
-use crate::row::{Row, Trace};
+use crate::row::{Trace, TraceRow};
 
 /// Maximum deviation of the path between the kept rows.
 const PATH: Tolerances = Tolerances { mm: 0.05, degrees: 0.05, time: 0.0 };
@@ -26,7 +26,7 @@ impl Trace {
 }
 
 /// Returns the distance of a row to the line between two other rows, as a multiple of the maximum.
-fn excess(rows: &[Row], place: usize, from: usize, to: usize) -> f64 {
+fn excess(rows: &[TraceRow], place: usize, from: usize, to: usize) -> f64 {
     let [Some(row), Some(from), Some(to)] = [place, from, to].map(|place| rows.get(place)) else { return 0.0 };
     let distance = distance_to_piece(row, from, to, &PATH);
     let of_path = distance.pose_excess(&PATH).max(distance.joints / PATH.degrees);
@@ -34,7 +34,7 @@ fn excess(rows: &[Row], place: usize, from: usize, to: usize) -> f64 {
 }
 
 /// Returns the maximum difference of the position and the joints from constant speed.
-fn from_moment(row: &Row, from: &Row, to: &Row) -> f64 {
+fn from_moment(row: &TraceRow, from: &TraceRow, to: &TraceRow) -> f64 {
     let share = (row.time - from.time) as f64 / (to.time - from.time) as f64;
     let even = |from: f64, to: f64| from + (to - from) * share;
     let place = from.position().lerp(&to.position(), share);
@@ -55,7 +55,7 @@ mod tests {
         let phases =
             [MotionPhase::Nominal; 12].into_iter().chain([MotionPhase::Blend; 5]).chain([MotionPhase::Waiting; 2]);
         let rows = line(19).into_iter().zip(phases);
-        let rows: Vec<Row> = rows.map(|(row, phase)| Row { phase, ..row }).collect();
+        let rows: Vec<TraceRow> = rows.map(|(row, phase)| TraceRow { phase, ..row }).collect();
         let kept: Vec<usize> = trace(&rows).thinned().rows.iter().map(|row| row.time as usize / 4_000_000).collect();
         // The move number changes with row 10.
         assert_eq!(kept, [0, 10, 11, 12, 16, 17, 18]);
@@ -63,7 +63,7 @@ mod tests {
 
     #[test]
     fn corners_of_path_rotation_joints_and_speed_stay() {
-        let keeps = |change: &dyn Fn(f64, &mut Row)| {
+        let keeps = |change: &dyn Fn(f64, &mut TraceRow)| {
             let mut rows = line(9);
             rows.iter_mut().zip(0..).for_each(|(row, place)| change(f64::from(i32::abs(place - 4)), row));
             trace(&rows).thinned().rows.iter().any(|row| row.time == 16_000_000)

@@ -5,29 +5,29 @@ use std::ops::Range;
 use val3_lang::ports::Time;
 use val3_vm::CYCLE;
 
-use crate::row::Row;
+use crate::row::TraceRow;
 
 /// Time difference below which times are equal, even in per cent, because a move begins and ends within a cycle.
 pub(crate) const UNCERTAINTY: Time = 2 * CYCLE;
 
 /// Times for a part of a trace, in nanoseconds.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Times {
+pub struct TraceTimes {
     /// Time in motion.
     pub moving: Time,
     /// Time at rest before the arm moves again.
     pub resting: Time,
 }
 
-impl Times {
+impl TraceTimes {
     /// Computes the times of some rows. A row ends the time since the previous row, at rest or in motion.
-    pub(crate) fn of(rows: &[Row], part: Range<usize>) -> Self {
+    pub(crate) fn of(rows: &[TraceRow], part: Range<usize>) -> Self {
         let mut times = Self::default();
         for place in part {
             let Some(row) = rows.get(place) else { break };
             let before = place.checked_sub(1).and_then(|before| rows.get(before));
             let passed = before.map_or(0, |before| row.time - before.time);
-            match (before.is_some_and(Row::is_moving), row.is_moving()) {
+            match (before.is_some_and(TraceRow::is_moving), row.is_moving()) {
                 (true, true) => times.moving += passed,
                 (false, true) => {
                     times.moving += CYCLE;
@@ -68,13 +68,13 @@ mod tests {
 
     const MS: Time = 1_000_000;
 
-    fn rows(states: &[(Time, MotionPhase)]) -> Vec<Row> {
+    fn rows(states: &[(Time, MotionPhase)]) -> Vec<TraceRow> {
         let rows = line(states.len()).into_iter().zip(states);
-        rows.map(|(row, (ms, phase))| Row { time: ms * MS, phase: *phase, ..row }).collect()
+        rows.map(|(row, (ms, phase))| TraceRow { time: ms * MS, phase: *phase, ..row }).collect()
     }
 
-    fn times(moving: Time, resting: Time) -> Times {
-        Times { moving: moving * MS, resting: resting * MS }
+    fn times(moving: Time, resting: Time) -> TraceTimes {
+        TraceTimes { moving: moving * MS, resting: resting * MS }
     }
 
     #[test]
@@ -82,18 +82,18 @@ mod tests {
         let (moves, rests) = (MotionPhase::Nominal, MotionPhase::Waiting);
         let states = [(100, moves), (120, MotionPhase::Blend), (124, rests), (200, moves), (204, moves), (208, rests)];
         let rows = rows(&states);
-        assert_eq!(Times::of(&rows, 0..6), times(4 + 20 + 4 + 4, 76));
-        assert_eq!(Times::of(&rows, 0..3), times(24, 0));
-        assert_eq!(Times::of(&rows, 3..6), times(8, 76));
-        assert_eq!(Times::of(&rows, 4..9), times(4, 0));
-        assert_eq!(Times::of(&rows, 0..6).whole(), 108 * MS);
+        assert_eq!(TraceTimes::of(&rows, 0..6), times(4 + 20 + 4 + 4, 76));
+        assert_eq!(TraceTimes::of(&rows, 0..3), times(24, 0));
+        assert_eq!(TraceTimes::of(&rows, 3..6), times(8, 76));
+        assert_eq!(TraceTimes::of(&rows, 4..9), times(4, 0));
+        assert_eq!(TraceTimes::of(&rows, 0..6).whole(), 108 * MS);
     }
 
     #[test]
     fn every_cycle_may_have_a_row() {
         let (moves, rests) = (MotionPhase::Nominal, MotionPhase::Waiting);
         let rows = rows(&[(0, rests), (4, rests), (8, moves), (12, moves), (16, rests), (20, rests)]);
-        assert_eq!(Times::of(&rows, 0..6), times(8, 12));
+        assert_eq!(TraceTimes::of(&rows, 0..6), times(8, 12));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use val3_geometry::Trsf;
 use val3_machine::event::seconds;
 
-use crate::row::{Row, Trace};
+use crate::row::{Trace, TraceRow};
 
 /// First line of a file that `--update` has written.
 const NOTE: &str = "# Motion of a test, recorded by `val3 test --update`: s, mm, degrees, mm/s";
@@ -40,7 +40,7 @@ pub fn head_with_limit(axes: usize) -> String {
     head(axes) + ",limit"
 }
 
-impl Row {
+impl TraceRow {
     /// Formats a line of the table.
     #[must_use]
     pub fn line(&self, axes: usize, precision: Precision) -> String {

@@ -23,7 +23,7 @@ pub(crate) fn description(arm: &Arm, shapes: &[Option<LinkShape>]) -> ArmChain {
         })
         .collect();
     let flange = offsets.pop();
-    let axis = |(index, axis): (usize, &val3_kinematics::Axis)| wire::Axis {
+    let axis = |(index, axis): (usize, &val3_kinematics::AxisLimits)| wire::Axis {
         is_linear: arm.is_stroke(index),
         min: axis.min,
         max: axis.max,

@@ -12,12 +12,12 @@ use val3_machine::controller::Controller;
 use val3_machine::devices::SavedValues;
 use val3_machine::event::EventKind;
 use val3_machine::files::FileFault;
-use val3_machine::script::Action;
+use val3_machine::script::ScriptAction;
 
 use crate::command_error::CommandError;
-use crate::positions::{self, Datum};
+use crate::positions::{self, PositionItem};
 use crate::wire::{
-    Arguments as _, Key, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach, UnsavedMessage, UserPage,
+    Arguments as _, ElementKey, Operate, PageChoice, PointName, Save, Saved, SetPoint, Teach, UnsavedMessage, UserPage,
 };
 
 /// Operators of a run. All pages share the changes that were not saved.
@@ -71,8 +71,8 @@ impl Operator {
 
     fn change(
         &mut self,
-        point: Datum,
-        write: impl FnOnce(&Datum) -> Result<(), CommandError>,
+        point: PositionItem,
+        write: impl FnOnce(&PositionItem) -> Result<(), CommandError>,
     ) -> Result<(), CommandError> {
         write(&point)?;
         self.changed.insert(PointName { name: point.name, key: point.key });
@@ -81,7 +81,7 @@ impl Operator {
 
     /// Writes the changed points to their files, without points that the program has removed meanwhile.
     fn save(&mut self, save: &Save, controller: &mut Controller) -> Result<Saved, CommandError> {
-        let is_changed = |datum: &Datum| {
+        let is_changed = |datum: &PositionItem| {
             let name = || PointName { name: datum.name.clone(), key: datum.key.clone() };
             datum.base == BaseType::Point && self.changed.contains(&name())
         };
@@ -120,7 +120,7 @@ fn user_page(page: &UserPage, controller: &mut Controller) {
 }
 
 fn operate(operate: Operate, controller: &mut Controller) -> Result<(), CommandError> {
-    let action = Action::from_json(operate.keys).map_err(|error| CommandError(error.to_string()))?;
+    let action = ScriptAction::from_json(operate.keys).map_err(|error| CommandError(error.to_string()))?;
     controller.act(&action).map_err(|problems| CommandError(problems.join("; ")))
 }
 
@@ -134,9 +134,9 @@ pub fn response(response: &impl Serialize) -> Map<String, Value> {
 }
 
 /// Finds the point that a command names.
-fn point(name: &str, key: Option<Key>, controller: &Controller) -> Result<Datum, CommandError> {
-    let key = key.map(Key::into_text);
-    let is_meant = |datum: &Datum| datum.base == BaseType::Point && datum.name == name && datum.key == key;
+fn point(name: &str, key: Option<ElementKey>, controller: &Controller) -> Result<PositionItem, CommandError> {
+    let key = key.map(ElementKey::into_text);
+    let is_meant = |datum: &PositionItem| datum.base == BaseType::Point && datum.name == name && datum.key == key;
     let found = positions::data(controller).into_iter().find(is_meant);
     found.ok_or_else(|| {
         CommandError(match key {
@@ -148,7 +148,7 @@ fn point(name: &str, key: Option<Key>, controller: &Controller) -> Result<Datum,
 
 /// Sets a point to the current pose of the tool centre point, relative to the point's father. Its configuration is
 /// unchanged.
-fn teach(point: &Datum, controller: &mut Controller) -> Result<(), CommandError> {
+fn teach(point: &PositionItem, controller: &mut Controller) -> Result<(), CommandError> {
     let here = Trsf::from(controller.arm().sample().pose);
     let memory = &controller.vm.space.memory;
     let frame = references::frame_of(memory, PointRef(point.place));
@@ -158,7 +158,7 @@ fn teach(point: &Datum, controller: &mut Controller) -> Result<(), CommandError>
     write(point, &local, controller)
 }
 
-fn write(point: &Datum, local: &Trsf, controller: &mut Controller) -> Result<(), CommandError> {
+fn write(point: &PositionItem, local: &Trsf, controller: &mut Controller) -> Result<(), CommandError> {
     let memory = &mut controller.vm.space.memory;
     let numbers = crate::numbers(local);
     let written = (0..).zip(numbers).try_for_each(|(lane, number)| memory.set_num(point.place, lane, number));

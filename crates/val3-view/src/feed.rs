@@ -11,9 +11,9 @@ use val3_machine::event::{EndReason, Event, EventKind, seconds};
 use val3_motion::{MotionPhase, Sample, SpeedLimit};
 use val3_vm::CYCLE;
 
-use crate::message::Message;
+use crate::message::ViewerMessage;
 use crate::motion::{self, MotionKey};
-use crate::positions::Positions;
+use crate::positions::PositionComputer;
 use crate::samples::{Batch, NO_SOURCE};
 use crate::signals::SignalStates;
 use crate::wire::{CellPoint, DataMessage, End, EventsMessage, PageMessage, Rewind, Role, Source, StateMessage, Tool};
@@ -48,7 +48,7 @@ pub struct Feed {
     signals: SignalStates,
     /// Latest time in the messages.
     seen: Time,
-    messages: Vec<Message>,
+    messages: Vec<ViewerMessage>,
 }
 
 impl Feed {
@@ -173,7 +173,7 @@ impl Feed {
 
     fn see_positions(&mut self, time: Time, controller: &Controller) {
         let data = positions::data(controller);
-        let points = Positions::new(&data, &controller.vm.space.memory).of_type(BaseType::Point);
+        let points = PositionComputer::new(&data, &controller.vm.space.memory).of_type(BaseType::Point);
         let known = std::mem::take(&mut self.points);
         // The scene contains the initial positions.
         if !known.is_empty() || self.looks > 0 {
@@ -186,14 +186,14 @@ impl Feed {
     }
 
     /// Removes and returns the pending messages.
-    pub fn take(&mut self) -> Vec<Message> {
+    pub fn take(&mut self) -> Vec<ViewerMessage> {
         std::mem::take(&mut self.messages)
     }
 
     /// Adds a message of the caller, such as the pace of the run.
     pub fn tell(&mut self, message: &wire::Message) {
         self.flush_samples();
-        self.messages.push(Message::Object(json!(message)));
+        self.messages.push(ViewerMessage::Object(json!(message)));
     }
 
     fn see_signals(&mut self, time: Time, controller: &Controller) {
@@ -203,7 +203,7 @@ impl Feed {
     }
 
     fn flush_samples(&mut self) {
-        self.messages.extend(self.batch.take().map(Message::Samples));
+        self.messages.extend(self.batch.take().map(ViewerMessage::Samples));
     }
 
     /// Adds a sample of the arm, unless the arm has stopped and not moved.

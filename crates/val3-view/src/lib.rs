@@ -20,7 +20,7 @@ pub mod wire;
 pub use command_error::CommandError;
 pub use commands::{Operator, response};
 pub use feed::Feed;
-pub use message::Message;
+pub use message::ViewerMessage;
 pub use scene::scene;
 pub use signals::{direction, level};
 pub use user_page::user_page;

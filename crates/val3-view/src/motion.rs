@@ -2,7 +2,7 @@
 
 use val3_geometry::Vector3;
 use val3_machine::controller::{BlendPoint, Controller, RecordedMove};
-use val3_motion::{MoveStage, Way};
+use val3_motion::{MoveStage, PieceAhead};
 
 use crate::coordinates;
 use crate::wire::{MotionMessage, QueueEntry, WayPiece};
@@ -69,7 +69,7 @@ fn recorded(queued: &RecordedMove, source: u16) -> QueueEntry {
 /// The way of the tool centre point to the last destination, in mm, by pieces.
 fn way_ahead(controller: &Controller) -> Vec<WayPiece> {
     let pieces = controller.arm().motion().way_ahead(PIECES);
-    let piece = |Way { phase, points }: &Way| {
+    let piece = |PieceAhead { phase, points }: &PieceAhead| {
         let points = simplified(points, TOLERANCE).iter().map(rounded).collect();
         WayPiece { phase: phase.word().to_owned(), points }
     };

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 use val3_debug::subscript;
 use val3_lang::call::{FrameRef, PointRef, ToolRef};
 use val3_lang::enumerations;
-use val3_lang::memory::{KindBase, Link, Memory, Place};
+use val3_lang::memory::{KindBase, LinkPlace, Memory, Place};
 use val3_lang::references::{self, Poses};
 use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
@@ -15,7 +15,7 @@ use crate::wire::{CellPoint, JointValue};
 
 /// A global value in an application or library.
 #[derive(Debug, Clone)]
-pub(crate) struct Datum {
+pub(crate) struct PositionItem {
     /// Data name, prefixed by the library.
     pub(crate) name: String,
     /// Index or key; `None` for data with a single value.
@@ -24,7 +24,7 @@ pub(crate) struct Datum {
     pub(crate) place: Place,
 }
 
-impl Datum {
+impl PositionItem {
     /// Name with index or key.
     fn whole_name(&self) -> String {
         match &self.key {
@@ -35,7 +35,7 @@ impl Datum {
 }
 
 /// Global values of the application and its libraries, for the types that pages show.
-pub(crate) fn data(controller: &Controller) -> Vec<Datum> {
+pub(crate) fn data(controller: &Controller) -> Vec<PositionItem> {
     let space = &controller.vm.space;
     let mut found = Vec::new();
     for (number, (_, instance)) in space.loaded().enumerate() {
@@ -47,7 +47,7 @@ pub(crate) fn data(controller: &Controller) -> Vec<Datum> {
                 let Some(key) = subscript(&store.shape, index) else { continue };
                 let key = key.strip_prefix('[').and_then(|key| key.strip_suffix(']')).map(str::to_owned);
                 let name = prefix.clone() + &definition.name;
-                found.push(Datum { name, key, base, place: store.place(*id, index) });
+                found.push(PositionItem { name, key, base, place: store.place(*id, index) });
             }
         }
     }
@@ -59,11 +59,11 @@ fn is_shown(base: &BaseType) -> bool {
 }
 
 /// Names of the data linked to each signal.
-pub(crate) fn names_by_signal(data: &[Datum], controller: &Controller) -> FxHashMap<SignalId, Vec<String>> {
+pub(crate) fn names_by_signal(data: &[PositionItem], controller: &Controller) -> FxHashMap<SignalId, Vec<String>> {
     let (memory, io) = (&controller.vm.space.memory, &controller.devices.state.io);
     let mut names: FxHashMap<SignalId, Vec<String>> = FxHashMap::default();
     for datum in data.iter().filter(|datum| matches!(datum.base, BaseType::Dio | BaseType::Aio)) {
-        let Ok(Link::Port(port)) = memory.link(datum.place, 0) else { continue };
+        let Ok(LinkPlace::Port(port)) = memory.link(datum.place, 0) else { continue };
         if let Some(id) = io.target_of(LinkId::from_number(port)) {
             names.entry(id).or_default().push(datum.whole_name());
         }
@@ -77,22 +77,22 @@ pub(crate) fn tool_at(controller: &Controller, is_there: impl Fn(&[f64; 6]) -> b
         return Some("flange".to_owned());
     }
     let mut poses = Poses::new(&controller.vm.space.memory);
-    let is_meant = |datum: &&Datum| {
+    let is_meant = |datum: &&PositionItem| {
         datum.base == BaseType::Tool && poses.of_tool(ToolRef(datum.place)).is_ok_and(|pose| is_there(&numbers(&pose)))
     };
-    data(controller).iter().find(is_meant).map(Datum::whole_name)
+    data(controller).iter().find(is_meant).map(PositionItem::whole_name)
 }
 
 /// Computes names and poses of all values; the time per value does not depend on its chain length.
-pub(crate) struct Positions<'a> {
-    data: &'a [Datum],
+pub(crate) struct PositionComputer<'a> {
+    data: &'a [PositionItem],
     memory: &'a Memory,
-    by_place: FxHashMap<Place, &'a Datum>,
+    by_place: FxHashMap<Place, &'a PositionItem>,
     poses: Poses<'a>,
 }
 
-impl<'a> Positions<'a> {
-    pub(crate) fn new(data: &'a [Datum], memory: &'a Memory) -> Self {
+impl<'a> PositionComputer<'a> {
+    pub(crate) fn new(data: &'a [PositionItem], memory: &'a Memory) -> Self {
         let by_place = data.iter().rev().map(|datum| (datum.place, datum)).collect();
         Self { data, memory, by_place, poses: Poses::new(memory) }
     }
@@ -103,8 +103,8 @@ impl<'a> Positions<'a> {
         of_base.filter_map(|datum| self.described(datum)).collect()
     }
 
-    fn described(&mut self, datum: &Datum) -> Option<CellPoint> {
-        let Datum { name, key, base, place } = datum;
+    fn described(&mut self, datum: &PositionItem) -> Option<CellPoint> {
+        let PositionItem { name, key, base, place } = datum;
         let memory = self.memory;
         let pose = match base {
             BaseType::Tool => self.poses.of_tool(ToolRef(*place)),
@@ -127,8 +127,8 @@ impl<'a> Positions<'a> {
 }
 
 /// Joint positions.
-pub(crate) fn joints(data: &[Datum], memory: &Memory) -> Vec<JointValue> {
-    let value = |Datum { name, key, place, .. }: &Datum| {
+pub(crate) fn joints(data: &[PositionItem], memory: &Memory) -> Vec<JointValue> {
+    let value = |PositionItem { name, key, place, .. }: &PositionItem| {
         let axes = memory.store(place.store).ok()?.kind.size.num;
         Some(JointValue { name: name.clone(), key: key.clone(), values: nums(memory, *place, axes)? })
     };

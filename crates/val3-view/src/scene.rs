@@ -4,7 +4,7 @@ use val3_lang::types::BaseType;
 use val3_machine::controller::Controller;
 use val3_motion::MotionPhase;
 
-use crate::positions::{self, Positions};
+use crate::positions::{self, PositionComputer};
 use crate::samples::limit_names;
 use crate::wire::{Role, Scene};
 use crate::{arm, signals};
@@ -27,7 +27,7 @@ const PHASES: [MotionPhase; 7] = [
 #[must_use]
 pub fn scene(controller: &Controller, role: Role) -> Scene {
     let data = positions::data(controller);
-    let mut positions = Positions::new(&data, &controller.vm.space.memory);
+    let mut positions = PositionComputer::new(&data, &controller.vm.space.memory);
     let mut of_type = |base| positions.of_type(base);
     let names = positions::names_by_signal(&data, controller);
     Scene {

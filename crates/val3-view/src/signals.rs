@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 use val3_machine::controller::Controller;
-use val3_machine::io::{Direction, IoTable, Kind, SignalId};
+use val3_machine::io::{Direction, IoTable, SignalId, SignalKind};
 
 use crate::wire::{self, IoMessage, LineInfo, SignalInfo};
 
@@ -34,7 +34,7 @@ pub(crate) fn described(io: &IoTable, names: &FxHashMap<SignalId, Vec<String>>) 
             names: names.get(&id).cloned().unwrap_or_default(),
             board: board.to_owned(),
             direction: direction(signal.direction).to_owned(),
-            is_digital: matches!(signal.kind, Kind::Digital),
+            is_digital: matches!(signal.kind, SignalKind::Digital),
             unit: io.unit(id).map(str::to_owned),
             description: signal.description.clone(),
         })

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use val3_machine::controller::Controller;
-use val3_machine::screen::{self, Cell};
+use val3_machine::screen::{self, ScreenCell};
 
 use crate::wire::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};
 
@@ -52,7 +52,7 @@ fn html(page: &screen::HtmlPage, controller: &Controller) -> HtmlPage {
 }
 
 /// Runs of equal text modes, each with its number of columns.
-fn modes(cells: &[Cell]) -> Vec<ModeRun> {
+fn modes(cells: &[ScreenCell]) -> Vec<ModeRun> {
     let mut runs: Vec<ModeRun> = Vec::new();
     for cell in cells {
         let mode = cell.mode.number();

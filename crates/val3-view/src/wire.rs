@@ -10,8 +10,8 @@ mod scene;
 mod state;
 
 pub use commands::{
-    Arguments, Command, Cycle, Fastest, Key, Operate, Pace, PaceSpeed, PageChoice, PointName, RecordScenario, Recorded,
-    Save, Saved, SetPoint, Teach, UserPage,
+    Arguments, Command, Cycle, ElementKey, Fastest, Operate, Pace, PaceSpeed, PageChoice, PointName, RecordScenario,
+    Recorded, Save, Saved, SetPoint, Teach, UserPage,
 };
 pub use motion::{BlendDistance, BlendEnds, MotionMessage, QueueEntry, WayPiece};
 pub use page::{HtmlClick, HtmlPage, HtmlValue, ModeRun, PageMessage};

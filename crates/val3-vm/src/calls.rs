@@ -5,7 +5,7 @@ use val3_lang::fault::{Fault, Result};
 
 use crate::enter::{enter, enter_plain, get, leave, pass, write};
 use crate::instance::Imported;
-use crate::operands::Scope;
+use crate::operands::OperandContext;
 use crate::task::Base;
 use crate::turn_context::TurnContext;
 use crate::{Frame, Instance, InstanceId};
@@ -20,7 +20,7 @@ impl TurnContext<'_> {
     pub(crate) fn call(
         &mut self,
         frame: &Frame,
-        scope: &Scope<'_>,
+        scope: &OperandContext<'_>,
         site: &CallSite,
         (back, back_line): (usize, u32),
     ) -> Result<Frame> {
@@ -39,7 +39,13 @@ impl TurnContext<'_> {
 
     /// Creates the frame of a plain program, and passes the arguments.
     #[inline(always)]
-    fn open_plain(&mut self, callee: &Program, base: &Base, caller: &Scope<'_>, passes: &[Pass]) -> Result<()> {
+    fn open_plain(
+        &mut self,
+        callee: &Program,
+        base: &Base,
+        caller: &OperandContext<'_>,
+        passes: &[Pass],
+    ) -> Result<()> {
         let memory = &mut self.space.memory;
         enter_plain(memory, callee, base, self.stack_size)?;
         for pass in passes {
@@ -71,7 +77,7 @@ impl TurnContext<'_> {
         &mut self,
         base: Base,
         from: InstanceId,
-        caller: &Scope<'_>,
+        caller: &OperandContext<'_>,
         site: &CallSite,
     ) -> Result<(InstanceId, u16)> {
         let (id, number) = self.resolve(from, site.program)?;

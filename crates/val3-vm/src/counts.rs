@@ -6,13 +6,13 @@ use val3_bytecode::{Image, Program};
 
 /// Counters of all images that are or were in memory; empty without counted images.
 #[derive(Debug, Clone, Default)]
-pub struct Counts {
+pub struct LineCounts {
     hits: Vec<u64>,
     /// Counted images with the numbers of their first counters. An unloaded library keeps its counters.
     images: Vec<(Arc<Image>, u32)>,
 }
 
-impl Counts {
+impl LineCounts {
     /// Returns the number of the image's first counter. An image that is loaded again continues with its counters.
     pub(crate) fn first_of(&mut self, image: &Arc<Image>) -> u32 {
         if let Some((_, first)) = self.images.iter().find(|(known, _)| Arc::ptr_eq(known, image)) {

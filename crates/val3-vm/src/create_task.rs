@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{Param, Storage, TaskSite};
+use val3_bytecode::{ProgramParam, Storage, TaskSite};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place};
@@ -11,7 +11,7 @@ use val3_lang::tasks::{period_steps, priority};
 use val3_lang::types::BaseType;
 
 use crate::enter::{enter_with, write};
-use crate::operands::Scope;
+use crate::operands::OperandContext;
 use crate::task::{Base, NewThread, Thread};
 use crate::turn_context::TurnContext;
 use crate::{CYCLE, Frame, InstanceId, Rate};
@@ -20,7 +20,7 @@ impl TurnContext<'_> {
     /// Executes `taskCreate` or `taskCreateSync` (5.10).
     pub(crate) fn create_task(
         &mut self,
-        scope: Scope<'_>,
+        scope: OperandContext<'_>,
         (frame, line): (&Frame, u32),
         site: &TaskSite,
     ) -> Result<()> {
@@ -103,7 +103,7 @@ impl TurnContext<'_> {
 }
 
 /// Returns the lane of a `num` parameter by value.
-fn number_lane(param: &Param) -> Option<u32> {
+fn number_lane(param: &ProgramParam) -> Option<u32> {
     match param.storage {
         Storage::Value(lanes) if param.kind.base_type() == Some(BaseType::Num) => Some(lanes.num),
         _ => None,

@@ -1,9 +1,9 @@
 //! Creation and removal of stack frames (2.6).
 
-use val3_bytecode::{Param, Program, Storage};
+use val3_bytecode::{Program, ProgramParam, Storage};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Link, Memory, MemoryBudget, Place, StoreId, View, bytes_of};
+use val3_lang::memory::{LinkPlace, Memory, MemoryBudget, Place, StoreId, View, bytes_of};
 use val3_lang::values::Text;
 
 use crate::operands::on_frame;
@@ -15,9 +15,9 @@ use crate::task::Base;
 pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     enter_plain(memory, program, base, most)?;
     let (end, stack, room) = (base.after(program), &mut memory.stack, &mut memory.stores.room);
-    fill(&mut stack.links, room, (base.link, end.link), Link::None)?;
+    fill(&mut stack.links, room, (base.link, end.link), LinkPlace::None)?;
     if let Some(links) = stack.links.get_mut(base.link as usize..end.link as usize) {
-        links.fill(Link::None);
+        links.fill(LinkPlace::None);
     }
     for part in &program.parts {
         let store = memory.create_local(part).inspect_err(|_| leave(memory, base))?;
@@ -84,7 +84,7 @@ pub(crate) fn leave(memory: &mut Memory, base: &Base) {
 
 /// Passes an argument to a parameter of the frame at `base`.
 #[inline]
-pub(crate) fn pass(memory: &mut Memory, base: &Base, param: &Param, argument: Argument) -> Result<()> {
+pub(crate) fn pass(memory: &mut Memory, base: &Base, param: &ProgramParam, argument: Argument) -> Result<()> {
     let from = match argument {
         Argument::Value(place, _) | Argument::UserValue(place) => place,
         Argument::View(view) => match param.storage {

@@ -11,7 +11,7 @@ use val3_lang::ports::{TaskNumber, Time};
 use crate::calls::program_of;
 use crate::enter::{enter, leave, write};
 use crate::instance::FRAGMENT;
-use crate::operands::{Scope, on_frame};
+use crate::operands::{OperandContext, on_frame};
 use crate::task::{Base, Thread};
 use crate::turn_context::TurnContext;
 use crate::{Frame, Grant, Host, InstanceId, TurnEnd, Vm};
@@ -206,7 +206,7 @@ impl FragmentRun<'_, '_> {
     fn value(&self) -> Result<Argument> {
         let instance = self.context.instance(self.instance)?;
         let frame = Frame { instance: self.instance, program: FRAGMENT, back: 0, back_line: 0, base: self.base };
-        let scope = Scope { instance, program: program_of(&frame, instance)?, base: self.base };
+        let scope = OperandContext { instance, program: program_of(&frame, instance)?, base: self.base };
         let value = self.fragment.value.as_ref().ok_or(Fault::INTERPRETER)?;
         scope.argument(&self.context.space.memory, &value.site)
     }

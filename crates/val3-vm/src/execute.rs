@@ -15,7 +15,7 @@ use crate::arithmetic::{is_beyond, remainder, truth};
 use crate::calls::program_of;
 use crate::enter::leave;
 use crate::instance::Imported;
-use crate::operands::{Scope, located};
+use crate::operands::{OperandContext, located};
 use crate::registers::{FixedRegisters, Registers};
 use crate::task::Thread;
 use crate::turn_context::TurnContext;
@@ -111,7 +111,7 @@ impl TurnContext<'_> {
 
         macro_rules! scope {
             () => {
-                Scope { instance, program, base: frame.base }
+                OperandContext { instance, program, base: frame.base }
             };
         }
         // Runs `$work`, which may reallocate the stack, then borrows the registers again.

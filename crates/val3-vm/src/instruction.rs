@@ -8,8 +8,8 @@ use val3_lang::memory::Memory;
 use val3_lang::ports::{Ports, Tasks, Time, nanoseconds};
 
 use crate::execute::Leave;
-use crate::operands::Scope;
-use crate::services::{Changes, Services};
+use crate::operands::OperandContext;
+use crate::services::{Services, TaskChanges};
 use crate::task::Thread;
 use crate::turn_context::TurnContext;
 use crate::{Frame, TaskState, TurnEnd};
@@ -19,7 +19,7 @@ impl TurnContext<'_> {
     pub(crate) fn instruction(
         &mut self,
         thread: &mut Thread,
-        scope: Scope<'_>,
+        scope: OperandContext<'_>,
         (frame, line): (&Frame, u32),
         site: &InstructionSite,
     ) -> Result<Option<Leave>> {
@@ -39,7 +39,7 @@ impl TurnContext<'_> {
         let mut services = Services {
             roster: self.roster,
             instances: &self.space.instances,
-            changes: Changes::new(),
+            changes: TaskChanges::new(),
             request: None,
             owner: frame.instance,
         };

@@ -1,7 +1,7 @@
 //! Items that an application expects from a library, and items that a library contains (6.3, 6.6).
 
-use val3_bytecode::{DataDef, Image, Import, ImportKind, Param, Storage};
-use val3_lang::memory::{Kind, KindBase, Shape};
+use val3_bytecode::{DataDef, Image, Import, ImportKind, ProgramParam, Storage};
+use val3_lang::memory::{ContainerShape, KindBase, ValueType};
 use val3_lang::types::Container;
 
 use crate::instance::Imported;
@@ -51,24 +51,24 @@ impl Instance {
     }
 }
 
-fn is_data(data: &DataDef, kind: &Kind, container: Container) -> bool {
+fn is_data(data: &DataDef, kind: &ValueType, container: Container) -> bool {
     let fits = match (&data.init.shape, container) {
-        (Shape::Array { dims, .. }, Container::Array { dims: wanted }) => *dims == wanted,
-        (Shape::Array { dims, .. }, Container::Element) => *dims == 1,
-        (Shape::Collection(_), Container::Collection) => true,
+        (ContainerShape::Array { dims, .. }, Container::Array { dims: wanted }) => *dims == wanted,
+        (ContainerShape::Array { dims, .. }, Container::Element) => *dims == 1,
+        (ContainerShape::Collection(_), Container::Collection) => true,
         _ => false,
     };
     fits && is_same(&data.init.kind, kind)
 }
 
-fn is_param(own: &Param, kind: &Kind, container: Container, by_reference: bool) -> bool {
+fn is_param(own: &ProgramParam, kind: &ValueType, container: Container, by_reference: bool) -> bool {
     let own_reference = matches!(own.storage, Storage::Place(_) | Storage::View(_));
     own.container == container && own_reference == by_reference && is_same(&own.kind, kind)
 }
 
 /// Whether the types are the same. Two user types are the same if they have the same fields; their names and the
 /// fields' initial values do not count.
-fn is_same(one: &Kind, other: &Kind) -> bool {
+fn is_same(one: &ValueType, other: &ValueType) -> bool {
     match (&one.base, &other.base) {
         (KindBase::Builtin(one, arm), KindBase::Builtin(other, other_arm)) => {
             one == other && (arm == other_arm || arm.is_none() || other_arm.is_none())

@@ -31,12 +31,12 @@ mod turn_context;
 mod values;
 mod vm;
 
-pub use counts::Counts;
+pub use counts::LineCounts;
 pub use ends::{CycleEnd, TurnEnd};
 pub use evaluate::{FragmentContext, FragmentEnd};
 pub use host::{Host, LibraryOp, LibraryRequest, LoadedLibrary};
 pub use instance::{Imported, Instance, InstanceId};
-pub use schedule::{CYCLE, Schedule, Watch};
+pub use schedule::{CYCLE, CycleWatch, Schedule};
 pub use space::Space;
 pub use task::{Base, Frame, Rate, Task, TaskState, Thread};
 pub use turn::{Grant, TurnReport};

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use val3_lang::fault::Fault;
 use val3_lang::library_errors as code;
-use val3_lang::ports::Request;
+use val3_lang::ports::RuntimeRequest;
 
 use crate::task::Thread;
 use crate::turn_context::TurnContext;
@@ -15,18 +15,20 @@ const APPLICATION: InstanceId = InstanceId(0);
 
 impl TurnContext<'_> {
     /// Executes an instruction's request and returns the result code.
-    pub(crate) fn fulfil(&mut self, thread: &Thread, owner: InstanceId, request: Request) -> f64 {
+    pub(crate) fn fulfil(&mut self, thread: &Thread, owner: InstanceId, request: RuntimeRequest) -> f64 {
         let (op, library, path) = match request {
-            Request::Load { library, path, .. } => (LibraryOp::Load, Some(library), path),
-            Request::Save { library, path } => (LibraryOp::Save, library, path.unwrap_or_default()),
+            RuntimeRequest::Load { library, path, .. } => (LibraryOp::Load, Some(library), path),
+            RuntimeRequest::Save { library, path } => (LibraryOp::Save, library, path.unwrap_or_default()),
         };
         let alias = self.alias(owner, library);
         let code = match request {
-            Request::Load { library, path, password } => {
+            RuntimeRequest::Load { library, path, password } => {
                 let request = LibraryRequest { alias: &alias, path: path.as_str(), password: password.as_str() };
                 self.load(thread, (owner, library), request)
             }
-            Request::Save { library, path } => self.save(owner, library, path.as_ref().map(|path| path.as_str())),
+            RuntimeRequest::Save { library, path } => {
+                self.save(owner, library, path.as_ref().map(|path| path.as_str()))
+            }
         };
         self.ports.library(op, &alias, path.as_str(), code);
         f64::from(code)

@@ -14,7 +14,7 @@ use crate::task::Base;
 
 /// Everything to which the operands of a program refer, except the memory.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Scope<'i> {
+pub(crate) struct OperandContext<'i> {
     /// Application or library, with its global data and imports.
     pub(crate) instance: &'i Instance,
     /// Program, with its constants.
@@ -37,7 +37,7 @@ pub(crate) fn located(memory: &Memory, base: &Base, register: Register) -> Resul
     memory.stack.places.get(at).copied().ok_or(Fault::INTERPRETER)
 }
 
-impl Scope<'_> {
+impl OperandContext<'_> {
     /// Returns the container, beginning with the first value that can be reached.
     #[inline]
     pub(crate) fn view(&self, memory: &Memory, container: ContainerRef) -> Result<View> {

@@ -30,18 +30,18 @@ pub struct Schedule {
     /// Time from which on no line begins. The clock may exceed it by part of a line, and while all tasks wait.
     pub limit: Option<Time>,
     /// Stops of the cycle for the caller to inspect a task.
-    pub watch: Watch,
+    pub watch: CycleWatch,
     /// Whether all tasks rest. Time passes meanwhile, and programs cannot detect it.
     pub tasks_rest: bool,
     /// Asynchronous task with the next turn: the first one with this or a higher number.
     next: TaskNumber,
     /// Cycle that has begun and not ended.
-    cycle: Option<Cycle>,
+    cycle: Option<PartialCycle>,
 }
 
 /// Events at which a cycle stops with [`CycleEnd::Seen`], so that the caller can inspect a task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Watch {
+pub enum CycleWatch {
     /// None.
     Nothing,
     /// Run-time errors.
@@ -52,7 +52,7 @@ pub enum Watch {
 
 /// A cycle that has begun.
 #[derive(Debug, Clone)]
-struct Cycle {
+struct PartialCycle {
     end: Time,
     /// Whether a synchronous task was due.
     has_due_tasks: bool,
@@ -62,7 +62,7 @@ struct Cycle {
 }
 
 /// Result for a part of a cycle: the cycle continues, or ends.
-type Flow = ControlFlow<CycleEnd>;
+type CycleFlow = ControlFlow<CycleEnd>;
 
 impl Schedule {
     /// Creates a scheduler with the clock at 0.
@@ -72,7 +72,7 @@ impl Schedule {
             now: 0,
             line_cost: line_cost.max(1),
             limit: None,
-            watch: Watch::Nothing,
+            watch: CycleWatch::Nothing,
             tasks_rest: false,
             next: TaskNumber(0),
             cycle: None,
@@ -98,8 +98,8 @@ impl Schedule {
     pub fn cycle(&mut self, vm: &mut Vm, host: &mut dyn Host) -> CycleEnd {
         let mut cycle = self.cycle.take().unwrap_or_else(|| self.begin(vm));
         let end = match self.resume(&mut cycle, vm, host) {
-            Flow::Break(end) => end,
-            Flow::Continue(()) => CycleEnd::Busy,
+            CycleFlow::Break(end) => end,
+            CycleFlow::Continue(()) => CycleEnd::Busy,
         };
         if end.is_within_cycle() {
             self.cycle = Some(cycle);
@@ -109,14 +109,14 @@ impl Schedule {
         if cycle.has_due_tasks { CycleEnd::Busy } else { end }
     }
 
-    fn begin(&self, vm: &Vm) -> Cycle {
+    fn begin(&self, vm: &Vm) -> PartialCycle {
         let due = self.due_tasks(vm);
-        Cycle { end: self.cycle_end(), has_due_tasks: !due.is_empty(), due, rounds: None }
+        PartialCycle { end: self.cycle_end(), has_due_tasks: !due.is_empty(), due, rounds: None }
     }
 
-    fn resume(&mut self, cycle: &mut Cycle, vm: &mut Vm, host: &mut dyn Host) -> Flow {
+    fn resume(&mut self, cycle: &mut PartialCycle, vm: &mut Vm, host: &mut dyn Host) -> CycleFlow {
         if self.tasks_rest {
-            return Flow::Break(CycleEnd::Waiting(None));
+            return CycleFlow::Break(CycleEnd::Waiting(None));
         }
         if cycle.rounds.is_none() {
             self.synchronous(&mut cycle.due, vm, host)?;
@@ -134,35 +134,35 @@ impl Schedule {
     /// Returns the number of lines that a turn may begin before the cycle stops.
     fn lines_until_stop(&self, task: TaskNumber, vm: &Vm) -> u32 {
         let most = match self.watch {
-            Watch::Lines => u32::from(!vm.is_within_line(task)),
-            Watch::Nothing | Watch::Failures => u32::MAX,
+            CycleWatch::Lines => u32::from(!vm.is_within_line(task)),
+            CycleWatch::Nothing | CycleWatch::Failures => u32::MAX,
         };
         self.limit.map_or(most, |limit| self.lines_until(limit).min(most))
     }
 
     /// Stops the cycle after a turn that the caller watches.
-    fn check_watch(&self, task: TaskNumber, turn: &TurnReport) -> Flow {
+    fn check_watch(&self, task: TaskNumber, turn: &TurnReport) -> CycleFlow {
         let is_seen = match (self.watch, turn.end) {
-            (Watch::Nothing, _) => false,
+            (CycleWatch::Nothing, _) => false,
             (_, TurnEnd::Failed(_)) => true,
-            (Watch::Failures, _) => false,
-            (Watch::Lines, end) => turn.lines > 0 || end == TurnEnd::Busy,
+            (CycleWatch::Failures, _) => false,
+            (CycleWatch::Lines, end) => turn.lines > 0 || end == TurnEnd::Busy,
         };
-        if is_seen { Flow::Break(CycleEnd::Seen(task)) } else { Flow::Continue(()) }
+        if is_seen { CycleFlow::Break(CycleEnd::Seen(task)) } else { CycleFlow::Continue(()) }
     }
 
     /// Stops the cycle between two turns if the host interrupts it or the limit of the run is reached.
-    fn check_interrupts(&self, host: &dyn Host) -> Flow {
+    fn check_interrupts(&self, host: &dyn Host) -> CycleFlow {
         if host.is_interrupted() {
-            return Flow::Break(CycleEnd::Suspended);
+            return CycleFlow::Break(CycleEnd::Suspended);
         }
         self.check_limit()
     }
 
-    fn check_limit(&self) -> Flow {
+    fn check_limit(&self) -> CycleFlow {
         if self.limit.is_some_and(|limit| self.now >= limit) {
-            return Flow::Break(CycleEnd::Limit);
+            return CycleFlow::Break(CycleEnd::Limit);
         }
-        Flow::Continue(())
+        CycleFlow::Continue(())
     }
 }

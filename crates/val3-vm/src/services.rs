@@ -2,24 +2,24 @@
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::View;
-use val3_lang::ports::{CodePlace, Request, TaskChange, TaskNumber, Tasks};
-use val3_lang::runtime_errors::{NO_TASK, TaskState as Number};
+use val3_lang::ports::{CodePlace, RuntimeRequest, TaskChange, TaskNumber, Tasks};
+use val3_lang::runtime_errors::{NO_TASK, TaskStatusCode as Number};
 
 use crate::resume::line_to_resume;
 use crate::roster::Roster;
 use crate::{Instance, InstanceId, TaskState};
 
 /// Changes of tasks, with their names and code locations.
-pub(crate) type Changes = Vec<(TaskNumber, String, TaskChange, Option<CodePlace>)>;
+pub(crate) type TaskChanges = Vec<(TaskNumber, String, TaskChange, Option<CodePlace>)>;
 
 /// Tasks and libraries that the programs of `owner` can access.
 pub(crate) struct Services<'v> {
     pub(crate) roster: &'v mut Roster,
     pub(crate) instances: &'v [Instance],
     /// Changes of tasks.
-    pub(crate) changes: Changes,
+    pub(crate) changes: TaskChanges,
     /// Request to the virtual machine.
-    pub(crate) request: Option<Box<Request>>,
+    pub(crate) request: Option<Box<RuntimeRequest>>,
     pub(crate) owner: InstanceId,
 }
 
@@ -84,7 +84,7 @@ impl Tasks for Services<'_> {
         instance.data.get(number).copied().map(View::whole).ok_or(NO_DATA)
     }
 
-    fn request(&mut self, request: Request) {
+    fn request(&mut self, request: RuntimeRequest) {
         self.request = Some(Box::new(request));
     }
 

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use val3_bytecode::{DataDef, FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
 use val3_lang::fault::Fault;
-use val3_lang::memory::{Link, Memory, Owner, Place, StoreId, View};
+use val3_lang::memory::{LinkPlace, Memory, Owner, Place, StoreId, View};
 use val3_lang::types::BaseType;
 
-use crate::counts::Counts;
+use crate::counts::LineCounts;
 use crate::stops::Stops;
 use crate::{Host, Instance, InstanceId};
 
@@ -22,7 +22,7 @@ pub struct Space {
     pub(crate) instances: Arc<Vec<Instance>>,
     stops: Stops,
     /// Execution counts of counted lines and branch sides.
-    pub counts: Counts,
+    pub counts: LineCounts,
 }
 
 impl Space {
@@ -211,22 +211,22 @@ impl Space {
         Some(found.place(store, init.value))
     }
 
-    fn target(&self, id: InstanceId, target: &LinkTarget, host: &mut dyn Host) -> Option<Link> {
+    fn target(&self, id: InstanceId, target: &LinkTarget, host: &mut dyn Host) -> Option<LinkPlace> {
         match target {
-            LinkTarget::Port(base, path) => host.port(*base, path).map(Link::Port),
-            LinkTarget::Father(father) => self.father(id, father).map(Link::Data),
+            LinkTarget::Port(base, path) => host.port(*base, path).map(LinkPlace::Port),
+            LinkTarget::Father(father) => self.father(id, father).map(LinkPlace::Data),
             LinkTarget::Signal(named) => {
-                self.signal(id, named).or_else(|| host.port(BaseType::Dio, &named.name).map(Link::Port))
+                self.signal(id, named).or_else(|| host.port(BaseType::Dio, &named.name).map(LinkPlace::Port))
             }
         }
     }
 
     /// Returns the link of the `dio` that a data file names; `None` if it does not exist.
     #[must_use]
-    pub fn signal(&self, id: InstanceId, named: &FatherLink) -> Option<Link> {
+    pub fn signal(&self, id: InstanceId, named: &FatherLink) -> Option<LinkPlace> {
         let place = self.named(id, named)?;
         let is_signal = self.memory.store(place.store).ok()?.kind.base_type() == Some(BaseType::Dio);
-        self.memory.link(place, 0).ok().filter(|link| is_signal && matches!(link, Link::Port(_)))
+        self.memory.link(place, 0).ok().filter(|link| is_signal && matches!(link, LinkPlace::Port(_)))
     }
 
     /// Returns the frame or tool that a data file names; `None` if it does not exist.

@@ -7,10 +7,10 @@ use val3_bytecode::{Image, LineMark, Program};
 
 /// Lines before which tasks stop.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Stops(Arc<Lines>);
+pub(crate) struct Stops(Arc<LineStops>);
 
 #[derive(Debug, Clone, Default)]
-struct Lines {
+struct LineStops {
     /// Rows by file.
     rows: BTreeMap<String, BTreeSet<u32>>,
     /// Programs before whose first line tasks stop; `false` if they no longer do.
@@ -56,7 +56,7 @@ impl Stops {
             return Vec::new();
         }
         let lines: BTreeSet<usize> = rows.into_iter().flatten().filter_map(|row| program.line_from(*row)).collect();
-        let wanted = |(op, step): (u32, &val3_bytecode::Operation)| {
+        let wanted = |(op, step): (u32, &val3_bytecode::Opcode)| {
             let is_entry = begins_with_stop == Some(&true) && program.entry() == Some(op);
             let is_stop = is_entry || program.line_of(op).is_some_and(|line| lines.contains(&line));
             let mark = if is_stop { LineMark::Stop } else { LineMark::Line };

@@ -240,7 +240,7 @@ impl Task {
     /// Returns the result of `taskStatus` (5.10).
     #[must_use]
     pub fn status(&self) -> i16 {
-        use val3_lang::runtime_errors::TaskState as Number;
+        use val3_lang::runtime_errors::TaskStatusCode as Number;
         match self.state {
             TaskState::Running => Number::Running.number(),
             TaskState::Halted => Number::Halted.number(),

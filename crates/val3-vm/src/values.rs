@@ -5,13 +5,13 @@ use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Place, StoreId, View};
 
 use crate::arithmetic::truth;
-use crate::operands::Scope;
+use crate::operands::OperandContext;
 use crate::turn_context::TurnContext;
 
 impl TurnContext<'_> {
     /// Executes an operation on other values than numbers in registers.
     #[inline(never)]
-    pub(crate) fn on_values(&mut self, op: Op, scope: Scope<'_>) -> Result<()> {
+    pub(crate) fn on_values(&mut self, op: Op, scope: OperandContext<'_>) -> Result<()> {
         let memory = &self.space.memory;
         match op {
             Op::LoadFirst { to, container, lane } => {
@@ -80,7 +80,7 @@ impl TurnContext<'_> {
 
     /// Executes `to = from`.
     #[inline(never)]
-    pub(crate) fn move_text(&mut self, scope: &Scope<'_>, to: TextOperand, from: TextOperand) -> Result<()> {
+    pub(crate) fn move_text(&mut self, scope: &OperandContext<'_>, to: TextOperand, from: TextOperand) -> Result<()> {
         let memory = &mut self.space.memory;
         let text = *scope.text(memory, from)?;
         *scope.text_mut(memory, to)? = text;
@@ -89,7 +89,12 @@ impl TurnContext<'_> {
 
     /// Executes `to = a + b`, in place if `to` is `a`.
     #[inline(never)]
-    pub(crate) fn concatenate(&mut self, scope: &Scope<'_>, to: TextOperand, [a, b]: [TextOperand; 2]) -> Result<()> {
+    pub(crate) fn concatenate(
+        &mut self,
+        scope: &OperandContext<'_>,
+        to: TextOperand,
+        [a, b]: [TextOperand; 2],
+    ) -> Result<()> {
         let memory = &mut self.space.memory;
         let right = *scope.text(memory, b)?;
         if to == a {
@@ -103,31 +108,31 @@ impl TurnContext<'_> {
 
     /// Whether `a == b`.
     #[inline]
-    pub(crate) fn texts_equal(&self, scope: &Scope<'_>, a: TextOperand, b: TextOperand) -> Result<bool> {
+    pub(crate) fn texts_equal(&self, scope: &OperandContext<'_>, a: TextOperand, b: TextOperand) -> Result<bool> {
         let memory = &self.space.memory;
         Ok(scope.text(memory, a)? == scope.text(memory, b)?)
     }
 
-    fn set(&mut self, scope: &Scope<'_>, register: Register, value: f64) -> Result<()> {
+    fn set(&mut self, scope: &OperandContext<'_>, register: Register, value: f64) -> Result<()> {
         let at = scope.base.num as usize + usize::from(register);
         *self.space.memory.stack.nums.get_mut(at).ok_or(Fault::INTERPRETER)? = value;
         Ok(())
     }
 
-    fn set_place(&mut self, scope: &Scope<'_>, register: Register, place: Place) -> Result<()> {
+    fn set_place(&mut self, scope: &OperandContext<'_>, register: Register, place: Place) -> Result<()> {
         let at = scope.base.place as usize + usize::from(register);
         *self.space.memory.stack.places.get_mut(at).ok_or(Fault::INTERPRETER)? = place;
         Ok(())
     }
 
-    fn set_view(&mut self, scope: &Scope<'_>, register: Register, store: StoreId) -> Result<()> {
+    fn set_view(&mut self, scope: &OperandContext<'_>, register: Register, store: StoreId) -> Result<()> {
         let at = scope.base.view as usize + usize::from(register);
         *self.space.memory.stack.views.get_mut(at).ok_or(Fault::INTERPRETER)? = View::whole(store);
         Ok(())
     }
 
     /// Returns the two values of a copy or comparison.
-    fn both(&self, scope: &Scope<'_>, site: &CopySite) -> Result<(Place, Place)> {
+    fn both(&self, scope: &OperandContext<'_>, site: &CopySite) -> Result<(Place, Place)> {
         let memory = &self.space.memory;
         Ok((scope.place(memory, site.from)?, scope.place(memory, site.to)?))
     }

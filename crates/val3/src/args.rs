@@ -22,7 +22,7 @@ use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
-use val3_files::Limits;
+use val3_files::ProcessLimits;
 
 use crate::color::Color;
 use crate::version::VERSION;
@@ -36,7 +36,7 @@ pub(crate) use diff::{DiffArgs, DiffFormat};
 pub(crate) use merge::MergeArgs;
 pub(crate) use new::{NewArgs, NewFormat};
 pub(crate) use packaging::{CompletionsArgs, ManArgs};
-pub(crate) use report_file::Output;
+pub(crate) use report_file::ReportOutput;
 pub(crate) use run::{RunArgs, START};
 pub(crate) use streams::{InputArgs, OutputArgs};
 pub(crate) use testing::{EVENTS, LIMITS, TestArgs, TestFormat};
@@ -97,7 +97,7 @@ const STYLES: Styles = Styles::styled()
 pub(crate) struct Args {
     /// The command to run
     #[command(subcommand)]
-    pub(crate) command: Command,
+    pub(crate) command: CommandLine,
     /// Use this file instead of each application's nearest val3.toml
     #[arg(hide_short_help = true, help_heading = "Global options", long, value_name = "FILE", global = true)]
     pub(crate) config: Option<Utf8PathBuf>,
@@ -125,14 +125,17 @@ pub(crate) struct Args {
 
 impl Args {
     /// Size limits for files that are read.
-    pub(crate) fn limits(&self) -> Limits {
-        Limits { file: self.max_file_size.map(|ByteSize(bytes)| bytes), workspace: Some(self.max_workspace_size.0) }
+    pub(crate) fn limits(&self) -> ProcessLimits {
+        ProcessLimits {
+            file: self.max_file_size.map(|ByteSize(bytes)| bytes),
+            workspace: Some(self.max_workspace_size.0),
+        }
     }
 }
 
 /// The commands, one a file.
 #[derive(Debug, Subcommand)]
-pub(crate) enum Command {
+pub(crate) enum CommandLine {
     /// Write an application with a move, a user page and a test
     #[command(disable_version_flag = true)]
     New(NewArgs),

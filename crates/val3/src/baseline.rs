@@ -6,16 +6,16 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{Database, File, Project};
 use val3_analysis::load::{LoadError, Workspace};
-use val3_check::Unit;
+use val3_check::CheckUnit;
 use val3_check::baseline::Baseline;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::fingerprint::Fingerprint;
-use val3_check::settings::Selection;
+use val3_check::settings::RuleSelection;
 use val3_config::ConfigFile;
 use val3_files::{FileClass, Unreadable};
 use val3_session::SessionError;
 
-use crate::output::file_kind::FileKind;
+use crate::output::file_kind::OutputFileKind;
 use crate::output::to_file;
 use crate::paths::{Paths, relative};
 use crate::unread::is_unreadable;
@@ -49,9 +49,9 @@ pub(crate) struct KnownFindings<'a> {
     /// All loaded files.
     pub(crate) workspace: &'a Workspace,
     /// The checked units.
-    pub(crate) units: &'a [Unit],
+    pub(crate) units: &'a [CheckUnit],
     /// Rule selection of the command line.
-    pub(crate) selection: &'a Selection,
+    pub(crate) selection: &'a RuleSelection,
     /// How paths are displayed.
     pub(crate) paths: &'a Paths,
 }
@@ -156,7 +156,7 @@ impl BaselineFile<'_> {
 
     /// Whether this check would have found the known finding again: it has checked the file with the rule.
     fn was_checked(&self, known: &Fingerprint, files: &BTreeSet<String>) -> bool {
-        let Selection { only, never, .. } = self.known.selection;
+        let RuleSelection { only, never, .. } = self.known.selection;
         let code = known.rule.as_str();
         let wanted = only.as_ref().is_none_or(|only| only.contains(code)) && !never.contains(code);
         wanted && (files.contains(&known.file) || self.is_gone(&known.file))
@@ -201,7 +201,7 @@ impl BaselineFile<'_> {
     }
 
     fn write(&self, baseline: &Baseline) -> Result<(), UserError> {
-        to_file(&self.path, FileKind::Json, |out| {
+        to_file(&self.path, OutputFileKind::Json, |out| {
             serde_json::to_writer_pretty(&mut *out, baseline)?;
             writeln!(out)
         })

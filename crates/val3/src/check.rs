@@ -5,18 +5,18 @@ use std::process::ExitCode;
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_check::fix::{AppliedFixes, add_suppressions, apply_fixes};
 use val3_check::rules;
-use val3_check::settings::Selection;
+use val3_check::settings::RuleSelection;
 
 use crate::args::CheckArgs;
 use crate::color::Color;
 use crate::engine::Session;
 use crate::history::History;
-use crate::opening::{Request, open};
-use crate::output::{Content, Destination, clear_screen, filtered, to_file, to_stderr, to_stdout, to_stdout_as};
-use crate::report::Report;
+use crate::opening::{OpenRequest, open};
+use crate::output::{Destination, OutputContent, clear_screen, filtered, to_file, to_stderr, to_stdout, to_stdout_as};
+use crate::report::CheckReport;
 use crate::standard_input::StandardInput;
 use crate::user_error::{EXIT_USAGE, UserError};
-use crate::watch::Watch;
+use crate::watch::FolderWatch;
 use crate::{explain_config, fixing, format, patch, rule_counts, selection, summary};
 
 /// Runs the command. The exit code states whether a finding reaches the fail level.
@@ -49,9 +49,9 @@ pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError>
     code
 }
 
-fn request(args: &CheckArgs) -> Result<Request, UserError> {
+fn request(args: &CheckArgs) -> Result<OpenRequest, UserError> {
     let input = standard_input(args)?;
-    Ok(Request {
+    Ok(OpenRequest {
         asked: input.as_ref().map_or_else(|| args.paths.clone(), |input| vec![input.path.clone()]),
         selection: selection(args)?,
         arm: args.arm.clone(),
@@ -65,11 +65,11 @@ fn request(args: &CheckArgs) -> Result<Request, UserError> {
 }
 
 /// Rules selected by the arguments. `--motion` adds the rules about the arm.
-fn selection(args: &CheckArgs) -> Result<Selection, UserError> {
+fn selection(args: &CheckArgs) -> Result<RuleSelection, UserError> {
     let motion = if args.motion { rules::of_motion().map(|rule| rule.code.to_owned()).to_vec() } else { Vec::new() };
     let extend = [args.extend_select.as_slice(), &motion].concat();
     let selection = selection::read(&args.select, &extend, &args.ignore)?;
-    Ok(Selection { target: args.target, ..selection })
+    Ok(RuleSelection { target: args.target, ..selection })
 }
 
 /// The file that the standard input replaces (`-`).
@@ -100,7 +100,7 @@ fn check(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<Ex
 fn rewrite(
     args: &CheckArgs,
     color: Color,
-    request: &Request,
+    request: &OpenRequest,
     session: &mut Session<'_>,
 ) -> Result<ExitCode, UserError> {
     let applied = if args.fix { fixes(args, session)? } else { add_suppressions(session)? };
@@ -116,7 +116,7 @@ fn rewrite(
     write_report(args, color, &report)
 }
 
-fn write_report(args: &CheckArgs, color: Color, report: &Report) -> Result<ExitCode, UserError> {
+fn write_report(args: &CheckArgs, color: Color, report: &CheckReport) -> Result<ExitCode, UserError> {
     write_files(args, report)?;
     write_findings(args, color, report)?;
     Ok(exit_code(args, report, report.reaches(args.fail_level)))
@@ -124,8 +124,8 @@ fn write_report(args: &CheckArgs, color: Color, report: &Report) -> Result<ExitC
 
 /// Repeats the check after each change. Each round reads all files again. It ends only with an error or with the
 /// process.
-fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, UserError> {
-    let mut watch = Watch::start(&request.asked)?;
+fn watch(args: &CheckArgs, color: Color, request: &OpenRequest) -> Result<ExitCode, UserError> {
+    let mut watch = FolderWatch::start(&request.asked)?;
     let mut session = Some(Session::open(request)?);
     let mut history = History::default();
     let hint = |text: &str| to_stderr(|out| if args.quiet { Ok(()) } else { writeln!(out, "{text}") });
@@ -153,7 +153,7 @@ fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, 
 /// Shows the changes that the fixes would make.
 fn diff(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<ExitCode, UserError> {
     let applied = fixes(args, session)?;
-    to_stdout_as(Content::Data, color, |out| patch::write(&applied.files, session.paths(), out))?;
+    to_stdout_as(OutputContent::Data, color, |out| patch::write(&applied.files, session.paths(), out))?;
     let left = session.check()?;
     let report = session.report(left);
     write_unreadable(&report);
@@ -168,7 +168,7 @@ fn fixes(args: &CheckArgs, session: &mut Session<'_>) -> Result<AppliedFixes, Us
     Ok(applied)
 }
 
-fn exit_code(args: &CheckArgs, report: &Report, failed: bool) -> ExitCode {
+fn exit_code(args: &CheckArgs, report: &CheckReport, failed: bool) -> ExitCode {
     if !report.is_complete() {
         return ExitCode::from(EXIT_USAGE);
     }
@@ -176,7 +176,7 @@ fn exit_code(args: &CheckArgs, report: &Report, failed: bool) -> ExitCode {
 }
 
 /// Writes findings to the standard output and the summary to the standard error output.
-fn write_findings(args: &CheckArgs, color: Color, report: &Report) -> Result<(), UserError> {
+fn write_findings(args: &CheckArgs, color: Color, report: &CheckReport) -> Result<(), UserError> {
     to_stdout_as(args.format.content(), color, |out| match args.statistics {
         true => rule_counts::write(args.format, report, out),
         false => format::write(args.format, report, &args.val3check_template, out),
@@ -191,13 +191,13 @@ fn write_findings(args: &CheckArgs, color: Color, report: &Report) -> Result<(),
     Ok(())
 }
 
-fn write_unreadable(report: &Report) {
+fn write_unreadable(report: &CheckReport) {
     for error in &report.unreadable {
         to_stderr(|out| writeln!(out, "{error}"));
     }
 }
 
-fn write_files(args: &CheckArgs, report: &Report) -> Result<(), UserError> {
+fn write_files(args: &CheckArgs, report: &CheckReport) -> Result<(), UserError> {
     for output in &args.output {
         let write = |mut out: &mut dyn WriteColor| {
             format::write(output.format, report, &args.val3check_template, out)?;

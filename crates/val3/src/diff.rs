@@ -11,18 +11,18 @@ mod wanted;
 use std::process::ExitCode;
 
 use camino::Utf8Path;
-use val3_diff::{Class, Comparison, Tree, compare_with, listing};
+use val3_diff::{Comparison, FileTree, ReportClass, compare_with, listing};
 
 use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
-use crate::output::{Content, to_stdout_as};
+use crate::output::{OutputContent, to_stdout_as};
 use crate::paths::current_folder;
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// Both versions, and their names.
-struct Versions {
-    trees: [Tree; 2],
+struct ComparedVersions {
+    trees: [FileTree; 2],
     names: [String; 2],
 }
 
@@ -57,13 +57,13 @@ fn both_sides(current: &Utf8Path, base: &Utf8Path, args: &DiffArgs, color: Color
 }
 
 /// Writes the differences, and returns whether there are any.
-fn report(versions: &Versions, args: &DiffArgs, color: Color) -> Result<bool, UserError> {
+fn report(versions: &ComparedVersions, args: &DiffArgs, color: Color) -> Result<bool, UserError> {
     let comparison = compared(versions, args);
     print::write(&comparison, args, color)?;
     Ok(!comparison.is_empty())
 }
 
-fn compared(versions: &Versions, args: &DiffArgs) -> Comparison {
+fn compared(versions: &ComparedVersions, args: &DiffArgs) -> Comparison {
     let [old, new] = &versions.trees;
     let exclusions = args.exclusions();
     let mut comparison = compare_with(old, new, exclusions.layout);
@@ -74,7 +74,7 @@ fn compared(versions: &Versions, args: &DiffArgs) -> Comparison {
     comparison.old = name(&versions.names[0]);
     comparison.new = name(&versions.names[1]);
     if !args.only.is_empty() {
-        let classes: Vec<Class> = args.only.iter().copied().map(Class::from).collect();
+        let classes: Vec<ReportClass> = args.only.iter().copied().map(ReportClass::from).collect();
         comparison.keep(&classes);
     }
     comparison.leave_out(&exclusions);
@@ -93,5 +93,5 @@ fn textconv(path: &Utf8Path, shown: &Utf8Path) -> Result<(), UserError> {
     let bytes = folder::read(path, shown.as_str())?;
     let text = listing(&pair::named_by_content(path, &bytes), &bytes);
     let text = text.map_err(|reason| UserError::new(format!("cannot read `{shown}`: {reason}")))?;
-    to_stdout_as(Content::File, Color::Never, |out| out.write_all(text.as_bytes()))
+    to_stdout_as(OutputContent::File, Color::Never, |out| out.write_all(text.as_bytes()))
 }

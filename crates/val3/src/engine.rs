@@ -13,15 +13,15 @@ use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::load::{Workspace, loads_alike};
 use val3_analysis::paths::path_key;
 use val3_check::diagnostic::Diagnostic;
-use val3_check::settings::{Selection, WorkspaceSettings};
-use val3_check::{Checked, Unit, check_unit, finish};
+use val3_check::settings::{RuleSelection, WorkspaceSettings};
+use val3_check::{CheckUnit, Checked, check_unit, finish};
 
 use crate::baseline::{BaselineResult, KnownFindings, Mode};
-use crate::opening::{EditedTexts, OpenedWorkspace, Request, open, open_workspace, system};
+use crate::opening::{EditedTexts, OpenRequest, OpenedWorkspace, open, open_workspace, system};
 use crate::paths::Paths;
-use crate::progress::Progress;
-use crate::report::{Report, Statistics};
-use crate::scope::Scope;
+use crate::progress::DelayedProgress;
+use crate::report::{CheckReport, ReportStatistics};
+use crate::scope::ReportFilter;
 use crate::translation::Translator;
 use crate::unread::{Unread, is_unreadable};
 use crate::user_error::UserError;
@@ -36,7 +36,7 @@ const CHUNK: usize = 32;
 
 /// The loaded files of a request, ready to be checked.
 pub(crate) struct Session<'r> {
-    request: &'r Request,
+    request: &'r OpenRequest,
     opened: OpenedWorkspace,
     started: Instant,
     /// Texts that were changed after loading.
@@ -44,7 +44,7 @@ pub(crate) struct Session<'r> {
 }
 
 /// Function that processes the findings of all units.
-type Finish = fn(&dyn Db, &[Unit], &WorkspaceSettings, Checked) -> Checked;
+type Finish = fn(&dyn Db, &[CheckUnit], &WorkspaceSettings, Checked) -> Checked;
 
 /// Result of a session's check.
 pub(crate) struct CheckResult {
@@ -58,13 +58,13 @@ pub(crate) struct CheckResult {
 
 impl<'r> Session<'r> {
     /// Loads all files of the request.
-    pub(crate) fn open(request: &'r Request) -> Result<Self, UserError> {
+    pub(crate) fn open(request: &'r OpenRequest) -> Result<Self, UserError> {
         let started = Instant::now();
         Ok(Self { request, opened: open(request)?, started, edited: EditedTexts::default() })
     }
 
     /// As [`open`](Self::open), with a workspace that was loaded before.
-    pub(crate) fn with_workspace(request: &'r Request, workspace: Workspace) -> Result<Self, UserError> {
+    pub(crate) fn with_workspace(request: &'r OpenRequest, workspace: Workspace) -> Result<Self, UserError> {
         let started = Instant::now();
         let opened = open_workspace(request, workspace)?;
         Ok(Self { request, opened, started, edited: EditedTexts::default() })
@@ -94,9 +94,9 @@ impl<'r> Session<'r> {
         } = self;
         let projects = workspace.projects.clone();
         let mut units = units(workspace, &projects, threads);
-        units.retain(|unit| !(matches!(unit, Unit::Project(_)) && loose.stands_in(&workspace.db, unit.project())));
+        units.retain(|unit| !(matches!(unit, CheckUnit::Project(_)) && loose.stands_in(&workspace.db, unit.project())));
         units.extend(scope.unlisted(&workspace.db, &projects));
-        let progress = Progress::new("checking", units.len(), !request.quiet);
+        let progress = DelayedProgress::new("checking", units.len(), !request.quiet);
         let mut found = check_units(workspace, &units, settings, threads, scope, &progress);
         found.findings.extend(loose.findings(workspace, settings, paths));
         units.retain(|unit| scope.covers(&workspace.db, unit.project(), unit.file(&workspace.db)));
@@ -118,10 +118,10 @@ impl<'r> Session<'r> {
             Sources::get(&workspace.db).projects(&workspace.db).values().copied().collect();
         projects.sort_unstable_by_key(|project| project.manifest(&workspace.db).path(&workspace.db));
         // Configuration faults were reported before, or the configurations do not apply to the request.
-        let settings = WorkspaceSettings::new(&workspace.db, &projects, &Selection::default()).unwrap_or_default();
+        let settings = WorkspaceSettings::new(&workspace.db, &projects, &RuleSelection::default()).unwrap_or_default();
         let units = units(workspace, &projects, threads);
-        let progress = Progress::new("checking", units.len(), !self.request.quiet);
-        let found = check_units(workspace, &units, &settings, threads, &Scope::default(), &progress);
+        let progress = DelayedProgress::new("checking", units.len(), !self.request.quiet);
+        let found = check_units(workspace, &units, &settings, threads, &ReportFilter::default(), &progress);
         finish(&workspace.db, &units, &settings, found).findings
     }
 
@@ -155,18 +155,18 @@ impl<'r> Session<'r> {
     }
 
     /// Converts the findings to a report.
-    pub(crate) fn report(&self, outcomes: CheckResult) -> Report {
+    pub(crate) fn report(&self, outcomes: CheckResult) -> CheckReport {
         let OpenedWorkspace { threads, paths, workspace, loose, .. } = &self.opened;
         let translator = Translator::new(workspace.db.clone(), paths, loose);
         let applications = translator.applications(&workspace.projects);
         let translated = outcomes.diagnostics.par_iter().with_min_len(CHUNK).map_with(translator, Translator::finding);
         let findings = threads.install(|| translated.collect());
-        Report {
+        CheckReport {
             silenced: outcomes.silenced,
             baseline: outcomes.baseline,
             source_root: paths.source_root(),
             notice: self.opened.notice.clone(),
-            ..Report::new(statistics(&self.opened, self.started), applications, findings, outcomes.unread)
+            ..CheckReport::new(statistics(&self.opened, self.started), applications, findings, outcomes.unread)
         }
     }
 
@@ -198,7 +198,7 @@ impl<'r> Session<'r> {
 }
 
 /// Units in project order.
-fn units(workspace: &Workspace, projects: &[Project], threads: &ThreadPool) -> Vec<Unit> {
+fn units(workspace: &Workspace, projects: &[Project], threads: &ThreadPool) -> Vec<CheckUnit> {
     let units = |db: &mut Database, project: &Project| val3_check::units(db, std::slice::from_ref(project));
     let found = projects.par_iter().map_with(workspace.db.clone(), units);
     threads.install(|| found.flatten_iter().collect())
@@ -208,14 +208,14 @@ fn units(workspace: &Workspace, projects: &[Project], threads: &ThreadPool) -> V
 /// the largest project and not with the sum.
 fn check_units(
     workspace: &mut Workspace,
-    units: &[Unit],
+    units: &[CheckUnit],
     settings: &WorkspaceSettings,
     threads: &ThreadPool,
-    scope: &Scope,
-    progress: &Progress,
+    scope: &ReportFilter,
+    progress: &DelayedProgress,
 ) -> Checked {
     let is_large = units.len() > BATCH;
-    let check = |db: &mut Database, unit: &Unit| {
+    let check = |db: &mut Database, unit: &CheckUnit| {
         let mut found = check_unit(db, *unit, settings);
         progress.advance();
         let is_covered = scope.covers(db, unit.project(), unit.file(db));
@@ -228,14 +228,14 @@ fn check_units(
         }
         found
     };
-    let check_project = |db: &mut Database, units: &[Unit]| -> Vec<Checked> {
+    let check_project = |db: &mut Database, units: &[CheckUnit]| -> Vec<Checked> {
         let found = units.par_iter().map_with(db.clone(), check).collect();
         if is_large {
             db.trees().forget(units.iter().map(|unit| unit.file(db)));
         }
         found
     };
-    let projects: Vec<&[Unit]> = units.chunk_by(|one, next| one.project() == next.project()).collect();
+    let projects: Vec<&[CheckUnit]> = units.chunk_by(|one, next| one.project() == next.project()).collect();
     let mut checked: Vec<Vec<Checked>> = Vec::with_capacity(projects.len());
     let mut batches = batches(&projects).peekable();
     while let Some(batch) = batches.next() {
@@ -249,7 +249,7 @@ fn check_units(
 }
 
 /// Each project's units, in batches of about [`BATCH`] units.
-fn batches<'a, 'u>(projects: &'a [&'u [Unit]]) -> impl Iterator<Item = &'a [&'u [Unit]]> {
+fn batches<'a, 'u>(projects: &'a [&'u [CheckUnit]]) -> impl Iterator<Item = &'a [&'u [CheckUnit]]> {
     let mut count = 0;
     projects.chunk_by(move |project, _| {
         count += project.len();
@@ -259,19 +259,19 @@ fn batches<'a, 'u>(projects: &'a [&'u [Unit]]) -> impl Iterator<Item = &'a [&'u 
     })
 }
 
-fn statistics(opened: &OpenedWorkspace, started: Instant) -> Statistics {
+fn statistics(opened: &OpenedWorkspace, started: Instant) -> ReportStatistics {
     let OpenedWorkspace { threads, workspace, loose, .. } = opened;
     let count = |db: &mut Database, project: &Project| {
         let counted = val3_check::statistics(db, *project);
         match loose.stands_in(db, *project) {
-            true => val3_check::Statistics { applications: 0, files: 1, ..counted },
+            true => val3_check::CheckStatistics { applications: 0, files: 1, ..counted },
             false => counted,
         }
     };
     let db = workspace.db.clone();
     let projects = &workspace.projects;
-    let counted: val3_check::Statistics = threads.install(|| projects.par_iter().map_with(db, count).sum());
-    Statistics {
+    let counted: val3_check::CheckStatistics = threads.install(|| projects.par_iter().map_with(db, count).sum());
+    ReportStatistics {
         applications: counted.applications,
         files: counted.files,
         programs: counted.programs,

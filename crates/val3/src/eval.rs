@@ -14,9 +14,9 @@ use val3_session::{Delay, EvaluationOutput, Evaluator, Listener};
 
 use crate::args::{Args, EvalArgs, InputArgs};
 use crate::color::Color;
-use crate::output::{Content, to_reader, to_stderr};
+use crate::output::{OutputContent, to_reader, to_stderr};
 use crate::paths::current_folder;
-use crate::sockets::{Announcements, Reader, note_grants};
+use crate::sockets::{AnnouncementReader, Announcements, note_grants};
 use crate::standard_input;
 use crate::user_error::UserError;
 use crate::wall_clock::duration;
@@ -30,7 +30,7 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
     }
     let current = current_folder()?;
     let application = args.app.as_ref().map(|path| current.join(path));
-    let settings = args.controller.settings(Rc::new(Announcements::new(Reader::Terminal)));
+    let settings = args.controller.settings(Rc::new(Announcements::new(AnnouncementReader::Terminal)));
     let evaluator = Evaluator::open(application.as_deref(), &current, &args.local, &settings)?;
     if application.is_some() {
         note_grants(&evaluator.grants(&settings)?);
@@ -38,7 +38,7 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
     if args.texts.is_empty() && args.input.input.is_none() && io::stdin().is_terminal() {
         return prompt::run(evaluator, color);
     }
-    let mut progress = Progress { evaluator, color, sound: true };
+    let mut progress = EvalState { evaluator, color, sound: true };
     if args.texts.is_empty() {
         progress.read_lines(&args.input)?;
     } else {
@@ -48,14 +48,14 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
 }
 
 /// Evaluation of several texts in order.
-struct Progress {
+struct EvalState {
     evaluator: Evaluator,
     color: Color,
     /// Whether every text so far could be evaluated.
     sound: bool,
 }
 
-impl Progress {
+impl EvalState {
     /// Evaluates texts until one of them ends the session. Returns whether the session continues.
     fn evaluate_all(&mut self, texts: impl IntoIterator<Item = String>) -> Result<bool, UserError> {
         for text in texts {
@@ -106,7 +106,7 @@ enum TextOutcome {
 
 /// A word that is a command of the session and no text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Command {
+enum SessionCommand {
     Exit,
     Quit,
     Help,
@@ -126,10 +126,10 @@ fn command(evaluator: &Evaluator, text: &str, color: Color) -> Result<Option<Tex
     if evaluator.has_variable(word) {
         return Ok(None);
     }
-    Ok(match Command::from_str(word, false) {
-        Ok(Command::Exit | Command::Quit) => Some(TextOutcome::Exit),
-        Ok(Command::Help) => {
-            let is_read = to_reader(Content::Words, color, |out| writeln!(out, "{HELP}"))?;
+    Ok(match SessionCommand::from_str(word, false) {
+        Ok(SessionCommand::Exit | SessionCommand::Quit) => Some(TextOutcome::Exit),
+        Ok(SessionCommand::Help) => {
+            let is_read = to_reader(OutputContent::Words, color, |out| writeln!(out, "{HELP}"))?;
             Some(if is_read { TextOutcome::Sound } else { TextOutcome::Unread })
         }
         Err(_) => None,
@@ -176,7 +176,7 @@ impl Listener for Display<'_> {
 /// Writes a result to the standard output and the location of a fault to the standard error output. Returns whether the
 /// output is still read.
 fn show(answer: &EvaluationOutput, text: &str, color: Color) -> Result<bool, UserError> {
-    let is_read = to_reader(Content::Data, color, |out| writeln!(out, "{answer}"))?;
+    let is_read = to_reader(OutputContent::Data, color, |out| writeln!(out, "{answer}"))?;
     if let Some(excerpt) = answer.fault().and_then(|fault| fault.excerpt(text)) {
         to_stderr(|out| writeln!(out, "{excerpt}"));
     }

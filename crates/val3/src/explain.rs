@@ -13,7 +13,7 @@ use val3_lang::suggest::{proposals, question};
 use crate::args::{ExplainArgs, ExplainFormat};
 use crate::color::Color;
 use crate::markdown::render;
-use crate::output::{Content, to_stdout, to_stdout_as};
+use crate::output::{OutputContent, to_stdout, to_stdout_as};
 use crate::user_error::UserError;
 
 /// Runs the command.
@@ -26,7 +26,7 @@ pub(crate) fn run(args: &ExplainArgs, color: Color) -> Result<(), UserError> {
         (false, _) => answer(&topics, &words)?,
     };
     if args.format == ExplainFormat::Json {
-        return to_stdout_as(Content::Json, color, |out| writeln!(out, "{}", json::document(&answer)));
+        return to_stdout_as(OutputContent::Json, color, |out| writeln!(out, "{}", json::document(&answer)));
     }
     to_stdout(color, |out| match &answer {
         Answer::Pages(found) => pages(found, out),
@@ -84,11 +84,11 @@ fn pages(topics: &[&Topic], out: &mut dyn WriteColor) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use codespan_reporting::term::termcolor::NoColor;
-    use val3_check::topics::Kind;
+    use val3_check::topics::TopicKind;
 
     use super::*;
 
-    fn topic(kind: Kind, group: &'static str, names: &[&str], summary: &str) -> Topic {
+    fn topic(kind: TopicKind, group: &'static str, names: &[&str], summary: &str) -> Topic {
         let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
         let title = names.join(" ");
         let page = format!("# {title}\n\n{summary}.\n");
@@ -97,12 +97,12 @@ mod tests {
 
     fn topics() -> Vec<Topic> {
         vec![
-            topic(Kind::Finding, "Types", &["V0203", "argument-type"], "The type is not accepted"),
-            topic(Kind::Instruction, "Numbers", &["abs"], "The absolute value"),
-            topic(Kind::Instruction, "Motion", &["movej"], "Moves in joint space"),
-            topic(Kind::Word, "", &["tool centre point", "TCP"], "The point that moves"),
-            topic(Kind::RuntimeError, "", &["11"], "Numerical value"),
-            topic(Kind::LibraryError, "", &["11"], "Library not found"),
+            topic(TopicKind::Finding, "Types", &["V0203", "argument-type"], "The type is not accepted"),
+            topic(TopicKind::Instruction, "Numbers", &["abs"], "The absolute value"),
+            topic(TopicKind::Instruction, "Motion", &["movej"], "Moves in joint space"),
+            topic(TopicKind::Word, "", &["tool centre point", "TCP"], "The point that moves"),
+            topic(TopicKind::RuntimeError, "", &["11"], "Numerical value"),
+            topic(TopicKind::LibraryError, "", &["11"], "Library not found"),
         ]
     }
 

@@ -10,8 +10,8 @@ use val3_check::rules;
 use val3_check::settings::Settings;
 use val3_config::ConfigFile;
 
-use crate::opening::{OpenedWorkspace, Request};
-use crate::report::Severity;
+use crate::opening::{OpenRequest, OpenedWorkspace};
+use crate::report::FindingSeverity;
 
 /// Source of default values.
 const DEFAULT: &str = "default";
@@ -19,13 +19,13 @@ const DEFAULT: &str = "default";
 const COMMAND_LINE: &str = "command line";
 
 /// Writes the settings of every application, grouped by `val3.toml`.
-pub(crate) fn write(opened: &OpenedWorkspace, request: &Request, out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn write(opened: &OpenedWorkspace, request: &OpenRequest, out: &mut dyn Write) -> io::Result<()> {
     let db = &opened.workspace.db;
-    let mut groups: BTreeMap<String, Group> = BTreeMap::new();
+    let mut groups: BTreeMap<String, ConfigurationGroup> = BTreeMap::new();
     for project in &opened.workspace.projects {
         let configuration = project.configuration(db);
         let file = configuration.map(|configuration| opened.paths.shown(&configuration.file(db).path));
-        let group = Group { opened, request, configuration, projects: Vec::new() };
+        let group = ConfigurationGroup { opened, request, configuration, projects: Vec::new() };
         groups.entry(file.unwrap_or_default()).or_insert(group).projects.push(*project);
     }
     for (place, (file, group)) in groups.iter().enumerate() {
@@ -38,17 +38,17 @@ pub(crate) fn write(opened: &OpenedWorkspace, request: &Request, out: &mut dyn W
 }
 
 /// Applications with the same configuration.
-struct Group<'a> {
+struct ConfigurationGroup<'a> {
     opened: &'a OpenedWorkspace,
-    request: &'a Request,
+    request: &'a OpenRequest,
     configuration: Option<Configuration>,
     projects: Vec<Project>,
 }
 
 /// A setting, its value, and its source.
-type Row = [String; 3];
+type SettingRow = [String; 3];
 
-impl Group<'_> {
+impl ConfigurationGroup<'_> {
     fn write(&self, file: &str, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{}", if file.is_empty() { "no val3.toml" } else { file })?;
         self.projects.iter().try_for_each(|project| writeln!(out, "  for {}", self.application(*project)))?;
@@ -79,7 +79,7 @@ impl Group<'_> {
         format!("{manifest}: version {}, {arm}, Disk:// is {disk}", known.version)
     }
 
-    fn settings(&self, file: &str) -> Vec<Row> {
+    fn settings(&self, file: &str) -> Vec<SettingRow> {
         let named = self.request.baseline.as_ref();
         let row = |setting: val3_config::Setting| match named.filter(|_| setting.key == "baseline") {
             Some(path) => [setting.key, format!("\"{path}\""), COMMAND_LINE.to_owned()],
@@ -93,7 +93,7 @@ impl Group<'_> {
     }
 
     /// Rules whose level differs from the default.
-    fn levels(&self, file: &str) -> Vec<Row> {
+    fn levels(&self, file: &str) -> Vec<SettingRow> {
         let Some(project) = self.projects.first() else { return Vec::new() };
         let settings = self.opened.settings.of(self.db(), *project);
         let row = |rule: &&'static Rule| {
@@ -116,13 +116,14 @@ impl Group<'_> {
 }
 
 fn level(settings: &Settings, rule: &Rule) -> String {
-    let level = settings.severity(rule, rule.severity).map(Severity::from);
-    level.map_or("off", Severity::word).to_owned()
+    let level = settings.severity(rule, rule.severity).map(FindingSeverity::from);
+    level.map_or("off", FindingSeverity::word).to_owned()
 }
 
 /// Writes rows with aligned columns.
-fn table(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
-    let width = |column: fn(&Row) -> &String| rows.iter().map(|row| column(row).chars().count()).max().unwrap_or(0);
+fn table(rows: &[SettingRow], out: &mut dyn Write) -> io::Result<()> {
+    let width =
+        |column: fn(&SettingRow) -> &String| rows.iter().map(|row| column(row).chars().count()).max().unwrap_or(0);
     let (keys, values) = (width(|[key, ..]| key), width(|[_, value, _]| value).min(40));
     rows.iter().try_for_each(|[key, value, by]| writeln!(out, "    {key:keys$}  {value:values$}  {by}"))
 }

@@ -14,7 +14,7 @@ use val3_files::FileClass;
 use crate::args::FmtArgs;
 use crate::color::Color;
 use crate::opening::threads;
-use crate::output::{Content, to_stderr, to_stdout_as};
+use crate::output::{OutputContent, to_stderr, to_stdout_as};
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::user_error::{EXIT_USAGE, UserError};
@@ -80,7 +80,7 @@ fn copy(formatted: &[Formatted]) -> Result<ExitCode, UserError> {
         return Err(UserError::new(message).with_help("name one program, or omit --output"));
     };
     let bytes = program.bytes()?;
-    to_stdout_as(Content::File, Color::Never, |out| out.write_all(&bytes))?;
+    to_stdout_as(OutputContent::File, Color::Never, |out| out.write_all(&bytes))?;
     report_unreadable(formatted);
     Ok(ExitCode::SUCCESS)
 }
@@ -107,7 +107,7 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
         show(args, color, std::slice::from_ref(&formatted))?;
     } else {
         let bytes = formatted.bytes()?;
-        to_stdout_as(Content::File, Color::Never, |out| out.write_all(&bytes))?;
+        to_stdout_as(OutputContent::File, Color::Never, |out| out.write_all(&bytes))?;
     }
     report_unreadable(std::slice::from_ref(&formatted));
     Ok(exit_code(args, formatted.changes()))
@@ -116,7 +116,7 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
 /// Shows the diffs or names of the programs that would change, according to the arguments.
 fn show(args: &FmtArgs, color: Color, formatted: &[Formatted]) -> Result<(), UserError> {
     let mut changing = formatted.iter().filter(|program| program.changes());
-    let content = if args.diff { Content::Data } else { Content::Words };
+    let content = if args.diff { OutputContent::Data } else { OutputContent::Words };
     to_stdout_as(content, color, |out| {
         changing.try_for_each(|program| match (args.diff, args.check) {
             (true, _) => patch::write_diff(&program.shown, &program.before, &program.after, out),

@@ -22,14 +22,14 @@ use std::io;
 use clap::ValueEnum;
 use codespan_reporting::term::termcolor::WriteColor;
 
-use crate::output::Content;
-use crate::output::file_kind::FileKind;
-use crate::report::Report;
+use crate::output::OutputContent;
+use crate::output::file_kind::OutputFileKind;
+use crate::report::CheckReport;
 use val3check::Template;
 
 /// How findings are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
+pub(crate) enum ReportFormat {
     /// For people: the source line with the place marked, and what to write instead
     Human,
     /// One line a finding: `path:line:column: level[CODE] message`
@@ -57,54 +57,59 @@ pub(crate) enum Format {
     Rdjson,
 }
 
-impl Format {
+impl ReportFormat {
     /// Whether the format is for people, so that a summary follows the findings.
     pub(crate) fn is_for_people(self) -> bool {
         matches!(self, Self::Human | Self::Concise)
     }
 
     /// Content kind of the output.
-    pub(crate) fn content(self) -> Content {
+    pub(crate) fn content(self) -> OutputContent {
         match self {
-            Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => Content::Json,
-            Self::Github | Self::Azure => Content::Commands,
-            Self::Human | Self::Concise | Self::Val3Check | Self::Junit | Self::Checkstyle => Content::Words,
+            Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => OutputContent::Json,
+            Self::Github | Self::Azure => OutputContent::Commands,
+            Self::Human | Self::Concise | Self::Val3Check | Self::Junit | Self::Checkstyle => OutputContent::Words,
         }
     }
 }
 
-impl Format {
+impl ReportFormat {
     /// File kind of a report in this format.
-    pub(crate) fn file_kind(self) -> FileKind {
+    pub(crate) fn file_kind(self) -> OutputFileKind {
         match self {
-            Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => FileKind::Json,
-            Self::Junit | Self::Checkstyle => FileKind::XmlReport,
-            Self::Human | Self::Concise | Self::Val3Check | Self::Github | Self::Azure => FileKind::Text,
+            Self::Json | Self::JsonLines | Self::Sarif | Self::Gitlab | Self::Rdjson => OutputFileKind::Json,
+            Self::Junit | Self::Checkstyle => OutputFileKind::XmlReport,
+            Self::Human | Self::Concise | Self::Val3Check | Self::Github | Self::Azure => OutputFileKind::Text,
         }
     }
 }
 
 /// Writes the findings of `report`. `template` is the record template of [`Format::Val3Check`].
-pub(crate) fn write(format: Format, report: &Report, template: &Template, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(
+    format: ReportFormat,
+    report: &CheckReport,
+    template: &Template,
+    out: &mut dyn WriteColor,
+) -> io::Result<()> {
     match format {
-        Format::Human => human::write(report, out),
-        Format::Concise => concise::write(report, out),
-        Format::Json => json::write(report, out),
-        Format::JsonLines => json_lines::write(report, out),
-        Format::Val3Check => val3check::write(report, template, out),
-        Format::Sarif => sarif::write(report, out),
-        Format::Github => github::write(report, out),
-        Format::Gitlab => gitlab::write(report, out),
-        Format::Azure => azure::write(report, out),
-        Format::Junit => junit::write(report, out),
-        Format::Checkstyle => checkstyle::write(report, out),
-        Format::Rdjson => rdjson::write(report, out),
+        ReportFormat::Human => human::write(report, out),
+        ReportFormat::Concise => concise::write(report, out),
+        ReportFormat::Json => json::write(report, out),
+        ReportFormat::JsonLines => json_lines::write(report, out),
+        ReportFormat::Val3Check => val3check::write(report, template, out),
+        ReportFormat::Sarif => sarif::write(report, out),
+        ReportFormat::Github => github::write(report, out),
+        ReportFormat::Gitlab => gitlab::write(report, out),
+        ReportFormat::Azure => azure::write(report, out),
+        ReportFormat::Junit => junit::write(report, out),
+        ReportFormat::Checkstyle => checkstyle::write(report, out),
+        ReportFormat::Rdjson => rdjson::write(report, out),
     }
 }
 
 /// Returns the output of `write` without colours.
 #[cfg(test)]
-fn rendered(format: Format, report: &Report) -> String {
+fn rendered(format: ReportFormat, report: &CheckReport) -> String {
     let mut out = codespan_reporting::term::termcolor::NoColor::new(Vec::new());
     write(format, report, &Template::default(), &mut out).unwrap();
     String::from_utf8(out.into_inner()).unwrap()

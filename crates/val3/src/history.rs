@@ -3,7 +3,7 @@
 use val3_check::baseline::Baseline;
 use val3_check::fingerprint::Fingerprint;
 
-use crate::report::{Changes, Report};
+use crate::report::{CheckReport, ReportChanges};
 
 /// Findings of the last round.
 #[derive(Debug, Default)]
@@ -14,7 +14,7 @@ pub(crate) struct History {
 impl History {
     /// Marks the findings that the last round did not have, and stores the findings of this round. In the first round,
     /// no finding is new.
-    pub(crate) fn mark(&mut self, report: &mut Report) {
+    pub(crate) fn mark(&mut self, report: &mut CheckReport) {
         let found: Vec<Fingerprint> = report.findings.iter().map(|finding| finding.fingerprint.clone()).collect();
         if let Some(last) = &self.last {
             let verdict = last.compare(&found, |_| false);
@@ -22,7 +22,7 @@ impl History {
                 finding.is_new = *is_new;
             }
             let new = verdict.new.iter().filter(|is_new| **is_new).count();
-            report.changes = Some(Changes { new, gone: verdict.gone.count() });
+            report.changes = Some(ReportChanges { new, gone: verdict.gone.count() });
         }
         let mut last = Baseline::default();
         last.extend(found);
@@ -45,9 +45,9 @@ mod tests {
         let mut second = sample::report();
         history.mark(&mut second);
         let new: Vec<_> = second.findings.iter().map(|finding| finding.is_new).collect();
-        assert_eq!((new, second.changes), (vec![false, true, true], Some(Changes { new: 2, gone: 0 })));
+        assert_eq!((new, second.changes), (vec![false, true, true], Some(ReportChanges { new: 2, gone: 0 })));
         let mut third = sample::clean();
         history.mark(&mut third);
-        assert_eq!(third.changes, Some(Changes { new: 0, gone: 3 }));
+        assert_eq!(third.changes, Some(ReportChanges { new: 0, gone: 3 }));
     }
 }

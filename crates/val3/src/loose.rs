@@ -10,7 +10,7 @@ use val3_analysis::db::{Database, File, FileStatus, Project, Sources};
 use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::load::{Workspace, loose_files, nearest_configuration};
 use val3_analysis::paths::{normalise, path_key};
-use val3_analysis::system::{Kind, OverlayFs, System};
+use val3_analysis::system::{OverlayFs, PathKind, System};
 use val3_check::diagnostic::Diagnostic;
 use val3_check::loose::{archive_not_read, without_project};
 use val3_check::settings::WorkspaceSettings;
@@ -104,12 +104,12 @@ pub(crate) fn archives_under(system: &dyn System, folder: &Utf8Path) -> Vec<Unre
 /// Finds the files without a project in a requested path that no `val3.toml` excludes.
 fn found_under(system: &dyn System, asked: &Utf8Path, unreadable: &mut Vec<(Utf8PathBuf, String)>) -> Vec<Utf8PathBuf> {
     match system.kind(asked) {
-        Some(Kind::Folder) => {
+        Some(PathKind::Folder) => {
             let mut found = loose_files(system, asked, unreadable);
             found.retain(|path| !is_excluded(system, asked, path));
             found
         }
-        Some(Kind::File) if is_part(asked) && !has_project(system, asked) => vec![asked.to_owned()],
+        Some(PathKind::File) if is_part(asked) && !has_project(system, asked) => vec![asked.to_owned()],
         _ => Vec::new(),
     }
 }

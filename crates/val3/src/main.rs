@@ -67,7 +67,7 @@ use clap::{CommandFactory as _, FromArgMatches as _};
 use val3_analysis::load::request_configuration;
 use val3_files::FileClass;
 
-use crate::args::{Args, Command};
+use crate::args::{Args, CommandLine};
 use crate::color::Color;
 use crate::output::{commit, redirect, set_verbose, shown_argument, to_stderr, to_verbose};
 use crate::paths::current_folder;
@@ -137,22 +137,22 @@ fn request_settings(path: &Utf8Path) -> Result<(), UserError> {
 
 fn execute(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
-        Command::New(new) => new::run(new, args.color),
-        Command::Check(check) => check::run(check, args.color),
-        Command::Fmt(fmt) => fmt::run(fmt, args.color),
-        Command::Diff(diff) => diff::run(diff, args.color),
-        Command::Merge(merge) => merge::run(merge),
-        Command::Eval(eval) => eval::run(eval, args.color),
-        Command::Run(run) => run::run(run, args.color),
-        Command::Test(test) => test::run(test, args.color),
-        Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
-        Command::Arm(arm) => arm::run(arm, args.color),
-        Command::Lsp(lsp) => lsp::run(lsp),
-        Command::Dap(dap) => dap::run(dap),
-        Command::Trust(trust) => trust::run(trust),
-        Command::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),
-        Command::Completions(completions) => completions::run(completions).map(|()| ExitCode::SUCCESS),
-        Command::Man(man) => man::run(man).map(|()| ExitCode::SUCCESS),
-        Command::Version => version::run().map(|()| ExitCode::SUCCESS),
+        CommandLine::New(new) => new::run(new, args.color),
+        CommandLine::Check(check) => check::run(check, args.color),
+        CommandLine::Fmt(fmt) => fmt::run(fmt, args.color),
+        CommandLine::Diff(diff) => diff::run(diff, args.color),
+        CommandLine::Merge(merge) => merge::run(merge),
+        CommandLine::Eval(eval) => eval::run(eval, args.color),
+        CommandLine::Run(run) => run::run(run, args.color),
+        CommandLine::Test(test) => test::run(test, args.color),
+        CommandLine::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+        CommandLine::Arm(arm) => arm::run(arm, args.color),
+        CommandLine::Lsp(lsp) => lsp::run(lsp),
+        CommandLine::Dap(dap) => dap::run(dap),
+        CommandLine::Trust(trust) => trust::run(trust),
+        CommandLine::Schema(schema) => schema::run(schema).map(|()| ExitCode::SUCCESS),
+        CommandLine::Completions(completions) => completions::run(completions).map(|()| ExitCode::SUCCESS),
+        CommandLine::Man(man) => man::run(man).map(|()| ExitCode::SUCCESS),
+        CommandLine::Version => version::run().map(|()| ExitCode::SUCCESS),
     }
 }

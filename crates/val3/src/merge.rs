@@ -8,12 +8,12 @@ use std::process::ExitCode;
 
 use camino::Utf8Path;
 use val3_files::{FileClass, Unreadable};
-use val3_merge::FileKind;
+use val3_merge::MergedKind;
 
 use self::contents::merge;
 use crate::args::MergeArgs;
 use crate::color::Color;
-use crate::output::{Content, to_stderr, to_stdout_as};
+use crate::output::{OutputContent, to_stderr, to_stdout_as};
 use crate::paths::current_folder;
 use crate::user_error::UserError;
 
@@ -24,13 +24,13 @@ const EXIT_FAILED: u8 = 129;
 const ABSENT: [&str; 3] = ["/dev/null", "NUL", "nul"];
 
 /// File kinds by root element.
-const ROOTS: [(&str, FileKind); 6] = [
-    ("<Programs", FileKind::Program),
-    ("<programList", FileKind::Program),
-    ("<Database", FileKind::Data),
-    ("<dataList", FileKind::Data),
-    ("<Project", FileKind::Project),
-    ("<project", FileKind::Project),
+const ROOTS: [(&str, MergedKind); 6] = [
+    ("<Programs", MergedKind::Program),
+    ("<programList", MergedKind::Program),
+    ("<Database", MergedKind::Data),
+    ("<dataList", MergedKind::Data),
+    ("<Project", MergedKind::Project),
+    ("<project", MergedKind::Project),
 ];
 
 /// Runs the command. The exit code states whether conflicts remain.
@@ -59,7 +59,7 @@ fn merge_files(args: &MergeArgs) -> Result<ExitCode, UserError> {
     report::write(&outcome, name);
     let [_, old, _] = &versions;
     if args.stdout {
-        to_stdout_as(Content::File, Color::Never, |out| out.write_all(&outcome.bytes))?;
+        to_stdout_as(OutputContent::File, Color::Never, |out| out.write_all(&outcome.bytes))?;
     } else if outcome.bytes != *old {
         let written = val3_files::replace(&current.join(ours), &outcome.bytes);
         written.map_err(|reason| UserError::new(format!("cannot write `{ours}`: {reason}")))?;
@@ -79,11 +79,11 @@ fn read(current: &Utf8Path, path: &Utf8Path, is_base: bool) -> Result<Vec<u8>, U
 }
 
 /// File kind according to the name, or to the root element if a temporary file has another name.
-fn kind(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> FileKind {
+fn kind(name: &Utf8Path, versions: &[Vec<u8>; 3]) -> MergedKind {
     let by_content = || {
         let heads =
             versions.iter().map(|bytes| String::from_utf8_lossy(bytes.get(..bytes.len().min(2000)).unwrap_or(bytes)));
         heads.into_iter().find_map(|head| ROOTS.iter().find(|(root, _)| head.contains(root)).map(|(_, kind)| *kind))
     };
-    FileKind::of_name(name.as_str()).or_else(by_content).unwrap_or(FileKind::Settings)
+    MergedKind::of_name(name.as_str()).or_else(by_content).unwrap_or(MergedKind::Settings)
 }

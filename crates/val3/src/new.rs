@@ -17,14 +17,14 @@ use val3_suite::library;
 
 use crate::args::{NewArgs, NewFormat};
 use crate::color::Color;
-use crate::output::{Content, to_stderr, to_stdout_as};
+use crate::output::{OutputContent, to_stderr, to_stdout_as};
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
 
 use cell::Controller;
 use files::Application;
-use place::Place;
-use positions::Positions;
+use place::NewLocation;
+use positions::NewPositions;
 
 /// Runs the command.
 ///
@@ -32,11 +32,11 @@ use positions::Positions;
 /// The name, the version or the arm is invalid, a folder exists, or a file cannot be written.
 pub(crate) fn run(args: &NewArgs, color: Color) -> Result<ExitCode, UserError> {
     let current = current_folder()?;
-    let place = Place::find(&current.join(&args.folder), &args.name)?;
+    let place = NewLocation::find(&current.join(&args.folder), &args.name)?;
     let paths = Paths::new(&[], &current);
     let controller = Controller::of(&place, args, &paths)?;
     name::check(&args.name, controller.version)?;
-    let positions = Positions::of(&controller.arm)?;
+    let positions = NewPositions::of(&controller.arm)?;
     let application = Application { name: &args.name, version: controller.version, positions: &positions };
     let (folder, tests) = (place.folder(&args.name), place.folder(&format!("{}Test", args.name)));
     place.check_absent(&[&folder, &tests], &paths)?;
@@ -73,7 +73,7 @@ pub(crate) fn run(args: &NewArgs, color: Color) -> Result<ExitCode, UserError> {
                 "arm": controller.arm.name(),
                 "val3": controller.version.to_string(),
             });
-            to_stdout_as(Content::Json, color, |out| writeln!(out, "{written}"))?;
+            to_stdout_as(OutputContent::Json, color, |out| writeln!(out, "{written}"))?;
         }
     }
     Ok(ExitCode::SUCCESS)

@@ -11,7 +11,7 @@ use val3_analysis::items::project::folder;
 use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::load::{self, LoadError, NO_APPLICATION, Workspace};
 use val3_analysis::system::{Disk, OverlayFs};
-use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_check::settings::{RuleSelection, WorkspaceSettings};
 use val3_config::ConfigError;
 use val3_session::SessionError;
 
@@ -21,7 +21,7 @@ use crate::output::to_verbose;
 use crate::parallel_disk::ParallelDisk;
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
-use crate::scope::Scope;
+use crate::scope::ReportFilter;
 use crate::standard_input::StandardInput;
 use crate::user_error::UserError;
 use crate::{arm_choice, in_memory};
@@ -31,11 +31,11 @@ const STACK_SIZE: usize = 16 << 20;
 
 /// Paths to check, and options of the check.
 #[derive(Debug, Default)]
-pub(crate) struct Request {
+pub(crate) struct OpenRequest {
     /// Requested folders and files.
     pub(crate) asked: Vec<Utf8PathBuf>,
     /// Selected rules.
-    pub(crate) selection: Selection,
+    pub(crate) selection: RuleSelection,
     /// Arm of all applications; without it, each application has its own arm.
     pub(crate) arm: Option<String>,
     /// Baseline of all applications; without it, each `val3.toml` names its application's baseline.
@@ -67,7 +67,7 @@ pub(crate) struct OpenedWorkspace {
     /// Requested paths, absolute.
     pub(crate) asked: Vec<Utf8PathBuf>,
     /// Scope of reported findings.
-    pub(crate) scope: Scope,
+    pub(crate) scope: ReportFilter,
     /// Files without a project.
     pub(crate) loose: LooseFiles,
     /// Notice about the arm for the user.
@@ -75,7 +75,7 @@ pub(crate) struct OpenedWorkspace {
 }
 
 /// Loads all files of the request.
-pub(crate) fn open(request: &Request) -> Result<OpenedWorkspace, UserError> {
+pub(crate) fn open(request: &OpenRequest) -> Result<OpenedWorkspace, UserError> {
     open_with(request, |threads, asked| {
         let (system, mut loose) = system(threads, request.input.as_ref(), &EditedTexts::default(), asked)?;
         let mut workspace = load::load(&system, asked)?;
@@ -85,12 +85,12 @@ pub(crate) fn open(request: &Request) -> Result<OpenedWorkspace, UserError> {
 }
 
 /// As [`open`], with a workspace that was loaded before.
-pub(crate) fn open_workspace(request: &Request, workspace: Workspace) -> Result<OpenedWorkspace, UserError> {
+pub(crate) fn open_workspace(request: &OpenRequest, workspace: Workspace) -> Result<OpenedWorkspace, UserError> {
     open_with(request, |_, _| Ok((workspace, LooseFiles::default())))
 }
 
 fn open_with(
-    request: &Request,
+    request: &OpenRequest,
     load: impl FnOnce(&ThreadPool, &[Utf8PathBuf]) -> Result<(Workspace, LooseFiles), LoadError>,
 ) -> Result<OpenedWorkspace, UserError> {
     let threads = threads(request.jobs)?;
@@ -104,7 +104,7 @@ fn open_with(
     }
     let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &request.selection)
         .map_err(|errors| configuration_refused(errors, &paths))?;
-    let scope = if request.files_alone { Scope::new(&asked) } else { Scope::default() };
+    let scope = if request.files_alone { ReportFilter::new(&asked) } else { ReportFilter::default() };
     let applications: Vec<Project> =
         workspace.projects.iter().copied().filter(|project| !loose.stands_in(&workspace.db, *project)).collect();
     let notice = arm_choice::notice(&workspace.db, &applications, &settings)?;

@@ -16,11 +16,11 @@ use camino::Utf8Path;
 use codespan_reporting::term::termcolor::{Buffer, BufferedStandardStream, ColorChoice, NoColor, WriteColor};
 use val3_files::OutputFile;
 
-use self::file_kind::{FileKind, check_replaceable};
+use self::file_kind::{OutputFileKind, check_replaceable};
 use crate::color::Color;
 use crate::printable::one_line;
 use crate::user_error::UserError;
-pub(crate) use content::{Content, Destination};
+pub(crate) use content::{Destination, OutputContent};
 use filter::Filter;
 pub(crate) use redirection::{commit, redirect};
 
@@ -28,7 +28,7 @@ pub(crate) use redirection::{commit, redirect};
 pub(crate) fn text(has_colors: bool, write: &dyn Fn(&mut dyn WriteColor) -> io::Result<()>) -> String {
     let mut out = if has_colors { Buffer::ansi() } else { Buffer::no_color() };
     // Writing to a buffer cannot fail.
-    let _ = filtered(Content::Words, Destination::FILE, &mut out, write);
+    let _ = filtered(OutputContent::Words, Destination::FILE, &mut out, write);
     String::from_utf8_lossy(out.as_slice()).into_owned()
 }
 
@@ -36,14 +36,15 @@ pub(crate) fn text(has_colors: bool, write: &dyn Fn(&mut dyn WriteColor) -> io::
 pub(crate) fn shown_argument(argument: &str) -> String {
     let mut out = Buffer::no_color();
     // Writing to a buffer cannot fail.
-    let _ =
-        Filter::before(&mut out, Content::Words, Destination::stderr(), |out| write!(out, "{}", one_line(argument)));
+    let _ = Filter::before(&mut out, OutputContent::Words, Destination::stderr(), |out| {
+        write!(out, "{}", one_line(argument))
+    });
     String::from_utf8_lossy(out.as_slice()).into_owned()
 }
 
 /// Writes to a destination, filtered as `content` requires.
 pub(crate) fn filtered(
-    content: Content,
+    content: OutputContent,
     to: Destination,
     out: &mut dyn WriteColor,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
@@ -57,12 +58,12 @@ pub(crate) fn to_stdout(
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<(), UserError> {
-    to_stdout_as(Content::Words, color, write)
+    to_stdout_as(OutputContent::Words, color, write)
 }
 
 /// As [`to_stdout`], for another content kind.
 pub(crate) fn to_stdout_as(
-    content: Content,
+    content: OutputContent,
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<(), UserError> {
@@ -71,7 +72,7 @@ pub(crate) fn to_stdout_as(
 
 /// As [`to_stdout_as`]. Returns whether the output is still read.
 pub(crate) fn to_reader(
-    content: Content,
+    content: OutputContent,
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<bool, UserError> {
@@ -88,7 +89,7 @@ pub(crate) fn to_reader(
 
 /// Writes to the file of `--output`.
 fn to_redirection(
-    content: Content,
+    content: OutputContent,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<(), UserError> {
     // Buffered first: writing the text may access other outputs, which must not wait for the lock on this file.
@@ -129,13 +130,13 @@ pub(crate) fn to_verbose(note: impl FnOnce() -> String) {
 /// Writes to the standard error output, with colours if they are enabled.
 pub(crate) fn to_stderr_in_color(color: Color, write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>) {
     let mut out = BufferedStandardStream::stderr(color_choice(color, io::stderr().is_terminal()));
-    let _ = Filter::before(&mut out, Content::Words, Destination::stderr(), write).and_then(|()| out.flush());
+    let _ = Filter::before(&mut out, OutputContent::Words, Destination::stderr(), write).and_then(|()| out.flush());
 }
 
 /// Writes a file without colours. An existing file is replaced atomically if its content has the same kind.
 pub(crate) fn to_file(
     path: &Utf8Path,
-    kind: FileKind,
+    kind: OutputFileKind,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<(), UserError> {
     let refused = |reason: &dyn Display| {

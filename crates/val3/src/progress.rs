@@ -5,17 +5,17 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Duration from which an operation shows a bar.
-const PATIENCE: Duration = Duration::from_secs(1);
+const DELAY: Duration = Duration::from_secs(1);
 
 /// Counts finished units on the standard error output, if that is a terminal and the operation is long.
 #[derive(Debug)]
-pub(crate) struct Progress {
+pub(crate) struct DelayedProgress {
     bar: ProgressBar,
     started: Instant,
     is_wanted: bool,
 }
 
-impl Progress {
+impl DelayedProgress {
     /// Creates a bar for `total` units, labelled `activity`. It is hidden at first, and permanently if `is_wanted` is
     /// false.
     pub(crate) fn new(activity: &str, total: usize, is_wanted: bool) -> Self {
@@ -33,7 +33,7 @@ impl Progress {
 
     /// Counts a finished unit. Any thread may call it.
     pub(crate) fn advance(&self) {
-        if self.is_wanted && self.bar.is_hidden() && self.started.elapsed() > PATIENCE {
+        if self.is_wanted && self.bar.is_hidden() && self.started.elapsed() > DELAY {
             // If the standard error output is no terminal, this target draws nothing.
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
@@ -46,7 +46,7 @@ impl Progress {
     }
 }
 
-impl Drop for Progress {
+impl Drop for DelayedProgress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
     }

@@ -14,12 +14,12 @@ use crate::baseline::BaselineResult;
 use crate::unread::{UNREAD_ARCHIVE, UNREADABLE_FILE};
 use crate::user_error::UserError;
 
-pub(crate) use finding::{Edit, Finding, Fix, Position, Related, ReportRange, SourceFile};
+pub(crate) use finding::{Finding, Related, ReportPosition, ReportRange, ReportedEdit, ReportedFix, SourceFile};
 
 /// How serious a finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
-pub(crate) enum Severity {
+pub(crate) enum FindingSeverity {
     /// Advice.
     Info,
     /// Nearly always a mistake.
@@ -28,7 +28,7 @@ pub(crate) enum Severity {
     Error,
 }
 
-impl Severity {
+impl FindingSeverity {
     /// Name of the level in all outputs.
     pub(crate) fn word(self) -> &'static str {
         match self {
@@ -39,7 +39,7 @@ impl Severity {
     }
 }
 
-impl From<rule::Severity> for Severity {
+impl From<rule::Severity> for FindingSeverity {
     fn from(severity: rule::Severity) -> Self {
         match severity {
             rule::Severity::Info => Self::Info,
@@ -51,7 +51,7 @@ impl From<rule::Severity> for Severity {
 
 /// Extent of a check.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Statistics {
+pub(crate) struct ReportStatistics {
     /// Number of applications and libraries.
     pub(crate) applications: usize,
     /// Number of loaded files.
@@ -66,7 +66,7 @@ pub(crate) struct Statistics {
 
 /// Difference between a check and the previous check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Changes {
+pub(crate) struct ReportChanges {
     /// Number of findings that the previous check did not have.
     pub(crate) new: usize,
     /// Number of findings that only the previous check had.
@@ -75,9 +75,9 @@ pub(crate) struct Changes {
 
 /// Complete result of a check.
 #[derive(Debug)]
-pub(crate) struct Report {
+pub(crate) struct CheckReport {
     /// Extent of the check.
-    pub(crate) statistics: Statistics,
+    pub(crate) statistics: ReportStatistics,
     /// Paths of all applications' `.pjx`, and of files without an application, as in [`SourceFile::path`], sorted.
     pub(crate) applications: Vec<String>,
     /// Findings, sorted by file, range and code: the order is the same on every machine.
@@ -89,7 +89,7 @@ pub(crate) struct Report {
     /// Number of findings silenced by comments that the command has written before the report; `None` if not requested.
     pub(crate) newly_silenced: Option<usize>,
     /// Difference from the previous check, if the check is repeated.
-    pub(crate) changes: Option<Changes>,
+    pub(crate) changes: Option<ReportChanges>,
     /// Absolute path of the repository's root, with `/`; empty if unknown.
     pub(crate) source_root: String,
     /// Number of findings silenced by comments in the code.
@@ -102,10 +102,10 @@ pub(crate) struct Report {
     pub(crate) notice: Option<String>,
 }
 
-impl Report {
+impl CheckReport {
     /// Sorts the findings and removes duplicates.
     pub(crate) fn new(
-        statistics: Statistics,
+        statistics: ReportStatistics,
         applications: Vec<String>,
         mut findings: Vec<Finding>,
         unreadable: Vec<UserError>,
@@ -130,7 +130,7 @@ impl Report {
     }
 
     /// Number of findings with this level.
-    pub(crate) fn count(&self, severity: Severity) -> usize {
+    pub(crate) fn count(&self, severity: FindingSeverity) -> usize {
         let same = |finding: &&Finding| finding.severity == severity;
         self.findings.iter().filter(same).count()
     }
@@ -154,7 +154,7 @@ impl Report {
     }
 
     /// Whether a finding reaches a level.
-    pub(crate) fn reaches(&self, level: Severity) -> bool {
+    pub(crate) fn reaches(&self, level: FindingSeverity) -> bool {
         self.findings.iter().any(|finding| finding.severity >= level)
     }
 }
@@ -178,10 +178,10 @@ mod tests {
     #[test]
     fn findings_are_counted_by_level() {
         let report = sample::report();
-        assert_eq!(report.count(Severity::Error), 1);
+        assert_eq!(report.count(FindingSeverity::Error), 1);
         assert_eq!(report.faulty_files(), 2);
-        assert!(report.reaches(Severity::Error));
-        assert!(!sample::clean().reaches(Severity::Info));
+        assert!(report.reaches(FindingSeverity::Error));
+        assert!(!sample::clean().reaches(FindingSeverity::Info));
     }
 
     #[test]

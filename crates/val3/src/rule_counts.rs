@@ -7,8 +7,8 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde::Serialize;
 
-use crate::format::Format;
-use crate::report::{Finding, Report, Severity};
+use crate::format::ReportFormat;
+use crate::report::{CheckReport, Finding, FindingSeverity};
 use crate::user_error::UserError;
 
 /// Finding counts for one rule.
@@ -17,7 +17,7 @@ struct RuleCount {
     code: &'static str,
     name: &'static str,
     /// Highest level of the findings.
-    severity: Severity,
+    severity: FindingSeverity,
     count: usize,
     /// Number of findings that `--fix` fixes.
     fixable: usize,
@@ -26,23 +26,23 @@ struct RuleCount {
 }
 
 /// Checks that the format supports counts. The error names the supported formats.
-pub(crate) fn supports(format: Format) -> Result<(), UserError> {
+pub(crate) fn supports(format: ReportFormat) -> Result<(), UserError> {
     match format {
-        Format::Human | Format::Concise | Format::Json | Format::JsonLines => Ok(()),
+        ReportFormat::Human | ReportFormat::Concise | ReportFormat::Json | ReportFormat::JsonLines => Ok(()),
         _ => Err(UserError::new("--statistics does not support this --format")
             .with_help("use human, concise, json or json-lines")),
     }
 }
 
 /// Writes the rules with findings, sorted by decreasing number of findings.
-pub(crate) fn write(format: Format, report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(format: ReportFormat, report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     let counts = counts(&report.findings);
     match format {
-        Format::Json => {
+        ReportFormat::Json => {
             serde_json::to_writer(&mut *out, &counts)?;
             writeln!(out)
         }
-        Format::JsonLines => counts.iter().try_for_each(|count| {
+        ReportFormat::JsonLines => counts.iter().try_for_each(|count| {
             serde_json::to_writer(&mut *out, count)?;
             writeln!(out)
         }),
@@ -100,7 +100,7 @@ mod tests {
     use super::*;
     use crate::report::sample;
 
-    fn written(format: Format) -> String {
+    fn written(format: ReportFormat) -> String {
         let mut report = sample::report();
         let again = report.findings[1].clone();
         report.findings.push(again);
@@ -111,18 +111,18 @@ mod tests {
 
     #[test]
     fn the_table_counts_findings_by_rule() {
-        insta::assert_snapshot!(written(Format::Human));
+        insta::assert_snapshot!(written(ReportFormat::Human));
     }
 
     #[test]
     fn the_json_has_an_object_for_each_rule() {
-        insta::assert_snapshot!(written(Format::JsonLines));
+        insta::assert_snapshot!(written(ReportFormat::JsonLines));
     }
 
     #[test]
     fn the_help_lists_the_formats_that_are_supported() {
-        let refused = supports(Format::Sarif).unwrap_err().to_string();
-        for format in Format::value_variants() {
+        let refused = supports(ReportFormat::Sarif).unwrap_err().to_string();
+        for format in ReportFormat::value_variants() {
             let name = format.to_possible_value().unwrap();
             let is_listed = refused.split([' ', ',']).any(|word| word == name.get_name());
             assert_eq!(is_listed, supports(*format).is_ok(), "{format:?} in {refused}");

@@ -31,9 +31,9 @@ use val3_view::wire::Role;
 
 use crate::args::RunArgs;
 use crate::color::Color;
-use crate::output::{Content, to_stderr, to_stderr_in_color, to_stdout_as};
+use crate::output::{OutputContent, to_stderr, to_stderr_in_color, to_stdout_as};
 use crate::signals::Signals;
-use crate::sockets::Reader;
+use crate::sockets::AnnouncementReader;
 use crate::user_error::UserError;
 pub(crate) use debug::{DebugSettings, debug, open_debugged};
 pub(crate) use opening::{OpenedApplication, ReadyApplication, open};
@@ -44,7 +44,7 @@ use debug::run_attended;
 use guide::NoDebugger;
 use observers::Observers;
 use record::Record;
-use replay::Recording;
+use replay::RunRecording;
 
 /// Exit code of a run that reached the limit of `--until`.
 const EXIT_LIMIT: u8 = 3;
@@ -60,8 +60,8 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     if args.interactive {
         live::check_terminal(args.events.as_ref().is_some_and(|events| events == "-"))?;
     }
-    let recording = args.replay.as_deref().map(Recording::open).transpose()?;
-    let ready = match open(args, Reader::Terminal, &mut |write| to_stderr_in_color(color, write))? {
+    let recording = args.replay.as_deref().map(RunRecording::open).transpose()?;
+    let ready = match open(args, AnnouncementReader::Terminal, &mut |write| to_stderr_in_color(color, write))? {
         OpenedApplication::Ready(ready) => *ready,
         OpenedApplication::Faulty(code) => return refuse(args, code),
     };
@@ -71,7 +71,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     if args.scene {
         let scene = val3_view::scene(&ready.controller, Role::Preview);
         let message = serde_json::json!(val3_view::wire::Message::Scene(Box::new(scene)));
-        to_stdout_as(Content::Json, Color::Never, |out| writeln!(out, "{message}"))?;
+        to_stdout_as(OutputContent::Json, Color::Never, |out| writeln!(out, "{message}"))?;
         return Ok(ExitCode::SUCCESS);
     }
     let mut course = Course::open(args, ready, Observers::open(args, recording, color)?)?;

@@ -7,11 +7,11 @@ use val3_analysis::items::project::folder;
 use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::paths::{normalise, path_key};
 
-use val3_check::Unit;
+use val3_check::CheckUnit;
 
 /// Scope of the report.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Scope {
+pub(crate) struct ReportFilter {
     /// Path keys of the requested programs and data files. Their applications are loaded without reporting their
     /// findings.
     files: FxHashSet<String>,
@@ -19,7 +19,7 @@ pub(crate) struct Scope {
     whole: Vec<Utf8PathBuf>,
 }
 
-impl Scope {
+impl ReportFilter {
     /// Creates the scope for the requested absolute paths.
     pub(crate) fn new(asked: &[Utf8PathBuf]) -> Self {
         let is_file = |path: &Utf8PathBuf| (is_program(path.as_str()) || is_data(path.as_str())) && !path.is_dir();
@@ -41,14 +41,14 @@ impl Scope {
     }
 
     /// Requested files that no project lists. They are checked as parts of the project in their folder.
-    pub(crate) fn unlisted(&self, db: &Database, projects: &[Project]) -> Vec<Unit> {
+    pub(crate) fn unlisted(&self, db: &Database, projects: &[Project]) -> Vec<CheckUnit> {
         let mut units = Vec::new();
         for file in Sources::get(db).unlisted(db).values().filter(|file| self.names(db, **file)) {
             let path = file.path(db);
             let Some(project) = projects.iter().find(|project| path.parent() == Some(folder(db, **project))) else {
                 continue;
             };
-            let unit = if is_program(path.as_str()) { Unit::Program } else { Unit::Data };
+            let unit = if is_program(path.as_str()) { CheckUnit::Program } else { CheckUnit::Data };
             units.push(unit(*project, *file));
         }
         units

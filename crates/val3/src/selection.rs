@@ -2,7 +2,7 @@
 
 use val3_check::rule::Rule;
 use val3_check::rules;
-use val3_check::settings::{Exactness, Selection, meant_by};
+use val3_check::settings::{Exactness, RuleSelection, meant_by};
 use val3_lang::suggest::{proposals, question};
 
 use crate::user_error::UserError;
@@ -10,8 +10,8 @@ use crate::user_error::UserError;
 /// Parses the selection: the rules in `select` (all if it is empty) and the rules in `extend`, which may be off by
 /// default, without the rules in `ignore`. An entry is a code, a code prefix, a name or `all`, in upper or lower case.
 /// An entry without a matching rule is an error.
-pub(crate) fn read(select: &[String], extend: &[String], ignore: &[String]) -> Result<Selection, UserError> {
-    let mut selection = Selection::default();
+pub(crate) fn read(select: &[String], extend: &[String], ignore: &[String]) -> Result<RuleSelection, UserError> {
+    let mut selection = RuleSelection::default();
     for (rule, exactness) in meant(select, "--select")? {
         selection.only.get_or_insert_default().insert(rule.code);
         if exactness == Exactness::Exact {
@@ -48,7 +48,7 @@ fn unknown(entry: &str, option: &str) -> UserError {
 mod tests {
     use super::*;
 
-    fn selected(select: &[&str], ignore: &[&str]) -> Result<Selection, UserError> {
+    fn selected(select: &[&str], ignore: &[&str]) -> Result<RuleSelection, UserError> {
         let owned = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>();
         read(&owned(select), &[], &owned(ignore))
     }
@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn without_words_every_rule_is_selected() {
-        assert_eq!(selected(&[], &[]).unwrap(), Selection::default());
+        assert_eq!(selected(&[], &[]).unwrap(), RuleSelection::default());
     }
 
     #[test]

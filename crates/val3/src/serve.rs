@@ -28,14 +28,14 @@ use tokio::runtime;
 use tokio::sync::{Semaphore, watch};
 
 use crate::user_error::UserError;
-use access::{Access, Role};
+use access::{Access, ViewerRole};
 pub(crate) use address::ServeAddress;
-pub(crate) use command::Command;
-use limits::Limits;
-use log::Log;
-pub(crate) use log::Message;
+pub(crate) use command::PendingCommand;
+use limits::ServerLimits;
+use log::MessageLog;
+pub(crate) use log::StoredMessage;
 pub(crate) use page::PAGE;
-use page::Page;
+use page::ServedPage;
 use shared::{Shared, SharedLog};
 
 /// Commands of all viewers that wait for the run.
@@ -46,7 +46,7 @@ pub(crate) struct Server {
     /// The address that browsers open, for operators and guests.
     pages: [String; 2],
     log: Arc<SharedLog>,
-    commands: Receiver<Command>,
+    commands: Receiver<PendingCommand>,
     is_over: watch::Sender<bool>,
     thread: Option<JoinHandle<io::Result<()>>>,
 }
@@ -57,22 +57,23 @@ impl Server {
     /// # Errors
     /// The address is not free, or the system refuses something that a server needs.
     pub(crate) fn start(address: ServeAddress) -> Result<Self, UserError> {
-        Self::with_limits(address, Limits::default())
+        Self::with_limits(address, ServerLimits::default())
     }
 
-    fn with_limits(address: ServeAddress, limits: Limits) -> Result<Self, UserError> {
+    fn with_limits(address: ServeAddress, limits: ServerLimits) -> Result<Self, UserError> {
         let listener = address.listen()?;
         let address = own_address(&listener).map_err(|error| failed(&error))?;
         let access = Access::new(address)?;
         let reached = address::reachable(address);
-        let pages = [Role::Operator, Role::Guest].map(|role| format!("http://{reached}/{}/", access.secret(role)));
+        let pages =
+            [ViewerRole::Operator, ViewerRole::Guest].map(|role| format!("http://{reached}/{}/", access.secret(role)));
         let (sender, commands) = sync_channel(WAITING_COMMANDS);
         let (is_over, watched) = watch::channel(false);
-        let log = Arc::new(SharedLog::new(Log::new(limits.log_bytes)));
+        let log = Arc::new(SharedLog::new(MessageLog::new(limits.log_bytes)));
         let places = Arc::new(Semaphore::new(limits.viewers));
         let shared = Shared {
             access,
-            page: Page::new(),
+            page: ServedPage::new(),
             limits,
             log: Arc::clone(&log),
             commands: sender,
@@ -97,7 +98,7 @@ impl Server {
     }
 
     /// Adds messages to the log.
-    pub(crate) fn publish(&self, messages: impl IntoIterator<Item = Message>) {
+    pub(crate) fn publish(&self, messages: impl IntoIterator<Item = StoredMessage>) {
         let mut log = self.log.lock();
         let before = log.end();
         messages.into_iter().for_each(|message| log.append(message));
@@ -115,12 +116,12 @@ impl Server {
     }
 
     /// The next command that has arrived.
-    pub(crate) fn next_command(&self) -> Option<Command> {
+    pub(crate) fn next_command(&self) -> Option<PendingCommand> {
         self.commands.try_recv().ok()
     }
 
     /// Waits for a command, at most for this time.
-    pub(crate) fn wait_for_command(&self, time: Duration) -> Option<Command> {
+    pub(crate) fn wait_for_command(&self, time: Duration) -> Option<PendingCommand> {
         self.commands.recv_timeout(time).ok()
     }
 }

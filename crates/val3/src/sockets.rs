@@ -14,7 +14,7 @@ use crate::output::to_stderr;
 
 /// Receiver of announcements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Reader {
+pub(crate) enum AnnouncementReader {
     /// The user at a terminal, if there is one.
     Terminal,
     /// The user of a debugger.
@@ -28,22 +28,22 @@ pub(crate) struct Announcements {
     is_read: bool,
     /// Whether a test is debugged, in which no such socket opens.
     is_test: bool,
-    reader: Reader,
+    reader: AnnouncementReader,
     announced: RefCell<BTreeSet<(String, SocketAddr)>>,
     /// Texts for the debugger.
     texts: RefCell<String>,
 }
 
 impl Announcements {
-    pub(crate) fn new(reader: Reader) -> Self {
+    pub(crate) fn new(reader: AnnouncementReader) -> Self {
         let is_ci = std::env::var_os("CI").is_some_and(|value| !value.is_empty() && value != "false");
-        let is_read = !is_ci && (reader == Reader::Debugger || io::stderr().is_terminal());
+        let is_read = !is_ci && (reader == AnnouncementReader::Debugger || io::stderr().is_terminal());
         Self { is_read, is_test: false, reader, announced: RefCell::default(), texts: RefCell::default() }
     }
 
     /// Announcements of a debugged test.
     pub(crate) fn of_test() -> Self {
-        Self { is_read: false, is_test: true, ..Self::new(Reader::Debugger) }
+        Self { is_read: false, is_test: true, ..Self::new(AnnouncementReader::Debugger) }
     }
 
     /// Returns the texts since the last call, for the debugger.
@@ -68,9 +68,9 @@ impl Announcements {
             )
         };
         match self.reader {
-            Reader::Terminal => to_stderr(|out| writeln!(out, "{text}")),
+            AnnouncementReader::Terminal => to_stderr(|out| writeln!(out, "{text}")),
             // Writing to a string cannot fail.
-            Reader::Debugger => _ = writeln!(self.texts.borrow_mut(), "{text}"),
+            AnnouncementReader::Debugger => _ = writeln!(self.texts.borrow_mut(), "{text}"),
         }
     }
 }
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn a_connection_is_announced_once() {
-        let guard = Announcements { is_read: true, ..Announcements::new(Reader::Debugger) };
+        let guard = Announcements { is_read: true, ..Announcements::new(AnnouncementReader::Debugger) };
         assert!(guard.admits(request(LineKind::Client)) && guard.admits(request(LineKind::Client)));
         let text = "note: `Socket\\host` connects to port 6379 of this machine, which only the cell names\n";
         assert_eq!((guard.take_texts().as_deref(), guard.take_texts()), (Some(text), None));
@@ -147,10 +147,10 @@ mod tests {
 
     #[test]
     fn unread_announcements_refuse_connections_but_no_callers() {
-        let guard = Announcements { is_read: false, ..Announcements::new(Reader::Debugger) };
+        let guard = Announcements { is_read: false, ..Announcements::new(AnnouncementReader::Debugger) };
         assert!(!guard.admits(request(LineKind::Client)) && guard.admits(request(LineKind::Server)));
         assert!(guard.take_texts().unwrap().contains(r"--line 'Socket\host=client:127.0.0.1:6379'"));
-        let guard = Announcements { is_read: false, ..Announcements::new(Reader::Debugger) };
+        let guard = Announcements { is_read: false, ..Announcements::new(AnnouncementReader::Debugger) };
         assert!(!guard.admits(request(LineKind::Udp)));
         assert!(guard.take_texts().unwrap().contains(r"--line 'Socket\host=udp:6379'"));
     }

@@ -3,15 +3,15 @@
 use std::io::{self, Write};
 
 use crate::baseline::BaselineResult;
-use crate::report::{Changes, Report, Severity};
+use crate::report::{CheckReport, FindingSeverity, ReportChanges};
 
 /// Writes the counts and, if there are findings, a reference to the pages.
-pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn Write) -> io::Result<()> {
     if let Some(finding) = most_serious(report) {
         writeln!(out, "More about a finding: val3 explain {}", finding)?;
     }
     writeln!(out, "{}", counts(report))?;
-    if let Some(Changes { new, gone }) = report.changes {
+    if let Some(ReportChanges { new, gone }) = report.changes {
         writeln!(out, "since the last check: {} new, {} removed", grouped(new), grouped(gone))?;
     }
     left_out(report, out)?;
@@ -19,13 +19,13 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Note on the check before a run, which only shows errors.
-pub(crate) fn of_checked_run(report: &Report) -> String {
+pub(crate) fn of_checked_run(report: &CheckReport) -> String {
     let found = format!("the check has {} {}", findings(report), files(report));
     if report.findings.is_empty() { found } else { format!("{found}; `val3 check` shows them") }
 }
 
 /// Writes the number of unreported findings, and the effect of the baselines.
-fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
+fn left_out(report: &CheckReport, out: &mut dyn Write) -> io::Result<()> {
     let BaselineResult { known, gone, written } = &report.baseline;
     let hidden = [(*known, "known from the baseline"), (report.silenced, "silenced by comments")];
     let hidden = hidden.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{} {why}", grouped(*count)));
@@ -41,7 +41,7 @@ fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Number of findings that were fixed or can be fixed.
-fn fixes(report: &Report) -> Option<String> {
+fn fixes(report: &CheckReport) -> Option<String> {
     if let Some(fixed) = report.fixed {
         let all = number(fixed + report.findings.len(), "finding");
         return Some(format!("{} of {all} fixed{}", grouped(fixed), refused(report.refused)));
@@ -70,13 +70,13 @@ fn refused(count: usize) -> String {
 }
 
 /// Code of the first finding with the highest level.
-fn most_serious(report: &Report) -> Option<&'static str> {
-    let levels = [Severity::Error, Severity::Warning, Severity::Info];
+fn most_serious(report: &CheckReport) -> Option<&'static str> {
+    let levels = [FindingSeverity::Error, FindingSeverity::Warning, FindingSeverity::Info];
     let first = |level| report.findings.iter().find(|finding| finding.severity == level);
     levels.into_iter().find_map(first).map(|finding| finding.code)
 }
 
-fn counts(report: &Report) -> String {
+fn counts(report: &CheckReport) -> String {
     let statistics = &report.statistics;
     format!(
         "{} {} ({}, {}, {:.2} s)",
@@ -88,8 +88,9 @@ fn counts(report: &Report) -> String {
     )
 }
 
-fn findings(report: &Report) -> String {
-    let levels = [(Severity::Error, "error"), (Severity::Warning, "warning"), (Severity::Info, "info")];
+fn findings(report: &CheckReport) -> String {
+    let levels =
+        [(FindingSeverity::Error, "error"), (FindingSeverity::Warning, "warning"), (FindingSeverity::Info, "info")];
     let counted = levels.map(|(level, word)| (report.count(level), word));
     let words: Vec<_> =
         counted.iter().filter(|(count, _)| *count > 0).map(|(count, word)| number(*count, word)).collect();
@@ -101,7 +102,7 @@ fn findings(report: &Report) -> String {
     }
 }
 
-fn files(report: &Report) -> String {
+fn files(report: &CheckReport) -> String {
     let all = number(report.statistics.files, "file");
     match report.faulty_files() {
         0 => format!("in {all}"),
@@ -132,7 +133,7 @@ mod tests {
     use super::*;
     use crate::report::sample;
 
-    fn summary(report: &Report) -> String {
+    fn summary(report: &CheckReport) -> String {
         let mut out = Vec::new();
         write(report, &mut out).unwrap();
         String::from_utf8(out).unwrap()
@@ -149,23 +150,23 @@ mod tests {
 
     #[test]
     fn fixed_and_remaining_findings_are_counted() {
-        let report = Report { fixed: Some(2), ..sample::report() };
+        let report = CheckReport { fixed: Some(2), ..sample::report() };
         assert!(summary(&report).ends_with("\n2 of 5 findings fixed\n"));
-        let report = Report { fixed: Some(0), ..sample::clean() };
+        let report = CheckReport { fixed: Some(0), ..sample::clean() };
         assert!(summary(&report).ends_with("\n0 of 0 findings fixed\n"));
     }
 
     #[test]
     fn fixes_that_are_left_out_are_counted() {
-        let report = Report { fixed: Some(2), refused: 1, ..sample::clean() };
+        let report = CheckReport { fixed: Some(2), refused: 1, ..sample::clean() };
         assert!(summary(&report).ends_with("\n2 of 2 findings fixed, 1 fix omitted because it would add an error\n"));
-        let report = Report { fixed: Some(0), refused: 2, ..sample::clean() };
+        let report = CheckReport { fixed: Some(0), refused: 2, ..sample::clean() };
         assert!(summary(&report).ends_with(", 2 fixes omitted because they would add errors\n"));
     }
 
     #[test]
     fn a_repeated_check_names_the_differences() {
-        let report = Report { changes: Some(Changes { new: 2, gone: 0 }), ..sample::report() };
+        let report = CheckReport { changes: Some(ReportChanges { new: 2, gone: 0 }), ..sample::report() };
         assert!(summary(&report).contains("\nsince the last check: 2 new, 0 removed\n"));
     }
 
@@ -185,7 +186,7 @@ mod tests {
     fn excluded_programs_are_mentioned() {
         let written = vec![("val3-baseline.json".to_owned(), 1204)];
         let baseline = BaselineResult { known: 1204, gone: 1, written };
-        insta::assert_snapshot!(summary(&Report { silenced: 2, baseline, ..sample::clean() }), @r"
+        insta::assert_snapshot!(summary(&CheckReport { silenced: 2, baseline, ..sample::clean() }), @r"
         no new findings in 3 files (1 application, 1,412 code lines, 0.02 s)
         not shown: 1,204 known from the baseline, 2 silenced by comments
         no longer found: 1 known finding; --prune-baseline removes them from the baseline

@@ -44,11 +44,11 @@ use camino::{Utf8Path, Utf8PathBuf};
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_suite::TestKind;
 
-use crate::args::{Output, TestArgs, TestFormat};
+use crate::args::{ReportOutput, TestArgs, TestFormat};
 use crate::color::Color;
 use crate::opening::repository;
 use crate::output::{
-    Content, Destination, clear_screen, filtered, to_file, to_reader, to_stderr, to_stdout, to_stdout_as,
+    Destination, OutputContent, clear_screen, filtered, to_file, to_reader, to_stderr, to_stdout, to_stdout_as,
 };
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
@@ -56,7 +56,7 @@ use crate::progress;
 use crate::signals::Signals;
 use crate::sockets::{ClosedSockets, note_grants};
 use crate::user_error::{EXIT_USAGE, UserError};
-use crate::watch::Watch;
+use crate::watch::FolderWatch;
 pub(crate) use debugging::{open_test, report};
 use discovery::{Listed, Suite, Suites, TestFile, chosen, suites};
 use human::Listing;
@@ -64,8 +64,8 @@ pub(crate) use order::Shard;
 pub(crate) use record::{ServedRun, record_served};
 use refused::RefusedTests;
 use results::{EarlyEnd, Results};
-use tested::Tested;
-use workers::{Progress, Surroundings};
+use tested::TestedTest;
+use workers::{Surroundings, TestEvent};
 
 /// Runs the command.
 pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> {
@@ -85,7 +85,7 @@ pub(crate) fn run(args: &TestArgs, color: Color) -> Result<ExitCode, UserError> 
 /// Executes the tests again whenever a cell file changes, until Ctrl-C.
 fn watched(args: &TestArgs, current: &Utf8Path, color: Color) -> Result<ExitCode, UserError> {
     let asked: Vec<Utf8PathBuf> = args.paths.iter().map(|path| current.join(path)).collect();
-    let mut watch = Watch::start(&asked)?;
+    let mut watch = FolderWatch::start(&asked)?;
     let Suites { opened, refused } = suites(args, current)?;
     for tests in &refused {
         watch.include(tests.path.parent().unwrap_or(&tests.path), true)?;
@@ -109,7 +109,8 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     let paths = Paths::new(&args.paths, current).within(repository(current));
     if args.list && args.format == TestFormat::Json {
         let listed = Listed::all(args, current)?;
-        return to_stdout_as(Content::Json, color, |out| json::list(&listed, &paths, out)).map(|()| ExitCode::SUCCESS);
+        return to_stdout_as(OutputContent::Json, color, |out| json::list(&listed, &paths, out))
+            .map(|()| ExitCode::SUCCESS);
     }
     let Suites { opened: suites, mut refused } = suites(args, current)?;
     let tests = chosen(args, &suites, &mut refused)?;
@@ -126,7 +127,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     }
     let repeated: Vec<TestFile<'_>> =
         tests.iter().flat_map(|test| iter::repeat_n(*test, args.repeat as usize)).collect();
-    let bar = progress::Progress::new("testing", repeated.len(), args.format == TestFormat::Human);
+    let bar = progress::DelayedProgress::new("testing", repeated.len(), args.format == TestFormat::Human);
     note_grants(&grants(args, &suites, &tests)?);
     let sockets = ClosedSockets::default();
     if args.mutate {
@@ -135,7 +136,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     }
     let mut display = Display { args, paths: &paths, color, listing: Listing::default() };
     display.listing.is_quiet = args.quiet;
-    let mut observer = |progress: &Progress<'_>| {
+    let mut observer = |progress: &TestEvent<'_>| {
         advance(&bar, progress);
         bar.pause(|| display.show(progress))
     };
@@ -143,8 +144,8 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     let (mut results, counted) = workers::executed(args, &repeated, &surroundings, &mut observer)?;
     for tests in refused.into_iter().map(RefusedTests::into_tested) {
         // The reader may have closed the output. The exit code remains valid.
-        let _ = observer(&Progress::Finished(&tests))?;
-        let _ = observer(&Progress::Next(&tests))?;
+        let _ = observer(&TestEvent::Finished(&tests))?;
+        let _ = observer(&TestEvent::Next(&tests))?;
         results.tested.push(tests);
     }
     drop(bar);
@@ -162,7 +163,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
     if args.format == TestFormat::Human {
         to_stderr(|out| writeln!(out, "finished in {:.2} s", results.wall.as_secs_f64()));
     }
-    let to_output = |output: &Output<TestFormat>| {
+    let to_output = |output: &ReportOutput<TestFormat>| {
         to_file(&output.path, output.format.file_kind(), |out| {
             filtered(output.format.content(), Destination::FILE, out, |out| write(output.format, &results, &paths, out))
         })
@@ -174,7 +175,7 @@ fn once(args: &TestArgs, current: &Utf8Path, signals: &Signals, color: Color) ->
 
 /// Exit code of a run. A signal has precedence over results.
 fn exit_code(results: &Results, is_covered: bool) -> ExitCode {
-    let all = |is_good: fn(&Tested) -> bool| results.tested.iter().all(is_good);
+    let all = |is_good: fn(&TestedTest) -> bool| results.tested.iter().all(is_good);
     match results.early_end {
         Some(EarlyEnd::Signal(code)) => ExitCode::from(code),
         _ if !all(|test| test.is_executed) => ExitCode::from(EXIT_USAGE),
@@ -205,7 +206,7 @@ fn note_unlisted(suites: &[Suite], paths: &Paths) {
 }
 
 /// Notes, once for each arm, that limits of cycle times were compared with model times.
-fn note_times(tested: &[Tested]) {
+fn note_times(tested: &[TestedTest]) {
     let notes: BTreeSet<&str> = tested.iter().filter_map(|test| test.result.times_note.as_deref()).collect();
     to_stderr(|out| notes.iter().try_for_each(|note| writeln!(out, "note: {note}")));
 }
@@ -223,11 +224,11 @@ fn write(format: TestFormat, results: &Results, paths: &Paths, out: &mut dyn Wri
     }
 }
 
-fn advance(bar: &progress::Progress, progress: &Progress<'_>) {
+fn advance(bar: &progress::DelayedProgress, progress: &TestEvent<'_>) {
     match progress {
-        Progress::Started(case) => bar.name(one_line(&case.shown_name()).into_owned()),
-        Progress::Finished(_) => bar.advance(),
-        Progress::Next(_) => {}
+        TestEvent::Started(case) => bar.name(one_line(&case.shown_name()).into_owned()),
+        TestEvent::Finished(_) => bar.advance(),
+        TestEvent::Next(_) => {}
     }
 }
 
@@ -241,15 +242,15 @@ struct Display<'d> {
 
 impl Display<'_> {
     /// Shows an event, if the format has output during the execution.
-    fn show(&mut self, progress: &Progress<'_>) -> Result<ControlFlow<()>, UserError> {
+    fn show(&mut self, progress: &TestEvent<'_>) -> Result<ControlFlow<()>, UserError> {
         let paths = self.paths;
         let is_read = match (self.args.format, progress) {
-            (TestFormat::JsonLines, Progress::Started(_) | Progress::Finished(_)) => {
-                to_reader(Content::Json, Color::Never, |out| json_lines::write(progress, paths, out))?
+            (TestFormat::JsonLines, TestEvent::Started(_) | TestEvent::Finished(_)) => {
+                to_reader(OutputContent::Json, Color::Never, |out| json_lines::write(progress, paths, out))?
             }
             // A closed output (`head`) affects neither the tests nor the report files.
-            (TestFormat::Human, Progress::Next(tested)) => {
-                to_reader(Content::Words, self.color, |out| self.listing.add(tested, paths, out))?;
+            (TestFormat::Human, TestEvent::Next(tested)) => {
+                to_reader(OutputContent::Words, self.color, |out| self.listing.add(tested, paths, out))?;
                 true
             }
             _ => true,

@@ -15,7 +15,7 @@ use crate::code_lines::CodeLines;
 use crate::loose::LooseFiles;
 use crate::paths::Paths;
 use crate::printable::one_line;
-use crate::report::{Edit, Finding, Fix, Related, ReportRange, SourceFile};
+use crate::report::{Finding, Related, ReportRange, ReportedEdit, ReportedFix, SourceFile};
 
 /// Converts diagnostics to findings; each file is indexed once. Use a clone in another thread.
 #[derive(Clone)]
@@ -60,10 +60,12 @@ impl<'a> Translator<'a> {
         }
     }
 
-    fn fix(&mut self, fix: &diagnostic::Fix, application: Option<File>) -> Fix {
-        let mut edit =
-            |edit: &diagnostic::Edit| Edit { place: self.place(edit.place, application), text: edit.text.clone() };
-        Fix {
+    fn fix(&mut self, fix: &diagnostic::Fix, application: Option<File>) -> ReportedFix {
+        let mut edit = |edit: &diagnostic::FixEdit| ReportedEdit {
+            place: self.place(edit.place, application),
+            text: edit.text.clone(),
+        };
+        ReportedFix {
             title: one_line(&fix.title).into_owned(),
             safe: fix.safe,
             edits: fix.edits.iter().map(&mut edit).collect(),

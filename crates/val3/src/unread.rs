@@ -4,7 +4,7 @@ use camino::Utf8PathBuf;
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{File, FileStatus, Sources};
 use val3_analysis::load::Workspace;
-use val3_check::Unit;
+use val3_check::CheckUnit;
 use val3_check::diagnostic::Diagnostic;
 
 use crate::paths::Paths;
@@ -31,7 +31,7 @@ pub(crate) struct Unread {
 
 impl Unread {
     /// Collects the unreadable files of the workspace. `units` are the checked units.
-    pub(crate) fn new(workspace: &Workspace, units: &[Unit], paths: &Paths) -> Self {
+    pub(crate) fn new(workspace: &Workspace, units: &[CheckUnit], paths: &Paths) -> Self {
         let db = &workspace.db;
         let checked: FxHashSet<File> = units.iter().map(|unit| unit.file(db)).collect();
         let has_findings = checked.iter().any(|file| matches!(file.status(db), FileStatus::Unreadable(_)));

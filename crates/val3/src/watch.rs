@@ -20,7 +20,7 @@ const POLL_INTERVAL: Duration = Duration::from_secs(1);
 const EXTENSIONS: [&str; 5] = ["pjx", "dtx", "pgx", "cfx", "toml"];
 
 /// Watches folders.
-pub(crate) struct Watch {
+pub(crate) struct FolderWatch {
     watcher: Box<dyn Watcher>,
     sender: Sender<notify::Result<Event>>,
     events: Receiver<notify::Result<Event>>,
@@ -29,7 +29,7 @@ pub(crate) struct Watch {
     polls: bool,
 }
 
-impl Watch {
+impl FolderWatch {
     /// Starts to watch `paths` and their subfolders.
     pub(crate) fn start(paths: &[Utf8PathBuf]) -> Result<Self, UserError> {
         let (sender, events) = channel();
@@ -132,7 +132,7 @@ mod tests {
     fn polling_reports_changes() {
         let folder = tempfile::tempdir().unwrap();
         let path = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
-        let mut watch = Watch::start(std::slice::from_ref(&path)).unwrap();
+        let mut watch = FolderWatch::start(std::slice::from_ref(&path)).unwrap();
         watch.poll_instead().unwrap();
         for text in ["", "a", "b", "c"] {
             std::fs::write(path.join("a.pgx"), text).unwrap();

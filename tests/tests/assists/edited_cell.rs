@@ -10,7 +10,7 @@ use val3_analysis::items::parse;
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::paths::path_key;
 use val3_analysis::system::Memory;
-use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_check::settings::{RuleSelection, WorkspaceSettings};
 use val3_ide::{CheckSettings, FileEdit, SourceChange, project_diagnostics};
 use val3_syntax::SyntaxNode;
 
@@ -33,7 +33,7 @@ pub(crate) struct EditedCell {
 impl EditedCell {
     pub(crate) fn open(files: Files) -> Self {
         let workspace = load(&Memory::new(files.clone()), &[Utf8PathBuf::from("/")]).unwrap();
-        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
+        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &RuleSelection::default()).unwrap();
         let settings = CheckSettings::new(&workspace.db, settings);
         Self { workspace, files, settings }
     }

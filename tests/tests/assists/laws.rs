@@ -2,7 +2,7 @@
 //! that restores every byte.
 
 use val3_analysis::db::{File, FileRange, FileStatus};
-use val3_fmt::Style;
+use val3_fmt::CodeStyle;
 use val3_ide::{FilePosition, SourceChange, assists, resolve_assist};
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
@@ -159,7 +159,7 @@ impl Laws {
 
     /// Whether the formatter changes nothing.
     fn is_laid_out(&self, file: File) -> bool {
-        val3_ide::format_file(self.cell.db(), file, &Style::default()).is_empty()
+        val3_ide::format_file(self.cell.db(), file, &CodeStyle::default()).is_empty()
     }
 
     /// Returns syntax errors that a change adds, and comments that it loses.

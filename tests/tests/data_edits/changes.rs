@@ -1,7 +1,8 @@
 //! Changes to a file's tables, with their inverses.
 
 use val3_ide::{
-    CellEdit, ColumnKind, DataColumn, DataEdit, DataPlace, DataTables, DataType, Datum, Dialect, FieldStep, NewDatum,
+    CellEdit, ColumnKind, DataColumn, DataEdit, DataPlace, DataTables, DataType, Dialect, FieldStep, NewDatum,
+    TableVariable,
 };
 use val3_lang::types::Container;
 
@@ -15,7 +16,7 @@ pub(crate) fn other_texts(tables: &DataTables) -> Vec<(DataEdit, DataEdit)> {
     found
 }
 
-fn cells(tables: &DataTables, data: &Datum, place: &DataPlace, found: &mut Vec<(DataEdit, DataEdit)>) {
+fn cells(tables: &DataTables, data: &TableVariable, place: &DataPlace, found: &mut Vec<(DataEdit, DataEdit)>) {
     let columns = columns(&tables.types, &data.type_name);
     // In s5 and s6 one cell contains the father of all values.
     let is_shared = |column: &DataColumn| tables.dialect == Dialect::Old && column.kind == ColumnKind::Father;
@@ -100,7 +101,7 @@ pub(crate) fn pairs(tables: &DataTables) -> Vec<(&'static str, DataEdit, DataEdi
     pairs
 }
 
-fn of_data(data: &Datum, pairs: &mut Vec<(&'static str, DataEdit, DataEdit)>) {
+fn of_data(data: &TableVariable, pairs: &mut Vec<(&'static str, DataEdit, DataEdit)>) {
     let name = data.name.to_string();
     let place = DataPlace { name: name.clone(), ..DataPlace::default() };
     let copy = DataEdit::Duplicate { name: name.clone(), new_name: "zz0".to_owned() };

@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use val3_lang::types::BaseType;
 use val3_machine::devices::Devices;
-use val3_machine::io::{Direction, Format, Kind, Signal, SignalFault};
+use val3_machine::io::{Direction, Signal, SignalFault, SignalKind, SignalRange};
 use val3_tests::running::Running;
 
 /// Data with links: `diSignals` to outputs 0 to 3 of `Io`, other data to the signals that their names describe.
@@ -29,17 +29,17 @@ const DATA: &str = r#"
 </Database>
 "#;
 
-fn signal(path: &str, kind: Kind, direction: Direction, protected: bool) -> Signal {
+fn signal(path: &str, kind: SignalKind, direction: Direction, protected: bool) -> Signal {
     Signal { path: path.to_owned(), description: format!("the {path}"), kind, direction, protected }
 }
 
 fn devices() -> Devices {
     let mut devices = Running::devices();
     devices.state.io.declare_device("Io", ["%Q0", "%Q1", "%Q2", "%Q3", "%I0"].map(|name| (name, BaseType::Dio)));
-    devices.state.io.declare(signal("Io\\system", Kind::Digital, Direction::Output, true));
-    devices.state.io.declare(signal("Io\\float", Kind::Analog(Format::Float), Direction::Output, false));
-    let byte = Format::Whole { lowest: 0.0, highest: 255.0 };
-    devices.state.io.declare(signal("Io\\byte", Kind::Analog(byte), Direction::Output, false));
+    devices.state.io.declare(signal("Io\\system", SignalKind::Digital, Direction::Output, true));
+    devices.state.io.declare(signal("Io\\float", SignalKind::Analog(SignalRange::Float), Direction::Output, false));
+    let byte = SignalRange::Whole { lowest: 0.0, highest: 255.0 };
+    devices.state.io.declare(signal("Io\\byte", SignalKind::Analog(byte), Direction::Output, false));
     devices
 }
 

@@ -2,7 +2,7 @@
 
 use val3_lang::types::BaseType;
 use val3_machine::devices::Devices;
-use val3_machine::io::{Direction, Kind, Signal};
+use val3_machine::io::{Direction, Signal, SignalKind};
 use val3_tests::running::Running;
 
 /// Tools on the signals of the device `Io`, each named after its purpose.
@@ -34,7 +34,7 @@ fn devices() -> Devices {
     devices.state.io.declare_device("Io", ["valve1"].map(|name| (name, BaseType::Dio)));
     for (path, direction, protected) in [("Io\\in", Direction::Input, false), ("Io\\system", Direction::Output, true)] {
         let (path, description) = (path.to_owned(), String::new());
-        devices.state.io.declare(Signal { path, description, kind: Kind::Digital, direction, protected });
+        devices.state.io.declare(Signal { path, description, kind: SignalKind::Digital, direction, protected });
     }
     devices
 }

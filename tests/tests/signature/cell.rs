@@ -8,7 +8,7 @@ use salsa::Setter as _;
 use val3_analysis::db::{Database, File, Sources};
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
-use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_check::settings::{RuleSelection, WorkspaceSettings};
 use val3_ide::{CheckSettings, SourceChange, Variables, project_diagnostics, variables};
 
 /// Files of a cell in one database. Only the queries that a change affects run again.
@@ -21,7 +21,7 @@ impl ChangedCell {
     /// Reads files with absolute paths.
     pub(crate) fn open(files: impl Iterator<Item = (Utf8PathBuf, Vec<u8>)>) -> Self {
         let workspace = load(&Memory::new(files), &[Utf8PathBuf::from("/")]).unwrap();
-        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
+        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &RuleSelection::default()).unwrap();
         let settings = CheckSettings::new(&workspace.db, settings);
         Self { workspace, settings }
     }

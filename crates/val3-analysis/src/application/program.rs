@@ -9,7 +9,7 @@ use super::task_starts::{TaskStart, never_ends};
 use super::{Callee, locks};
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::effects::{AccessKind, Effects, Root};
+use crate::effects::{AccessKind, Effects, RootVariable};
 use crate::flow::{PointKind, flow};
 use crate::infer::{self, InstructionCall};
 use crate::items::faults::text_faults;
@@ -120,7 +120,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     // The effects of add-on instructions are unknown.
     summary.waits = effects.may_wait() || !infer::problems(db, project, file).is_empty();
     for access in effects.all() {
-        if let Root::Data(name) = &access.root {
+        if let RootVariable::Data(name) = &access.root {
             let is_part = matches!(body.expr(access.id), Expr::Field { .. });
             let uses = summary.data.entry(name.clone()).or_default();
             uses.read_whole |= access.kind == AccessKind::Read && !is_part;

@@ -3,7 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 
-use super::{Application, START, STOP, Summary, Task, TaskStart};
+use super::{Application, START, STOP, StaticTask, Summary, TaskStart};
 
 impl Application {
     /// Fills `certain`: follows the unconditional calls and tasks of `start`.
@@ -45,7 +45,7 @@ impl Application {
         same.filter_map(|task| task.created_by.as_ref()).find(|other| *other != program && is_second(other))
     }
 
-    fn is_certain(&self, task: &Task) -> bool {
+    fn is_certain(&self, task: &StaticTask) -> bool {
         task.start.certain && task.created_by.as_ref().is_some_and(|program| self.certain.contains(program))
     }
 

@@ -6,7 +6,7 @@ use val3_lang::tasks::period_steps;
 use super::Callee;
 use super::program::{Summary, callee};
 use crate::body::{Body, Constant, ExprId, Stmt, StmtKind};
-use crate::flow::{Flow, Point, PointKind};
+use crate::flow::{FlowGraph, FlowNode, PointKind};
 
 /// A `taskCreate` or `taskCreateSync`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -99,15 +99,15 @@ fn task_start(body: &Body, synchronous: bool, arguments: &[ExprId], nesting: Nes
 }
 
 /// Whether no path reaches the end; only constant conditions are evaluated.
-pub(super) fn never_ends(body: &Body, flow: &Flow) -> bool {
-    let is_taken = |point: &Point, branch: usize| match point.kind {
+pub(super) fn never_ends(body: &Body, flow: &FlowGraph) -> bool {
+    let is_taken = |point: &FlowNode, branch: usize| match point.kind {
         PointKind::Test { condition: Some(condition), .. } => match body.constant(condition) {
             Some(Constant::Bool(value)) => branch == usize::from(!value),
             _ => true,
         },
         _ => true,
     };
-    flow.reachable(is_taken).get(Flow::END.index()) == Some(&false)
+    flow.reachable(is_taken).get(FlowGraph::END.index()) == Some(&false)
 }
 
 fn is_true(body: &Body, condition: ExprId) -> bool {

@@ -20,7 +20,7 @@ pub fn unlisted_may_use(db: &dyn Db, project: Project, name: &str) -> bool {
 
 /// Names that the unlisted files of a project use.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-struct Uses {
+struct UnlistedUses {
     /// All words of the programs; fathers and user types of the data.
     words: FxHashSet<SmolStr>,
     /// Name prefixes of data that the programs access by a name in a string.
@@ -28,9 +28,9 @@ struct Uses {
 }
 
 #[salsa::tracked]
-fn unlisted_uses(db: &dyn Db, project: Project) -> Uses {
+fn unlisted_uses(db: &dyn Db, project: Project) -> UnlistedUses {
     let sources = Sources::get(db);
-    let mut uses = Uses::default();
+    let mut uses = UnlistedUses::default();
     for name in unlisted_names(db, project) {
         let key = path_key(folder(db, project).join(name.as_str()).as_str());
         let Some(file) = sources.unlisted(db).get(&key).or_else(|| sources.files(db).get(&key)) else { continue };

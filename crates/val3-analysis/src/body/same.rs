@@ -13,27 +13,27 @@ impl Body {
 
     /// Returns the expression as a string: two expressions have equal strings if and only if they are the same.
     pub fn normal_form(&self, id: ExprId) -> String {
-        let mut form = Form { body: self, folds_constants: true, text: String::new() };
+        let mut form = ExpressionForm { body: self, folds_constants: true, text: String::new() };
         form.expr(id);
         form.text
     }
 
     /// Returns the [`normal_form`](Self::normal_form) with constants as written: `2*3` differs from `6`.
     pub fn written_form(&self, id: ExprId) -> String {
-        let mut form = Form { body: self, folds_constants: false, text: String::new() };
+        let mut form = ExpressionForm { body: self, folds_constants: false, text: String::new() };
         form.expr(id);
         form.text
     }
 }
 
-struct Form<'b> {
+struct ExpressionForm<'b> {
     body: &'b Body,
     /// Whether constant expressions are replaced by their values.
     folds_constants: bool,
     text: String,
 }
 
-impl Form<'_> {
+impl ExpressionForm<'_> {
     fn expr(&mut self, id: ExprId) {
         let body = self.body;
         let is_literal = matches!(body.expr(id), Expr::Number(_) | Expr::String(_) | Expr::Bool(_));

@@ -6,16 +6,16 @@ use val3_lang::builtins;
 use val3_lang::suggest::nearest;
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::view::View;
-use val3_syntax::{Part, TextRange};
+use val3_syntax::{TextRange, TextSlice};
 
 use super::{DataCheck, show_size_of};
 use crate::db::FileRange;
 use crate::items::data;
 use crate::items::fathers::{hidden_father, references, root};
 use crate::items::project::{DataItem, fields, items};
-use crate::problem::{Problem, ProblemKind, Related, Role};
+use crate::problem::{Problem, ProblemKind, Related, RelatedRole};
 use crate::ty::Base;
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, XmlElement};
 
 /// One step of a father reference: a name, and an optional index in brackets.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,7 +53,7 @@ impl DataCheck<'_> {
         let (expected, found) = (builtin.ty.name().into(), item.base.display(db));
         let places = references(db, self.project, &name);
         let kind = ProblemKind::FatherHidden { name, expected, found, uses: places.len() };
-        let related = places.into_iter().map(|place| Related { place, role: Role::Use }).collect();
+        let related = places.into_iter().map(|place| Related { place, role: RelatedRole::Use }).collect();
         let place = FileRange { file: self.file, range: declared.range };
         self.found.problems.push(Problem { kind, place, related });
     }
@@ -111,7 +111,7 @@ impl DataCheck<'_> {
     }
 
     /// Checks `<fFather alias name fatherIndex>` of the old dialect, where a father may be in a library.
-    pub(super) fn old_fathers(&mut self, element: Element<'_>) {
+    pub(super) fn old_fathers(&mut self, element: XmlElement<'_>) {
         let Some((base, _)) = BaseType::from_file_name(element.name()) else { return };
         let Some(expected) = base.father() else { return };
         for father in element.elements().filter(|inner| inner.name().ends_with("Father")) {
@@ -148,7 +148,7 @@ impl DataCheck<'_> {
         }
     }
 
-    fn circle(&mut self, links: &Links, nodes: &[&str]) {
+    fn circle(&mut self, links: &FatherLinks, nodes: &[&str]) {
         let first = nodes.iter().min_by_key(|node| links.father.get(**node).map(|(_, range)| range.start()));
         let Some((_, range)) = first.and_then(|node| links.father.get(*node)) else { return };
         let chain: Vec<SmolStr> = nodes.iter().chain(nodes.first()).map(|node| bare(node)).collect();
@@ -205,13 +205,13 @@ pub fn steps(reference: &str) -> Option<Vec<ReferencePart>> {
 }
 
 /// Father of each value: `name[key]` to `name[key]`, with the range of the reference.
-struct Links {
+struct FatherLinks {
     father: FxHashMap<String, (String, TextRange)>,
     order: Vec<(String, TextRange)>,
 }
 
-fn links(view: View<'_>) -> Links {
-    let mut links = Links { father: FxHashMap::default(), order: Vec::new() };
+fn links(view: View<'_>) -> FatherLinks {
+    let mut links = FatherLinks { father: FxHashMap::default(), order: Vec::new() };
     for element in data::elements(view).filter(|element| element.name() == "Data") {
         let is_father = matches!(element.value("type").as_deref(), Some("frame" | "tool"));
         let Some(name) = element.value("name").filter(|_| is_father) else { continue };

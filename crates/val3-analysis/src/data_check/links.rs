@@ -5,7 +5,7 @@ use val3_lang::suggest::nearest;
 use val3_lang::types::BaseType;
 
 use super::DataCheck;
-use crate::cell::{Io, guid};
+use crate::cell::{CellIo, guid};
 use crate::problem::ProblemKind;
 use crate::xml::Attribute;
 
@@ -30,7 +30,7 @@ impl DataCheck<'_> {
     }
 
     /// Checks the link of a field bus signal, for example `link="CE061C2D-63EF-…"`.
-    fn tag(&mut self, found: Attribute<'_>, wanted: BaseType, io: &Io) {
+    fn tag(&mut self, found: Attribute<'_>, wanted: BaseType, io: &CellIo) {
         let text = found.text();
         let (Some(tag), Some(known)) = (guid(&text), &io.tags) else { return };
         match known.get(&tag) {

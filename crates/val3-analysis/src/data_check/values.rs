@@ -10,15 +10,15 @@ use val3_lang::types::{self, AttributeValue, BaseType, Container, attribute};
 use super::{DataCheck, show_sizes};
 use crate::file_check::{VALUE, alternatives};
 use crate::items::attributes;
-use crate::items::data::{Shape, shape};
+use crate::items::data::{DeclaredType, shape};
 use crate::items::project::{DataItem, fields, items};
 use crate::problem::{NameKind, ProblemKind};
 use crate::ty::{Base, STRING_LIMIT, brackets};
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, XmlElement};
 
 impl DataCheck<'_> {
     /// Checks the values of a variable or field. `sizes` is empty if the size is unknown.
-    pub(super) fn values(&mut self, element: Element<'_>, base: Base, container: Container, sizes: &[u32]) {
+    pub(super) fn values(&mut self, element: XmlElement<'_>, base: Base, container: Container, sizes: &[u32]) {
         let mut seen = FxHashSet::default();
         for value in element.elements() {
             if value.name() != VALUE {
@@ -67,7 +67,7 @@ impl DataCheck<'_> {
     }
 
     /// Checks the attributes of a built-in type's value.
-    fn attributes(&mut self, value: Element<'_>, ty: BaseType, arm: Option<types::Arm>) {
+    fn attributes(&mut self, value: XmlElement<'_>, ty: BaseType, arm: Option<types::Arm>) {
         let arm = arm.or(self.items.arm);
         let names: Vec<&str> = types::attributes(ty, arm).iter().map(|attribute| attribute.name).collect();
         for (found, near) in self.found.unknown_attributes(value, value_attributes(), &names) {
@@ -102,7 +102,7 @@ impl DataCheck<'_> {
     }
 
     /// Checks the `<Field>` elements of a user type's value.
-    fn fields(&mut self, value: Element<'_>, base: Base) {
+    fn fields(&mut self, value: XmlElement<'_>, base: Base) {
         let Base::User(project) = base else { return };
         let known = fields(self.db, project);
         let mut seen = FxHashMap::default();
@@ -129,8 +129,8 @@ impl DataCheck<'_> {
         }
     }
 
-    fn known_field(&mut self, field: Element<'_>, name: Attribute<'_>, owner: Base, item: &DataItem) {
-        let Shape { container: found, .. } = shape(field);
+    fn known_field(&mut self, field: XmlElement<'_>, name: Attribute<'_>, owner: Base, item: &DataItem) {
+        let DeclaredType { container: found, .. } = shape(field);
         let written = field.value("type").unwrap_or_default();
         let built_in = BaseType::from_file_name(&written).map(|(base, arm)| Base::Builtin(base, arm));
         let same_base = match (built_in, item.base) {
@@ -154,7 +154,7 @@ impl DataCheck<'_> {
 }
 
 /// Returns the attributes that values of every type have.
-fn value_attributes() -> &'static [files::Attribute] {
+fn value_attributes() -> &'static [files::AttributePage] {
     files::find(FileKind::Data, VALUE).map_or(&[], |value| value.attributes)
 }
 

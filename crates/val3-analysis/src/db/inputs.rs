@@ -52,7 +52,7 @@ pub struct Project {
     pub roots: Roots,
     /// Enclosing cell.
     #[returns(copy)]
-    pub cell: Option<Cell>,
+    pub cell: Option<CellFolder>,
     /// Sorted names of the entries in the project's folder.
     #[returns(ref)]
     pub beside: Vec<SmolStr>,
@@ -80,7 +80,7 @@ pub struct Configuration {
 
 /// A controller folder: `usr` with its `configs` and `app`.
 #[salsa::input(debug)]
-pub struct Cell {
+pub struct CellFolder {
     /// Content of the configuration files.
     #[returns(ref)]
     pub config: CellConfig,

@@ -4,7 +4,7 @@ use val3_lang::types::BaseType;
 
 use super::{Access, AccessKind, Effects, handed_over};
 use crate::body::{Expr, ExprId};
-use crate::flow::{Point, PointKind};
+use crate::flow::{FlowNode, PointKind};
 use crate::items::project::Signature;
 
 struct Walk<'e, 'db> {
@@ -12,7 +12,7 @@ struct Walk<'e, 'db> {
     found: &'e mut Vec<Access>,
 }
 
-pub(super) fn point(effects: &Effects<'_>, point: &Point, found: &mut Vec<Access>) {
+pub(super) fn point(effects: &Effects<'_>, point: &FlowNode, found: &mut Vec<Access>) {
     let mut walk = Walk { effects, found };
     match &point.kind {
         PointKind::Test { condition, .. } => walk.values(condition.as_slice()),

@@ -1,6 +1,6 @@
 //! Memory limit of declared variables.
 
-use val3_lang::memory::{Kind, Lanes, MEMORY};
+use val3_lang::memory::{Lanes, MEMORY, ValueType};
 use val3_lang::types::Container;
 
 use super::FileCheck;
@@ -8,12 +8,12 @@ use crate::items::data;
 use crate::items::project::{Items, resolve_type};
 use crate::problem::{DataSize, ProblemKind};
 use crate::ty::Base;
-use crate::xml::Element;
+use crate::xml::XmlElement;
 
 impl FileCheck<'_> {
     /// Checks the memory of a variable, and its sum with all preceding variables of the file. A variable that exceeds
     /// the limit does not count for the following variables.
-    pub(crate) fn memory(&mut self, element: Element<'_>) {
+    pub(crate) fn memory(&mut self, element: XmlElement<'_>) {
         let Some(name) = element.attribute("name") else { return };
         let bytes = bytes(self.items, element);
         let total = self.bytes.saturating_add(bytes);
@@ -28,13 +28,13 @@ impl FileCheck<'_> {
 
 /// Returns the size of an array's values in bytes. For user types, only the references to the fields are counted, as a
 /// lower bound.
-fn bytes(items: &Items, element: Element<'_>) -> u64 {
+fn bytes(items: &Items, element: XmlElement<'_>) -> u64 {
     let Some(declared) = data::declaration(element) else { return 0 };
     if declared.container == Container::Collection {
         return 0;
     }
     let value = match resolve_type(&items.types, &declared.type_name) {
-        Some(Base::Builtin(base, arm)) => Kind::builtin(base, arm).size,
+        Some(Base::Builtin(base, arm)) => ValueType::builtin(base, arm).size,
         Some(Base::User(_)) => Lanes { part: 1, ..Lanes::default() },
         Some(Base::Unknown) | None => return 0,
     };

@@ -3,7 +3,7 @@
 use rowan::TextRange;
 use smallvec::{SmallVec, smallvec};
 
-use super::{Flow, Point, PointId, PointKind};
+use super::{FlowGraph, FlowNode, PointId, PointKind};
 use crate::body::{Body, ExprId, Stmt, StmtKind};
 
 /// A node with an edge whose end does not exist yet.
@@ -16,20 +16,20 @@ const EXPRESSIONS_A_POINT: usize = 4;
 
 struct Builder<'b> {
     body: &'b Body,
-    flow: Flow,
+    flow: FlowGraph,
     /// Nodes whose open edge will lead to the next node.
     loose: OpenEdges,
 }
 
-pub(super) fn build(body: &Body) -> Flow {
+pub(super) fn build(body: &Body) -> FlowGraph {
     let points = Vec::with_capacity(body.len() / EXPRESSIONS_A_POINT + 2);
-    let mut builder = Builder { body, flow: Flow { points }, loose: OpenEdges::new() };
+    let mut builder = Builder { body, flow: FlowGraph { points }, loose: OpenEdges::new() };
     let nowhere = TextRange::default();
     builder.add(PointKind::Start, nowhere);
     builder.add(PointKind::End, nowhere);
-    builder.loose = smallvec![Flow::START];
+    builder.loose = smallvec![FlowGraph::START];
     builder.block(&body.block);
-    builder.join(Flow::END);
+    builder.join(FlowGraph::END);
     builder.flow.points.shrink_to_fit();
     builder.flow
 }
@@ -37,7 +37,7 @@ pub(super) fn build(body: &Body) -> Flow {
 impl Builder<'_> {
     fn add(&mut self, kind: PointKind, range: TextRange) -> PointId {
         let id = PointId(u32::try_from(self.flow.points.len()).unwrap_or(u32::MAX));
-        self.flow.points.push(Point { kind, range, next: SmallVec::new() });
+        self.flow.points.push(FlowNode { kind, range, next: SmallVec::new() });
         id
     }
 
@@ -86,7 +86,7 @@ impl Builder<'_> {
             StmtKind::Switch { selector, cases } => self.switch(*selector, cases, range),
             StmtKind::Return => {
                 self.then(PointKind::Return, range);
-                self.join(Flow::END);
+                self.join(FlowGraph::END);
             }
             StmtKind::Call(id) => {
                 self.then(PointKind::Call(*id), range);

@@ -1,6 +1,6 @@
 //! Lists of values for each flow node, stored as one flat list.
 
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 use super::PointId;
 

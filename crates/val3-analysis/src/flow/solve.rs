@@ -5,7 +5,7 @@
 
 use smallvec::SmallVec;
 
-use super::{Flow, Point, PointId};
+use super::{FlowGraph, FlowNode, PointId};
 
 /// Facts before each flow node; after each node for a backward problem.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,28 +28,28 @@ impl<S> Facts<S> {
 ///
 /// The iteration terminates if `join` is monotone over a lattice of finite height.
 pub fn forward<S: Clone>(
-    flow: &Flow,
+    flow: &FlowGraph,
     start: S,
-    step: impl FnMut(PointId, &Point, &S) -> S,
+    step: impl FnMut(PointId, &FlowNode, &S) -> S,
     join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {
     let order: Vec<PointId> = flow.points().map(|(id, _)| id).collect();
     let next = |id: PointId| flow.point(id).map_or(&[][..], |point| point.next.as_slice());
-    solve(flow, &order, next, (Flow::START, start), step, join)
+    solve(flow, &order, next, (FlowGraph::START, start), step, join)
 }
 
 /// Solves a backward problem. `end` is the facts at the end of the program, and `step` computes the facts before a node
 /// from the facts after it. `join` is as in [`forward`].
 pub fn backward<S: Clone>(
-    flow: &Flow,
+    flow: &FlowGraph,
     end: S,
-    step: impl FnMut(PointId, &Point, &S) -> S,
+    step: impl FnMut(PointId, &FlowNode, &S) -> S,
     join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {
     let mut order: Vec<PointId> = flow.points().map(|(id, _)| id).collect();
     // The end node is the second node: it is moved to the front, followed by the nodes from the last line upwards.
     order.reverse();
-    order.sort_by_key(|id| *id != Flow::END);
+    order.sort_by_key(|id| *id != FlowGraph::END);
     let mut previous: Vec<SmallVec<[PointId; 2]>> = vec![SmallVec::new(); flow.len()];
     for (id, point) in flow.points() {
         for next in &point.next {
@@ -57,15 +57,15 @@ pub fn backward<S: Clone>(
         }
     }
     let next = |id: PointId| previous.get(id.index()).map_or(&[][..], SmallVec::as_slice);
-    solve(flow, &order, next, (Flow::END, end), step, join)
+    solve(flow, &order, next, (FlowGraph::END, end), step, join)
 }
 
 fn solve<'f, S: Clone>(
-    flow: &Flow,
+    flow: &FlowGraph,
     order: &[PointId],
     next: impl Fn(PointId) -> &'f [PointId],
     (first, holds): (PointId, S),
-    mut step: impl FnMut(PointId, &Point, &S) -> S,
+    mut step: impl FnMut(PointId, &FlowNode, &S) -> S,
     mut join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {
     let mut facts: Vec<Option<S>> = vec![None; flow.len()];

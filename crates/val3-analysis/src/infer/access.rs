@@ -5,18 +5,18 @@ use smol_str::SmolStr;
 use val3_lang::types::{BaseType, Container};
 
 use super::Infer;
-use super::value::{Form, Origin, Value, Variable};
+use super::value::{DeclaredVariable, Form, InferredValue, VariableOrigin};
 use crate::body::ExprId;
-use crate::problem::{ProblemKind, Role};
+use crate::problem::{ProblemKind, RelatedRole};
 use crate::ty::Base;
 
 impl Infer<'_> {
     /// `base[indexes]`
-    pub(super) fn index(&mut self, base: ExprId, indexes: &[ExprId]) -> Value {
+    pub(super) fn index(&mut self, base: ExprId, indexes: &[ExprId]) -> InferredValue {
         let value = self.expr(base);
         let found: Vec<Base> = indexes.iter().map(|index| self.element(*index)).collect();
         if value.is_unknown() {
-            return Value::UNKNOWN;
+            return InferredValue::UNKNOWN;
         }
         let Form::Whole(variable) = &value.form else {
             return self.index_not_allowed(base, &value);
@@ -29,25 +29,30 @@ impl Infer<'_> {
             Container::Array { .. } => self.array_index(base, variable, indexes, &found),
             Container::Collection => self.key(base, &value, indexes, &found),
         }
-        Value { base: value.base, form: Form::Indexed { of: variable.container } }
+        InferredValue { base: value.base, form: Form::Indexed { of: variable.container } }
     }
 
-    fn index_not_allowed(&mut self, base: ExprId, value: &Value) -> Value {
+    fn index_not_allowed(&mut self, base: ExprId, value: &InferredValue) -> InferredValue {
         let (name, ty) = (self.text(base), value.ty().display(self.scope.db()));
         let declared = self.scope.declaration(value, &name);
-        self.sink.report_with(base, ProblemKind::IndexNotAllowed { name, ty, callee: None }, Role::Declared, declared);
-        Value::UNKNOWN
+        self.sink.report_with(
+            base,
+            ProblemKind::IndexNotAllowed { name, ty, callee: None },
+            RelatedRole::Declared,
+            declared,
+        );
+        InferredValue::UNKNOWN
     }
 
-    fn index_count(&mut self, base: ExprId, value: &Value, expected: usize, found: usize) -> Value {
+    fn index_count(&mut self, base: ExprId, value: &InferredValue, expected: usize, found: usize) -> InferredValue {
         let name = self.text(base);
         let declared = self.scope.declaration(value, &name);
         let kind = ProblemKind::IndexCount { name, expected, found };
-        self.sink.report_with(base, kind, Role::Declared, declared);
-        Value::UNKNOWN
+        self.sink.report_with(base, kind, RelatedRole::Declared, declared);
+        InferredValue::UNKNOWN
     }
 
-    fn array_index(&mut self, base: ExprId, variable: &Variable, indexes: &[ExprId], found: &[Base]) {
+    fn array_index(&mut self, base: ExprId, variable: &DeclaredVariable, indexes: &[ExprId], found: &[Base]) {
         let name = self.text(base);
         for (position, (&index, &found)) in indexes.iter().zip(found).enumerate() {
             if !found.same_as(Base::of(BaseType::Num)) {
@@ -60,7 +65,7 @@ impl Infer<'_> {
 
     /// Checks a constant index. A negative index is always wrong, an index above the size only if the size cannot
     /// change. Neither is wrong if the value may be absent, as for `isDefined`.
-    fn bounds(&mut self, id: ExprId, name: &SmolStr, (variable, position): (&Variable, usize), number: f64) {
+    fn bounds(&mut self, id: ExprId, name: &SmolStr, (variable, position): (&DeclaredVariable, usize), number: f64) {
         // Indexes are rounded to the nearest whole number (2.5.3).
         let index = (number + 0.5).floor() as i64;
         let size = self.scope.sizes(variable, name).and_then(|sizes| sizes.get(position)).copied();
@@ -71,12 +76,12 @@ impl Infer<'_> {
         let size = size.map_or(0, |size| size as usize);
         let kind = ProblemKind::IndexOutOfBounds { name: name.clone(), index, size };
         match &variable.origin {
-            Origin::Data(_, name) if index >= 0 => self.sink.report_unless_resized(id, name.clone(), kind),
+            VariableOrigin::Data(_, name) if index >= 0 => self.sink.report_unless_resized(id, name.clone(), kind),
             _ => self.report(id, kind),
         }
     }
 
-    fn key(&mut self, base: ExprId, value: &Value, indexes: &[ExprId], found: &[Base]) {
+    fn key(&mut self, base: ExprId, value: &InferredValue, indexes: &[ExprId], found: &[Base]) {
         let name = self.text(base);
         match (indexes, found) {
             ([key], [base]) => {
@@ -97,30 +102,30 @@ impl Infer<'_> {
     }
 
     /// `base.field`
-    pub(super) fn field(&mut self, base: ExprId, field: &SmolStr, range: TextRange) -> Value {
+    pub(super) fn field(&mut self, base: ExprId, field: &SmolStr, range: TextRange) -> InferredValue {
         let value = self.expr(base);
         if value.lacks_index() {
             self.index_missing(base, &value);
-            return Value::UNKNOWN;
+            return InferredValue::UNKNOWN;
         }
         match value.base {
-            Base::Unknown => Value::UNKNOWN,
+            Base::Unknown => InferredValue::UNKNOWN,
             Base::User(project) => {
                 let found = self.scope.user_field(project, field);
-                self.resolved_at(range, found).unwrap_or(Value::UNKNOWN)
+                self.resolved_at(range, found).unwrap_or(InferredValue::UNKNOWN)
             }
             Base::Builtin(ty, arm) => {
                 let found = self.scope.builtin_field(ty, arm, field);
-                self.resolved_at(range, found).map_or(Value::UNKNOWN, |base| part(&value, base))
+                self.resolved_at(range, found).map_or(InferredValue::UNKNOWN, |base| part(&value, base))
             }
         }
     }
 }
 
 /// Returns a field of a built-in type: a part of a variable or of a computed value.
-fn part(whole: &Value, base: Base) -> Value {
+fn part(whole: &InferredValue, base: Base) -> InferredValue {
     match whole.form {
-        Form::Computed => Value::computed(base),
-        _ => Value { base, form: Form::Indexed { of: Container::Element } },
+        Form::Computed => InferredValue::computed(base),
+        _ => InferredValue { base, form: Form::Indexed { of: Container::Element } },
     }
 }

@@ -3,14 +3,14 @@
 use crate::db::FileRange;
 use smallvec::SmallVec;
 use smol_str::SmolStr;
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 use val3_lang::types::Arm;
 
 use super::Infer;
 use super::fit::{Argument, Formal, Formals, Misfit, misfit};
-use super::value::Value;
+use super::value::InferredValue;
 use crate::body::{Expr, ExprId};
-use crate::problem::{ProblemKind, Role};
+use crate::problem::{ProblemKind, RelatedRole};
 use crate::ty::Base;
 
 /// A callee with all its forms.
@@ -28,7 +28,7 @@ impl Callee<'_> {
     /// Whether some form accepts an absent index or key at `position`, as `insert` and `isDefined` do.
     fn takes_slot(&self, position: usize) -> bool {
         let mut formals = self.forms.iter().filter_map(|form| form.get(position));
-        formals.any(|formal| matches!(formal.shape, Shape::Slot | Shape::Item))
+        formals.any(|formal| matches!(formal.shape, ArgumentForm::Slot | ArgumentForm::Item))
     }
 }
 
@@ -77,7 +77,7 @@ impl Infer<'_> {
     /// type.
     fn argument(&mut self, id: ExprId, slot: bool) -> Argument {
         if let Expr::Struct(values) = self.body.expr(self.body.without_parentheses(id)) {
-            return Argument { id, literal: Some(values.len()), value: Value::UNKNOWN };
+            return Argument { id, literal: Some(values.len()), value: InferredValue::UNKNOWN };
         }
         let outer = std::mem::replace(&mut self.may_be_absent, slot);
         let value = self.expr(id);
@@ -107,7 +107,7 @@ impl Infer<'_> {
         expected.sort_unstable();
         expected.dedup();
         let kind = ProblemKind::ArgumentCount { callee: callee.name.clone(), expected, found, forms: (callee.lines)() };
-        self.sink.report_with(call, kind, Role::Declared, (callee.declared)());
+        self.sink.report_with(call, kind, RelatedRole::Declared, (callee.declared)());
     }
 
     /// Reports the first mismatch of the form that matches the most leading arguments.
@@ -142,7 +142,7 @@ impl Infer<'_> {
         let mut expected: Vec<SmolStr> = best.iter().map(|miss| miss.formal.display(self.scope.db())).collect();
         expected.dedup();
         let kind = self.miss_kind(argument, miss, expected, callee);
-        self.sink.report_with(argument.id, kind, Role::Declared, (callee.declared)());
+        self.sink.report_with(argument.id, kind, RelatedRole::Declared, (callee.declared)());
     }
 
     /// Returns the types of a parameter and its argument with their files, if they are different user types with the
@@ -168,7 +168,9 @@ impl Infer<'_> {
             Misfit::Type if let Some([expected, found]) = self.homonyms(miss, argument) => {
                 ProblemKind::ArgumentType { callee: name, parameter, expected: vec![expected], found }
             }
-            Misfit::Type if miss.formal.shape == Shape::Value || miss.formal.shape == Shape::Reference => {
+            Misfit::Type
+                if miss.formal.shape == ArgumentForm::Value || miss.formal.shape == ArgumentForm::Reference =>
+            {
                 ProblemKind::ArgumentType { callee: name, parameter, expected, found: base }
             }
             Misfit::Type => ProblemKind::ArgumentType { callee: name, parameter, expected, found },

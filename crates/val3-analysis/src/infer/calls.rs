@@ -3,39 +3,39 @@
 use smallvec::SmallVec;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnOverload;
-use val3_lang::instruction::{Class, Instruction};
+use val3_lang::instruction::{CallClass, Instruction};
 use val3_lang::instructions;
 use val3_lang::types::BaseType;
 
 use super::arguments::{Callee, MatchingForms};
 use super::fit::Formals;
-use super::value::Value;
+use super::value::InferredValue;
 use super::{AddOnCall, Infer, InstructionCall};
 use crate::body::{Expr, ExprId};
 use crate::problem::ProblemKind;
 use crate::ty::{Base, Ty};
 
 /// Result type and class of a form.
-type Outcome = (Option<BaseType>, Class);
+type Outcome = (Option<BaseType>, CallClass);
 
 /// Result of resolving a call.
 struct ResolvedCall {
     /// Result type; `None` if the call returns no value.
     result: Option<Base>,
-    class: Class,
+    class: CallClass,
 }
 
 impl Infer<'_> {
     /// Infers a call whose value is used.
-    pub(super) fn call_value(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) -> Value {
+    pub(super) fn call_value(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) -> InferredValue {
         match self.call(id, callee, args) {
-            Some(ResolvedCall { result: Some(base), .. }) => Value::computed(base),
+            Some(ResolvedCall { result: Some(base), .. }) => InferredValue::computed(base),
             Some(ResolvedCall { result: None, .. }) => {
                 let callee = self.text(callee);
                 self.report(id, ProblemKind::NoValue { callee });
-                Value::UNKNOWN
+                InferredValue::UNKNOWN
             }
-            None => Value::UNKNOWN,
+            None => InferredValue::UNKNOWN,
         }
     }
 
@@ -43,7 +43,7 @@ impl Infer<'_> {
     pub(super) fn instruction_stmt(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) {
         if let Some(called) = self.call(id, callee, args) {
             self.table.set_type(id, called.result.map_or(Ty::UNKNOWN, Ty::element));
-            if called.class == Class::Function {
+            if called.class == CallClass::Function {
                 self.report(id, ProblemKind::NoEffect);
             }
         }
@@ -151,7 +151,7 @@ impl Infer<'_> {
             self.report(callee, self.scope.missing_add_on(name));
             if let Some(ty) = self.scope.stand_in_type(name) {
                 self.arguments_alone(args);
-                return Some(ResolvedCall { result: Some(Base::of(ty)), class: Class::Modifier });
+                return Some(ResolvedCall { result: Some(Base::of(ty)), class: CallClass::Modifier });
             }
             forms = self.scope.stand_in_forms(name, on_library);
         }
@@ -191,7 +191,9 @@ impl Infer<'_> {
             self.sink.retract_to(before);
             return None;
         }
-        called.filter(|called| called.result.is_some()).map(|called| ResolvedCall { class: Class::Modifier, ..called })
+        called
+            .filter(|called| called.result.is_some())
+            .map(|called| ResolvedCall { class: CallClass::Modifier, ..called })
     }
 }
 

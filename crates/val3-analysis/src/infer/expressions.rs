@@ -6,31 +6,31 @@ use val3_lang::types::BaseType;
 
 use super::Infer;
 use super::scope::Unresolved;
-use super::value::Value;
+use super::value::InferredValue;
 use crate::body::{Expr, ExprId};
-use crate::problem::{ProblemKind, Role};
+use crate::problem::{ProblemKind, RelatedRole};
 use crate::ty::{Base, STRING_LIMIT};
 
 impl Infer<'_> {
     /// Infers an expression without an expected type.
-    pub(super) fn expr(&mut self, id: ExprId) -> Value {
+    pub(super) fn expr(&mut self, id: ExprId) -> InferredValue {
         self.expr_as(id, None)
     }
 
     /// Infers an expression where a value of type `expected` is needed, which becomes the type of `{…}`.
-    pub(super) fn expr_as(&mut self, id: ExprId, expected: Option<Base>) -> Value {
+    pub(super) fn expr_as(&mut self, id: ExprId, expected: Option<Base>) -> InferredValue {
         let body = self.body;
         let value = match body.expr(id) {
-            Expr::Missing => Value::UNKNOWN,
-            Expr::Number(_) => Value::of(BaseType::Num),
-            Expr::Bool(_) => Value::of(BaseType::Bool),
+            Expr::Missing => InferredValue::UNKNOWN,
+            Expr::Number(_) => InferredValue::of(BaseType::Num),
+            Expr::Bool(_) => InferredValue::of(BaseType::Bool),
             Expr::String(text) => self.string(id, text),
             Expr::Name(name) => self.named(id, self.scope.value(name)),
             Expr::Path { library, item } => self.named(id, self.scope.library_value(library, item)),
-            Expr::Paren(inner) => Value::computed(self.element_as(*inner, expected)),
+            Expr::Paren(inner) => InferredValue::computed(self.element_as(*inner, expected)),
             Expr::Unary(op, operand) => self.unary(id, *op, *operand, expected),
             Expr::Binary(op, left, right) => self.binary(id, *op, (*left, *right), expected),
-            Expr::Assign(target, value) => Value::computed(self.assign(*target, *value)),
+            Expr::Assign(target, value) => InferredValue::computed(self.assign(*target, *value)),
             Expr::Index(base, indexes) => self.index(*base, indexes),
             Expr::Field { base, field, range } => self.field(*base, field, *range),
             Expr::Call(callee, args) => self.call_value(id, *callee, args),
@@ -40,8 +40,8 @@ impl Infer<'_> {
         value
     }
 
-    fn named(&mut self, id: ExprId, found: Result<Value, Unresolved>) -> Value {
-        self.resolved(id, found).unwrap_or(Value::UNKNOWN)
+    fn named(&mut self, id: ExprId, found: Result<InferredValue, Unresolved>) -> InferredValue {
+        self.resolved(id, found).unwrap_or(InferredValue::UNKNOWN)
     }
 
     /// Infers an expression that is read as a single value. Returns its type.
@@ -59,37 +59,43 @@ impl Infer<'_> {
         value.base
     }
 
-    pub(super) fn index_missing(&mut self, id: ExprId, value: &Value) {
+    pub(super) fn index_missing(&mut self, id: ExprId, value: &InferredValue) {
         let name = self.text(id);
         let declared = self.scope.declaration(value, &name);
         let ty = value.ty().display(self.scope.db());
-        self.sink.report_with(id, ProblemKind::IndexMissing { name, ty }, Role::Declared, declared);
+        self.sink.report_with(id, ProblemKind::IndexMissing { name, ty }, RelatedRole::Declared, declared);
     }
 
-    fn string(&mut self, id: ExprId, text: &str) -> Value {
+    fn string(&mut self, id: ExprId, text: &str) -> InferredValue {
         if text.len() > STRING_LIMIT {
             self.report(id, ProblemKind::StringTooLong(text.len()));
         }
-        Value::of(BaseType::String)
+        InferredValue::of(BaseType::String)
     }
 
-    fn unary(&mut self, id: ExprId, op: UnaryOp, operand: ExprId, expected: Option<Base>) -> Value {
+    fn unary(&mut self, id: ExprId, op: UnaryOp, operand: ExprId, expected: Option<Base>) -> InferredValue {
         let base = self.element_as(operand, expected);
         match base {
-            Base::Unknown => Value::UNKNOWN,
+            Base::Unknown => InferredValue::UNKNOWN,
             Base::Builtin(ty, arm) if operators::unary(op, ty).is_some() => {
                 let result = operators::unary(op, ty).map_or(Base::Unknown, |ty| Base::Builtin(ty, arm));
-                Value::computed(result)
+                InferredValue::computed(result)
             }
             _ => {
                 let (op, right) = (SmolStr::new_static(op.symbol()), self.scope.show(base));
                 self.report(id, ProblemKind::OperatorType { op, left: None, right });
-                Value::UNKNOWN
+                InferredValue::UNKNOWN
             }
         }
     }
 
-    fn binary(&mut self, id: ExprId, op: BinaryOp, (left, right): (ExprId, ExprId), expected: Option<Base>) -> Value {
+    fn binary(
+        &mut self,
+        id: ExprId,
+        op: BinaryOp,
+        (left, right): (ExprId, ExprId),
+        expected: Option<Base>,
+    ) -> InferredValue {
         let between_braces = || operators::structure(op).filter(|_| self.is_literal(left) && self.is_literal(right));
         let expected = expected.filter(|_| is_arithmetic(op)).or_else(|| between_braces().map(Base::of));
         let (left_base, right_base) = self.operands(left, right, expected);
@@ -110,7 +116,7 @@ impl Infer<'_> {
             return unknown_result(op);
         }
         if let Some(base) = result {
-            return Value::computed(base);
+            return InferredValue::computed(base);
         }
         let [found_left, found_right] = self.scope.show_both([left_base, right_base]);
         let op_text = SmolStr::new_static(op.symbol());
@@ -158,7 +164,7 @@ impl Infer<'_> {
         place.base
     }
 
-    fn not_assignable(&mut self, target: ExprId, place: &Value) {
+    fn not_assignable(&mut self, target: ExprId, place: &InferredValue) {
         if place.is_variable() {
             self.index_missing(target, place);
         } else {
@@ -200,6 +206,6 @@ fn is_arithmetic(op: BinaryOp) -> bool {
 }
 
 /// Returns the result if an operand is unknown: comparisons and logic always return `bool`.
-fn unknown_result(op: BinaryOp) -> Value {
-    if is_arithmetic(op) { Value::UNKNOWN } else { Value::of(BaseType::Bool) }
+fn unknown_result(op: BinaryOp) -> InferredValue {
+    if is_arithmetic(op) { InferredValue::UNKNOWN } else { InferredValue::of(BaseType::Bool) }
 }

@@ -2,14 +2,14 @@
 
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnParam;
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 use val3_lang::operators;
 use val3_lang::types::{self, Arm, BaseType, Container};
 
-use super::value::{Form, Value};
+use super::value::{Form, InferredValue};
 use crate::body::ExprId;
 use crate::db::Db;
-use crate::items::project::Param;
+use crate::items::project::SignatureParam;
 use crate::ty::{Base, brackets};
 
 /// A parameter: of a program, an instruction or an add-on instruction.
@@ -18,7 +18,7 @@ pub(super) struct Formal<'a> {
     pub(super) name: &'a str,
     /// Type; `None` accepts any type.
     pub(super) base: Option<Base>,
-    pub(super) shape: Shape,
+    pub(super) shape: ArgumentForm,
     /// Whether it is a parameter of the old dialect, which accepts constants and does not distinguish an element by
     /// reference from an array.
     pub(super) loose: bool,
@@ -27,9 +27,9 @@ pub(super) struct Formal<'a> {
 /// Parameters of a form.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Formals<'a> {
-    Instruction(&'a [val3_lang::instruction::Param]),
+    Instruction(&'a [val3_lang::instruction::InstructionParam]),
     AddOn(&'a [AddOnParam]),
-    Program(&'a [Param]),
+    Program(&'a [SignatureParam]),
 }
 
 impl<'a> Formals<'a> {
@@ -60,7 +60,7 @@ impl<'a> Formals<'a> {
     }
 }
 
-fn of_program(param: &Param) -> Formal<'_> {
+fn of_program(param: &SignatureParam) -> Formal<'_> {
     Formal { name: &param.name, base: Some(param.base), shape: param.shape(), loose: param.loose }
 }
 
@@ -70,7 +70,7 @@ pub(super) struct Argument {
     pub(super) id: ExprId,
     /// Number of values in a `{…}`, whose type depends on the parameter.
     pub(super) literal: Option<usize>,
-    pub(super) value: Value,
+    pub(super) value: InferredValue,
 }
 
 /// Mismatch between an argument and a parameter.
@@ -101,7 +101,7 @@ pub(super) fn misfit(arm: Option<Arm>, argument: &Argument, formal: Formal<'_>) 
     if value.is_unknown() {
         return None;
     }
-    if formal.shape != Shape::Value && !value.is_variable() && !formal.loose {
+    if formal.shape != ArgumentForm::Value && !value.is_variable() && !formal.loose {
         return Some(type_misfit(arm, value, formal).unwrap_or(Misfit::Constant));
     }
     container_misfit(value, formal).or_else(|| type_misfit(arm, value, formal))
@@ -110,13 +110,13 @@ pub(super) fn misfit(arm: Option<Arm>, argument: &Argument, formal: Formal<'_>) 
 fn literal_misfit(arm: Option<Arm>, values: usize, formal: Formal<'_>) -> Option<Misfit> {
     match formal.base {
         Some(base) if !literal_suits(arm, values, base) => Some(Misfit::Type),
-        _ if formal.shape != Shape::Value && !formal.loose => Some(Misfit::Constant),
+        _ if formal.shape != ArgumentForm::Value && !formal.loose => Some(Misfit::Constant),
         Some(_) => None,
         None => Some(Misfit::Type),
     }
 }
 
-fn type_misfit(arm: Option<Arm>, value: &Value, formal: Formal<'_>) -> Option<Misfit> {
+fn type_misfit(arm: Option<Arm>, value: &InferredValue, formal: Formal<'_>) -> Option<Misfit> {
     let base = formal.base?.on_arm(arm);
     if base.same_as(value.base) {
         return None;
@@ -125,7 +125,7 @@ fn type_misfit(arm: Option<Arm>, value: &Value, formal: Formal<'_>) -> Option<Mi
         (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b => Some(Misfit::Arm),
         // An input or output is read where a boolean is expected.
         (Base::Builtin(a, _), Base::Builtin(b, _))
-            if formal.shape == Shape::Value && operators::reads_as_bool(a) && operators::reads_as_bool(b) =>
+            if formal.shape == ArgumentForm::Value && operators::reads_as_bool(a) && operators::reads_as_bool(b) =>
         {
             (a == BaseType::Dio).then_some(Misfit::Type)
         }
@@ -133,26 +133,28 @@ fn type_misfit(arm: Option<Arm>, value: &Value, formal: Formal<'_>) -> Option<Mi
     }
 }
 
-fn container_misfit(value: &Value, formal: Formal<'_>) -> Option<Misfit> {
+fn container_misfit(value: &InferredValue, formal: Formal<'_>) -> Option<Misfit> {
     let container = value.container();
     match formal.shape {
-        Shape::Value | Shape::Reference => value.lacks_index().then_some(Misfit::IndexMissing),
-        Shape::Array { dims: 1 } if formal.loose => value.lacks_index().then_some(Misfit::Container),
-        Shape::Array { dims: 1 } => match (&value.form, container) {
+        ArgumentForm::Value | ArgumentForm::Reference => value.lacks_index().then_some(Misfit::IndexMissing),
+        ArgumentForm::Array { dims: 1 } if formal.loose => value.lacks_index().then_some(Misfit::Container),
+        ArgumentForm::Array { dims: 1 } => match (&value.form, container) {
             (Form::Indexed { of: Container::Array { dims: 2.. } }, _) => Some(Misfit::Container),
             (_, Container::Array { dims: 2.. } | Container::Collection) => Some(Misfit::Container),
             _ => None,
         },
-        Shape::Array { .. } => whole(value, formal.shape, |found| Shape::Array { dims: dims(found) } == formal.shape),
-        Shape::Collection => whole(value, formal.shape, |found| found == Container::Collection),
-        Shape::Whole => match &value.form {
+        ArgumentForm::Array { .. } => {
+            whole(value, formal.shape, |found| ArgumentForm::Array { dims: dims(found) } == formal.shape)
+        }
+        ArgumentForm::Collection => whole(value, formal.shape, |found| found == Container::Collection),
+        ArgumentForm::Whole => match &value.form {
             Form::Indexed { of: Container::Array { dims: 2.. } | Container::Collection } => {
                 Some(Misfit::IndexNotAllowed)
             }
             _ => None,
         },
-        Shape::Slot => value.lacks_index().then_some(Misfit::IndexMissing),
-        Shape::Item | Shape::ProgramCall => None,
+        ArgumentForm::Slot => value.lacks_index().then_some(Misfit::IndexMissing),
+        ArgumentForm::Item | ArgumentForm::ProgramCall => None,
     }
 }
 
@@ -172,8 +174,8 @@ impl Formal<'_> {
     pub(super) fn display(self, db: &dyn Db) -> SmolStr {
         let base = self.base.map_or(SmolStr::new_static("any type"), |base| base.display(db));
         let container = match self.shape {
-            Shape::Array { dims } => Container::Array { dims },
-            Shape::Collection => Container::Collection,
+            ArgumentForm::Array { dims } => Container::Array { dims },
+            ArgumentForm::Collection => Container::Collection,
             _ => Container::Element,
         };
         format_smolstr!("{base}{}", brackets(container))
@@ -188,12 +190,12 @@ fn dims(container: Container) -> u8 {
 }
 
 /// Matches an argument for a whole container, which must have no index (2.6.3).
-fn whole(value: &Value, shape: Shape, suits: impl Fn(Container) -> bool) -> Option<Misfit> {
+fn whole(value: &InferredValue, shape: ArgumentForm, suits: impl Fn(Container) -> bool) -> Option<Misfit> {
     match &value.form {
         Form::Indexed { of } if suits(*of) => Some(Misfit::IndexNotAllowed),
         Form::Whole(variable) if suits(variable.container) => None,
         // In the old dialect, the number of dimensions is unknown for an array parameter.
-        Form::Whole(variable) if variable.loose && shape != Shape::Collection => None,
+        Form::Whole(variable) if variable.loose && shape != ArgumentForm::Collection => None,
         _ => Some(Misfit::Container),
     }
 }

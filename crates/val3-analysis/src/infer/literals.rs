@@ -3,14 +3,14 @@
 use val3_lang::types::{self, BaseType};
 
 use super::Infer;
-use super::value::Value;
+use super::value::InferredValue;
 use crate::body::ExprId;
 use crate::problem::ProblemKind;
 use crate::ty::Base;
 
 impl Infer<'_> {
     /// Infers `{values}` where a value of type `expected` is needed.
-    pub(super) fn literal(&mut self, id: ExprId, values: &[Option<ExprId>], expected: Option<Base>) -> Value {
+    pub(super) fn literal(&mut self, id: ExprId, values: &[Option<ExprId>], expected: Option<Base>) -> InferredValue {
         let expected = expected.map(|base| base.on_arm(self.scope.arm()));
         let fields = match expected {
             Some(Base::Builtin(ty, arm)) => types::fields(ty, arm.or(self.scope.arm())),
@@ -19,17 +19,17 @@ impl Infer<'_> {
         match expected {
             Some(base @ Base::Builtin(ty, _)) if !fields.is_empty() => {
                 self.fields_of(id, base, ty, fields, values);
-                Value::computed(base)
+                InferredValue::computed(base)
             }
             Some(base @ (Base::User(_) | Base::Unknown)) => {
                 self.inner_values(values);
-                Value::computed(base)
+                InferredValue::computed(base)
             }
             other => {
                 self.inner_values(values);
                 let expected = other.map(|base| self.scope.show(base));
                 self.report(id, ProblemKind::LiteralWithoutType { expected });
-                Value::UNKNOWN
+                InferredValue::UNKNOWN
             }
         }
     }

@@ -9,25 +9,25 @@ use val3_lang::suggest::nearest;
 use val3_lang::types::Arm;
 use val3_lang::{builtins, enumerations, instructions as catalogue};
 
-use super::value::{Form, Origin, Value, Variable};
+use super::value::{DeclaredVariable, Form, InferredValue, VariableOrigin};
 use crate::db::{Db, File, FileRange, Project};
 use crate::items::declarations;
 use crate::items::fathers::hidden_father;
 use crate::items::program::{Header, header};
 use crate::items::project::{DataItem, Items, items, resolve_type};
 use crate::paths::distinct_ends;
-use crate::problem::{NameKind, ProblemKind, Related, Role};
+use crate::problem::{NameKind, ProblemKind, Related, RelatedRole};
 use crate::ty::Base;
 
 /// Resolves the names in a program. It reports nothing: a failed lookup returns its fault.
-pub(super) struct Scope<'db> {
+pub(super) struct NameResolver<'db> {
     db: &'db dyn Db,
     project: Project,
     file: File,
     items: &'db Items,
     header: &'db Header,
     /// Parameters and locals by name.
-    variables: FxHashMap<&'db str, Value>,
+    variables: FxHashMap<&'db str, InferredValue>,
 }
 
 /// Reason of a failed lookup.
@@ -49,12 +49,12 @@ impl Unresolved {
         Self::Fault(Box::new(NameFault { kind, related: None }))
     }
 
-    fn fault_with(kind: ProblemKind, role: Role, declared: Option<FileRange>) -> Self {
+    fn fault_with(kind: ProblemKind, role: RelatedRole, declared: Option<FileRange>) -> Self {
         Self::Fault(Box::new(NameFault { kind, related: declared.map(|place| Related { place, role }) }))
     }
 }
 
-impl<'db> Scope<'db> {
+impl<'db> NameResolver<'db> {
     pub(super) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
         let (items, header) = (items(db, project), header(db, file));
         Self { db, project, file, items, header, variables: variables(items, header) }
@@ -92,7 +92,7 @@ impl<'db> Scope<'db> {
     }
 
     /// Resolves a name without a library as a value.
-    pub(super) fn value(&self, name: &str) -> Result<Value, Unresolved> {
+    pub(super) fn value(&self, name: &str) -> Result<InferredValue, Unresolved> {
         if let Some(value) = self.declared_value(name) {
             return Ok(value);
         }
@@ -105,19 +105,19 @@ impl<'db> Scope<'db> {
         }))
     }
 
-    fn declared_value(&self, name: &str) -> Option<Value> {
+    fn declared_value(&self, name: &str) -> Option<InferredValue> {
         if let Some(value) = self.variables.get(name) {
             return Some(value.clone());
         }
         if let Some(item) = self.items.data.get(name) {
             // The fault is reported at the declaration.
             let is_hidden = hidden_father(self.db, self.project, name).is_some();
-            return Some(if is_hidden { Value::UNKNOWN } else { data_value(item) });
+            return Some(if is_hidden { InferredValue::UNKNOWN } else { data_value(item) });
         }
         if let Some(builtin) = builtins::find(name) {
             return Some(builtin_value(builtin));
         }
-        enumerations::find(name).map(|enumerator| Value::of(enumerator.ty))
+        enumerations::find(name).map(|enumerator| InferredValue::of(enumerator.ty))
     }
 
     /// Returns the kind of a name that is no value.
@@ -136,7 +136,7 @@ impl<'db> Scope<'db> {
     /// Returns the kind of the variable called `name`.
     fn variable_kind(&self, name: &str) -> Option<NameKind> {
         match self.variables.get(name).map(|value| &value.form) {
-            Some(Form::Whole(Variable { origin: Origin::Parameter, .. })) => Some(NameKind::Parameter),
+            Some(Form::Whole(DeclaredVariable { origin: VariableOrigin::Parameter, .. })) => Some(NameKind::Parameter),
             Some(_) => Some(NameKind::Local),
             None => self.items.data.contains_key(name).then_some(NameKind::Data),
         }
@@ -164,66 +164,73 @@ impl<'db> Scope<'db> {
     }
 
     /// Returns the declaration of the root variable.
-    pub(super) fn declaration(&self, value: &Value, name: &str) -> Option<FileRange> {
-        let Form::Whole(Variable { origin, .. }) = &value.form else { return None };
+    pub(super) fn declaration(&self, value: &InferredValue, name: &str) -> Option<FileRange> {
+        let Form::Whole(DeclaredVariable { origin, .. }) = &value.form else { return None };
         match origin {
-            Origin::Data(file, name) => declarations::data(self.db, *file, name.clone()),
-            Origin::Local => declarations::local(self.db, self.file, name.into()),
-            Origin::Parameter => declarations::param(self.db, self.file, name.into()),
-            Origin::Builtin => None,
+            VariableOrigin::Data(file, name) => declarations::data(self.db, *file, name.clone()),
+            VariableOrigin::Local => declarations::local(self.db, self.file, name.into()),
+            VariableOrigin::Parameter => declarations::param(self.db, self.file, name.into()),
+            VariableOrigin::Builtin => None,
         }
     }
 
     /// Returns the sizes of a variable if only this project can change them: sizes of locals and private data.
-    pub(super) fn sizes(&self, variable: &Variable, name: &str) -> Option<&[u32]> {
+    pub(super) fn sizes(&self, variable: &DeclaredVariable, name: &str) -> Option<&[u32]> {
         match &variable.origin {
-            Origin::Data(file, name) => {
+            VariableOrigin::Data(file, name) => {
                 let own = self.items.data.get(name).filter(|item| item.file == *file && !item.decl.public)?;
                 Some(&own.decl.sizes)
             }
-            Origin::Local => {
+            VariableOrigin::Local => {
                 let local = self.header.locals.iter().find(|local| local.name == name)?;
                 Some(&local.sizes)
             }
-            Origin::Parameter | Origin::Builtin => None,
+            VariableOrigin::Parameter | VariableOrigin::Builtin => None,
         }
     }
 }
 
 /// Returns the parameters and locals of a program.
-fn variables<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'db str, Value> {
+fn variables<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'db str, InferredValue> {
     let base = |name: &str| resolve_type(&items.types, name).unwrap_or(Base::Unknown).on_arm(items.arm);
     let mut variables = FxHashMap::default();
     for local in &header.locals {
         let single = local.sizes == [1];
-        let variable = Variable { container: local.container, single, loose: false, origin: Origin::Local };
-        variables.insert(local.name.as_str(), Value { base: base(&local.type_name), form: Form::Whole(variable) });
+        let variable =
+            DeclaredVariable { container: local.container, single, loose: false, origin: VariableOrigin::Local };
+        variables
+            .insert(local.name.as_str(), InferredValue { base: base(&local.type_name), form: Form::Whole(variable) });
     }
     for param in &header.params {
-        let variable =
-            Variable { container: param.container, single: false, loose: param.loose, origin: Origin::Parameter };
-        variables.insert(param.name.as_str(), Value { base: base(&param.type_name), form: Form::Whole(variable) });
+        let variable = DeclaredVariable {
+            container: param.container,
+            single: false,
+            loose: param.loose,
+            origin: VariableOrigin::Parameter,
+        };
+        variables
+            .insert(param.name.as_str(), InferredValue { base: base(&param.type_name), form: Form::Whole(variable) });
     }
     variables
 }
 
 /// Returns the value for a global variable or a user type's field.
-fn data_value(item: &DataItem) -> Value {
+fn data_value(item: &DataItem) -> InferredValue {
     if !item.decl.plain {
-        return Value::UNKNOWN;
+        return InferredValue::UNKNOWN;
     }
-    let origin = Origin::Data(item.file, item.decl.name.clone());
+    let origin = VariableOrigin::Data(item.file, item.decl.name.clone());
     let single = item.decl.sizes == [1];
-    let variable = Variable { container: item.decl.container, single, loose: false, origin };
-    Value { base: item.base, form: Form::Whole(variable) }
+    let variable = DeclaredVariable { container: item.decl.container, single, loose: false, origin };
+    InferredValue { base: item.base, form: Form::Whole(variable) }
 }
 
-fn builtin_value(builtin: &builtins::Builtin) -> Value {
+fn builtin_value(builtin: &builtins::Builtin) -> InferredValue {
     let base = Base::of(builtin.ty);
     if !builtin.is_variable {
-        return Value::computed(base);
+        return InferredValue::computed(base);
     }
     let container = val3_lang::types::Container::Array { dims: 1 };
-    let variable = Variable { container, single: true, loose: false, origin: Origin::Builtin };
-    Value { base, form: Form::Whole(variable) }
+    let variable = DeclaredVariable { container, single: true, loose: false, origin: VariableOrigin::Builtin };
+    InferredValue { base, form: Form::Whole(variable) }
 }

@@ -5,19 +5,19 @@ use smol_str::SmolStr;
 
 use crate::body::{Body, ExprId};
 use crate::db::{Db, File, FileRange, Project};
-use crate::problem::{Problem, ProblemKind, Related, Role};
+use crate::problem::{Problem, ProblemKind, Related, RelatedRole};
 use crate::resizing::is_resized;
 
 /// Collects the problems in a body during inference.
 pub(super) struct Sink<'db> {
     file: File,
     body: &'db Body,
-    faults: Faults,
+    faults: BodyProblems,
 }
 
 /// Problems in a body.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Faults {
+pub(super) struct BodyProblems {
     problems: Vec<Problem>,
     overflows: Vec<Overflow>,
 }
@@ -32,11 +32,17 @@ struct Overflow {
 
 impl<'db> Sink<'db> {
     pub(super) fn new(file: File, body: &'db Body) -> Self {
-        Self { file, body, faults: Faults::default() }
+        Self { file, body, faults: BodyProblems::default() }
     }
 
     /// Reports a fault at an expression, with a related declaration.
-    pub(super) fn report_with(&mut self, id: ExprId, kind: ProblemKind, role: Role, declared: Option<FileRange>) {
+    pub(super) fn report_with(
+        &mut self,
+        id: ExprId,
+        kind: ProblemKind,
+        role: RelatedRole,
+        declared: Option<FileRange>,
+    ) {
         self.report(self.body.range(id), kind, declared.map(|place| Related { place, role }));
     }
 
@@ -74,12 +80,12 @@ impl<'db> Sink<'db> {
         self.faults.problems.iter().any(|problem| range.contains_range(problem.place.range))
     }
 
-    pub(super) fn finish(self) -> Faults {
+    pub(super) fn finish(self) -> BodyProblems {
         self.faults
     }
 }
 
-impl Faults {
+impl BodyProblems {
     /// Returns the problems sorted by position, without index problems of arrays that the project resizes.
     pub(super) fn lasting(&self, db: &dyn Db, project: Project) -> Vec<Problem> {
         let overflows = self.overflows.iter().filter(|overflow| !is_resized(db, project, &overflow.data));

@@ -31,13 +31,13 @@ pub struct AddOnCall {
 
 /// Types by expression number; calls sorted by expression number after [`Table::finish`].
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Table {
+pub(super) struct TypeTable {
     types: Vec<Ty>,
     calls: Vec<InstructionCall>,
     add_on_calls: Vec<AddOnCall>,
 }
 
-impl Table {
+impl TypeTable {
     /// Creates a table for a body of `len` expressions with unknown types.
     pub(super) fn new(len: usize) -> Self {
         Self { types: vec![Ty::UNKNOWN; len], ..Self::default() }

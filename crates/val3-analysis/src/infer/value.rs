@@ -8,7 +8,7 @@ use crate::ty::{Base, Ty};
 
 /// Result of inferring an expression.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Value {
+pub(super) struct InferredValue {
     pub(super) base: Base,
     pub(super) form: Form,
 }
@@ -19,7 +19,7 @@ pub(super) enum Form {
     /// A constant or computed value.
     Computed,
     /// A variable or field without an index.
-    Whole(Variable),
+    Whole(DeclaredVariable),
     /// An element of a container.
     Indexed {
         /// Container of the element.
@@ -29,18 +29,18 @@ pub(super) enum Form {
 
 /// A variable or field as declared.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Variable {
+pub(super) struct DeclaredVariable {
     pub(super) container: Container,
     /// Whether it is an array with one element, which is written and shown as an element (2.3.4).
     pub(super) single: bool,
     /// Whether it is a parameter of the old dialect, which may be an element or an array.
     pub(super) loose: bool,
-    pub(super) origin: Origin,
+    pub(super) origin: VariableOrigin,
 }
 
 /// Origin of a variable's declaration.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Origin {
+pub(super) enum VariableOrigin {
     Local,
     Parameter,
     /// A data file, with the name of the data.
@@ -48,7 +48,7 @@ pub(super) enum Origin {
     Builtin,
 }
 
-impl Value {
+impl InferredValue {
     pub(super) const UNKNOWN: Self = Self { base: Base::Unknown, form: Form::Computed };
 
     pub(super) fn computed(base: Base) -> Self {

@@ -6,11 +6,11 @@ use super::{Interfaces, is_public};
 use crate::db::{Db, File, FileRange, Project};
 use crate::items::declarations;
 use crate::items::project::{DataItem, Signature, items, signature};
-use crate::problem::{NameKind, Problem, ProblemKind, Related, Role};
+use crate::problem::{NameKind, Problem, ProblemKind, Related, RelatedRole};
 use crate::ty::brackets;
 
 /// An interface item, and the library that is searched for its counterpart.
-struct Pair<'a> {
+struct ItemPair<'a> {
     alias: &'a SmolStr,
     library: &'a SmolStr,
     item: &'a SmolStr,
@@ -32,7 +32,7 @@ impl Interfaces<'_> {
         let library_name: SmolStr = library.manifest(db).path(db).file_stem().unwrap_or("").into();
         let mut missing = Vec::new();
         for item in self.needed(alias) {
-            let pair = |what, interface| Pair { alias, library: &library_name, item: &item, what, load, interface };
+            let pair = |what, interface| ItemPair { alias, library: &library_name, item: &item, what, load, interface };
             if let Some(data) = wanted.data.get(&item).filter(|data| data.decl.public) {
                 let place = declarations::data(db, data.file, item.clone());
                 let pair = pair(NameKind::Data, place);
@@ -71,7 +71,7 @@ impl Interfaces<'_> {
         needed
     }
 
-    fn data(&mut self, pair: &Pair<'_>, wanted: &DataItem, found: &DataItem) {
+    fn data(&mut self, pair: &ItemPair<'_>, wanted: &DataItem, found: &DataItem) {
         let there = declarations::data(self.db, found.file, pair.item.clone());
         if !found.decl.may_be_public() {
             self.private(pair, there);
@@ -80,7 +80,7 @@ impl Interfaces<'_> {
         }
     }
 
-    fn program(&mut self, pair: &Pair<'_>, wanted: &Signature, library: Project, file: File) {
+    fn program(&mut self, pair: &ItemPair<'_>, wanted: &Signature, library: Project, file: File) {
         let db = self.db;
         let found = signature(db, library, file);
         let there = declarations::program(db, file);
@@ -102,14 +102,15 @@ impl Interfaces<'_> {
         if items.is_empty() {
             return;
         }
-        let related = items.iter().filter_map(|(.., place)| Some(Related { place: (*place)?, role: Role::Interface }));
+        let related =
+            items.iter().filter_map(|(.., place)| Some(Related { place: (*place)?, role: RelatedRole::Interface }));
         let related = related.collect();
         let items = items.into_iter().map(|(what, item, _)| (what, item)).collect();
         let kind = ProblemKind::ImplementationMissing { alias: alias.clone(), library, items };
         self.problems.push(Problem { kind, place: load, related });
     }
 
-    fn private(&mut self, pair: &Pair<'_>, there: Option<FileRange>) {
+    fn private(&mut self, pair: &ItemPair<'_>, there: Option<FileRange>) {
         let kind = ProblemKind::ImplementationPrivate {
             alias: pair.alias.clone(),
             library: pair.library.clone(),
@@ -119,7 +120,7 @@ impl Interfaces<'_> {
         self.push(kind, pair, there);
     }
 
-    fn different(&mut self, pair: &Pair<'_>, expected: SmolStr, found: SmolStr, there: Option<FileRange>) {
+    fn different(&mut self, pair: &ItemPair<'_>, expected: SmolStr, found: SmolStr, there: Option<FileRange>) {
         let kind = ProblemKind::ImplementationDifferent {
             alias: pair.alias.clone(),
             library: pair.library.clone(),
@@ -131,9 +132,9 @@ impl Interfaces<'_> {
         self.push(kind, pair, there);
     }
 
-    fn push(&mut self, kind: ProblemKind, pair: &Pair<'_>, there: Option<FileRange>) {
-        let interface = pair.interface.map(|place| Related { place, role: Role::Interface });
-        let there = there.map(|place| Related { place, role: Role::Implementation });
+    fn push(&mut self, kind: ProblemKind, pair: &ItemPair<'_>, there: Option<FileRange>) {
+        let interface = pair.interface.map(|place| Related { place, role: RelatedRole::Interface });
+        let there = there.map(|place| Related { place, role: RelatedRole::Implementation });
         let related = interface.into_iter().chain(there).collect();
         self.problems.push(Problem { kind, place: pair.load, related });
     }

@@ -16,7 +16,7 @@ use crate::items::declarations;
 use crate::items::manifest::manifest;
 use crate::items::project::items;
 use crate::items::unlisted::{Unlisted, unlisted};
-use crate::problem::{NameKind, Problem, ProblemKind, Related, Role};
+use crate::problem::{NameKind, Problem, ProblemKind, Related, RelatedRole};
 
 fn may_leave_out(db: &dyn Db, library: Project) -> bool {
     is_empty(db, library) || *unlisted(db, library) != Unlisted::default()
@@ -79,8 +79,8 @@ fn problem(db: &dyn Db, alias: SmolStr, library: Project, place: FileRange, uses
     missing.dedup();
     let list = declarations::file_list(db, library, true);
     let list = list.map(|list| FileRange { file: library.manifest(db), range: list.place });
-    let list = list.into_iter().map(|place| Related { place, role: Role::List });
-    let uses_of_items = uses.iter().map(|(_, place)| Related { place: *place, role: Role::Use });
+    let list = list.into_iter().map(|place| Related { place, role: RelatedRole::List });
+    let uses_of_items = uses.iter().map(|(_, place)| Related { place: *place, role: RelatedRole::Use });
     let related = list.chain(uses_of_items).collect();
     let unlisted = unlisted(db, library).all();
     Problem { kind: ProblemKind::LibraryLeftOut { alias, missing, unlisted, uses: uses.len() }, place, related }

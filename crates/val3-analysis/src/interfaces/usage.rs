@@ -11,7 +11,7 @@ use crate::db::{Db, File};
 
 /// Library items that a program uses, and libraries that it loads.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Uses {
+pub struct LibraryUses {
     /// Identifier and item of every `library:item`, without instructions on the identifier.
     pub items: FxHashSet<(SmolStr, SmolStr)>,
     /// Items whose existence is tested: `isDefined(library:item)`, `library:libExist("item")`.
@@ -49,9 +49,9 @@ pub enum LoadedPath {
 
 /// Returns the uses of library identifiers in the program in `file`.
 #[salsa::tracked]
-pub fn uses(db: &dyn Db, file: File) -> Uses {
+pub fn uses(db: &dyn Db, file: File) -> LibraryUses {
     let body = body(db, file);
-    let mut uses = Uses::default();
+    let mut uses = LibraryUses::default();
     for (_, expr, _) in body.exprs() {
         match expr {
             Expr::Path { library, item } if !is_instruction(item) => {
@@ -71,7 +71,7 @@ pub(super) fn is_instruction(item: &str) -> bool {
         || instructions::find(item).is_some_and(|found| found.overloads.iter().any(|form| form.on_library))
 }
 
-fn call(body: &Body, callee: ExprId, args: &[ExprId], uses: &mut Uses) {
+fn call(body: &Body, callee: ExprId, args: &[ExprId], uses: &mut LibraryUses) {
     match (body.expr(callee), args.first()) {
         (Expr::Path { library, item }, Some(first)) if item == instructions::LIB_LOAD => {
             let load = Load { alias: library.clone(), path: path(body, *first), range: body.range(*first) };

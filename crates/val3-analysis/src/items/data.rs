@@ -8,7 +8,7 @@ use val3_syntax::view::View;
 
 use super::{attributes, flag, is_sound, parse, sizes};
 use crate::db::{Db, File};
-use crate::xml::{self, Element};
+use crate::xml::{self, XmlElement};
 
 /// A global variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -54,35 +54,35 @@ pub fn is_complete(db: &dyn Db, file: File) -> bool {
 
 /// Returns the sections of the root element with the tag of the items; `None` for the old dialect, where the type name
 /// is the tag.
-fn sections<'g>(root: Element<'g>) -> impl Iterator<Item = (Element<'g>, Option<&'static str>)> {
+fn sections<'g>(root: XmlElement<'g>) -> impl Iterator<Item = (XmlElement<'g>, Option<&'static str>)> {
     let item = (root.name() == "Database").then_some("Data");
     root.elements().map(move |section| (section, item))
 }
 
-fn declares(section: Element<'_>, item: Option<&str>) -> bool {
+fn declares(section: XmlElement<'_>, item: Option<&str>) -> bool {
     let known = if item.is_some() { section.name() == "Datas" } else { section.name().ends_with("Section") };
     let mut items = section.elements();
     known && items.all(|element| item.is_none_or(|item| element.name() == item) && element.value("name").is_some())
 }
 
 /// Returns the elements that declare data in order, including elements without a name.
-pub fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
+pub fn elements(file: View<'_>) -> impl Iterator<Item = XmlElement<'_>> {
     let root = xml::root(file);
     let new = root.into_iter().flat_map(|root| root.list("Datas", "Data"));
     let old = root.filter(|root| root.name() == "dataList").into_iter().flat_map(|root| {
-        root.elements().filter(|section| section.name().ends_with("Section")).flat_map(Element::elements)
+        root.elements().filter(|section| section.name().ends_with("Section")).flat_map(XmlElement::elements)
     });
     new.chain(old)
 }
 
 /// Reads the declaration in an element.
-pub fn declaration(element: Element<'_>) -> Option<DataDecl> {
+pub fn declaration(element: XmlElement<'_>) -> Option<DataDecl> {
     let name = SmolStr::from(element.value("name")?);
     Some(if element.name() == "Data" { new_declaration(element, name) } else { old_declaration(element, name) })
 }
 
-fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
-    let Shape { type_name, container, sizes } = shape(element);
+fn new_declaration(element: XmlElement<'_>, name: SmolStr) -> DataDecl {
+    let DeclaredType { type_name, container, sizes } = shape(element);
     let access = element.value("access");
     let public = access.as_ref().is_some_and(|access| access.trim() != "private");
     DataDecl {
@@ -98,7 +98,7 @@ fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
 
 /// Type, container and sizes of a `<Data>`, `<Field>`, `<Local>` or `<Parameter>`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Shape {
+pub struct DeclaredType {
     /// Type as written; empty if the type or container is unreadable, so that the values are unknown.
     pub type_name: SmolStr,
     /// Container of the values.
@@ -108,7 +108,7 @@ pub struct Shape {
 }
 
 /// Reads the attributes that define a variable.
-pub fn shape(element: Element<'_>) -> Shape {
+pub fn shape(element: XmlElement<'_>) -> DeclaredType {
     let (mut type_name, mut collection, mut size, mut readable) = (SmolStr::default(), false, Some(vec![1]), true);
     for attribute in element.attributes() {
         let text = attribute.text();
@@ -127,8 +127,8 @@ pub fn shape(element: Element<'_>) -> Shape {
     let sizes = size.unwrap_or_else(|| vec![1]);
     let dims = u8::try_from(sizes.len()).unwrap_or(1);
     match collection {
-        true => Shape { type_name, container: Container::Collection, sizes: Vec::new() },
-        false => Shape { type_name, container: Container::Array { dims }, sizes },
+        true => DeclaredType { type_name, container: Container::Collection, sizes: Vec::new() },
+        false => DeclaredType { type_name, container: Container::Array { dims }, sizes },
     }
 }
 
@@ -138,7 +138,7 @@ pub fn single_numbers(db: &dyn Db, file: File) -> Vec<(SmolStr, f64, TextRange)>
     elements(parse.view()).filter_map(single_number).collect()
 }
 
-fn single_number(element: Element<'_>) -> Option<(SmolStr, f64, TextRange)> {
+fn single_number(element: XmlElement<'_>) -> Option<(SmolStr, f64, TextRange)> {
     let declared = declaration(element)?;
     let is_number = matches!(BaseType::from_file_name(&declared.type_name), Some((BaseType::Num, _)));
     let name = element.attribute("name").filter(|_| is_number && declared.sizes == [1])?;
@@ -147,7 +147,7 @@ fn single_number(element: Element<'_>) -> Option<(SmolStr, f64, TextRange)> {
 }
 
 /// Reads `<num name public size>` in `<numSection>`: the type is the tag, and a missing size is the number of values.
-fn old_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
+fn old_declaration(element: XmlElement<'_>, name: SmolStr) -> DataDecl {
     let values = element.elements().filter(|value| value.name().starts_with("value")).count();
     let size = element.value("size").and_then(|text| text.trim().parse().ok());
     let size = size.unwrap_or_else(|| u32::try_from(values).unwrap_or(u32::MAX)).max(1);

@@ -9,7 +9,7 @@ use val3_syntax::TextRange;
 use super::manifest::{OLD, entries, spelling};
 use super::{data as data_items, parse, program as program_items};
 use crate::db::{Db, File, FileRange, Project};
-use crate::xml::{self, Element};
+use crate::xml::{self, XmlElement};
 
 /// Returns the location of a global variable's name in a `.dtx`.
 #[salsa::tracked(returns(copy))]
@@ -147,7 +147,7 @@ pub fn listing(db: &dyn Db, project: Project, of_programs: bool, name: &str) -> 
     let spelling = spelling(root);
     let (list, item) = if of_programs { spelling.programs } else { spelling.data };
     let entry = format!("<{item} file=\"{name}\" />");
-    let behind = |element: Element<'_>| TextRange::empty(element.view().range().end());
+    let behind = |element: XmlElement<'_>| TextRange::empty(element.view().range().end());
     if let Some(last) = entries(root, (list, item)).last() {
         return Some((behind(last), entry));
     }
@@ -162,15 +162,15 @@ pub fn is_old(db: &dyn Db, project: Project) -> bool {
     xml::root(parse.view()).is_some_and(|root| root.name() == OLD.root)
 }
 
-fn names<'g>(elements: impl Iterator<Item = Element<'g>>) -> Vec<Declared> {
-    let declared = |element: Element<'g>| {
+fn names<'g>(elements: impl Iterator<Item = XmlElement<'g>>) -> Vec<Declared> {
+    let declared = |element: XmlElement<'g>| {
         let name = element.attribute("name")?;
         Some(Declared { name: name.text().into(), range: name.range, element: element.view().range() })
     };
     elements.filter_map(declared).collect()
 }
 
-fn named<'g>(mut elements: impl Iterator<Item = Element<'g>>, attribute: &str, name: &str) -> Option<TextRange> {
+fn named<'g>(mut elements: impl Iterator<Item = XmlElement<'g>>, attribute: &str, name: &str) -> Option<TextRange> {
     elements
         .find_map(|element| element.attribute(attribute).filter(|found| found.text() == name).map(|found| found.range))
 }

@@ -12,7 +12,7 @@ use super::parse;
 use super::project::{data_files, items};
 use crate::db::{Db, File, FileRange, Project};
 use crate::ty::Base;
-use crate::xml::Element;
+use crate::xml::XmlElement;
 
 /// Returns the names of all fathers in a project's data, and of the library identifiers before them.
 #[salsa::tracked]
@@ -51,7 +51,7 @@ pub fn references(db: &dyn Db, project: Project, name: &str) -> Vec<FileRange> {
     places
 }
 
-fn collect_references(element: Element<'_>, name: &str, ranges: &mut Vec<TextRange>) {
+fn collect_references(element: XmlElement<'_>, name: &str, ranges: &mut Vec<TextRange>) {
     let old = element.attribute("name").filter(|_| element.name().ends_with("Father"));
     let named = [old, element.attribute(FATHER)].into_iter().flatten();
     ranges.extend(named.filter(|father| root(&father.text()) == name).map(|father| father.range));
@@ -59,7 +59,7 @@ fn collect_references(element: Element<'_>, name: &str, ranges: &mut Vec<TextRan
 }
 
 /// Collects fathers from the values, and from the values of user type fields.
-fn collect(element: Element<'_>, names: &mut FxHashSet<SmolStr>) {
+fn collect(element: XmlElement<'_>, names: &mut FxHashSet<SmolStr>) {
     if element.name().ends_with("Father") {
         names.extend(["alias", "name"].iter().filter_map(|name| element.value(name)).map(SmolStr::from));
     }
@@ -82,12 +82,12 @@ pub fn without_father(db: &dyn Db, file: File) -> Vec<(SmolStr, String, TextRang
     elements(parse.view()).filter_map(unlinked).collect()
 }
 
-fn unlinked(element: Element<'_>) -> Option<(SmolStr, String, TextRange)> {
+fn unlinked(element: XmlElement<'_>) -> Option<(SmolStr, String, TextRange)> {
     let name = element.attribute("name")?;
     let ty = element.value("type")?;
     let is_built_in = |base: BaseType| builtins::find(&name.text()).is_some_and(|builtin| builtin.ty == base);
     BaseType::from_file_name(&ty).filter(|(base, _)| base.has_father() && !is_built_in(*base))?;
-    let is_linked = |value: Element<'_>| value.value(FATHER).is_some_and(|father| !father.trim().is_empty());
+    let is_linked = |value: XmlElement<'_>| value.value(FATHER).is_some_and(|father| !father.trim().is_empty());
     let mut values = element.elements().peekable();
     if values.peek().is_none() && element.value("size").is_some() {
         return Some((name.text().into(), "0".to_owned(), name.range));

@@ -4,11 +4,11 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::enumerations::{self, Enumerator, find_in_file};
 use val3_lang::motion::rounds_corner;
-use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
+use val3_lang::types::{Arm, AttributeValue, BaseType, DefaultValue, ValueAttribute, attributes};
 
 use super::{data, parse};
 use crate::db::{Db, File};
-use crate::xml::Element;
+use crate::xml::XmlElement;
 
 /// Initial values of global data, by name and key (`0`, `1,2`, `home`).
 pub type InitialValues = FxHashMap<SmolStr, FxHashMap<SmolStr, Initial>>;
@@ -33,17 +33,18 @@ pub fn initial(db: &dyn Db, file: File) -> InitialValues {
     data::elements(parse.view()).filter_map(values).collect()
 }
 
-fn values(element: Element<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Initial>)> {
+fn values(element: XmlElement<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Initial>)> {
     let is_new = element.name() == "Data";
     let written = if is_new { element.value("type")? } else { element.name().into() };
     let (ty, arm) = BaseType::from_file_name(&written).filter(|(ty, _)| has_values(*ty))?;
     let values: FxHashMap<SmolStr, Initial> = if is_new {
-        let value = |value: Element<'_>| Some((value.value("key")?.as_ref().into(), new_value(value, ty, arm)));
+        let value = |value: XmlElement<'_>| Some((value.value("key")?.as_ref().into(), new_value(value, ty, arm)));
         element.elements().filter_map(value).collect()
     } else {
         let has_father = element.elements().any(is_father);
-        let value =
-            |value: Element<'_>| Some((value.value("index")?.as_ref().into(), old_value(value, ty, arm, has_father)));
+        let value = |value: XmlElement<'_>| {
+            Some((value.value("index")?.as_ref().into(), old_value(value, ty, arm, has_father)))
+        };
         element.elements().filter(|value| value.name().starts_with("value")).filter_map(value).collect()
     };
     Some((element.value("name")?.as_ref().into(), values))
@@ -54,14 +55,14 @@ fn has_values(ty: BaseType) -> bool {
 }
 
 /// Reads `<Value key x … shoulder … fatherId>`.
-fn new_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Initial {
+fn new_value(value: XmlElement<'_>, ty: BaseType, arm: Option<Arm>) -> Initial {
     let has_father = value.value("fatherId").is_some_and(|father| !father.trim().is_empty());
     let written = |name: &str| value.value(name).map(SmolStr::from);
     of_attributes(&written, ty, arm, has_father)
 }
 
 /// Reads `<valuePoint index>` and its elements, for example `<cpValue shoulder …>`.
-fn old_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>, has_father: bool) -> Initial {
+fn old_value(value: XmlElement<'_>, ty: BaseType, arm: Option<Arm>, has_father: bool) -> Initial {
     let written = |name: &str| value.elements().find_map(|part| part.value(name)).map(SmolStr::from);
     of_attributes(&written, ty, arm, has_father)
 }
@@ -82,7 +83,7 @@ fn of_attributes(
 
 /// Returns the blend distances `leave` and `reach`.
 fn corner(written: &dyn Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> Option<[f64; 2]> {
-    let distance = |attribute: &Attribute| match attribute.default {
+    let distance = |attribute: &ValueAttribute| match attribute.default {
         DefaultValue::Number(usual) => written(attribute.name).map_or(Some(usual), |text| text.trim().parse().ok()),
         _ => None,
     };
@@ -94,12 +95,12 @@ fn corner(written: &dyn Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<A
 }
 
 /// Whether the element is `<pFather alias name fatherIndex>` with a name; an empty name means no father.
-fn is_father(element: Element<'_>) -> bool {
+fn is_father(element: XmlElement<'_>) -> bool {
     element.name().ends_with("Father") && element.value("name").is_some_and(|name| !name.is_empty())
 }
 
 fn needs_corner(written: &dyn Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> bool {
-    let is_other = |attribute: &Attribute, text: &str| match (attribute.value, attribute.default) {
+    let is_other = |attribute: &ValueAttribute, text: &str| match (attribute.value, attribute.default) {
         (AttributeValue::Choice(choice), _) => find_in_file(choice, text) != enumerations::values(choice).next(),
         (_, DefaultValue::Number(usual)) => text.parse() != Ok(usual),
         _ => false,
@@ -115,7 +116,7 @@ fn choices(
     ty: BaseType,
     arm: Option<Arm>,
 ) -> Vec<(&'static str, &'static Enumerator)> {
-    let choice = |attribute: &'static Attribute| {
+    let choice = |attribute: &'static ValueAttribute| {
         let AttributeValue::Choice(choice) = attribute.value else { return None };
         let text = written(attribute.name);
         let found = match &text {

@@ -8,7 +8,7 @@ use val3_syntax::TextRange;
 
 use super::{data, parse};
 use crate::db::{Db, File};
-use crate::xml::Element;
+use crate::xml::XmlElement;
 
 /// Returns the first link of digital and numerical data whose values are all linked to inputs, and of tools whose
 /// outputs are all inputs. Only files of s7 and s8 are read.
@@ -18,7 +18,7 @@ pub fn input_links(db: &dyn Db, file: File) -> FxHashMap<SmolStr, SmolStr> {
     data::elements(parse.view()).filter_map(linked).collect()
 }
 
-fn linked(element: Element<'_>) -> Option<(SmolStr, SmolStr)> {
+fn linked(element: XmlElement<'_>) -> Option<(SmolStr, SmolStr)> {
     let (ty, _) = BaseType::from_file_name(element.value("type")?.as_ref())?;
     if !matches!(ty, BaseType::Dio | BaseType::Aio | BaseType::Tool) {
         return None;
@@ -29,7 +29,7 @@ fn linked(element: Element<'_>) -> Option<(SmolStr, SmolStr)> {
 }
 
 /// Returns the link of a value.
-fn link(value: Element<'_>, ty: BaseType) -> Option<SmolStr> {
+fn link(value: XmlElement<'_>, ty: BaseType) -> Option<SmolStr> {
     let is_link = |name: &str| attribute(ty, None, name).is_some_and(|known| known.value == AttributeValue::Link);
     let link = value.attributes().find(|attribute| is_link(attribute.name))?;
     Some(link.text().trim().into())
@@ -43,7 +43,8 @@ pub fn links(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
         let written = element.value("type").unwrap_or_else(|| element.name().into());
         let Some((ty, _)) = BaseType::from_file_name(&written) else { continue };
         let is_link = |name: &str| attribute(ty, None, name).is_some_and(|known| known.value == AttributeValue::Link);
-        let attributes = element.elements().flat_map(Element::attributes).filter(|attribute| is_link(attribute.name));
+        let attributes =
+            element.elements().flat_map(XmlElement::attributes).filter(|attribute| is_link(attribute.name));
         found.extend(attributes.map(|attribute| (SmolStr::from(attribute.text().trim()), attribute.range)));
     }
     found

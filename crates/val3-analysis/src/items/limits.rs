@@ -7,11 +7,11 @@ use val3_syntax::TextRange;
 
 use super::{data, parse};
 use crate::db::{Db, File};
-use crate::xml::{Attribute, Element};
+use crate::xml::{Attribute, XmlElement};
 
 /// A number in a motion descriptor.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Limit {
+pub struct DescriptorLimit {
     /// Attribute name, for example `tmax` for the field `tvel`.
     pub attribute: &'static str,
     /// Value.
@@ -21,7 +21,7 @@ pub struct Limit {
 }
 
 /// Returns the numbers of all motion descriptors in a data file of either dialect, including fields of user types.
-pub fn limits(db: &dyn Db, file: File) -> Vec<Limit> {
+pub fn limits(db: &dyn Db, file: File) -> Vec<DescriptorLimit> {
     let parse = parse(db, file);
     let mut found = Vec::new();
     for element in data::elements(parse.view()) {
@@ -54,7 +54,7 @@ pub fn blends(db: &dyn Db, file: File) -> Vec<BlendDistances> {
     found
 }
 
-fn blend(value: Element<'_>) -> Option<BlendDistances> {
+fn blend(value: XmlElement<'_>) -> Option<BlendDistances> {
     let number = |name: &str| value.value(name)?.trim().parse::<f64>().ok();
     let choice = find_in_file(BaseType::Blend, value.value("blend")?.trim())?;
     let leave = value.attributes().find(|attribute| attribute.name == "leave")?;
@@ -64,19 +64,19 @@ fn blend(value: Element<'_>) -> Option<BlendDistances> {
 
 /// Collects from `<Data type>` and `<Field type>` with `<Value>`, and from `<mdesc>` with `<valueMdesc>` and
 /// `<mdescValue>`.
-fn declared(element: Element<'_>, found: &mut Vec<Limit>) {
+fn declared(element: XmlElement<'_>, found: &mut Vec<DescriptorLimit>) {
     let written = element.value("type").unwrap_or_else(|| element.name().into());
     let is_descriptor = matches!(BaseType::from_file_name(&written), Some((BaseType::Mdesc, _)));
     for value in element.elements() {
         let parts = std::iter::once(value).chain(value.elements());
-        found.extend(parts.filter(|_| is_descriptor).flat_map(Element::attributes).filter_map(limit));
+        found.extend(parts.filter(|_| is_descriptor).flat_map(XmlElement::attributes).filter_map(limit));
         for field in value.elements().filter(|part| part.name() == "Field") {
             declared(field, found);
         }
     }
 }
 
-fn limit(written: Attribute<'_>) -> Option<Limit> {
+fn limit(written: Attribute<'_>) -> Option<DescriptorLimit> {
     let known = attribute(BaseType::Mdesc, None, written.name).filter(|known| known.value == AttributeValue::Number)?;
-    Some(Limit { attribute: known.name, value: written.text().trim().parse().ok()?, range: written.range })
+    Some(DescriptorLimit { attribute: known.name, value: written.text().trim().parse().ok()?, range: written.range })
 }

@@ -6,7 +6,7 @@ use val3_syntax::view::View;
 
 use super::{is_sound, parse};
 use crate::db::{Db, File};
-use crate::xml::{self, Element};
+use crate::xml::{self, XmlElement};
 
 /// A project file of either dialect.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -98,7 +98,7 @@ pub(crate) const OLD: Spelling = Spelling {
 };
 
 /// Returns the dialect of a project file.
-pub fn spelling(root: Element<'_>) -> &'static Spelling {
+pub fn spelling(root: XmlElement<'_>) -> &'static Spelling {
     if root.name() == OLD.root { &OLD } else { &NEW }
 }
 
@@ -143,7 +143,7 @@ pub fn read(file: View<'_>) -> Manifest {
 }
 
 /// Whether every element is known and has its name attribute.
-fn is_complete(root: Element<'_>, spelling: &Spelling) -> bool {
+fn is_complete(root: XmlElement<'_>, spelling: &Spelling) -> bool {
     let lists = [
         (spelling.programs, "file"),
         (spelling.data, "file"),
@@ -160,11 +160,14 @@ fn is_complete(root: Element<'_>, spelling: &Spelling) -> bool {
 }
 
 /// Returns the elements of a list in a project file.
-pub fn entries<'g>(root: Element<'g>, (list, item): (&'static str, &'static str)) -> impl Iterator<Item = Element<'g>> {
+pub fn entries<'g>(
+    root: XmlElement<'g>,
+    (list, item): (&'static str, &'static str),
+) -> impl Iterator<Item = XmlElement<'g>> {
     root.list(list, item)
 }
 
-fn library(element: Element<'_>, spelling: &Spelling) -> LibraryEntry {
+fn library(element: XmlElement<'_>, spelling: &Spelling) -> LibraryEntry {
     LibraryEntry {
         alias: value(element, spelling.library_name),
         path: value(element, spelling.library_path),
@@ -172,6 +175,6 @@ fn library(element: Element<'_>, spelling: &Spelling) -> LibraryEntry {
     }
 }
 
-fn value(element: Element<'_>, attribute: &str) -> SmolStr {
+fn value(element: XmlElement<'_>, attribute: &str) -> SmolStr {
     element.value(attribute).map(SmolStr::from).unwrap_or_default()
 }

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::enumerations::{find_in_file, values};
-use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, attributes};
+use val3_lang::types::{Arm, AttributeValue, BaseType, ValueAttribute, attributes};
 use val3_lang::values::ConfigValue;
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
@@ -11,17 +11,17 @@ use val3_syntax::view::View;
 use super::{data, parse};
 use crate::data_check::steps;
 use crate::db::{Db, File};
-use crate::xml::Element;
+use crate::xml::XmlElement;
 
 /// Maximum nesting of fields in a file.
 const NESTING: usize = 8;
 
 /// Values of a file by data path.
-pub type Positions = FxHashMap<SmolStr, Position>;
+pub type FilePositions = FxHashMap<SmolStr, TaughtPosition>;
 
 /// A value in a file, in the length unit of the application.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Position {
+pub struct TaughtPosition {
     /// Point, joint, frame, tool or transformation.
     pub ty: BaseType,
     /// Kind of arm, if the type of a point or joint names one.
@@ -34,7 +34,7 @@ pub struct Position {
     pub father: Option<SmolStr>,
 }
 
-impl Position {
+impl TaughtPosition {
     /// Whether all numbers are 0, so that the position was declared but never taught.
     pub fn is_zero(&self) -> bool {
         self.numbers.iter().all(|number| *number == 0.0)
@@ -43,9 +43,9 @@ impl Position {
 
 /// Reads the values of a file. Values with unreadable numbers are omitted.
 #[salsa::tracked]
-pub fn positions(db: &dyn Db, file: File) -> Positions {
+pub fn positions(db: &dyn Db, file: File) -> FilePositions {
     let parse = parse(db, file);
-    let mut positions = Positions::default();
+    let mut positions = FilePositions::default();
     each(parse.view(), &mut |value| {
         if let Some(position) = value.read() {
             positions.entry(value.path.into()).or_insert(position);
@@ -59,9 +59,9 @@ pub struct PositionElement<'g> {
     /// Data path with every index: `tSlots[1,2].pPlace[0]`.
     pub path: String,
     /// Element of the value.
-    pub element: Element<'g>,
+    pub element: XmlElement<'g>,
     /// Element of the data or field.
-    pub container: Element<'g>,
+    pub container: XmlElement<'g>,
     ty: BaseType,
     arm: Option<Arm>,
 }
@@ -75,7 +75,7 @@ pub fn each<'g>(file: View<'g>, take: &mut dyn FnMut(PositionElement<'g>)) {
     }
 }
 
-fn values_of<'g>(name: &str, container: Element<'g>, nesting: usize, take: &mut dyn FnMut(PositionElement<'g>)) {
+fn values_of<'g>(name: &str, container: XmlElement<'g>, nesting: usize, take: &mut dyn FnMut(PositionElement<'g>)) {
     let is_new = matches!(container.name(), "Data" | "Field");
     let Some(written) = (if is_new { container.value("type") } else { Some(container.name().into()) }) else { return };
     let found = BaseType::from_file_name(&written);
@@ -124,7 +124,7 @@ impl PositionElement<'_> {
     }
 
     /// Reads the value; `None` if a number is unreadable.
-    pub fn read(&self) -> Option<Position> {
+    pub fn read(&self) -> Option<TaughtPosition> {
         let (mut numbers, mut places) = ([0.0; 6], [0.0; 3]);
         let (mut slots, mut choices) = (numbers.iter_mut(), places.iter_mut());
         for attribute in attributes(self.ty, self.arm) {
@@ -142,23 +142,23 @@ impl PositionElement<'_> {
             }
         }
         let (ty, arm) = (self.ty, self.arm);
-        Some(Position { ty, arm, numbers, configuration: ConfigValue(places), father: self.father() })
+        Some(TaughtPosition { ty, arm, numbers, configuration: ConfigValue(places), father: self.father() })
     }
 
-    fn number(&self, attribute: &Attribute) -> Option<f64> {
+    fn number(&self, attribute: &ValueAttribute) -> Option<f64> {
         let Some(text) = self.written(attribute) else { return Some(0.0) };
         text.trim().parse().ok().filter(|number: &f64| number.is_finite())
     }
 
     /// Returns the index in the list of enumerators.
-    fn choice(&self, attribute: &Attribute, ty: BaseType) -> Option<f64> {
+    fn choice(&self, attribute: &ValueAttribute, ty: BaseType) -> Option<f64> {
         let Some(text) = self.written(attribute) else { return Some(0.0) };
         let found = find_in_file(ty, text.trim())?;
         values(ty).position(|value| value == found).and_then(|place| u8::try_from(place).ok()).map(f64::from)
     }
 
     /// Returns the text of an attribute in the value; in the old dialect, in an element of the value.
-    fn written(&self, attribute: &Attribute) -> Option<std::borrow::Cow<'_, str>> {
+    fn written(&self, attribute: &ValueAttribute) -> Option<std::borrow::Cow<'_, str>> {
         let in_parts = || self.element.elements().find_map(|part| part.value(attribute.old_name()));
         self.element.value(attribute.name).or_else(in_parts)
     }

@@ -6,10 +6,10 @@ use val3_lang::types::Container;
 use val3_syntax::SyntaxKind;
 use val3_syntax::view::View;
 
-use super::data::{Shape, shape};
+use super::data::{DeclaredType, shape};
 use super::{attributes, flag, parse};
 use crate::db::{Db, File, FileStatus};
-use crate::xml::{self, Element};
+use crate::xml::{self, XmlElement};
 
 /// Header of a program.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -69,7 +69,7 @@ pub fn header(db: &dyn Db, file: File) -> Header {
 }
 
 /// Returns the program element of a file.
-pub fn element(file: View<'_>) -> Option<Element<'_>> {
+pub fn element(file: View<'_>) -> Option<XmlElement<'_>> {
     xml::root(file)?.child(&["Program", "program"])
 }
 
@@ -79,7 +79,7 @@ pub fn code(file: View<'_>) -> Option<View<'_>> {
 }
 
 /// Returns the element that contains the program code.
-pub fn code_element(file: View<'_>) -> Option<Element<'_>> {
+pub fn code_element(file: View<'_>) -> Option<XmlElement<'_>> {
     let program = element(file)?;
     program.child(&["Code"]).or_else(|| program.child(&["source"])?.child(&["code"]))
 }
@@ -96,25 +96,25 @@ pub(crate) const LISTS: [(&str, Option<&str>); 8] = [
     ("description", None),
 ];
 
-fn is_complete(program: Element<'_>) -> bool {
+fn is_complete(program: XmlElement<'_>) -> bool {
     program.value("name").is_some()
         && program.elements().all(|list| {
             let known = LISTS.iter().find(|(name, _)| *name == list.name());
             known.is_some_and(|(_, item)| {
                 let declares =
-                    |item: &&str, element: Element<'_>| element.name() == *item && element.value("name").is_some();
+                    |item: &&str, element: XmlElement<'_>| element.name() == *item && element.value("name").is_some();
                 item.is_none_or(|item| list.elements().all(|element| declares(&item, element)))
             })
         })
 }
 
 /// Returns the elements that declare parameters.
-pub fn params<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
+pub fn params<'g>(program: XmlElement<'g>) -> impl Iterator<Item = XmlElement<'g>> {
     program.list("Parameters", "Parameter").chain(program.list("paramSection", "param"))
 }
 
 /// Returns the elements that declare locals.
-pub fn locals<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
+pub fn locals<'g>(program: XmlElement<'g>) -> impl Iterator<Item = XmlElement<'g>> {
     program.list("Locals", "Local").chain(program.list("localSection", "local"))
 }
 
@@ -134,7 +134,7 @@ pub fn read(file: View<'_>) -> Header {
     }
 }
 
-fn param(element: Element<'_>) -> Option<ParamDecl> {
+fn param(element: XmlElement<'_>) -> Option<ParamDecl> {
     let name = SmolStr::from(element.value("name")?);
     let type_name = plain_shape(element).type_name;
     if let Some(by_value) = element.value("byVal") {
@@ -153,14 +153,14 @@ fn param(element: Element<'_>) -> Option<ParamDecl> {
     Some(ParamDecl { name, type_name, container, by_reference, loose: false })
 }
 
-fn local(element: Element<'_>) -> Option<LocalDecl> {
+fn local(element: XmlElement<'_>) -> Option<LocalDecl> {
     let name = SmolStr::from(element.value("name")?);
-    let Shape { type_name, container, sizes } = plain_shape(element);
+    let DeclaredType { type_name, container, sizes } = plain_shape(element);
     Some(LocalDecl { name, type_name, container, sizes })
 }
 
 /// Returns the shape without a type if an attribute may be misspelt, because the values are unknown then.
-fn plain_shape(element: Element<'_>) -> Shape {
+fn plain_shape(element: XmlElement<'_>) -> DeclaredType {
     let shape = shape(element);
-    if attributes::is_plain(element) { shape } else { Shape { type_name: SmolStr::default(), ..shape } }
+    if attributes::is_plain(element) { shape } else { DeclaredType { type_name: SmolStr::default(), ..shape } }
 }

@@ -3,7 +3,7 @@
 use camino::Utf8Path;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::{SmolStr, format_smolstr};
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::versions::Version;
 
@@ -11,7 +11,7 @@ use super::data::{DataDecl, data, is_complete};
 use super::manifest::{Manifest, manifest};
 use super::program::{Header, header};
 use crate::db::{Db, File, Project, Sources};
-use crate::paths::{self, Target, path_key};
+use crate::paths::{self, ResolvedPath, path_key};
 
 use crate::ty::{Base, brackets};
 
@@ -72,8 +72,8 @@ pub fn find_project(db: &dyn Db, project: Project, reference: &str) -> Option<Pr
         return None;
     }
     match paths::project(folder(db, project), project.roots(db), reference) {
-        Target::Path(path) => Sources::get(db).projects(db).get(&path_key(path.as_str())).copied(),
-        Target::Elsewhere => None,
+        ResolvedPath::Path(path) => Sources::get(db).projects(db).get(&path_key(path.as_str())).copied(),
+        ResolvedPath::Elsewhere => None,
     }
 }
 
@@ -212,7 +212,7 @@ pub struct Signature {
     /// Whether other projects may call the program.
     pub public: bool,
     /// Parameters in order.
-    pub params: Vec<Param>,
+    pub params: Vec<SignatureParam>,
     /// Whether every parameter is readable.
     pub complete: bool,
 }
@@ -220,7 +220,7 @@ pub struct Signature {
 impl Signature {
     /// Formats the syntax line: `pick(num x_nCount, string& x_sName[])`.
     pub(crate) fn syntax_line(&self, db: &dyn Db) -> SmolStr {
-        let param = |param: &Param| {
+        let param = |param: &SignatureParam| {
             let reference = if param.by_reference { "&" } else { "" };
             format!("{}{reference} {}{}", param.base.display(db), param.name, brackets(param.container))
         };
@@ -231,7 +231,7 @@ impl Signature {
 
 /// A parameter in a signature.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Param {
+pub struct SignatureParam {
     /// Parameter name.
     pub name: SmolStr,
     /// Type of the values.
@@ -244,15 +244,15 @@ pub struct Param {
     pub loose: bool,
 }
 
-impl Param {
+impl SignatureParam {
     /// Returns the form of argument. In the old dialect, every parameter by reference is an array, because elements are
     /// not distinguished.
-    pub fn shape(&self) -> Shape {
+    pub fn shape(&self) -> ArgumentForm {
         match self.container {
-            Container::Element if self.by_reference => Shape::Reference,
-            Container::Element => Shape::Value,
-            Container::Array { dims } => Shape::Array { dims },
-            Container::Collection => Shape::Collection,
+            Container::Element if self.by_reference => ArgumentForm::Reference,
+            Container::Element => ArgumentForm::Value,
+            Container::Array { dims } => ArgumentForm::Array { dims },
+            Container::Collection => ArgumentForm::Collection,
         }
     }
 }
@@ -262,7 +262,7 @@ impl Param {
 pub fn signature(db: &dyn Db, project: Project, file: File) -> Signature {
     let Header { name, public, params, complete, .. } = header(db, file);
     let types = &items(db, project).types;
-    let params = params.iter().map(|param| Param {
+    let params = params.iter().map(|param| SignatureParam {
         name: param.name.clone(),
         base: resolve_type(types, &param.type_name).unwrap_or(Base::Unknown),
         container: param.container,

@@ -5,7 +5,7 @@ use memchr::memmem;
 use rowan::NodeOrToken;
 use smol_str::SmolStr;
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{Part, SyntaxKind, TextRange, TextSize, text_size};
+use val3_syntax::{SyntaxKind, TextRange, TextSize, TextSlice, text_size};
 
 use super::parse;
 use crate::db::{Db, File};
@@ -22,14 +22,14 @@ pub struct Suppression {
     /// Range of the comment.
     pub comment: TextRange,
     /// Extent of the suppression.
-    pub scope: Scope,
+    pub scope: SuppressionExtent,
     /// Rule codes and names in the comment.
     pub rules: Vec<SuppressedRule>,
 }
 
 /// Extent of a suppression.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scope {
+pub enum SuppressionExtent {
     /// `allow(…)`: findings that start in the next line that is neither blank nor a comment.
     Line(TextRange),
     /// `allow-program(…)` before the first line of code: all findings of the file.
@@ -53,9 +53,9 @@ impl Suppression {
     /// Whether the suppression applies to a finding that starts at `at`.
     pub fn covers(&self, at: TextSize) -> bool {
         match self.scope {
-            Scope::Line(line) => line.contains_inclusive(at),
-            Scope::Program => true,
-            Scope::Misplaced | Scope::Unreadable => false,
+            SuppressionExtent::Line(line) => line.contains_inclusive(at),
+            SuppressionExtent::Program => true,
+            SuppressionExtent::Misplaced | SuppressionExtent::Unreadable => false,
         }
     }
 }
@@ -84,7 +84,7 @@ fn orders(db: &dyn Db, file: File) -> (Vec<Suppression>, Vec<TextRange>) {
     if memmem::find(text.as_bytes(), MARK.as_bytes()).is_none() {
         return Default::default();
     }
-    let mut reader = Reader { text, in_head: true, found: Vec::new(), uncovered: Vec::new() };
+    let mut reader = SuppressionReader { text, in_head: true, found: Vec::new(), uncovered: Vec::new() };
     reader.elements(parse(db, file).view());
     (reader.found, reader.uncovered)
 }
@@ -103,7 +103,7 @@ fn with_block(root: View<'_>, line: TextRange) -> TextRange {
     line.cover(node.range())
 }
 
-struct Reader<'t> {
+struct SuppressionReader<'t> {
     text: &'t str,
     /// Whether no line of code has been read yet.
     in_head: bool,
@@ -111,7 +111,7 @@ struct Reader<'t> {
     uncovered: Vec<TextRange>,
 }
 
-impl Reader<'_> {
+impl SuppressionReader<'_> {
     fn elements(&mut self, node: View<'_>) {
         for child in node.children() {
             match child.kind() {
@@ -146,7 +146,7 @@ impl Reader<'_> {
             return;
         }
         let suppression = match read(order) {
-            None => Suppression { comment: range, scope: Scope::Unreadable, rules: Vec::new() },
+            None => Suppression { comment: range, scope: SuppressionExtent::Unreadable, rules: Vec::new() },
             Some((reach, words)) => {
                 let rules = words.into_iter().map(|(from_end, word)| named(word, range.end() - from_end)).collect();
                 Suppression { comment: range, scope: self.scope(reach, range), rules }
@@ -163,11 +163,11 @@ impl Reader<'_> {
         TextRange::new(range_of(0, usize::from(line.start()) + blanks.unwrap_or_default()).end(), line.end())
     }
 
-    fn scope(&self, reach: AllowKeyword, comment: TextRange) -> Scope {
+    fn scope(&self, reach: AllowKeyword, comment: TextRange) -> SuppressionExtent {
         match reach {
-            AllowKeyword::Line => Scope::Line(next_line(self.text, comment.end())),
-            AllowKeyword::Program if self.in_head => Scope::Program,
-            AllowKeyword::Program => Scope::Misplaced,
+            AllowKeyword::Line => SuppressionExtent::Line(next_line(self.text, comment.end())),
+            AllowKeyword::Program if self.in_head => SuppressionExtent::Program,
+            AllowKeyword::Program => SuppressionExtent::Misplaced,
         }
     }
 }
@@ -245,7 +245,7 @@ mod tests {
             let rules: Vec<_> = found.rules.iter().map(|rule| (&text[rule.range], rule.name.as_str())).collect();
             assert!(rules.iter().all(|(there, name)| there == name));
             let scope = match found.scope {
-                Scope::Line(line) => format!("line `{}`", &text[line]),
+                SuppressionExtent::Line(line) => format!("line `{}`", &text[line]),
                 other => format!("{other:?}"),
             };
             let names: Vec<_> = rules.iter().map(|(_, name)| *name).collect();

@@ -14,7 +14,7 @@ use crate::add_on_programs;
 use crate::db::Configuration;
 use crate::paths::{Roots, normalise, path_key};
 
-use crate::system::{Kind, System};
+use crate::system::{PathKind, System};
 
 /// File that replaces the nearest `val3.toml` of all applications.
 static REQUESTED: OnceLock<Utf8PathBuf> = OnceLock::new();
@@ -48,7 +48,7 @@ pub fn nearest_configuration(system: &dyn System, folder: &Utf8Path) -> Result<O
 
 /// Reads a configuration; `None` if the file does not exist.
 fn read(system: &dyn System, path: &Utf8Path) -> Option<Result<ConfigFile, ConfigError>> {
-    if system.kind(path) != Some(Kind::File) {
+    if system.kind(path) != Some(PathKind::File) {
         return None;
     }
     let folder = path.parent().unwrap_or(Utf8Path::new(""));
@@ -139,7 +139,7 @@ impl Loader<'_> {
     /// Returns the `.pjx` files under `path`, without files that a `val3.toml` excludes.
     pub(super) fn discover(&mut self, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, LoadError> {
         let mut found = discover::manifests(self.system, path, &mut self.unreadable)?;
-        if self.system.kind(path) == Some(Kind::File) {
+        if self.system.kind(path) == Some(PathKind::File) {
             return Ok(found);
         }
         let mut excluding = None;
@@ -183,7 +183,7 @@ fn missing_folders(system: &dyn System, file: &ConfigFile) -> Vec<ConfigError> {
     let disk = config.disk.iter().map(|disk| ("disk".to_owned(), disk));
     let others = config.roots.iter().map(|(root, folder)| (format!("roots.{root}"), folder));
     disk.chain(others)
-        .filter(|(_, folder)| system.kind(&inside(file, folder)) != Some(Kind::Folder))
+        .filter(|(_, folder)| system.kind(&inside(file, folder)) != Some(PathKind::Folder))
         .map(|(key, folder)| {
             let help = format!("paths are relative to the folder of this file, `{}`", file.folder());
             file.fault(&key, format!("there is no folder `{folder}`"), help)

@@ -5,7 +5,7 @@ use val3_files::{FileClass, is_archive_name};
 
 use super::error::LoadError;
 use super::search::{files, has_extension};
-use crate::system::{Kind, System};
+use crate::system::{PathKind, System};
 
 /// Returns the `.pjx` files under `path`: a project file, an application folder, a cell, or any folder above.
 pub(super) fn manifests(
@@ -16,8 +16,8 @@ pub(super) fn manifests(
     let before = unreadable.len();
     let found = match system.kind(path) {
         None => return Err(error(path, &missing(system, path))),
-        Some(Kind::File) => of_file(system, path)?,
-        Some(Kind::Folder) => files(system, path, "pjx", unreadable),
+        Some(PathKind::File) => of_file(system, path)?,
+        Some(PathKind::Folder) => files(system, path, "pjx", unreadable),
     };
     if found.is_empty() {
         if let Some((entry, reason)) = unreadable.get(before) {

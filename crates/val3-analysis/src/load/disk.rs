@@ -7,8 +7,8 @@ use rustc_hash::FxHashSet;
 use super::references::PathArgument;
 use super::{Loader, outside};
 use crate::items::manifest::manifest as project_manifest;
-use crate::paths::{self, Roots, Target, path_key, usrapp};
-use crate::system::Kind;
+use crate::paths::{self, ResolvedPath, Roots, path_key, usrapp};
+use crate::system::PathKind;
 
 /// Maximum number of folders above a project that are considered as the disk, or as the folder that contains it.
 const LEVELS: usize = 6;
@@ -29,8 +29,8 @@ impl Loader<'_> {
             let own = path_key(manifest.as_str());
             let targets = self.references_of(manifest).into_iter().filter_map(|reference| {
                 match paths::project(folder, &roots, &reference) {
-                    Target::Path(path) => Some(path_key(path.as_str())),
-                    Target::Elsewhere => None,
+                    ResolvedPath::Path(path) => Some(path_key(path.as_str())),
+                    ResolvedPath::Elsewhere => None,
                 }
             });
             loaded.extend(targets.filter(|target| *target != own));
@@ -85,7 +85,7 @@ impl Loader<'_> {
             for reference in self.references_of(&manifest) {
                 if !reference.starts_with('.') {
                     found.push(reference);
-                } else if let Target::Path(path) = paths::project(&folder, &Roots::default(), &reference) {
+                } else if let ResolvedPath::Path(path) = paths::project(&folder, &Roots::default(), &reference) {
                     queue.push(path);
                 }
             }
@@ -116,7 +116,7 @@ impl Loader<'_> {
         let mut candidates = Vec::new();
         for above in folder.ancestors().skip(1).take(LEVELS).take_while(|disk| is_allowed(disk)) {
             let usrapp = self.actual(&above.join("usr").join("usrapp"));
-            let usrapp = usrapp.filter(|path| system.kind(path) == Some(Kind::Folder) && is_allowed(path));
+            let usrapp = usrapp.filter(|path| system.kind(path) == Some(PathKind::Folder) && is_allowed(path));
             candidates.push(above.to_owned());
             candidates.extend(usrapp);
         }
@@ -127,8 +127,8 @@ impl Loader<'_> {
     fn resolved(&mut self, folder: &Utf8Path, disk: &Utf8Path, references: &[String]) -> usize {
         let roots = Roots { disk: Some(disk.to_owned()), others: Vec::new() };
         let mut is_project = |reference: &&String| match paths::project(folder, &roots, reference) {
-            Target::Path(path) => self.is_file(&path),
-            Target::Elsewhere => false,
+            ResolvedPath::Path(path) => self.is_file(&path),
+            ResolvedPath::Elsewhere => false,
         };
         references.iter().filter(|reference| is_project(reference)).count()
     }

@@ -11,10 +11,10 @@ use val3_syntax::encoding::Encoding;
 
 use super::{CellKey, Loader};
 use crate::cell::CellConfig;
-use crate::db::{Cell, Configuration, Database, File, FileStatus, Project, Sources};
+use crate::db::{CellFolder, Configuration, Database, File, FileStatus, Project, Sources};
 use crate::paths::{Roots, path_key};
 
-use crate::system::Content;
+use crate::system::SystemContent;
 
 /// Durability of stored files, which change less often than open documents. After an edit, salsa skips all queries that
 /// depend only on stored files.
@@ -29,14 +29,14 @@ pub(super) struct KnownInputs {
     projects: FxHashMap<String, Project>,
     /// Configurations by the path key of the `val3.toml`.
     pub(super) configurations: FxHashMap<String, Configuration>,
-    cells: FxHashMap<CellKey, Cell>,
+    cells: FxHashMap<CellKey, CellFolder>,
 }
 
 /// Parts of a project input.
 pub(super) struct ProjectInput {
     pub(super) file: File,
     pub(super) roots: Roots,
-    pub(super) cell: Option<Cell>,
+    pub(super) cell: Option<CellFolder>,
     pub(super) beside: Vec<SmolStr>,
     pub(super) pages: Vec<File>,
     pub(super) outside: Vec<SmolStr>,
@@ -68,7 +68,7 @@ impl KnownInputs {
 
 impl Loader<'_> {
     /// Returns the input for a file with this content.
-    pub(super) fn file_input(&mut self, key: String, path: &Utf8Path, content: Content) -> File {
+    pub(super) fn file_input(&mut self, key: String, path: &Utf8Path, content: SystemContent) -> File {
         let path = self.spelt(path);
         let known = self.known.files.get(&key).copied();
         // Open documents change often.
@@ -102,7 +102,7 @@ impl Loader<'_> {
         let is_read = |status: &FileStatus| matches!(status, FileStatus::Read { .. });
         let known = known.filter(|_| !(self.is_stale)(key)).map(|file| file.status(&self.db).clone());
         let status =
-            known.or_else(|| Content::of(self.system.stored(path, FileClass::Program))?.status).filter(is_read);
+            known.or_else(|| SystemContent::of(self.system.stored(path, FileClass::Program))?.status).filter(is_read);
         status.unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, mismatch: None })
     }
 
@@ -150,9 +150,9 @@ impl Loader<'_> {
         configuration
     }
 
-    pub(super) fn cell_input(&mut self, key: &CellKey, config: CellConfig) -> Cell {
+    pub(super) fn cell_input(&mut self, key: &CellKey, config: CellConfig) -> CellFolder {
         let Some(cell) = self.known.cells.get(key).copied() else {
-            return Cell::builder(config).durability(STORED).new(&self.db);
+            return CellFolder::builder(config).durability(STORED).new(&self.db);
         };
         if *cell.config(&self.db) != config {
             cell.set_config(&mut self.db).with_durability(STORED).to(config);

@@ -99,12 +99,12 @@ pub fn refused_link(system: &dyn System, folder: &Utf8Path, path: &Utf8Path) -> 
 }
 
 /// Folders in which libraries and user types of a project may be. Links are resolved.
-pub(super) struct Reach {
+pub(super) struct OutsideFolders {
     folders: Vec<Utf8PathBuf>,
     project: Utf8PathBuf,
 }
 
-impl Reach {
+impl OutsideFolders {
     /// Creates the reach of the project in `folder`: its cell, its parent folder and the path roots. If `Disk` is
     /// `usr/usrapp`, all of `usr` is included.
     pub(super) fn of(system: &dyn System, folder: &Utf8Path, roots: &Roots) -> Self {

@@ -6,7 +6,7 @@ use val3_files::{FileClass, Unreadable, is_archive_name};
 
 use super::outside::refused_link;
 use crate::items::unlisted::{is_data, is_program};
-use crate::system::{Kind, System};
+use crate::system::{PathKind, System};
 
 /// Maximum nesting of searched folders.
 const DEPTH: usize = 32;
@@ -46,12 +46,12 @@ fn search(
     wanted: &dyn Fn(&Utf8Path, &[String]) -> bool,
     unreadable: &mut Vec<(Utf8PathBuf, String)>,
 ) -> Vec<Utf8PathBuf> {
-    let mut search = Search { system, root, wanted, found: Vec::new(), seen: FxHashSet::default(), unreadable };
+    let mut search = ProjectWalk { system, root, wanted, found: Vec::new(), seen: FxHashSet::default(), unreadable };
     search.folder(root, 0);
     search.found
 }
 
-struct Search<'s> {
+struct ProjectWalk<'s> {
     system: &'s dyn System,
     /// Root folder of the search.
     root: &'s Utf8Path,
@@ -63,7 +63,7 @@ struct Search<'s> {
     unreadable: &'s mut Vec<(Utf8PathBuf, String)>,
 }
 
-impl Search<'_> {
+impl ProjectWalk<'_> {
     fn folder(&mut self, path: &Utf8Path, depth: usize) {
         if !self.seen.insert(self.system.identity(path)) {
             return;
@@ -83,12 +83,12 @@ impl Search<'_> {
                 continue;
             }
             match self.system.kind(&entry) {
-                Some(Kind::File) if is_wanted && self.follows(&entry) => self.found.push(entry),
+                Some(PathKind::File) if is_wanted && self.follows(&entry) => self.found.push(entry),
                 // A folder named like a searched file is reported; a folder named like an archive is searched below.
-                Some(Kind::Folder) if is_wanted && !is_archive_name(&entry) => {
+                Some(PathKind::Folder) if is_wanted && !is_archive_name(&entry) => {
                     self.unreadable.push((entry, Unreadable::Folder.to_string()))
                 }
-                Some(Kind::Folder) if may_be_folder(name) && self.follows(&entry) => self.folder(&entry, depth + 1),
+                Some(PathKind::Folder) if may_be_folder(name) && self.follows(&entry) => self.folder(&entry, depth + 1),
                 None => self.hidden(entry),
                 _ => {}
             }

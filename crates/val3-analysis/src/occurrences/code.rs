@@ -15,7 +15,7 @@ use crate::items::program::{Header, header};
 use crate::items::project::{Items, items};
 use crate::ty::Base;
 
-struct Names<'db> {
+struct NameCollector<'db> {
     db: &'db dyn Db,
     project: Project,
     file: File,
@@ -33,7 +33,7 @@ struct Names<'db> {
 
 pub(super) fn names(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     let body = body(db, file);
-    let mut names = Names {
+    let mut names = NameCollector {
         db,
         project,
         file,
@@ -96,7 +96,7 @@ fn last_name(body: &Body, mut id: ExprId) -> ExprId {
     id
 }
 
-impl Names<'_> {
+impl NameCollector<'_> {
     fn expr(&mut self, id: ExprId, expr: &Expr, range: TextRange) {
         match expr {
             Expr::Name(name) => {

@@ -2,7 +2,7 @@
 //! elements of user pages.
 
 use val3_lang::instructions::{GET_DATA, LIB_EXIST, USER_PAGE_SET};
-use val3_syntax::{Part, TextRange, TextSize, text_at};
+use val3_syntax::{TextRange, TextSize, TextSlice, text_at};
 
 use super::occurrence::{Occurrence, Symbol, Usage};
 use super::tasks::task_names;

@@ -4,7 +4,7 @@ use camino::Utf8Path;
 use smol_str::SmolStr;
 use val3_lang::types::BaseType;
 use val3_syntax::view::View;
-use val3_syntax::{Part, TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, TextSlice};
 
 use super::data_path::path_names;
 use super::occurrence::{Occurrence, Symbol, Usage};
@@ -13,9 +13,9 @@ use crate::items::manifest::{entries, spelling};
 use crate::items::project::{Items, fields, find_file, items, resolve_type};
 use crate::items::{data, parse, program};
 use crate::ty::Base;
-use crate::xml::{self, Attribute, Element};
+use crate::xml::{self, Attribute, XmlElement};
 
-struct Names<'db> {
+struct XmlNames<'db> {
     db: &'db dyn Db,
     project: Project,
     file: File,
@@ -24,7 +24,7 @@ struct Names<'db> {
 }
 
 pub(super) fn names(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
-    let mut names = Names { db, project, file, items: items(db, project), found: Vec::new() };
+    let mut names = XmlNames { db, project, file, items: items(db, project), found: Vec::new() };
     let parse = parse(db, file);
     let view = parse.view();
     names.program(view);
@@ -33,7 +33,7 @@ pub(super) fn names(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence
     names.found
 }
 
-impl Names<'_> {
+impl XmlNames<'_> {
     fn add(&mut self, range: TextRange, symbol: Symbol, usage: Usage) {
         self.found.push(Occurrence { range, symbol, usage });
     }
@@ -45,7 +45,7 @@ impl Names<'_> {
     }
 
     /// Adds the element's type name.
-    fn type_of(&mut self, element: Element<'_>) {
+    fn type_of(&mut self, element: XmlElement<'_>) {
         let Some(found) = element.attribute("type") else { return };
         let name = SmolStr::from(found.text());
         let symbol = if BaseType::from_file_name(&name).is_some() {
@@ -85,7 +85,7 @@ impl Names<'_> {
     }
 
     /// Adds the names in the values of a variable or field: fathers, and fields of user types.
-    fn values(&mut self, element: Element<'_>, base: Base) {
+    fn values(&mut self, element: XmlElement<'_>, base: Base) {
         for value in element.elements() {
             if let Some(father) = value.attribute("fatherId") {
                 self.father(father);
@@ -99,7 +99,7 @@ impl Names<'_> {
         }
     }
 
-    fn field(&mut self, element: Element<'_>, project: Project) {
+    fn field(&mut self, element: XmlElement<'_>, project: Project) {
         self.type_of(element);
         let Some(name) = element.attribute("name") else { return };
         let Some(item) = fields(self.db, project).get(name.text().as_ref()) else { return };
@@ -108,7 +108,7 @@ impl Names<'_> {
     }
 
     /// Adds a father in s5 and s6, which may belong to a library: `<fFather alias="part" name="fTable" …/>`.
-    fn old_father(&mut self, element: Element<'_>) {
+    fn old_father(&mut self, element: XmlElement<'_>) {
         let Some(name) = element.attribute("name").filter(|name| !name.raw.is_empty()) else { return };
         let Some(alias) = element.attribute("alias").filter(|alias| !alias.raw.is_empty()) else {
             return self.father(name);
@@ -145,7 +145,7 @@ impl Names<'_> {
 
     /// Adds the program name in `file="pick.pgx"`. `file="PICK.pgx"` also names `pick`, because it is the same file on
     /// the controller.
-    fn program_file(&mut self, entry: Element<'_>) {
+    fn program_file(&mut self, entry: XmlElement<'_>) {
         let Some(reference) = entry.attribute("file") else { return };
         let Some(file) = find_file(self.db, self.project, &reference.text()) else { return };
         let name = &program::header(self.db, file).name;

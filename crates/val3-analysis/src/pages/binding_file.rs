@@ -6,7 +6,7 @@ use smol_str::SmolStr;
 use val3_syntax::{TextRange, text_at};
 
 use super::escapes::source_range;
-use super::json::{self, JsonFault, Value};
+use super::json::{self, JsonFault, JsonNode};
 use crate::db::{Db, File};
 
 /// Bindings of a page.
@@ -78,8 +78,8 @@ pub fn bindings(db: &dyn Db, file: File) -> Bindings {
         Ok(root) => root,
         Err(fault) => return Bindings { fault: Some(fault), ..Bindings::default() },
     };
-    let entries = |list: &str| root.member(list).map(Value::elements).unwrap_or_default();
-    let text = |entry: &Value, key: &str| Some(SmolStr::from(entry.member(key)?.text()?.0));
+    let entries = |list: &str| root.member(list).map(JsonNode::elements).unwrap_or_default();
+    let text = |entry: &JsonNode, key: &str| Some(SmolStr::from(entry.member(key)?.text()?.0));
     let data = entries("bindings").iter().map(|entry| BoundData {
         element: name(entry, "id"),
         path: name(entry, "data"),
@@ -90,12 +90,12 @@ pub fn bindings(db: &dyn Db, file: File) -> Bindings {
         element: name(entry, "id"),
         event: text(entry, "event"),
         program: name(entry, "data"),
-        priority: entry.member("priority").and_then(Value::integer),
+        priority: entry.member("priority").and_then(JsonNode::integer),
     });
     Bindings { fault: None, data: data.collect(), callbacks: callbacks.collect() }
 }
 
-fn name(entry: &Value, key: &str) -> Option<BoundName> {
+fn name(entry: &JsonNode, key: &str) -> Option<BoundName> {
     let (text, range) = entry.member(key)?.text().filter(|(text, _)| !text.is_empty())?;
     Some(BoundName { text: text.into(), range })
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use val3_syntax::{Part, TextRange, decode_entities, text_size};
+use val3_syntax::{TextRange, TextSlice, decode_entities, text_size};
 
 use crate::db::{Db, File};
 

@@ -1,16 +1,16 @@
 //! JSON parser that records the ranges of strings.
 
 use super::escapes::unescaped;
-use val3_syntax::{Part, TextRange, text_size};
+use val3_syntax::{TextRange, TextSlice, text_size};
 
 /// Maximum nesting of values. Bindings have four levels.
 const DEEPEST: usize = 32;
 
 /// A JSON value; only strings have a range.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Value {
-    Object(Vec<(String, Value)>),
-    Array(Vec<Value>),
+pub(super) enum JsonNode {
+    Object(Vec<(String, JsonNode)>),
+    Array(Vec<JsonNode>),
     /// Content, and range between the quotes.
     Text(String, TextRange),
     /// An integer from 0.
@@ -27,7 +27,7 @@ pub struct JsonFault {
     pub expected: &'static str,
 }
 
-impl Value {
+impl JsonNode {
     pub(super) fn member(&self, name: &str) -> Option<&Self> {
         let Self::Object(members) = self else { return None };
         members.iter().find(|(known, _)| known == name).map(|(_, value)| value)
@@ -50,20 +50,20 @@ impl Value {
 ///
 /// # Errors
 /// Reports the first JSON fault.
-pub(super) fn parse(text: &str) -> Result<Value, JsonFault> {
-    let mut reader = Reader { text, at: 0 };
+pub(super) fn parse(text: &str) -> Result<JsonNode, JsonFault> {
+    let mut reader = JsonReader { text, at: 0 };
     let value = reader.value(0)?;
     reader.blanks();
     if reader.rest().is_empty() { Ok(value) } else { Err(reader.fault("the end of the file")) }
 }
 
-struct Reader<'t> {
+struct JsonReader<'t> {
     text: &'t str,
     /// Offset of the next character.
     at: usize,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> JsonReader<'t> {
     fn rest(&self) -> &'t str {
         self.text.part(self.at..)
     }
@@ -85,7 +85,7 @@ impl<'t> Reader<'t> {
         is_next
     }
 
-    fn value(&mut self, depth: usize) -> Result<Value, JsonFault> {
+    fn value(&mut self, depth: usize) -> Result<JsonNode, JsonFault> {
         if depth > DEEPEST {
             return Err(self.fault("fewer values within values"));
         }
@@ -97,22 +97,22 @@ impl<'t> Reader<'t> {
         }
         if self.rest().starts_with('"') {
             let (text, range) = self.string()?;
-            return Ok(Value::Text(text, range));
+            return Ok(JsonNode::Text(text, range));
         }
         let is_word = |letter: char| letter.is_ascii_alphanumeric() || "+-.".contains(letter);
         let length = self.rest().find(|letter| !is_word(letter)).unwrap_or(self.rest().len());
         let word = self.rest().part(..length);
         if matches!(word, "true" | "false" | "null") || word.parse::<f64>().is_ok() {
             self.at += length;
-            return Ok(word.parse().map_or(Value::Other, Value::Integer));
+            return Ok(word.parse().map_or(JsonNode::Other, JsonNode::Integer));
         }
         Err(self.fault("a value"))
     }
 
-    fn members(&mut self, depth: usize) -> Result<Value, JsonFault> {
+    fn members(&mut self, depth: usize) -> Result<JsonNode, JsonFault> {
         let mut members = Vec::new();
         if self.take("}") {
-            return Ok(Value::Object(members));
+            return Ok(JsonNode::Object(members));
         }
         loop {
             self.blanks();
@@ -123,22 +123,22 @@ impl<'t> Reader<'t> {
             members.push((name, self.value(depth + 1)?));
             match () {
                 () if self.take(",") => {}
-                () if self.take("}") => return Ok(Value::Object(members)),
+                () if self.take("}") => return Ok(JsonNode::Object(members)),
                 () => return Err(self.fault("`,` or `}`")),
             }
         }
     }
 
-    fn elements(&mut self, depth: usize) -> Result<Value, JsonFault> {
+    fn elements(&mut self, depth: usize) -> Result<JsonNode, JsonFault> {
         let mut elements = Vec::new();
         if self.take("]") {
-            return Ok(Value::Array(elements));
+            return Ok(JsonNode::Array(elements));
         }
         loop {
             elements.push(self.value(depth + 1)?);
             match () {
                 () if self.take(",") => {}
-                () if self.take("]") => return Ok(Value::Array(elements)),
+                () if self.take("]") => return Ok(JsonNode::Array(elements)),
                 () => return Err(self.fault("`,` or `]`")),
             }
         }

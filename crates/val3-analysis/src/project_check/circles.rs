@@ -10,13 +10,13 @@ use crate::db::{Db, Project};
 use crate::items::manifest::{Spelling, entries};
 use crate::items::project::{find_project, items};
 use crate::problem::ProblemKind;
-use crate::xml::Element;
+use crate::xml::XmlElement;
 
 type Edges = fn(&dyn Db, Project) -> Vec<Project>;
 
 impl ProjectCheck<'_> {
     /// Reports a cycle of libraries and a cycle of types, each only in the first project of the cycle by path.
-    pub(super) fn circles(&mut self, root: Element<'_>, spelling: &Spelling) {
+    pub(super) fn circles(&mut self, root: XmlElement<'_>, spelling: &Spelling) {
         let lists = [(spelling.libraries, spelling.library_path, libraries as Edges), (spelling.types, "path", types)];
         for (list, path, edges) in lists {
             let Some(chain) = circle(self.db, self.project, edges) else { continue };

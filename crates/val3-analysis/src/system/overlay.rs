@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 
 use val3_files::{FileClass, Unreadable};
 
-use super::{Content, Kind, System};
+use super::{PathKind, System, SystemContent};
 use crate::paths::path_key;
 
 /// An overlay on the file system `below`. Paths are compared in any letter case.
@@ -71,11 +71,11 @@ impl<S: System> System for OverlayFs<S> {
         }
     }
 
-    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<SystemContent>> {
         let mut contents = self.below.read_all(paths);
         for (path, content) in paths.iter().zip(&mut contents) {
             if let Some(bytes) = self.bytes(path) {
-                *content = Content::of(Ok(bytes.clone()));
+                *content = SystemContent::of(Ok(bytes.clone()));
             }
         }
         contents
@@ -107,12 +107,12 @@ impl<S: System> System for OverlayFs<S> {
         Ok(names)
     }
 
-    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+    fn kind(&self, path: &Utf8Path) -> Option<PathKind> {
         if self.covers(path) {
-            return Some(Kind::File);
+            return Some(PathKind::File);
         }
         let is_folder = self.names_below(path).next().is_some();
-        if is_folder { Some(Kind::Folder) } else { self.below.kind(path) }
+        if is_folder { Some(PathKind::Folder) } else { self.below.kind(path) }
     }
 
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
@@ -162,8 +162,8 @@ mod tests {
         assert_eq!(system.list("/app".into()).unwrap(), ["a.pgx", "b.pgx"]);
         assert_eq!(system.list("/lib".into()).unwrap(), ["new"]);
         assert!(system.list("/other".into()).is_err());
-        assert_eq!(system.kind("/lib/new".into()), Some(Kind::Folder));
-        assert_eq!(system.kind("/lib/new/C.pgx".into()), Some(Kind::File));
+        assert_eq!(system.kind("/lib/new".into()), Some(PathKind::Folder));
+        assert_eq!(system.kind("/lib/new/C.pgx".into()), Some(PathKind::File));
         assert_eq!(system.kind("/other".into()), None);
     }
 }

@@ -7,7 +7,7 @@ use expect_test::expect;
 use val3_analysis::load::load;
 #[cfg(unix)]
 use val3_analysis::system::Disk;
-use val3_analysis::system::{Kind, Memory, System};
+use val3_analysis::system::{Memory, PathKind, System};
 use val3_files::{FileClass, Unreadable};
 
 use crate::show::faults_in;
@@ -190,7 +190,7 @@ impl System for Rough {
         Ok(names)
     }
 
-    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+    fn kind(&self, path: &Utf8Path) -> Option<PathKind> {
         self.0.kind(&real(path))
     }
 
@@ -300,7 +300,7 @@ impl System for Insensitive {
         self.0.list(&self.actual(path))
     }
 
-    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+    fn kind(&self, path: &Utf8Path) -> Option<PathKind> {
         self.0.kind(&self.actual(path))
     }
 

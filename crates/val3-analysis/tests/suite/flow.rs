@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use expect_test::{Expect, expect};
-use val3_analysis::flow::{Facts, Flow, Point, PointId, PointKind, backward, flow, forward};
+use val3_analysis::flow::{Facts, FlowGraph, FlowNode, PointId, PointKind, backward, flow, forward};
 
 use crate::show::{program, project, workspace};
 
@@ -28,7 +28,7 @@ fn check(code: &str, expected: Expect) {
     expected.assert_eq(&shown);
 }
 
-fn name(point: &Point) -> &'static str {
+fn name(point: &FlowNode) -> &'static str {
     match point.kind {
         PointKind::Start => "start",
         PointKind::End => "end",
@@ -62,7 +62,7 @@ fn lines_follow_each_other() {
         6 task `taskCreate "t",10,stop()` -> 1
     "#]],
     );
-    assert!(Flow::default().is_empty());
+    assert!(FlowGraph::default().is_empty());
 }
 
 #[test]
@@ -231,8 +231,8 @@ fn return_leads_to_the_end() {
 }
 
 /// Shows the flow nodes with facts, and the numbers in the facts.
-fn collected(flow: &Flow, facts: &Facts<BTreeSet<usize>>) -> String {
-    let of_point = |(id, _): (PointId, &Point)| Some(format!("{}: {:?}\n", id.index(), facts.before(id)?));
+fn collected(flow: &FlowGraph, facts: &Facts<BTreeSet<usize>>) -> String {
+    let of_point = |(id, _): (PointId, &FlowNode)| Some(format!("{}: {:?}\n", id.index(), facts.before(id)?));
     flow.points().filter_map(of_point).collect()
 }
 
@@ -241,7 +241,7 @@ fn facts_flow_in_both_directions() {
     let workspace = workspace("num n\nbool b\n\nwhile b\n  if b\n    n=1\n  endIf\nendWhile\nreturn\nn=2");
     let db = &workspace.db;
     let flow = flow(db, program(db, project(&workspace, "main"), "start"));
-    let step = |id: PointId, point: &Point, facts: &BTreeSet<usize>| {
+    let step = |id: PointId, point: &FlowNode, facts: &BTreeSet<usize>| {
         let assigns = matches!(point.kind, PointKind::Assign { .. });
         facts.iter().copied().chain(assigns.then_some(id.index())).collect()
     };

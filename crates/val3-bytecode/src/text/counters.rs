@@ -1,9 +1,9 @@
 //! Counters of lines and branch sides.
 
 use super::error::Result;
-use super::reader::Reader;
+use super::reader::ListingReader;
 use super::writer::Writer;
-use crate::{LineMark, Program, Side};
+use crate::{BranchSide, LineMark, Program};
 
 impl Writer<'_> {
     /// Writes the branches of a program.
@@ -34,7 +34,7 @@ impl Writer<'_> {
     }
 }
 
-impl Reader<'_> {
+impl ListingReader<'_> {
     /// Reads the mark of the operation after `line`.
     pub(super) fn line_mark(&mut self) -> Result<LineMark> {
         if self.is_label() || !self.accept("counter") {
@@ -54,7 +54,7 @@ impl Reader<'_> {
         let row = self.after_word()?;
         let mut sides = Vec::new();
         while self.peek().starts_with('"') {
-            sides.push(Side { name: self.quoted()?, counter: self.number()? });
+            sides.push(BranchSide { name: self.quoted()?, counter: self.number()? });
         }
         self.code.counters.branches.push(crate::Branch { row, sides });
         Ok(())

@@ -3,22 +3,22 @@
 use std::marker::PhantomData;
 use std::str::FromStr;
 
-use super::Form;
+use super::ListingForm;
 use super::error::Result;
-use super::reader::Reader;
+use super::reader::ListingReader;
 use super::writer::Writer;
 
 /// Structures: the fields in this order.
 macro_rules! sequences {
     ($($type:ty { $($field:ident: $form:ty),+ };)+) => {$(
-        impl Form for $type {
+        impl ListingForm for $type {
             type Value = Self;
 
             fn write(value: &Self, to: &mut Writer<'_>) {
                 $(to.part(|to| <$form>::write(&value.$field, to));)+
             }
 
-            fn read(from: &mut Reader<'_>) -> Result<Self> {
+            fn read(from: &mut ListingReader<'_>) -> Result<Self> {
                 Ok(Self { $($field: <$form>::read(from)?),+ })
             }
         }
@@ -30,7 +30,7 @@ macro_rules! choices {
     ($($type:ty, $expected:literal {
         $($word:literal $variant:ident $(($($field:ident: $form:ty),+))?,)+ $(_ => $other:ty,)?
     })+) => {$(
-        impl Form for $type {
+        impl ListingForm for $type {
             type Value = Self;
 
             fn write(value: &Self, to: &mut Writer<'_>) {
@@ -43,7 +43,7 @@ macro_rules! choices {
                 }
             }
 
-            fn read(from: &mut Reader<'_>) -> Result<Self> {
+            fn read(from: &mut ListingReader<'_>) -> Result<Self> {
                 $(if from.accept($word) {
                     return Ok(Self::$variant $(($(<$form>::read(from)?),+))?);
                 })+
@@ -89,14 +89,14 @@ words! {
 /// An optional word.
 pub(super) struct Flag<W>(PhantomData<W>);
 
-impl<W: Word> Form for Flag<W> {
+impl<W: Word> ListingForm for Flag<W> {
     type Value = bool;
 
     fn write(value: &bool, to: &mut Writer<'_>) {
         to.put(if *value { W::WORD } else { "" });
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<bool> {
+    fn read(from: &mut ListingReader<'_>) -> Result<bool> {
         Ok(from.accept(W::WORD))
     }
 }
@@ -104,7 +104,7 @@ impl<W: Word> Form for Flag<W> {
 /// An optional word that is followed by another form.
 pub(super) struct Optional<W, F>(PhantomData<(W, F)>);
 
-impl<W: Word, F: Form> Form for Optional<W, F> {
+impl<W: Word, F: ListingForm> ListingForm for Optional<W, F> {
     type Value = Option<F::Value>;
 
     fn write(value: &Self::Value, to: &mut Writer<'_>) {
@@ -114,7 +114,7 @@ impl<W: Word, F: Form> Form for Optional<W, F> {
         }
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self::Value> {
         if from.accept(W::WORD) { F::read(from).map(Some) } else { Ok(None) }
     }
 }
@@ -122,7 +122,7 @@ impl<W: Word, F: Form> Form for Optional<W, F> {
 /// A list in parentheses.
 pub(super) struct Listed<F>(PhantomData<F>);
 
-impl<F: Form> Form for Listed<F> {
+impl<F: ListingForm> ListingForm for Listed<F> {
     type Value = Vec<F::Value>;
 
     fn write(value: &Self::Value, to: &mut Writer<'_>) {
@@ -131,7 +131,7 @@ impl<F: Form> Form for Listed<F> {
         to.put(")");
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self::Value> {
         from.expect("(")?;
         from.list((",", ")"), F::read)
     }
@@ -140,14 +140,14 @@ impl<F: Form> Form for Listed<F> {
 /// Tuples: one form after the other.
 macro_rules! tuples {
     ($(($($form:ident $value:ident),+);)+) => {$(
-        impl<$($form: Form),+> Form for ($($form),+) {
+        impl<$($form: ListingForm),+> ListingForm for ($($form),+) {
             type Value = ($($form::Value),+);
 
             fn write(($($value),+): &Self::Value, to: &mut Writer<'_>) {
                 $(to.part(|to| $form::write($value, to));)+
             }
 
-            fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+            fn read(from: &mut ListingReader<'_>) -> Result<Self::Value> {
                 Ok(($($form::read(from)?),+))
             }
         }
@@ -162,14 +162,14 @@ tuples! {
 /// A number without a letter.
 pub(super) struct Number<N = u32>(PhantomData<N>);
 
-impl<N: FromStr + ToString> Form for Number<N> {
+impl<N: FromStr + ToString> ListingForm for Number<N> {
     type Value = N;
 
     fn write(value: &N, to: &mut Writer<'_>) {
         to.put(&value.to_string());
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<N> {
+    fn read(from: &mut ListingReader<'_>) -> Result<N> {
         from.number()
     }
 }
@@ -177,14 +177,14 @@ impl<N: FromStr + ToString> Form for Number<N> {
 /// A name, quoted if it is not an identifier.
 pub(super) struct Name;
 
-impl Form for Name {
+impl ListingForm for Name {
     type Value = String;
 
     fn write(value: &String, to: &mut Writer<'_>) {
         to.name(value);
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<String> {
+    fn read(from: &mut ListingReader<'_>) -> Result<String> {
         from.name()
     }
 }
@@ -192,14 +192,14 @@ impl Form for Name {
 /// A string in quotation marks.
 pub(super) struct Quoted;
 
-impl Form for Quoted {
+impl ListingForm for Quoted {
     type Value = String;
 
     fn write(value: &String, to: &mut Writer<'_>) {
         to.quoted(value);
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<String> {
+    fn read(from: &mut ListingReader<'_>) -> Result<String> {
         from.quoted()
     }
 }

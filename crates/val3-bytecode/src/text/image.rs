@@ -4,11 +4,11 @@ use val3_lang::memory::PartInit;
 use val3_lang::types::LengthUnit;
 use val3_lang::versions::Version;
 
-use super::Form;
+use super::ListingForm;
 use super::error::Result;
 use super::forms::{Autoload, Flag, Listed, Name, Number, Of, Optional, Public, Quoted, Reference, choices, sequences};
-use super::reader::Reader;
-use super::values::{ArmName, BaseName, Brackets, Type};
+use super::reader::ListingReader;
+use super::values::{ArmName, BaseName, Brackets, ListedType};
 use super::writer::Writer;
 use crate::{
     DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget, ProgramRef, plan_passes,
@@ -29,8 +29,8 @@ choices! {
         "signal" Signal(reference: FatherLink),
     }
     ImportKind, "`data`, `program` or `missing`" {
-        "data" Data(kind: Type, container: Brackets),
-        "program" Program(params: Listed<(Type, Brackets, Flag<Reference>)>),
+        "data" Data(kind: ListedType, container: Brackets),
+        "program" Program(params: Listed<(ListedType, Brackets, Flag<Reference>)>),
         "missing" Missing,
     }
 }
@@ -38,7 +38,7 @@ choices! {
 /// A library identifier.
 pub(super) struct Library;
 
-impl Form for Library {
+impl ListingForm for Library {
     type Value = u16;
 
     fn write(value: &u16, to: &mut Writer<'_>) {
@@ -46,8 +46,9 @@ impl Form for Library {
         to.item(image.libraries.iter().map(|library| library.alias.as_str()), (*value).into());
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<u16> {
-        let aliases = |from: &Reader<'_>| from.image.libraries.iter().map(|library| library.alias.clone()).collect();
+    fn read(from: &mut ListingReader<'_>) -> Result<u16> {
+        let aliases =
+            |from: &ListingReader<'_>| from.image.libraries.iter().map(|library| library.alias.clone()).collect();
         from.item("library", aliases)
     }
 }
@@ -83,7 +84,7 @@ impl<'i> Writer<'i> {
     }
 
     /// Writes one line for each item, which begins with a word.
-    pub(super) fn each<F: Form>(&mut self, word: &str, items: &[F::Value]) {
+    pub(super) fn each<F: ListingForm>(&mut self, word: &str, items: &[F::Value]) {
         for item in items {
             self.put(word);
             self.part(|to| F::write(item, to));
@@ -92,7 +93,7 @@ impl<'i> Writer<'i> {
     }
 }
 
-impl Reader<'_> {
+impl ListingReader<'_> {
     pub(super) fn image(mut self) -> Result<Image> {
         while !self.is_at_end() {
             match self.take() {
@@ -125,7 +126,7 @@ impl Reader<'_> {
         Ok(self.image)
     }
 
-    fn add<F: Form>(&mut self, list: fn(&mut Image) -> &mut Vec<F::Value>) -> Result<()> {
+    fn add<F: ListingForm>(&mut self, list: fn(&mut Image) -> &mut Vec<F::Value>) -> Result<()> {
         let item = F::read(self)?;
         list(&mut self.image).push(item);
         Ok(())

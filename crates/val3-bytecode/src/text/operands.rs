@@ -4,9 +4,9 @@ use val3_lang::memory::Lanes;
 use val3_lang::number_functions::NumberFunction;
 use val3_lang::values::Text;
 
-use super::Form;
+use super::ListingForm;
 use super::error::Result;
-use super::reader::{Label, Reader};
+use super::reader::{Label, ListingReader};
 use super::writer::Writer;
 use crate::{ContainerKind, ContainerRef, Operand, Subscript, TextOperand, TextSource};
 
@@ -17,14 +17,14 @@ macro_rules! registers {
             #[doc = $what]
             pub(super) struct $form;
 
-            impl Form for $form {
+            impl ListingForm for $form {
                 type Value = u16;
 
                 fn write(value: &u16, to: &mut Writer<'_>) {
                     to.put(&format!("{}{value}", $letter));
                 }
 
-                fn read(from: &mut Reader<'_>) -> Result<u16> {
+                fn read(from: &mut ListingReader<'_>) -> Result<u16> {
                     from.register($letter, $what)
                 }
             }
@@ -40,16 +40,16 @@ registers! {
 }
 
 /// Target of a jump.
-pub(super) struct Target;
+pub(super) struct JumpOperand;
 
-impl Form for Target {
+impl ListingForm for JumpOperand {
     type Value = u32;
 
     fn write(value: &u32, to: &mut Writer<'_>) {
         to.put(&format!("L{value}"));
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<u32> {
+    fn read(from: &mut ListingReader<'_>) -> Result<u32> {
         let name = from.name()?;
         let used = from.last();
         Ok(number(&mut from.labels, Label { name, used, target: None }))
@@ -66,21 +66,21 @@ pub(super) fn number(labels: &mut Vec<Label>, label: Label) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }
 
-impl Form for NumberFunction {
+impl ListingForm for NumberFunction {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
         to.put(&format!("{value:?}"));
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self> {
         let name = from.take();
         let found = (0..).map_while(Self::numbered).find(|function| format!("{function:?}") == name);
         found.map_or_else(|| from.fail(&format!("`{name}` is no function of numbers")), Ok)
     }
 }
 
-impl Form for ContainerRef {
+impl ListingForm for ContainerRef {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
@@ -98,11 +98,11 @@ impl Form for ContainerRef {
         }
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self> {
         let kind = match from.peek() {
             "$" => {
                 from.take();
-                let data = |from: &Reader<'_>| from.image.data.iter().map(|data| data.name.clone()).collect();
+                let data = |from: &ListingReader<'_>| from.image.data.iter().map(|data| data.name.clone()).collect();
                 ContainerKind::Data(from.item("global data", data)?)
             }
             WORLD | FLANGE => ContainerKind::Builtin(u16::from(from.take() == FLANGE)),
@@ -121,7 +121,7 @@ pub(super) const WORLD: &str = "world";
 pub(super) const FLANGE: &str = "flange";
 const TOO_HIGH: &str = "the highest possible number here is 8191";
 
-impl Form for TextOperand {
+impl ListingForm for TextOperand {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
@@ -136,7 +136,7 @@ impl Form for TextOperand {
         }
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self> {
         let source = match from.peek() {
             "#" => {
                 from.take();
@@ -164,7 +164,7 @@ fn constant(number: u16, to: &mut Writer<'_>) {
     }
 }
 
-fn new_constant(from: &mut Reader<'_>) -> Result<u16> {
+fn new_constant(from: &mut ListingReader<'_>) -> Result<u16> {
     let text = text(from)?;
     let known = from.code.texts.iter().position(|known| *known == text);
     let number = known.unwrap_or(from.code.texts.len());
@@ -175,7 +175,7 @@ fn new_constant(from: &mut Reader<'_>) -> Result<u16> {
 }
 
 /// Reads a VAL 3 string, which has at most 128 bytes.
-pub(super) fn text(from: &mut Reader<'_>) -> Result<Text> {
+pub(super) fn text(from: &mut ListingReader<'_>) -> Result<Text> {
     let written = from.quoted()?;
     let text = Text::from(written.as_str());
     if text.as_str() == written { Ok(text) } else { from.fail("this text has more than 128 bytes") }
@@ -195,13 +195,13 @@ pub(super) fn write_numbers(numbers: &[(char, u32)], to: &mut Writer<'_>) {
     to.list(numbers, "/", |(letter, number), to| to.put(&format!("{letter}{number}")));
 }
 
-pub(super) fn read_lanes(from: &mut Reader<'_>) -> Result<Lanes> {
+pub(super) fn read_lanes(from: &mut ListingReader<'_>) -> Result<Lanes> {
     let [num, text, link, part] = read_numbers(['n', 't', 'l', 'c'], from)?;
     Ok(Lanes { num, text, link, part })
 }
 
 /// Reads numbers and returns them in the order of these letters; 0 for an omitted letter.
-pub(super) fn read_numbers<const N: usize>(letters: [char; N], from: &mut Reader<'_>) -> Result<[u32; N]> {
+pub(super) fn read_numbers<const N: usize>(letters: [char; N], from: &mut ListingReader<'_>) -> Result<[u32; N]> {
     let mut numbers = [0; N];
     loop {
         let token = from.take();
@@ -236,14 +236,14 @@ pub(super) fn write_operand(operand: Operand, size: Lanes, to: &mut Writer<'_>) 
     }
 }
 
-impl Form for Operand {
+impl ListingForm for Operand {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
         write_operand(*value, Lanes::default(), to);
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self> {
         if from.is_register("ntl") {
             return read_lanes(from).map(Self::Frame);
         }
@@ -253,7 +253,7 @@ impl Form for Operand {
     }
 }
 
-impl Form for Subscript {
+impl ListingForm for Subscript {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
@@ -273,7 +273,7 @@ impl Form for Subscript {
         to.put("]");
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self> {
         if !from.accept("[") {
             return Ok(Self::Whole);
         }

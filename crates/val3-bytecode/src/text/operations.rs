@@ -2,11 +2,11 @@
 
 use val3_lang::number_functions::NumberFunction;
 
-use super::Form;
+use super::ListingForm;
 use super::error::Result;
 use super::forms::Number;
-use super::operands::{Num, Place, Target, View};
-use super::reader::Reader;
+use super::operands::{JumpOperand, Num, Place, View};
+use super::reader::ListingReader;
 use super::sites::{Calls, Copies, Instructions, Tasks};
 use super::writer::Writer;
 use crate::{ContainerRef, Op, TextOperand};
@@ -14,7 +14,7 @@ use crate::{ContainerRef, Op, TextOperand};
 /// Reads and writes operations: the name, then the operands in their forms.
 macro_rules! operations {
     ($($name:ident $($field:ident: $form:ty),*;)+) => {
-        impl Form for Op {
+        impl ListingForm for Op {
             type Value = Self;
 
             fn write(value: &Self, to: &mut Writer<'_>) {
@@ -26,7 +26,7 @@ macro_rules! operations {
                 }
             }
 
-            fn read(from: &mut Reader<'_>) -> Result<Self> {
+            fn read(from: &mut ListingReader<'_>) -> Result<Self> {
                 $(if from.accept(stringify!($name)) {
                     return Ok(Self::$name { $($field: <$form>::read(from)?),* });
                 })+
@@ -38,15 +38,15 @@ macro_rules! operations {
 
 operations! {
     Line;
-    Jump to: Target;
-    JumpUnless condition: Num, to: Target;
-    JumpIf condition: Num, to: Target;
-    IfLess a: Num, b: Num, to: Target;
-    IfLessEqual a: Num, b: Num, to: Target;
-    UnlessLess a: Num, b: Num, to: Target;
-    UnlessLessEqual a: Num, b: Num, to: Target;
-    UnlessEqual a: Num, b: Num, to: Target;
-    IfEqual a: Num, b: Num, to: Target;
+    Jump to: JumpOperand;
+    JumpUnless condition: Num, to: JumpOperand;
+    JumpIf condition: Num, to: JumpOperand;
+    IfLess a: Num, b: Num, to: JumpOperand;
+    IfLessEqual a: Num, b: Num, to: JumpOperand;
+    UnlessLess a: Num, b: Num, to: JumpOperand;
+    UnlessLessEqual a: Num, b: Num, to: JumpOperand;
+    UnlessEqual a: Num, b: Num, to: JumpOperand;
+    IfEqual a: Num, b: Num, to: JumpOperand;
     Move to: Num, from: Num;
     Add to: Num, a: Num, b: Num;
     Subtract to: Num, a: Num, b: Num;
@@ -63,8 +63,8 @@ operations! {
     TextMove to: TextOperand, from: TextOperand;
     Concatenate to: TextOperand, a: TextOperand, b: TextOperand;
     TextEqual to: Num, a: TextOperand, b: TextOperand;
-    IfTextEqual a: TextOperand, b: TextOperand, to: Target;
-    UnlessTextEqual a: TextOperand, b: TextOperand, to: Target;
+    IfTextEqual a: TextOperand, b: TextOperand, to: JumpOperand;
+    UnlessTextEqual a: TextOperand, b: TextOperand, to: JumpOperand;
     LoadFirst to: Num, container: ContainerRef, lane: Number<u16>;
     StoreFirst container: ContainerRef, lane: Number<u16>, from: Num;
     LoadElement to: Num, container: ContainerRef, index: Num;
@@ -89,9 +89,9 @@ operations! {
     Call site: Calls;
     Return;
     CreateTask site: Tasks;
-    WaitUntil condition: Num, retry: Target;
-    Watch to: Num, condition: Num, seconds: Num, retry: Target;
-    ForTest counter: Num, limit: Num, exit: Target;
-    ForNext counter: Num, limit: Num, body: Target;
-    ForNextUp counter: Num, limit: Num, body: Target;
+    WaitUntil condition: Num, retry: JumpOperand;
+    Watch to: Num, condition: Num, seconds: Num, retry: JumpOperand;
+    ForTest counter: Num, limit: Num, exit: JumpOperand;
+    ForNext counter: Num, limit: Num, body: JumpOperand;
+    ForNextUp counter: Num, limit: Num, body: JumpOperand;
 }

@@ -3,18 +3,20 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use val3_lang::memory::{Kind, Lanes, PartInit};
+use val3_lang::memory::{Lanes, PartInit, ValueType};
 use val3_lang::types::Container;
 
-use super::Form;
+use super::ListingForm;
 use super::counters::counted;
 use super::error::Result;
 use super::forms::{Flag, Name, Public};
 use super::operands::{self, Num, Part, Place, View, read_lanes, write_operand};
-use super::reader::Reader;
-use super::values::{Brackets, Type};
+use super::reader::ListingReader;
+use super::values::{Brackets, ListedType};
 use super::writer::Writer;
-use crate::{FrameSize, LineMark, Op, Operand, Operation, Param, Program, SourceLine, SourceRange, Storage, Variable};
+use crate::{
+    FrameSize, FrameVariable, LineMark, Op, Opcode, Operand, Program, ProgramParam, SourceLine, SourceRange, Storage,
+};
 
 impl<'i> Writer<'i> {
     pub(super) fn program(&mut self, program: &'i Program) {
@@ -38,7 +40,7 @@ impl<'i> Writer<'i> {
         self.put(&format!("    file {} stack {}\n", program.file, program.stack_bytes));
         for (at, variable) in program.variables.iter().enumerate() {
             self.put(if at < program.params.len() { "    param " } else { "    local " });
-            <(Name, Type, Brackets)>::write(&declared(variable), self);
+            <(Name, ListedType, Brackets)>::write(&declared(variable), self);
             self.put(" ");
             match variable.storage {
                 Storage::Value(lanes) => write_operand(Operand::Frame(lanes), variable.kind.size, self),
@@ -88,11 +90,11 @@ impl<'i> Writer<'i> {
 }
 
 /// Returns a variable without its location.
-fn declared(variable: &Variable) -> (String, Arc<Kind>, Container) {
+fn declared(variable: &FrameVariable) -> (String, Arc<ValueType>, Container) {
     (variable.name.clone(), variable.kind.clone(), variable.container)
 }
 
-impl Reader<'_> {
+impl ListingReader<'_> {
     /// Reads a program after its first word.
     pub(super) fn program(&mut self) -> Result<()> {
         let (public, name) = <(Flag<Public>, Name)>::read(self)?;
@@ -121,7 +123,7 @@ impl Reader<'_> {
                     if matches!(op, Op::ForNext { .. } | Op::ForNextUp { .. }) {
                         mark = LineMark::Line;
                     }
-                    self.code.code.push(Operation { op, mark: std::mem::replace(&mut mark, LineMark::Within) });
+                    self.code.code.push(Opcode { op, mark: std::mem::replace(&mut mark, LineMark::Within) });
                 }
             }
         }
@@ -156,7 +158,7 @@ impl Reader<'_> {
 
     fn variable(&mut self, is_param: bool) -> Result<()> {
         self.take();
-        let (name, kind, container) = <(Name, Type, Brackets)>::read(self)?;
+        let (name, kind, container) = <(Name, ListedType, Brackets)>::read(self)?;
         let storage = match self.peek().chars().next() {
             Some('c') => Storage::Part(Part::read(self)?),
             Some('p') => Storage::Place(Place::read(self)?),
@@ -164,9 +166,9 @@ impl Reader<'_> {
             _ => Storage::Value(read_lanes(self)?),
         };
         if is_param {
-            self.code.params.push(Param { name: name.clone(), kind: kind.clone(), container, storage });
+            self.code.params.push(ProgramParam { name: name.clone(), kind: kind.clone(), container, storage });
         }
-        self.code.variables.push(Variable { name, kind, container, storage });
+        self.code.variables.push(FrameVariable { name, kind, container, storage });
         Ok(())
     }
 

@@ -3,21 +3,21 @@
 use std::str::FromStr;
 use std::sync::Arc;
 
-use val3_lang::memory::Kind;
-use val3_lines::{Columns, LineColumn, LineIndex};
+use val3_lang::memory::ValueType;
+use val3_lines::{ColumnCounting, LineColumn, LineIndex};
 
 use super::error::{AssemblyError, Result};
 use crate::{Image, Program};
 
 /// Tokens of a text, with the image so far.
-pub(super) struct Reader<'t> {
+pub(super) struct ListingReader<'t> {
     text: &'t str,
     tokens: Vec<(usize, &'t str)>,
     /// Index of the next token.
     next: usize,
     pub(super) image: Image,
     /// User types.
-    pub(super) kinds: Vec<Arc<Kind>>,
+    pub(super) kinds: Vec<Arc<ValueType>>,
     /// Current program.
     pub(super) code: Program,
     /// Labels of the current program. Until its end, jumps contain indexes into this list.
@@ -35,7 +35,7 @@ pub(super) struct Label {
     pub(super) target: Option<u32>,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> ListingReader<'t> {
     pub(super) fn new(text: &'t str) -> Result<Self> {
         let (image, code) = (Image { stack_size: STACK_SIZE, ..Image::default() }, Program::default());
         let (kinds, labels, callees) = (Vec::new(), Vec::new(), Vec::new());
@@ -193,7 +193,7 @@ impl<'t> Reader<'t> {
 
     pub(super) fn fail_at<T>(&self, token: usize, message: &str) -> Result<T> {
         let at = self.tokens.get(token).map_or(self.text.len(), |(at, _)| *at);
-        let LineColumn { line, column } = LineIndex::new(self.text).line_column(at, Columns::SHOWN_CHARACTERS);
+        let LineColumn { line, column } = LineIndex::new(self.text).line_column(at, ColumnCounting::SHOWN_CHARACTERS);
         Err(AssemblyError { line: line + 1, column: column + 1, message: message.to_owned() })
     }
 }

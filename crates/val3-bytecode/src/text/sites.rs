@@ -1,17 +1,17 @@
 //! Entries of a program's tables: copies, instructions, calls, tasks. In the text they appear at their operation.
 
 use val3_lang::instructions;
-use val3_lang::memory::Kind;
+use val3_lang::memory::ValueType;
 use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_lang::types::BaseType;
 
-use super::Form;
+use super::ListingForm;
 use super::error::Result;
 use super::forms::{From, InArm, Listed, Number, Optional, Overrun, Quoted, To, choices, sequences};
 use super::image::Library;
 use super::operands::{self, Num, write_operand};
-use super::reader::{Label, Reader};
-use super::values::{ArmName, BaseName, Type};
+use super::reader::{Label, ListingReader};
+use super::values::{ArmName, BaseName, ListedType};
 use super::writer::Writer;
 use crate::{
     ArgumentSite, CallSite, Callee, ContainerRef, CopySite, InstructionSite, Operand, ProgramRef, Subscript, TaskSite,
@@ -24,7 +24,7 @@ macro_rules! tables {
         #[doc = concat!("An entry of `", stringify!($field), "`.")]
         pub(super) struct $form;
 
-        impl Form for $form {
+        impl ListingForm for $form {
             type Value = u32;
 
             fn write(value: &u32, to: &mut Writer<'_>) {
@@ -34,7 +34,7 @@ macro_rules! tables {
                 }
             }
 
-            fn read(from: &mut Reader<'_>) -> Result<u32> {
+            fn read(from: &mut ListingReader<'_>) -> Result<u32> {
                 let site = <$site>::read(from)?;
                 from.code.$field.push(site);
                 Ok(u32::try_from(from.code.$field.len() - 1).unwrap_or(u32::MAX))
@@ -51,7 +51,7 @@ tables! {
 }
 
 sequences! {
-    CopySite { kind: Type, to: Operand, from: Operand };
+    CopySite { kind: ListedType, to: Operand, from: Operand };
     TaskSite { name: TextOperand, rate: Num, overrun: Optional<Overrun, Operand>, call: CallSite };
 }
 
@@ -78,15 +78,15 @@ choices! {
 /// A value of a built-in type: `num n0`.
 struct TypedValue;
 
-impl Form for TypedValue {
+impl ListingForm for TypedValue {
     type Value = (Operand, BaseType);
 
     fn write((operand, base): &Self::Value, to: &mut Writer<'_>) {
         to.put(&format!("{} ", base.name()));
-        write_operand(*operand, Kind::builtin(*base, None).size, to);
+        write_operand(*operand, ValueType::builtin(*base, None).size, to);
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self::Value> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self::Value> {
         let base = BaseName::read(from)?;
         Ok((Operand::read(from)?, base))
     }
@@ -94,7 +94,7 @@ impl Form for TypedValue {
 
 struct TypedArgument;
 
-impl Form for TypedArgument {
+impl ListingForm for TypedArgument {
     type Value = ArgumentSite;
 
     fn write(value: &ArgumentSite, to: &mut Writer<'_>) {
@@ -103,12 +103,12 @@ impl Form for TypedArgument {
         }
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<ArgumentSite> {
+    fn read(from: &mut ListingReader<'_>) -> Result<ArgumentSite> {
         TypedValue::read(from).map(|(operand, base)| ArgumentSite::Value(operand, base))
     }
 }
 
-impl Form for InstructionSite {
+impl ListingForm for InstructionSite {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
@@ -117,7 +117,7 @@ impl Form for InstructionSite {
         to.part(|to| Optional::<To, TypedValue>::write(&value.result, to));
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self> {
         let callee = Callee::read(from)?;
         let arguments = Listed::<ArgumentSite>::read(from)?;
         Ok(Self { arguments, result: Optional::<To, TypedValue>::read(from)?, ..Self::new(callee) })
@@ -127,7 +127,7 @@ impl Form for InstructionSite {
 /// An instruction form, with its number unless it is the first form: `sin`, `insert#1`.
 struct InstructionForm;
 
-impl Form for InstructionForm {
+impl ListingForm for InstructionForm {
     type Value = Callee;
 
     fn write(value: &Callee, to: &mut Writer<'_>) {
@@ -139,7 +139,7 @@ impl Form for InstructionForm {
         }
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Callee> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Callee> {
         let name = from.name()?;
         let Some(instruction) = instructions::find(&name) else {
             return from.fail(&format!("there is no instruction `{name}`"));
@@ -157,14 +157,14 @@ struct Operator<O>(std::marker::PhantomData<O>);
 
 macro_rules! operators {
     ($($op:ty: $find:expr;)+) => {$(
-        impl Form for Operator<$op> {
+        impl ListingForm for Operator<$op> {
             type Value = $op;
 
             fn write(value: &$op, to: &mut Writer<'_>) {
                 to.quoted(value.symbol());
             }
 
-            fn read(from: &mut Reader<'_>) -> Result<$op> {
+            fn read(from: &mut ListingReader<'_>) -> Result<$op> {
                 let symbol = from.quoted()?;
                 $find(symbol.as_str()).map_or_else(|| from.fail(&format!("`{symbol}` is no operator here")), Ok)
             }
@@ -177,7 +177,7 @@ operators! {
     UnaryOp: |symbol: &str| [UnaryOp::Negate, UnaryOp::Not].into_iter().find(|op| op.symbol() == symbol);
 }
 
-impl Form for CallSite {
+impl ListingForm for CallSite {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
@@ -191,7 +191,7 @@ impl Form for CallSite {
         to.part(|to| Listed::<ArgumentSite>::write(&value.arguments, to));
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self> {
         let name = from.name()?;
         let program = if name == "import" && from.peek() != "(" {
             ProgramRef::Import(from.number()?)

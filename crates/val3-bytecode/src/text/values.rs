@@ -3,28 +3,30 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use val3_lang::memory::{Element, FieldKind, Kind, KindBase, Link, Memory, PartInit, Place, Shape};
+use val3_lang::memory::{
+    ContainerShape, ElementType, FieldKind, KindBase, LinkPlace, Memory, PartInit, Place, ValueType,
+};
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::values::Text;
 
-use super::Form;
+use super::ListingForm;
 use super::error::Result;
 use super::forms::{InArm, Name, Number, Optional, sequences};
 use super::operands::{self, FLANGE, WORLD};
-use super::reader::Reader;
+use super::reader::ListingReader;
 use super::writer::Writer;
 
 /// A built-in type: `num`.
 pub(super) struct BaseName;
 
-impl Form for BaseName {
+impl ListingForm for BaseName {
     type Value = BaseType;
 
     fn write(value: &BaseType, to: &mut Writer<'_>) {
         to.put(value.name());
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<BaseType> {
+    fn read(from: &mut ListingReader<'_>) -> Result<BaseType> {
         let name = from.take();
         BaseType::named(name).map_or_else(|| from.fail(&format!("`{name}` is no type")), Ok)
     }
@@ -33,14 +35,14 @@ impl Form for BaseName {
 /// An arm by its suffix in type names: `Rs`.
 pub(super) struct ArmName;
 
-impl Form for ArmName {
+impl ListingForm for ArmName {
     type Value = Arm;
 
     fn write(value: &Arm, to: &mut Writer<'_>) {
         to.put(value.suffix());
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Arm> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Arm> {
         let name = from.take();
         let arm = Arm::ALL.into_iter().find(|arm| arm.suffix() == name);
         arm.map_or_else(|| from.fail(&format!("`{name}` is no arm")), Ok)
@@ -48,12 +50,12 @@ impl Form for ArmName {
 }
 
 /// Any type: `num`, `@Slot`.
-pub(super) struct Type;
+pub(super) struct ListedType;
 
-impl Form for Type {
-    type Value = Arc<Kind>;
+impl ListingForm for ListedType {
+    type Value = Arc<ValueType>;
 
-    fn write(value: &Arc<Kind>, to: &mut Writer<'_>) {
+    fn write(value: &Arc<ValueType>, to: &mut Writer<'_>) {
         if let KindBase::Builtin(base, arm) = value.base {
             return <(BaseName, Optional<InArm, ArmName>)>::write(&(base, arm), to);
         }
@@ -64,18 +66,18 @@ impl Form for Type {
         to.item(kinds.iter().map(|kind| user_name(kind)), number);
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Arc<Kind>> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Arc<ValueType>> {
         if !from.accept("@") {
             let (base, arm) = <(BaseName, Optional<InArm, ArmName>)>::read(from)?;
-            return Ok(Arc::new(Kind::builtin(base, arm)));
+            return Ok(Arc::new(ValueType::builtin(base, arm)));
         }
-        let names = |from: &Reader<'_>| from.kinds.iter().map(|kind| user_name(kind).to_owned()).collect();
+        let names = |from: &ListingReader<'_>| from.kinds.iter().map(|kind| user_name(kind).to_owned()).collect();
         let number = from.item("type", names)?;
         from.kinds.get(usize::from(number)).cloned().map_or_else(|| from.fail("there is no such type"), Ok)
     }
 }
 
-fn user_name(kind: &Kind) -> &str {
+fn user_name(kind: &ValueType) -> &str {
     match &kind.base {
         KindBase::User(name) => name,
         KindBase::Builtin(base, _) => base.name(),
@@ -83,7 +85,7 @@ fn user_name(kind: &Kind) -> &str {
 }
 
 /// Adds a user type to the declared types, after its fields' types.
-fn declare(kind: &Arc<Kind>, to: &mut Writer<'_>) -> usize {
+fn declare(kind: &Arc<ValueType>, to: &mut Writer<'_>) -> usize {
     let declaration = to.aside(|to| {
         to.put("type ");
         to.name(user_name(kind));
@@ -104,28 +106,28 @@ sequences! {
     FieldKind { name: Name, init: PartInit };
 }
 
-impl Reader<'_> {
+impl ListingReader<'_> {
     /// Reads the declaration of a user type after its first word.
     pub(super) fn user_type(&mut self) -> Result<()> {
         let name = self.name()?;
         self.expect("{")?;
         let fields = self.list(("", "}"), FieldKind::read)?;
-        self.kinds.push(Arc::new(Kind::user(name, fields)));
+        self.kinds.push(Arc::new(ValueType::user(name, fields)));
         Ok(())
     }
 }
 
-impl Form for PartInit {
+impl ListingForm for PartInit {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
-        Type::write(&value.kind, to);
+        ListedType::write(&value.kind, to);
         to.put("[");
         match &value.shape {
-            Shape::Array { dims, sizes } => {
+            ContainerShape::Array { dims, sizes } => {
                 to.list(sizes.iter().take((*dims).into()), ", ", Number::write);
             }
-            Shape::Collection(keys) => {
+            ContainerShape::Collection(keys) => {
                 let mut keys: Vec<(&u32, &Text)> = keys.iter().map(|(key, number)| (number, key)).collect();
                 keys.sort_unstable();
                 to.list(keys, ", ", |(_, key), to| to.quoted(key));
@@ -135,15 +137,15 @@ impl Form for PartInit {
         if !value.values.is_empty() {
             to.put(" {");
             to.list(&value.values, ", ", |value, to| match value {
-                Some(value) => Element::write(value, to),
+                Some(value) => ElementType::write(value, to),
                 None => to.put("_"),
             });
             to.put("}");
         }
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
-        let kind = Type::read(from)?;
+    fn read(from: &mut ListingReader<'_>) -> Result<Self> {
+        let kind = ListedType::read(from)?;
         from.expect("[")?;
         let shape = if matches!(from.peek().chars().next(), Some('"' | ']')) {
             let keys = from.list((",", "]"), operands::text)?;
@@ -151,16 +153,17 @@ impl Form for PartInit {
             if numbered.len() < keys.len() {
                 return from.fail("two of these keys are equal");
             }
-            Shape::Collection(numbered)
+            ContainerShape::Collection(numbered)
         } else {
-            match *from.list((",", "]"), Reader::number)? {
-                [size] => Shape::array(size),
-                [rows, columns] => Shape::Array { dims: 2, sizes: [rows, columns, 1] },
-                [x, y, z] => Shape::Array { dims: 3, sizes: [x, y, z] },
+            match *from.list((",", "]"), ListingReader::number)? {
+                [size] => ContainerShape::array(size),
+                [rows, columns] => ContainerShape::Array { dims: 2, sizes: [rows, columns, 1] },
+                [x, y, z] => ContainerShape::Array { dims: 3, sizes: [x, y, z] },
                 _ => return from.fail("one to three sizes are expected here"),
             }
         };
-        let value = |from: &mut Reader<'_>| if from.accept("_") { Ok(None) } else { value(&kind, from).map(Some) };
+        let value =
+            |from: &mut ListingReader<'_>| if from.accept("_") { Ok(None) } else { value(&kind, from).map(Some) };
         let values = if from.accept("{") { from.list((",", "}"), value)? } else { Vec::new() };
         Ok(Self { kind, shape, values })
     }
@@ -168,7 +171,7 @@ impl Form for PartInit {
 
 /// A value's lanes in parentheses: numbers, texts, links unless all are empty, and the fields' containers. A single
 /// number or string has no parentheses.
-impl Form for Element {
+impl ListingForm for ElementType {
     type Value = Self;
 
     fn write(value: &Self, to: &mut Writer<'_>) {
@@ -178,7 +181,7 @@ impl Form for Element {
             ([], [text], true) => return to.quoted(text),
             _ => {}
         }
-        let linked = if links.iter().all(|link| *link == Link::None) { &[] } else { links.as_slice() };
+        let linked = if links.iter().all(|link| *link == LinkPlace::None) { &[] } else { links.as_slice() };
         let nums = nums.iter().map(f64::to_string);
         let texts = texts.iter().map(|text| to.aside(|to| to.quoted(text))).collect::<Vec<_>>();
         let links = linked.iter().map(|link| link_name(*link).to_owned());
@@ -187,7 +190,7 @@ impl Form for Element {
         to.put(&format!("({})", lanes.join(" ")));
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Self> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Self> {
         let is_single = !from.accept("(");
         let mut value = Self::default();
         loop {
@@ -211,10 +214,10 @@ impl Form for Element {
 }
 
 /// Reads a value with this type, and checks the number of lanes.
-fn value(kind: &Kind, from: &mut Reader<'_>) -> Result<Element> {
-    let mut value = Element::read(from)?;
+fn value(kind: &ValueType, from: &mut ListingReader<'_>) -> Result<ElementType> {
+    let mut value = ElementType::read(from)?;
     if value.links.is_empty() {
-        value.links.resize(kind.size.link as usize, Link::None);
+        value.links.resize(kind.size.link as usize, LinkPlace::None);
     }
     let lanes = [value.nums.len(), value.texts.len(), value.links.len(), value.parts.len()];
     let size = [kind.size.num, kind.size.text, kind.size.link, kind.size.part].map(|lanes| lanes as usize);
@@ -226,10 +229,10 @@ fn value(kind: &Kind, from: &mut Reader<'_>) -> Result<Element> {
 }
 
 /// Links that values in files can have; all other links are set after the data are created.
-const LINKS: [Link; 3] =
-    [Link::None, Link::Data(Place::first(Memory::WORLD)), Link::Data(Place::first(Memory::FLANGE))];
+const LINKS: [LinkPlace; 3] =
+    [LinkPlace::None, LinkPlace::Data(Place::first(Memory::WORLD)), LinkPlace::Data(Place::first(Memory::FLANGE))];
 
-fn link_name(link: Link) -> &'static str {
+fn link_name(link: LinkPlace) -> &'static str {
     let [none, world, flange] = LINKS;
     match link {
         link if link == none => "none",
@@ -242,7 +245,7 @@ fn link_name(link: Link) -> &'static str {
 /// Container of a parameter or local, after its type: nothing, `[]`, `[,]`, `[""]`.
 pub(super) struct Brackets;
 
-impl Form for Brackets {
+impl ListingForm for Brackets {
     type Value = Container;
 
     fn write(value: &Container, to: &mut Writer<'_>) {
@@ -253,7 +256,7 @@ impl Form for Brackets {
         }
     }
 
-    fn read(from: &mut Reader<'_>) -> Result<Container> {
+    fn read(from: &mut ListingReader<'_>) -> Result<Container> {
         if !from.accept("[") {
             return Ok(Container::Element);
         }

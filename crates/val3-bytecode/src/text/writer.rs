@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_lang::memory::Kind;
+use val3_lang::memory::ValueType;
 
 use super::forms::{Public, Word};
 use crate::{Image, Program};
@@ -13,7 +13,7 @@ pub(super) struct Writer<'i> {
     /// Current program.
     pub(super) code: Option<&'i Program>,
     /// User types in use.
-    pub(super) kinds: Vec<Arc<Kind>>,
+    pub(super) kinds: Vec<Arc<ValueType>>,
     /// Declarations of these types.
     pub(super) types: String,
     /// The program's string constants in the order of first use.

@@ -7,11 +7,11 @@ use std::sync::Arc;
 use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
 use val3_analysis::db::{Db, File, FileStatus};
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 use val3_syntax::encoding::Encoding;
 
 use super::guard::NewText;
-use crate::diagnostic::{Edit, Fix};
+use crate::diagnostic::{Fix, FixEdit};
 
 /// A file before and after fixes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,7 +31,7 @@ pub(super) fn apart<'f>(fixes: impl IntoIterator<Item = &'f Fix>) -> Vec<&'f Fix
     let mut taken: FxHashMap<File, BTreeMap<u32, u32>> = FxHashMap::default();
     let mut chosen = Vec::new();
     for fix in fixes {
-        let is_free = |edit: &Edit| {
+        let is_free = |edit: &FixEdit| {
             let range = range(edit);
             let before = taken.get(&edit.place.file).and_then(|others| others.range(..=range.end).next_back());
             before.is_none_or(|(_, end)| *end < range.start)
@@ -47,7 +47,7 @@ pub(super) fn apart<'f>(fixes: impl IntoIterator<Item = &'f Fix>) -> Vec<&'f Fix
     chosen
 }
 
-fn range(edit: &Edit) -> Range<u32> {
+fn range(edit: &FixEdit) -> Range<u32> {
     edit.place.range.start().into()..edit.place.range.end().into()
 }
 
@@ -77,15 +77,15 @@ pub(super) fn apply(files: &mut FxHashMap<File, FixedFile>, fixes: &[&Fix]) {
 
 /// Texts of all files that `fixes` edit, in any encoding.
 pub(super) fn new_texts(db: &dyn Db, fixes: &[&Fix]) -> Vec<NewText> {
-    let new = |(file, edits): (File, Vec<&Edit>)| {
+    let new = |(file, edits): (File, Vec<&FixEdit>)| {
         let before = Arc::clone(file.text(db));
         NewText { path: file.path(db).clone(), after: edited(&before, edits).into(), before }
     };
     edits_by_file(fixes).into_iter().map(new).collect()
 }
 
-fn edits_by_file<'f>(fixes: &[&'f Fix]) -> FxHashMap<File, Vec<&'f Edit>> {
-    let mut edits: FxHashMap<File, Vec<&Edit>> = FxHashMap::default();
+fn edits_by_file<'f>(fixes: &[&'f Fix]) -> FxHashMap<File, Vec<&'f FixEdit>> {
+    let mut edits: FxHashMap<File, Vec<&FixEdit>> = FxHashMap::default();
     for edit in fixes.iter().flat_map(|fix| &fix.edits) {
         edits.entry(edit.place.file).or_default().push(edit);
     }
@@ -93,7 +93,7 @@ fn edits_by_file<'f>(fixes: &[&'f Fix]) -> FxHashMap<File, Vec<&'f Edit>> {
 }
 
 /// Applies edits that do not overlap to `text`.
-fn edited(text: &str, mut edits: Vec<&Edit>) -> String {
+fn edited(text: &str, mut edits: Vec<&FixEdit>) -> String {
     edits.sort_by_key(|edit| edit.place.range.start());
     let mut new = String::with_capacity(text.len());
     let mut rest = 0;
@@ -134,7 +134,7 @@ mod tests {
         let edit = |(old, new): &(&str, &str)| {
             let start = u32::try_from(text.find(old).unwrap()).unwrap();
             let range = TextRange::at(start.into(), u32::try_from(old.len()).unwrap().into());
-            Edit { place: FileRange { file, range }, text: (*new).to_owned() }
+            FixEdit { place: FileRange { file, range }, text: (*new).to_owned() }
         };
         Fix::safe("", changes.iter().map(edit).collect())
     }

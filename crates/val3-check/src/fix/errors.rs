@@ -30,9 +30,9 @@ fn key(db: &dyn Db, found: &Diagnostic) -> ErrorKey {
 
 /// Errors of a workspace, with the number of occurrences.
 #[derive(Debug, Default)]
-pub(super) struct Errors(FxHashMap<ErrorKey, usize>);
+pub(super) struct ErrorCounts(FxHashMap<ErrorKey, usize>);
 
-impl Errors {
+impl ErrorCounts {
     /// Collects the errors of a workspace.
     pub(super) fn of(target: &mut impl TrialWorkspace) -> Self {
         let found = target.all_findings();

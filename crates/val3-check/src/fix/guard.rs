@@ -6,7 +6,7 @@ use camino::Utf8PathBuf;
 use val3_analysis::db::Db;
 
 use super::apply::{apart, new_texts};
-use super::errors::{Errors, TrialWorkspace};
+use super::errors::{ErrorCounts, TrialWorkspace};
 use crate::diagnostic::Fix;
 
 /// An error that fixes would add.
@@ -22,13 +22,13 @@ pub struct AddedError {
 #[derive(Debug)]
 pub struct FixGuard<T> {
     target: T,
-    before: Errors,
+    before: ErrorCounts,
 }
 
 impl<T: TrialWorkspace> FixGuard<T> {
     /// Creates a guard that compares with the current errors of the workspace.
     pub fn new(mut target: T) -> Self {
-        let before = Errors::of(&mut target);
+        let before = ErrorCounts::of(&mut target);
         Self { target, before }
     }
 
@@ -39,7 +39,7 @@ impl<T: TrialWorkspace> FixGuard<T> {
         self.target.set_texts(texts.iter().map(|text| (text.path.as_path(), &text.after)));
         let found = self.target.all_findings();
         let files = self.target.db();
-        let after = Errors::among(files, &found);
+        let after = ErrorCounts::among(files, &found);
         let added = found.iter().find(|found| after.adds(files, found, &self.before));
         let added = added
             .map(|error| AddedError { path: error.place.file.path(files).clone(), message: error.message.clone() });
@@ -84,7 +84,7 @@ mod tests {
     use val3_test::{Fixture, ROOT};
 
     use super::*;
-    use crate::diagnostic::Edit;
+    use crate::diagnostic::FixEdit;
     use crate::testing::MemoryTarget;
 
     #[test]
@@ -97,7 +97,7 @@ mod tests {
         let fix = |old: &str, new: &str| {
             let at = u32::try_from(start.text(&db).find(old).unwrap()).unwrap();
             let range = TextRange::at(at.into(), u32::try_from(old.len()).unwrap().into());
-            Fix::safe("", vec![Edit { place: FileRange { file: start, range }, text: new.to_owned() }])
+            Fix::safe("", vec![FixEdit { place: FileRange { file: start, range }, text: new.to_owned() }])
         };
         let fixes = [fix("nA=1", "nA=10"), fix("nA=2", "nB=2"), fix("nA=3", "nA=30")];
         let mut guard = FixGuard::new(MemoryTarget::new(&files));

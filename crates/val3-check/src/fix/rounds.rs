@@ -7,7 +7,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::db::File;
 
 use super::apply::{FixedFile, apart, apply, edited_files};
-use super::errors::{Errors, TrialWorkspace};
+use super::errors::{ErrorCounts, TrialWorkspace};
 use crate::diagnostic::{Diagnostic, Fix};
 use crate::suppression::silencing;
 
@@ -55,7 +55,7 @@ pub struct AppliedFixes {
 pub fn apply_fixes<T: FixTarget>(target: &mut T, guesses: bool) -> Result<AppliedFixes, T::Error> {
     let mut applied = AppliedFixes::default();
     let mut files = BTreeMap::new();
-    let mut errors = Errors::of(target);
+    let mut errors = ErrorCounts::of(target);
     for _ in 0..ROUNDS {
         let found = target.findings()?;
         let fixes = apart(wanted(&found, guesses));
@@ -122,7 +122,7 @@ struct Round<'t, T> {
     /// Files that the fixes edit.
     files: FxHashMap<File, FixedFile>,
     /// Errors before the round.
-    errors: &'t Errors,
+    errors: &'t ErrorCounts,
     guesses: bool,
 }
 
@@ -133,7 +133,7 @@ struct Attempt {
     /// Changed files, in order.
     changes: Vec<FixedFile>,
     /// Errors after the change.
-    errors: Errors,
+    errors: ErrorCounts,
     /// Files with new errors.
     faulty: FxHashSet<Utf8PathBuf>,
     /// Whether the first fixes revealed errors whose fixes were applied as well.
@@ -196,7 +196,7 @@ impl<T: FixTarget> Round<'_, T> {
         let mut count = fixes.len();
         let mut follow_ups = 0;
         loop {
-            let errors = Errors::of(self.target);
+            let errors = ErrorCounts::of(self.target);
             let faulty = errors.files_with_more_than(self.errors);
             if !faulty.is_empty() && follow_ups < FOLLOW_UPS {
                 let (more, fixes) = self.follow_up(&errors)?;
@@ -212,7 +212,7 @@ impl<T: FixTarget> Round<'_, T> {
     }
 
     /// Applies the fixes of new errors: a mistake often hides the next one on its line.
-    fn follow_up(&mut self, errors: &Errors) -> Result<(Vec<FixedFile>, usize), T::Error> {
+    fn follow_up(&mut self, errors: &ErrorCounts) -> Result<(Vec<FixedFile>, usize), T::Error> {
         let found = self.target.findings()?;
         let db = self.target.db();
         let new = found.iter().filter(|found| errors.adds(db, found, self.errors));

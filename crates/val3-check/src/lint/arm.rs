@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::arm::{ProjectArm, arm};
 use val3_analysis::db::{Db, Project};
-use val3_analysis::items::positions::{Position, positions};
+use val3_analysis::items::positions::{TaughtPosition, positions};
 use val3_analysis::items::project::data_files;
 use val3_analysis::placement::placement;
 use val3_analysis::reach::reach;
@@ -21,14 +21,14 @@ use super::ProjectView;
 
 /// A tool with its centre point's pose on the flange.
 #[derive(Debug, Clone)]
-pub(crate) struct Tool {
+pub(crate) struct FlangeTool {
     /// Data path; `None` for the flange.
     pub(crate) path: Option<String>,
     /// Pose of the flange, relative to the centre point.
     to_flange: IsometryMatrix3<f64>,
 }
 
-impl Tool {
+impl FlangeTool {
     fn new(path: Option<String>, pose: IsometryMatrix3<f64>) -> Self {
         Self { path, to_flange: pose.inverse() }
     }
@@ -46,11 +46,11 @@ pub(crate) fn range(arm: &Arm, axis: usize, [min, max]: [f64; 2]) -> String {
 }
 
 /// Reachability of positions in data files.
-pub(crate) struct Reach<'a> {
+pub(crate) struct ArmReach<'a> {
     view: &'a ProjectView<'a>,
     pub(crate) arm: &'a Arm,
     /// The flange, and every tool of the project whose data no program changes.
-    tools: Rc<[Tool]>,
+    tools: Rc<[FlangeTool]>,
     /// Cached uses of data by name, which are equal for all elements of a container.
     uses: RefCell<FxHashMap<String, DataUse>>,
 }
@@ -59,13 +59,13 @@ pub(crate) struct Reach<'a> {
 #[derive(Debug, Clone)]
 struct DataUse {
     is_target: bool,
-    tools: Rc<[Tool]>,
+    tools: Rc<[FlangeTool]>,
 }
 
-impl<'a> Reach<'a> {
+impl<'a> ArmReach<'a> {
     pub(crate) fn new(view: &'a ProjectView<'a>) -> Option<Self> {
         let arm = &of_project(view.db, view.project)?.model;
-        let mut tools = vec![Tool::new(None, IsometryMatrix3::identity())];
+        let mut tools = vec![FlangeTool::new(None, IsometryMatrix3::identity())];
         let mut paths: Vec<_> = data_files(view.db, view.project)
             .iter()
             .flat_map(|file| positions(view.db, *file))
@@ -76,7 +76,7 @@ impl<'a> Reach<'a> {
         tools.extend(
             paths
                 .into_iter()
-                .filter_map(|path| Some(Tool::new(Some(path.to_string()), constant_placement(view, path)?))),
+                .filter_map(|path| Some(FlangeTool::new(Some(path.to_string()), constant_placement(view, path)?))),
         );
         Some(Self { view, arm, tools: tools.into(), uses: RefCell::default() })
     }
@@ -100,13 +100,13 @@ impl<'a> Reach<'a> {
     }
 
     /// Whether the value suits this kind of arm, has been taught, and no program changes it.
-    pub(crate) fn is_known(&self, path: &str, position: &Position) -> bool {
+    pub(crate) fn is_known(&self, path: &str, position: &TaughtPosition) -> bool {
         is_for(self.arm, position) && !position.is_zero() && !self.view.is_changed(path)
     }
 
     /// Reason why the arm cannot reach a point with any of the tools that may be used there; `None` if it can, or if
     /// the placement of the point is unknown.
-    pub(crate) fn unreachable(&self, path: &str, position: &Position) -> Option<(Tool, Unreachable)> {
+    pub(crate) fn unreachable(&self, path: &str, position: &TaughtPosition) -> Option<(FlangeTool, Unreachable)> {
         let pose = constant_placement(self.view, path)?;
         let requested = position.configuration.requested();
         let mut first = None;
@@ -121,28 +121,28 @@ impl<'a> Reach<'a> {
 
     /// Tools with which data may be used: the tools of the moves to them if all are known, otherwise all tools of the
     /// project.
-    fn tools_at(&self, name: &str) -> Rc<[Tool]> {
+    fn tools_at(&self, name: &str) -> Rc<[FlangeTool]> {
         let uses = targets(self.view.db, self.view.project).get(name).filter(|uses| !uses.is_open);
         let mut paths: Vec<&SmolStr> = uses.into_iter().flat_map(|uses| &uses.tools).collect();
         paths.sort_unstable();
-        let known: Option<Vec<Tool>> = paths.into_iter().map(|path| self.tool(path)).collect();
+        let known: Option<Vec<FlangeTool>> = paths.into_iter().map(|path| self.tool(path)).collect();
         known.filter(|tools| !tools.is_empty()).map_or_else(|| Rc::clone(&self.tools), Rc::from)
     }
 
-    fn tool(&self, path: &str) -> Option<Tool> {
+    fn tool(&self, path: &str) -> Option<FlangeTool> {
         let known = self.tools.iter().find(|tool| tool.path.as_deref() == Some(path)).cloned();
-        known.or_else(|| Some(Tool::new(None, constant_placement(self.view, path)?)))
+        known.or_else(|| Some(FlangeTool::new(None, constant_placement(self.view, path)?)))
     }
 
     /// Another configuration with which the arm reaches a point that it does not reach in the required configuration.
-    pub(crate) fn other_configuration(&self, path: &str, tool: &Tool) -> Option<Joints> {
+    pub(crate) fn other_configuration(&self, path: &str, tool: &FlangeTool) -> Option<Joints> {
         let pose = constant_placement(self.view, path)?;
         reach(self.arm, &(pose * tool.to_flange), RequestedConfiguration::FREE).ok()
     }
 }
 
 /// Whether a value of this type suits the arm (six-axis or SCARA). Types that name no kind suit both.
-pub(super) fn is_for(arm: &Arm, position: &Position) -> bool {
+pub(super) fn is_for(arm: &Arm, position: &TaughtPosition) -> bool {
     let kind = if arm.is_scara() { types::Arm::Scara } else { types::Arm::SixAxis };
     position.arm.is_none_or(|arm| arm == kind)
 }

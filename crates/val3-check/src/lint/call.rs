@@ -1,7 +1,7 @@
 //! Instruction calls, as used by lints.
 
 use val3_analysis::body::ExprId;
-use val3_lang::instruction::{Instruction, Overload, Param};
+use val3_lang::instruction::{Instruction, InstructionParam, Overload};
 use val3_lang::motion::MotionRole;
 
 /// An instruction call.
@@ -21,7 +21,7 @@ pub(crate) struct Call<'db> {
 
 impl<'db> Call<'db> {
     /// Arguments with their parameters, if the form is known.
-    pub(crate) fn arguments(self) -> impl Iterator<Item = (&'static Param, ExprId)> {
+    pub(crate) fn arguments(self) -> impl Iterator<Item = (&'static InstructionParam, ExprId)> {
         let params = self.form.map_or(&[][..], |form| form.params);
         params.iter().zip(self.args.iter().copied())
     }

@@ -5,14 +5,14 @@ use std::rc::Rc;
 use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_analysis::body::{Constant, Expr, ExprId};
-use val3_analysis::effects::{AccessKind, Root};
-use val3_analysis::flow::{Facts, Point, PointId, PointKind, forward};
+use val3_analysis::effects::{AccessKind, RootVariable};
+use val3_analysis::flow::{Facts, FlowNode, PointId, PointKind, forward};
 use val3_analysis::items::initial::{Initial, initial};
 use val3_lang::enumerations::{self, Enumerator};
 use val3_lang::motion::keeps_configuration;
 use val3_lang::types::{AttributeValue, BaseType, attributes};
 
-use super::Program;
+use super::ProgramView;
 
 /// Fields whose value is certain, spelled as in the code but without indexes: `l_mFast.blend`.
 pub(crate) type Choices = FxHashMap<SmolStr, Choice>;
@@ -25,7 +25,7 @@ pub(crate) struct Choice {
     pub(crate) is_chosen: bool,
 }
 
-impl Program<'_> {
+impl ProgramView<'_> {
     /// Certain values, before each flow node, of fields that the program itself sets.
     pub(crate) fn choices(&self) -> Facts<Rc<Choices>> {
         let start = self.header.locals.iter().flat_map(|local| {
@@ -34,7 +34,7 @@ impl Program<'_> {
             let default = |ty| Some(Choice { value: enumerations::values(ty).next()?, is_chosen: false });
             fields.filter_map(move |(field, ty)| Some((join(&local.name, field), default(ty)?)))
         });
-        let step = |id: PointId, point: &Point, before: &Rc<Choices>| self.choices_after(id, point, before);
+        let step = |id: PointId, point: &FlowNode, before: &Rc<Choices>| self.choices_after(id, point, before);
         forward(self.flow(), Rc::new(start.collect()), step, |known, other| {
             let differs = |(field, value): (&SmolStr, &Choice)| other.get(field) != Some(value);
             let news = !Rc::ptr_eq(known, other) && known.iter().any(differs);
@@ -77,7 +77,9 @@ impl Program<'_> {
             Expr::Index(base, keys) => (*base, self.key(keys)?),
             _ => (id, SmolStr::new_static("0")),
         };
-        let (Expr::Name(name), Root::Data(_)) = (self.body.expr(name), self.effects.root(id)?) else { return None };
+        let (Expr::Name(name), RootVariable::Data(_)) = (self.body.expr(name), self.effects.root(id)?) else {
+            return None;
+        };
         let item = self.items.data.get(name)?;
         Some((name, initial(self.db, item.file).get(name)?.get(&key)?))
     }
@@ -107,7 +109,7 @@ impl Program<'_> {
         Some(keys?.join(",").into())
     }
 
-    fn choices_after(&self, id: PointId, point: &Point, before: &Rc<Choices>) -> Rc<Choices> {
+    fn choices_after(&self, id: PointId, point: &FlowNode, before: &Rc<Choices>) -> Rc<Choices> {
         let writes = self.effects.at(id).iter().any(|access| access.kind != AccessKind::Read);
         if !writes && !matches!(point.kind, PointKind::Call(_)) {
             return before.clone();

@@ -4,15 +4,15 @@ use val3_analysis::body::ExprId;
 use val3_analysis::changes::is_changed;
 use val3_analysis::items::manifest::length_unit;
 use val3_analysis::targets::path;
-use val3_lang::motion::{MotionRole, Path, is_blend};
+use val3_lang::motion::{MotionRole, RequestedPath, is_blend};
 use val3_motion::{Blend, Millimetres};
 
-use super::Program;
+use super::ProgramView;
 
-impl Program<'_> {
+impl ProgramView<'_> {
     /// Blend at the end of the move that `call` records; `None` if a program may change its descriptor.
     pub(super) fn blend(&self, call: ExprId) -> Option<Blend> {
-        if self.call_of(call)?.role == Some(MotionRole::Move(Path::Compliant)) {
+        if self.call_of(call)?.role == Some(MotionRole::Move(RequestedPath::Compliant)) {
             return Some(Blend::Off);
         }
         let descriptor = self.body.without_parentheses(self.descriptor(call)?);

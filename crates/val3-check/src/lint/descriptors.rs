@@ -3,7 +3,7 @@
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_lang::types::{BaseType, fields};
 
-use super::Program;
+use super::ProgramView;
 
 /// A constant in a field of a motion descriptor.
 pub(crate) struct DescriptorNumber<'a> {
@@ -16,7 +16,7 @@ pub(crate) struct DescriptorNumber<'a> {
 }
 
 /// Constants that assignments write into motion descriptors, in code order.
-pub(crate) fn descriptor_numbers<'a>(program: &'a Program<'_>) -> Vec<DescriptorNumber<'a>> {
+pub(crate) fn descriptor_numbers<'a>(program: &'a ProgramView<'_>) -> Vec<DescriptorNumber<'a>> {
     let mut found = Vec::new();
     let number = |field, at: ExprId| Some(DescriptorNumber { field, value: program.body.number(at)?, at });
     for stmt in program.stmts() {
@@ -35,6 +35,6 @@ pub(crate) fn descriptor_numbers<'a>(program: &'a Program<'_>) -> Vec<Descriptor
     found
 }
 
-fn is_descriptor(program: &Program<'_>, id: ExprId) -> bool {
+fn is_descriptor(program: &ProgramView<'_>, id: ExprId) -> bool {
     program.inference.ty(id).base.builtin() == Some(BaseType::Mdesc)
 }

@@ -3,18 +3,18 @@
 use val3_analysis::body::ExprId;
 use val3_syntax::{TextRange, TextSize};
 
-use super::Program;
-use crate::diagnostic::Edit;
+use super::ProgramView;
+use crate::diagnostic::FixEdit;
 use crate::fix::Site;
 
-impl<'db> Program<'db> {
+impl<'db> ProgramView<'db> {
     /// Creates a fix location of the program.
     pub(crate) fn site(&self, range: TextRange) -> Site<'db> {
         Site::new(self.db, self.file, range, None)
     }
 
     /// Replaces `range` with raw text of the file, without escaping.
-    pub(crate) fn write(&self, range: TextRange, text: &str) -> Edit {
+    pub(crate) fn write(&self, range: TextRange, text: &str) -> FixEdit {
         self.site(range).write(range, text)
     }
 
@@ -34,7 +34,7 @@ mod tests {
     use val3_analysis::system::Memory;
     use val3_test::{Fixture, ROOT};
 
-    use crate::settings::{Selection, WorkspaceSettings};
+    use crate::settings::{RuleSelection, WorkspaceSettings};
     use crate::{check_unit, units};
 
     /// Code of `start` after the first fix of `rule`.
@@ -46,7 +46,7 @@ mod tests {
         });
         let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
         let db = &workspace.db;
-        let settings = WorkspaceSettings::new(db, &workspace.projects, &Selection::default()).unwrap();
+        let settings = WorkspaceSettings::new(db, &workspace.projects, &RuleSelection::default()).unwrap();
         let units = units(db, &workspace.projects);
         let found = units.into_iter().flat_map(|unit| check_unit(db, unit, &settings).findings);
         let fix =

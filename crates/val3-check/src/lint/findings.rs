@@ -3,7 +3,7 @@
 use val3_analysis::db::{File, FileRange};
 use val3_syntax::TextRange;
 
-use crate::diagnostic::{Diagnostic, Edit, Fix, RelatedNote, Wording};
+use crate::diagnostic::{Diagnostic, Fix, FixEdit, RelatedNote, Wording};
 use crate::rule::{Rule, Severity};
 
 /// Findings in one file.
@@ -73,8 +73,13 @@ impl ReportedFinding<'_> {
     }
 
     /// Adds a fix if there are edits for it.
-    pub(crate) fn fix(mut self, title: impl Into<String>, safe: bool, edits: impl IntoIterator<Item = Edit>) -> Self {
-        let edits: Vec<Edit> = edits.into_iter().collect();
+    pub(crate) fn fix(
+        mut self,
+        title: impl Into<String>,
+        safe: bool,
+        edits: impl IntoIterator<Item = FixEdit>,
+    ) -> Self {
+        let edits: Vec<FixEdit> = edits.into_iter().collect();
         if let Some(diagnostic) = self.diagnostic.as_mut().filter(|_| !edits.is_empty()) {
             diagnostic.fix = Some(Fix { title: title.into(), safe, edits });
         }

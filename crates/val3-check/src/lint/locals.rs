@@ -2,10 +2,10 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::body::ExprId;
-use val3_analysis::effects::{Access, AccessKind, Effects, Root};
-use val3_analysis::flow::{Facts, Flow, PerPoint, Point, PointId, backward, forward};
+use val3_analysis::effects::{Access, AccessKind, Effects, RootVariable};
+use val3_analysis::flow::{Facts, FlowGraph, FlowNode, PerPoint, PointId, backward, forward};
 use val3_analysis::items::program::Header;
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 
 use super::Call;
 
@@ -16,11 +16,11 @@ pub(crate) type Locals = u128;
 pub(crate) struct LocalUse<'db>(PerPoint<(Locals, &'db Access)>);
 
 impl<'db> LocalUse<'db> {
-    pub(super) fn new(header: &Header, flow: &Flow, effects: &Effects<'db>, calls: &[Call<'db>]) -> Self {
+    pub(super) fn new(header: &Header, flow: &FlowGraph, effects: &Effects<'db>, calls: &[Call<'db>]) -> Self {
         let names = header.locals.iter().map(|local| local.name.as_str());
         let bits: FxHashMap<&str, Locals> = names.zip((0u32..128).map(|bit| 1 << bit)).collect();
         let bit = |access: &Access| match &access.root {
-            Root::Local(name) => bits.get(name.as_str()).copied(),
+            RootVariable::Local(name) => bits.get(name.as_str()).copied(),
             _ => None,
         };
         if bits.is_empty() {
@@ -41,8 +41,8 @@ impl<'db> LocalUse<'db> {
     }
 
     /// Variables that may have been written before each flow node.
-    pub(crate) fn written(&self, flow: &Flow) -> Facts<Locals> {
-        let step = |id: PointId, _: &Point, before: &Locals| {
+    pub(crate) fn written(&self, flow: &FlowGraph) -> Facts<Locals> {
+        let step = |id: PointId, _: &FlowNode, before: &Locals| {
             let written = self.at(id).iter().filter(|(_, access)| access.kind != AccessKind::Read);
             written.fold(*before, |all, (bit, _)| all | bit)
         };
@@ -50,8 +50,8 @@ impl<'db> LocalUse<'db> {
     }
 
     /// Variables whose value may still be used after each flow node.
-    pub(crate) fn needed(&self, flow: &Flow) -> Facts<Locals> {
-        let step = |id: PointId, _: &Point, behind: &Locals| {
+    pub(crate) fn needed(&self, flow: &FlowGraph) -> Facts<Locals> {
+        let step = |id: PointId, _: &FlowNode, behind: &Locals| {
             self.at(id).iter().rev().fold(*behind, |needed, (bit, access)| match access.kind {
                 AccessKind::Write => needed & !bit,
                 AccessKind::WritePart => needed,
@@ -70,7 +70,9 @@ fn join(known: &mut Locals, more: &Locals) -> bool {
 
 /// Variables whose size or existence is read, but not their value.
 fn measured(calls: &[Call<'_>]) -> FxHashSet<ExprId> {
-    let is_whole = |shape| matches!(shape, Shape::Whole | Shape::Slot | Shape::Item | Shape::Collection);
+    let is_whole = |shape| {
+        matches!(shape, ArgumentForm::Whole | ArgumentForm::Slot | ArgumentForm::Item | ArgumentForm::Collection)
+    };
     let arguments = calls.iter().flat_map(|call| {
         let params = call.form.into_iter().flat_map(|form| form.params);
         params.zip(call.args).filter(move |(param, _)| is_whole(param.shape)).map(|(_, arg)| *arg)

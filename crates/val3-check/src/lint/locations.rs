@@ -2,12 +2,12 @@
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_analysis::db::FileRange;
-use val3_analysis::effects::Root;
+use val3_analysis::effects::RootVariable;
 use val3_analysis::items::declarations;
 
-use super::Program;
+use super::ProgramView;
 
-impl<'db> Program<'db> {
+impl<'db> ProgramView<'db> {
     /// Another program of the project. The caller then depends on that program's code, so this is only for findings.
     pub(crate) fn other(&self, name: &str) -> Option<Self> {
         let file = self.items.programs.get(name)?;
@@ -31,13 +31,13 @@ impl<'db> Program<'db> {
     /// Declaration location of the variable that `id` is or belongs to; `None` for a variable of a library.
     pub(crate) fn declaration(&self, id: ExprId) -> Option<FileRange> {
         match self.effects.root(id)? {
-            Root::Local(name) => declarations::local(self.db, self.file, name),
-            Root::Param(name) => declarations::param(self.db, self.file, name),
-            Root::Data(name) => {
+            RootVariable::Local(name) => declarations::local(self.db, self.file, name),
+            RootVariable::Param(name) => declarations::param(self.db, self.file, name),
+            RootVariable::Data(name) => {
                 let item = self.items.data.get(&name)?;
                 declarations::data(self.db, item.file, name)
             }
-            Root::Item(..) => None,
+            RootVariable::Item(..) => None,
         }
     }
 }

@@ -5,15 +5,15 @@ use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 use val3_analysis::body::ExprId;
-use val3_analysis::flow::{Facts, Point, PointId, PointKind, forward};
+use val3_analysis::flow::{Facts, FlowNode, PointId, PointKind, forward};
 use val3_lang::instruction::Overload;
 use val3_lang::motion::{self, MotionRole};
 
 use super::choices::{Choice, enumerated};
-use super::{Call, Choices, Program};
+use super::{Call, Choices, ProgramView};
 
 /// Certain facts about the arm and its moves before each flow node of a program.
-pub(crate) struct Motion {
+pub(crate) struct MotionFacts {
     arm: Facts<ArmState>,
     /// Computed on demand.
     choices: OnceCell<Facts<Rc<Choices>>>,
@@ -27,14 +27,14 @@ pub(crate) struct ArmState {
     /// Call that recorded the last move.
     pub(crate) last: Option<ExprId>,
     /// Corner at the end of that move.
-    pub(crate) corner: Corner,
+    pub(crate) corner: MoveCorner,
     /// Activity of the arm.
-    pub(crate) phase: Phase,
+    pub(crate) phase: ArmActivity,
 }
 
 /// Corner at the end of the last recorded move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Corner {
+pub(crate) enum MoveCorner {
     /// Nothing is certain.
     #[default]
     Unknown,
@@ -46,7 +46,7 @@ pub(crate) enum Corner {
 
 /// Activity of the arm.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) enum Phase {
+pub(crate) enum ArmActivity {
     /// Nothing is certain.
     #[default]
     Unknown,
@@ -61,7 +61,7 @@ pub(crate) enum Phase {
     },
 }
 
-impl Phase {
+impl ArmActivity {
     /// Facts that hold on both joining paths.
     fn join(self, other: Self) -> Self {
         match (self, other) {
@@ -86,9 +86,9 @@ pub(crate) struct ArmCall<'db> {
     pub(crate) arm: ArmState,
 }
 
-impl Motion {
-    fn new(program: &Program<'_>) -> Self {
-        let step = |id: PointId, point: &Point, before: &ArmState| program.arm_after(id, point, *before);
+impl MotionFacts {
+    fn new(program: &ProgramView<'_>) -> Self {
+        let step = |id: PointId, point: &FlowNode, before: &ArmState| program.arm_after(id, point, *before);
         let arm = forward(program.flow(), ArmState::default(), step, ArmState::join);
         let mut moves = FxHashMap::default();
         for (id, _) in program.flow().points() {
@@ -117,7 +117,7 @@ impl ArmState {
             self.last = None;
         }
         if self.corner != other.corner {
-            self.corner = Corner::Unknown;
+            self.corner = MoveCorner::Unknown;
         }
         self.phase = self.phase.join(other.phase);
         *self != before
@@ -125,22 +125,22 @@ impl ArmState {
 
     fn after(self, call: &Call<'_>) -> Self {
         let Some(role) = call.role else {
-            return if call.instruction.blocking { Self { phase: Phase::Unknown, ..self } } else { self };
+            return if call.instruction.blocking { Self { phase: ArmActivity::Unknown, ..self } } else { self };
         };
-        let stopped_by = if let Phase::Stopped { by, .. } = self.phase { Some(by) } else { None };
+        let stopped_by = if let ArmActivity::Stopped { by, .. } = self.phase { Some(by) } else { None };
         let phase = match (role, stopped_by) {
             (MotionRole::Reset, _) => return Self::default(),
-            (MotionRole::Move(_), Some(by)) => Phase::Stopped { by, pending: true },
-            (MotionRole::Move(_), None) => Phase::Moving,
-            (MotionRole::Stop, _) => Phase::Stopped { by: call.id, pending: self.phase.has_pending_move() },
+            (MotionRole::Move(_), Some(by)) => ArmActivity::Stopped { by, pending: true },
+            (MotionRole::Move(_), None) => ArmActivity::Moving,
+            (MotionRole::Stop, _) => ArmActivity::Stopped { by: call.id, pending: self.phase.has_pending_move() },
             // A program that reads the progress may have found that every move is finished.
-            (MotionRole::Progress, Some(by)) => Phase::Stopped { by, pending: false },
+            (MotionRole::Progress, Some(by)) => ArmActivity::Stopped { by, pending: false },
             (MotionRole::Position, _) => self.phase,
-            (MotionRole::Arrive | MotionRole::Restart | MotionRole::Progress, _) => Phase::Unknown,
+            (MotionRole::Arrive | MotionRole::Restart | MotionRole::Progress, _) => ArmActivity::Unknown,
         };
         let (last, corner) = match role {
-            MotionRole::Move(_) => (Some(call.id), Corner::Open),
-            MotionRole::Arrive => (self.last, Corner::Stop),
+            MotionRole::Move(_) => (Some(call.id), MoveCorner::Open),
+            MotionRole::Arrive => (self.last, MoveCorner::Stop),
             _ => (self.last, self.corner),
         };
         Self { last, corner, phase }
@@ -151,7 +151,7 @@ fn is_move(call: &Call<'_>) -> bool {
     matches!(call.role, Some(MotionRole::Move(_)))
 }
 
-impl<'db> Program<'db> {
+impl<'db> ProgramView<'db> {
     /// Target of the move that `call` records.
     pub(crate) fn target(&self, call: ExprId) -> Option<ExprId> {
         self.move_argument(call, motion::target)
@@ -187,8 +187,8 @@ impl<'db> Program<'db> {
     }
 
     /// Certain facts about the arm; `None` for a program that does not use it.
-    pub(crate) fn motion(&self) -> Option<&Motion> {
-        let new = || self.calls().iter().any(|call| call.role.is_some()).then(|| Motion::new(self));
+    pub(crate) fn motion(&self) -> Option<&MotionFacts> {
+        let new = || self.calls().iter().any(|call| call.role.is_some()).then(|| MotionFacts::new(self));
         self.motion.get_or_init(new).as_ref()
     }
 
@@ -210,7 +210,7 @@ impl<'db> Program<'db> {
         steps
     }
 
-    fn arm_after(&self, id: PointId, point: &Point, before: ArmState) -> ArmState {
+    fn arm_after(&self, id: PointId, point: &FlowNode, before: ArmState) -> ArmState {
         let after = self.calls_at(id).iter().fold(before, |arm, call| arm.after(call));
         // The effect of the called program on the arm is unknown here.
         if matches!(point.kind, PointKind::Call(_)) { ArmState::default() } else { after }

@@ -6,23 +6,23 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::changes::is_changed;
-use val3_analysis::effects::Root;
+use val3_analysis::effects::RootVariable;
 use val3_analysis::items::manifest::length_unit;
 use val3_analysis::placement::{joints, placement, position, transformation};
 use val3_analysis::reach::{reach, without_same};
 use val3_analysis::targets::path;
 use val3_geometry::{IsometryMatrix3, Trsf};
-use val3_kinematics::{Arm, Joints, Request, RequestedConfiguration};
-use val3_lang::motion::{self, MotionRole, Path, keeps_configuration, moves_along_own_axes};
+use val3_kinematics::{Arm, ConfigurationRequest, Joints, RequestedConfiguration};
+use val3_lang::motion::{self, MotionRole, RequestedPath, keeps_configuration, moves_along_own_axes};
 use val3_lang::types::BaseType;
 use val3_motion::{
-    Blend, Cause, DegreesPerSecond, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath,
-    MoveTarget, blend_fault,
+    Blend, Cause, DegreesPerSecond, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, MoveTarget,
+    SpeedLimits, blend_fault,
 };
 
 use super::arm::{is_for, of_project, root};
-use super::motion::{ArmCall, ArmState, Corner};
-use super::{Call, Program};
+use super::motion::{ArmCall, ArmState, MoveCorner};
+use super::{Call, ProgramView};
 
 /// A move that the arm cannot make from any possible start.
 pub(crate) struct ImpossibleMove {
@@ -30,13 +30,13 @@ pub(crate) struct ImpossibleMove {
     pub(crate) target: ExprId,
     /// Target of the previous move; `None` if the target itself is the reason.
     pub(crate) from: Option<ExprId>,
-    pub(crate) shape: Shape,
+    pub(crate) shape: UnreachablePath,
     pub(crate) cause: Cause,
 }
 
 /// Path that the arm cannot follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shape {
+pub(crate) enum UnreachablePath {
     Line,
     Circle,
     /// The blend around the target `from`, in the move to `target`.
@@ -47,11 +47,11 @@ pub(crate) enum Shape {
 #[derive(Clone)]
 enum Known {
     Joints(Joints),
-    Point(Target),
+    Point(KnownPose),
 }
 
 #[derive(Clone)]
-struct Target {
+struct KnownPose {
     /// Pose in `world`.
     pose: IsometryMatrix3<f64>,
     configuration: RequestedConfiguration,
@@ -60,7 +60,7 @@ struct Target {
 }
 
 /// Moves between known positions that the project's arm cannot make.
-pub(crate) fn impossible_moves(program: &Program<'_>) -> Vec<ImpossibleMove> {
+pub(crate) fn impossible_moves(program: &ProgramView<'_>) -> Vec<ImpossibleMove> {
     let calls = program.arm_calls();
     let Some(arm) = of_project(program.db, program.project).filter(|_| !calls.is_empty()) else { return Vec::new() };
     let mut check = PathCheck { program, arm: &arm.model, moves: FxHashMap::default(), found: Vec::new() };
@@ -69,7 +69,7 @@ pub(crate) fn impossible_moves(program: &Program<'_>) -> Vec<ImpossibleMove> {
 }
 
 struct PathCheck<'p, 'db> {
-    program: &'p Program<'db>,
+    program: &'p ProgramView<'db>,
     arm: &'p Arc<Arm>,
     moves: FxHashMap<ExprId, PlannedMove>,
     found: Vec<ImpossibleMove>,
@@ -80,14 +80,14 @@ struct PlannedMove {
     /// Possible joint positions at the end, at least one.
     ends: Vec<Joints>,
     /// Possible ways to these ends; empty if the start is unknown.
-    ways: Vec<Way>,
+    ways: Vec<PossibleWay>,
     tool: IsometryMatrix3<f64>,
     /// Reach distance of the preceding blend in mm, 0 without a blend; `None` if it is uncertain.
     reach: Option<f64>,
 }
 
 /// A possible way of the arm in a move.
-struct Way {
+struct PossibleWay {
     start: Joints,
     path: MovePath,
     end: Joints,
@@ -98,17 +98,17 @@ impl PathCheck<'_, '_> {
         let (MotionRole::Move(path), call) = (step.role, &step.call) else { return };
         let Some((known, tool)) = self.target(call) else { return };
         let before = step.arm.last.and_then(|last| Some((last, self.start(last)?)));
-        let joint = |start: &Joints, end: Joints| Way { start: *start, path: MovePath::Joint(end), end };
-        let ways: Vec<Way> = match (path, &known, &before) {
-            (Path::Cartesian, Known::Point(target), Some((last, starts))) => {
+        let joint = |start: &Joints, end: Joints| PossibleWay { start: *start, path: MovePath::Joint(end), end };
+        let ways: Vec<PossibleWay> = match (path, &known, &before) {
+            (RequestedPath::Cartesian, Known::Point(target), Some((last, starts))) => {
                 self.along_path(call, *last, starts, target, &tool).unwrap_or_default()
             }
-            (Path::Joint, Known::Point(target), Some((_, starts))) => {
+            (RequestedPath::Joint, Known::Point(target), Some((_, starts))) => {
                 let flange = Trsf::from(target.pose * tool.inverse());
                 let solve = |start: &Joints| self.arm.solve(&flange, start, target.configuration).ok();
                 starts.iter().filter_map(|start| Some(joint(start, solve(start)?))).collect()
             }
-            (Path::Joint, Known::Joints(joints), Some((_, starts))) => {
+            (RequestedPath::Joint, Known::Joints(joints), Some((_, starts))) => {
                 starts.iter().map(|start| joint(start, *joints)).collect()
             }
             _ => Vec::new(),
@@ -122,7 +122,7 @@ impl PathCheck<'_, '_> {
             return;
         }
         let planned = PlannedMove { ends, ways, tool, reach: self.reach_before(step.arm) };
-        if let (Some(last), Corner::Open) = (step.arm.last, step.arm.corner) {
+        if let (Some(last), MoveCorner::Open) = (step.arm.last, step.arm.corner) {
             self.corner(last, call.id, &planned);
         }
         self.moves.insert(call.id, planned);
@@ -131,9 +131,9 @@ impl PathCheck<'_, '_> {
     /// Reach distance in mm of the blend before the next move, 0 if the arm stops there; `None` if it is uncertain.
     fn reach_before(&self, arm: ArmState) -> Option<f64> {
         match arm.corner {
-            Corner::Unknown => None,
-            Corner::Stop => Some(0.0),
-            Corner::Open => Some(self.program.blend(arm.last?)?.distances().map_or(0.0, |(_, reach)| reach)),
+            MoveCorner::Unknown => None,
+            MoveCorner::Stop => Some(0.0),
+            MoveCorner::Open => Some(self.program.blend(arm.last?)?.distances().map_or(0.0, |(_, reach)| reach)),
         }
     }
 
@@ -141,7 +141,7 @@ impl PathCheck<'_, '_> {
     fn corner(&mut self, last: ExprId, next: ExprId, to: &PlannedMove) {
         let Some(cause) = self.corner_fault(last, next, to) else { return };
         if let (Some(target), from) = (self.program.target(next), self.program.target(last)) {
-            self.found.push(ImpossibleMove { target, from, shape: Shape::Blend, cause });
+            self.found.push(ImpossibleMove { target, from, shape: UnreachablePath::Blend, cause });
         }
     }
 
@@ -178,7 +178,7 @@ impl PathCheck<'_, '_> {
     }
 
     /// All joint positions for a target, in all turns of the axes.
-    fn positions_of(&self, target: &Target, tool: &IsometryMatrix3<f64>) -> Vec<Joints> {
+    fn positions_of(&self, target: &KnownPose, tool: &IsometryMatrix3<f64>) -> Vec<Joints> {
         let flange = target.pose * tool.inverse();
         let requested = without_same(target.configuration);
         let is_allowed = |joints: &Joints| {
@@ -200,15 +200,15 @@ impl PathCheck<'_, '_> {
         call: &Call<'_>,
         last: ExprId,
         starts: &[Joints],
-        target: &Target,
+        target: &KnownPose,
         tool: &IsometryMatrix3<f64>,
-    ) -> Option<Vec<Way>> {
+    ) -> Option<Vec<PossibleWay>> {
         let flange = target.pose * tool.inverse();
         // Another rule reports a point that the arm cannot reach.
         reach(self.arm, &flange, target.configuration).ok()?;
         let destination = MoveTarget { pose: target.pose, configuration: target.configuration };
         let through = self.intermediate(call)?;
-        let shape = if through.is_some() { Shape::Circle } else { Shape::Line };
+        let shape = if through.is_some() { UnreachablePath::Circle } else { UnreachablePath::Line };
         let path = match through {
             Some(through) => MovePath::Circle(through, destination),
             None => MovePath::Line(destination),
@@ -217,7 +217,7 @@ impl PathCheck<'_, '_> {
         let mut ways = Vec::new();
         for start in starts {
             match self.follow(*start, &path, tool) {
-                Ok(end) => ways.push(Way { start: *start, path: path.clone(), end }),
+                Ok(end) => ways.push(PossibleWay { start: *start, path: path.clone(), end }),
                 Err(other) => cause = cause.or(Some(other)),
             }
         }
@@ -239,7 +239,7 @@ impl PathCheck<'_, '_> {
     /// A move with the nominal speeds of the arm.
     fn request(&self, path: &MovePath, tool: &IsometryMatrix3<f64>, blend: Blend) -> Move {
         let axes = [0, 1, 2, 3, 4, 5];
-        let limits = Limits {
+        let limits = SpeedLimits {
             speed: axes.map(|axis| self.arm.nominal_speed(axis)),
             acceleration: axes.map(|axis| self.arm.nominal_acceleration(axis)),
             deceleration: axes.map(|axis| self.arm.nominal_deceleration(axis)),
@@ -250,11 +250,11 @@ impl PathCheck<'_, '_> {
     }
 
     /// Whether both targets request different configurations explicitly, which is reported for every arm (V0405).
-    fn is_obvious(&self, cause: &Cause, last: ExprId, target: &Target) -> bool {
+    fn is_obvious(&self, cause: &Cause, last: ExprId, target: &KnownPose) -> bool {
         let before = self.program.call_of(last).and_then(|call| self.target(call));
         let (Cause::Configuration, Some((Known::Point(before), _))) = (cause, before) else { return false };
-        fn differ<T: PartialEq>(one: &Request<T>, other: &Request<T>) -> bool {
-            matches!((one, other), (Request::Exactly(one), Request::Exactly(other)) if one != other)
+        fn differ<T: PartialEq>(one: &ConfigurationRequest<T>, other: &ConfigurationRequest<T>) -> bool {
+            matches!((one, other), (ConfigurationRequest::Exactly(one), ConfigurationRequest::Exactly(other)) if one != other)
         }
         let (from, to) = (before.configuration, target.configuration);
         differ(&from.shoulder, &to.shoulder) || differ(&from.elbow, &to.elbow) || differ(&from.wrist, &to.wrist)
@@ -268,7 +268,12 @@ impl PathCheck<'_, '_> {
         }
         let reached = reach(self.arm, &(target.pose * tool.inverse()), target.configuration);
         if let (Err(cause), Some(to)) = (reached, self.program.target(call.id)) {
-            self.found.push(ImpossibleMove { target: to, from: None, shape: Shape::Line, cause: cause.into() });
+            self.found.push(ImpossibleMove {
+                target: to,
+                from: None,
+                shape: UnreachablePath::Line,
+                cause: cause.into(),
+            });
         }
     }
 
@@ -302,7 +307,7 @@ fn turned(joints: &Joints, axis: usize, turn: f64) -> Joints {
     turned
 }
 
-impl Program<'_> {
+impl ProgramView<'_> {
     /// An expression's constant position.
     fn known(&self, id: ExprId) -> Option<Known> {
         let id = self.body.without_parentheses(id);
@@ -314,7 +319,7 @@ impl Program<'_> {
         let value = position(self.db, self.project, &path).filter(|value| is_for(arm, value))?;
         match value.ty {
             BaseType::Joint => Some(Known::Joints(joints(self.db, self.project, value, arm))),
-            BaseType::Point if !value.is_zero() => Some(Known::Point(Target {
+            BaseType::Point if !value.is_zero() => Some(Known::Point(KnownPose {
                 pose: self.constant_placement(&path)?,
                 configuration: value.configuration.requested(),
                 is_computed: false,
@@ -324,14 +329,14 @@ impl Program<'_> {
     }
 
     /// Point near another point that a call returns.
-    fn known_near(&self, call: &Call<'_>) -> Option<Target> {
+    fn known_near(&self, call: &Call<'_>) -> Option<KnownPose> {
         let (true, true, [point, by]) =
             (keeps_configuration(call.instruction), moves_along_own_axes(call.instruction), call.args)
         else {
             return None;
         };
         let (Known::Point(near), by) = (self.known(*point)?, self.known_trsf(*by)?) else { return None };
-        Some(Target { pose: near.pose * by.isometry(), is_computed: true, ..near })
+        Some(KnownPose { pose: near.pose * by.isometry(), is_computed: true, ..near })
     }
 
     /// A transformation in mm: a literal of numbers, or data that no program changes.
@@ -367,7 +372,7 @@ impl Program<'_> {
 
     /// Data path that no program changes.
     fn constant_path(&self, id: ExprId) -> Option<SmolStr> {
-        let Some(Root::Data(_)) = self.effects.root(id) else { return None };
+        let Some(RootVariable::Data(_)) = self.effects.root(id) else { return None };
         path(self.body, id).filter(|path| self.is_constant_path(path))
     }
 

@@ -1,12 +1,12 @@
 //! Properties of the control-flow graph's nodes, for lints.
 
 use val3_analysis::body::{Constant, ExprId, Stmt, StmtKind};
-use val3_analysis::flow::{PerPoint, Point, PointId, PointKind};
-use val3_lang::instruction::Class;
+use val3_analysis::flow::{FlowNode, PerPoint, PointId, PointKind};
+use val3_lang::instruction::CallClass;
 
-use super::{Call, Program};
+use super::{Call, ProgramView};
 
-impl<'db> Program<'db> {
+impl<'db> ProgramView<'db> {
     /// Instruction calls at a flow node, in evaluation order.
     pub(crate) fn calls_at(&self, id: PointId) -> &[Call<'db>] {
         self.calls_by_point.get_or_init(|| self.calls_of_points()).at(id)
@@ -45,7 +45,7 @@ impl<'db> Program<'db> {
     }
 
     /// Whether `branch` of a flow node can be taken, as far as constant conditions show.
-    pub(crate) fn is_taken(&self, point: &Point, branch: usize) -> bool {
+    pub(crate) fn is_taken(&self, point: &FlowNode, branch: usize) -> bool {
         let PointKind::Test { condition: Some(condition), .. } = point.kind else { return true };
         match self.body.constant(condition) {
             Some(Constant::Bool(value)) => branch == usize::from(!value),
@@ -57,6 +57,6 @@ impl<'db> Program<'db> {
     pub(crate) fn is_pure(&self, id: ExprId) -> bool {
         self.calls_within(id)
             .iter()
-            .all(|call| !call.instruction.blocking && call.form.is_some_and(|form| form.class == Class::Function))
+            .all(|call| !call.instruction.blocking && call.form.is_some_and(|form| form.class == CallClass::Function))
     }
 }

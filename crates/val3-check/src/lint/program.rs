@@ -6,7 +6,7 @@ use val3_analysis::application::{Application, application};
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::Effects;
-use val3_analysis::flow::{Flow, PerPoint, flow};
+use val3_analysis::flow::{FlowGraph, PerPoint, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
 use val3_analysis::items::declarations;
 use val3_analysis::items::program::{Header, header};
@@ -18,10 +18,10 @@ use val3_syntax::{TextRange, text_at};
 
 use super::motion::ArmCall;
 use super::variable_use::VariableUse;
-use super::{Call, LocalUse, Motion};
+use super::{Call, LocalUse, MotionFacts};
 
 /// A program without faults, with the results of its analysis.
-pub(crate) struct Program<'db> {
+pub(crate) struct ProgramView<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
     pub(crate) file: File,
@@ -34,7 +34,7 @@ pub(crate) struct Program<'db> {
     /// Effects of program lines on variables.
     pub(crate) effects: Effects<'db>,
     /// State of the arm, computed on demand.
-    pub(super) motion: OnceCell<Option<Motion>>,
+    pub(super) motion: OnceCell<Option<MotionFacts>>,
     pub(super) arm_calls: OnceCell<Vec<ArmCall<'db>>>,
     calls: OnceCell<Vec<Call<'db>>>,
     pub(super) calls_by_point: OnceCell<PerPoint<Call<'db>>>,
@@ -43,7 +43,7 @@ pub(crate) struct Program<'db> {
     stmts: OnceCell<Vec<&'db Stmt>>,
 }
 
-impl<'db> Program<'db> {
+impl<'db> ProgramView<'db> {
     pub(crate) fn new(db: &'db dyn Db, project: Project, file: File, options: &'db Options) -> Self {
         Self {
             db,
@@ -71,7 +71,7 @@ impl<'db> Program<'db> {
     }
 
     /// Control-flow graph.
-    pub(crate) fn flow(&self) -> &'db Flow {
+    pub(crate) fn flow(&self) -> &'db FlowGraph {
         flow(self.db, self.file)
     }
 

@@ -4,10 +4,10 @@ use std::fmt::{self, Display};
 use std::ops::Bound;
 
 use val3_analysis::body::ExprId;
-use val3_lang::arguments::{DIMENSION, Range, dimensions, power_base, range};
+use val3_lang::arguments::{ArgumentRange, DIMENSION, dimensions, power_base, range};
 use val3_lang::instructions::{POWER, RESIZE};
 
-use super::{Call, Program};
+use super::{Call, ProgramView};
 
 /// A constant number that its instruction does not accept.
 pub(crate) struct OutOfRange {
@@ -15,7 +15,7 @@ pub(crate) struct OutOfRange {
     pub(crate) callee: &'static str,
     pub(crate) parameter: &'static str,
     pub(crate) value: f64,
-    pub(crate) range: &'static Range,
+    pub(crate) range: &'static ArgumentRange,
 }
 
 impl OutOfRange {
@@ -27,7 +27,7 @@ impl OutOfRange {
 }
 
 /// All constant arguments that are out of range.
-pub(crate) fn out_of_range(program: &Program<'_>) -> Vec<OutOfRange> {
+pub(crate) fn out_of_range(program: &ProgramView<'_>) -> Vec<OutOfRange> {
     let mut found = Vec::new();
     for call in program.calls() {
         let callee = call.instruction.name;
@@ -41,9 +41,9 @@ pub(crate) fn out_of_range(program: &Program<'_>) -> Vec<OutOfRange> {
     found
 }
 
-impl Program<'_> {
+impl ProgramView<'_> {
     /// Range of a parameter. It may depend on the version and on the other arguments.
-    fn range_of(&self, call: &Call<'_>, parameter: &str) -> Option<&'static Range> {
+    fn range_of(&self, call: &Call<'_>, parameter: &str) -> Option<&'static ArgumentRange> {
         let range = range(call.instruction.name, parameter)?;
         match (call.instruction.name, parameter, call.args) {
             (POWER, _, [base, exponent]) => {
@@ -58,7 +58,7 @@ impl Program<'_> {
 }
 
 /// Formats a range in words: "1 to 100", "more than 0", "at least 0".
-pub(crate) struct RangeInWords<'r>(pub(crate) &'r Range);
+pub(crate) struct RangeInWords<'r>(pub(crate) &'r ArgumentRange);
 
 impl Display for RangeInWords<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -4,14 +4,14 @@ use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::declarations::element_around;
 use val3_analysis::items::parse;
 use val3_analysis::items::unlisted::is_program;
-use val3_syntax::xml::{self, Element};
-use val3_syntax::{Part, TextRange, TextSize};
+use val3_syntax::xml::{self, XmlElement};
+use val3_syntax::{TextRange, TextSize, TextSlice};
 
-use crate::diagnostic::Edit;
+use crate::diagnostic::FixEdit;
 
 /// Removes an element of a file, with the preceding line end if it has its own line. If it was the last element of a
 /// list, the list becomes an empty tag; in programs, which omit empty lists, it is removed.
-pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
+pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> FixEdit {
     let text = file.text(db);
     let parse = parse(db, file);
     // Only the last element of a list requires a search: a file may have thousands of unused data.
@@ -22,16 +22,16 @@ pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
         Some(list) if is_program(file.path(db).as_str()) => (with_blanks(text, list.view().range()), ""),
         Some(list) => (after_attributes(list, text), " />"),
     };
-    Edit { place: FileRange { file, range }, text: text.to_owned() }
+    FixEdit { place: FileRange { file, range }, text: text.to_owned() }
 }
 
 /// Removes the element that contains a name.
-pub(crate) fn of_entry(db: &dyn Db, file: File, name: TextRange) -> Option<Edit> {
+pub(crate) fn of_entry(db: &dyn Db, file: File, name: TextRange) -> Option<FixEdit> {
     Some(of_element(db, file, element_around(db, file, name)?))
 }
 
 /// The element that directly contains the element at `inner`.
-fn list_of(root: Element<'_>, inner: TextRange) -> Option<Element<'_>> {
+fn list_of(root: XmlElement<'_>, inner: TextRange) -> Option<XmlElement<'_>> {
     let mut list = root;
     loop {
         let next = list.elements().find(|element| element.view().range().contains_range(inner))?;
@@ -48,13 +48,13 @@ fn is_last(element: TextRange, text: &str) -> bool {
 }
 
 /// Whether only blanks are between the start tag of `list` and `element`.
-fn is_first(list: Element<'_>, element: TextRange, text: &str) -> bool {
+fn is_first(list: XmlElement<'_>, element: TextRange, text: &str) -> bool {
     let between = text.get(list.tag_range().end().into()..element.start().into());
     between.is_some_and(|between| between.trim().is_empty())
 }
 
 /// Range from the last attribute in the start tag of a list to the end of the list.
-fn after_attributes(list: Element<'_>, text: &str) -> TextRange {
+fn after_attributes(list: XmlElement<'_>, text: &str) -> TextRange {
     let tag = list.tag_range();
     let start = text.part(tag.start().into()..tag.end().into());
     let attributes = start.trim_end_matches('>').trim_end();

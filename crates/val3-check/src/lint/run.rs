@@ -2,25 +2,29 @@
 
 use val3_analysis::db::{Db, File, Project};
 
-use super::{DataFile, Findings, Program, ProjectView};
+use super::{DataFile, Findings, ProgramView, ProjectView};
 use crate::diagnostic::Diagnostic;
 use crate::rule::Lint;
 use crate::rules::{self, instruction_version, other_version};
 use crate::settings::Settings;
 
-type ProgramLint = fn(&Program<'_>, &mut Findings);
+type ProgramLint = fn(&ProgramView<'_>, &mut Findings);
 
 /// Findings of the lints that read a single program.
-pub(crate) fn program(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
+pub(crate) fn program(program: &ProgramView<'_>, settings: &Settings) -> Vec<Diagnostic> {
     of_program(program, settings, |lint| if let Lint::Program(check) = lint { Some(check) } else { None })
 }
 
 /// Findings in a program of the lints that read its whole application.
-pub(crate) fn member(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
+pub(crate) fn member(program: &ProgramView<'_>, settings: &Settings) -> Vec<Diagnostic> {
     of_program(program, settings, |lint| if let Lint::Member(check) = lint { Some(check) } else { None })
 }
 
-fn of_program(program: &Program<'_>, settings: &Settings, kind: fn(Lint) -> Option<ProgramLint>) -> Vec<Diagnostic> {
+fn of_program(
+    program: &ProgramView<'_>,
+    settings: &Settings,
+    kind: fn(Lint) -> Option<ProgramLint>,
+) -> Vec<Diagnostic> {
     let application = program.project.manifest(program.db);
     let mut found = Findings::new(program.file, Some(program.name().to_owned()), application);
     wanted(settings, kind).for_each(|check| check(program, &mut found));
@@ -29,7 +33,7 @@ fn of_program(program: &Program<'_>, settings: &Settings, kind: fn(Lint) -> Opti
 
 /// Instructions of a program that its declared version, or the version to which it is moved, does not have. They are
 /// also reported in programs with faults.
-pub(crate) fn versions(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
+pub(crate) fn versions(program: &ProgramView<'_>, settings: &Settings) -> Vec<Diagnostic> {
     let application = program.project.manifest(program.db);
     let mut found = Findings::new(program.file, Some(program.name().to_owned()), application);
     if settings.wants(&instruction_version::RULE) {

@@ -2,9 +2,9 @@
 
 use val3_analysis::body::{Expr, ExprId};
 
-use super::Program;
+use super::ProgramView;
 
-impl Program<'_> {
+impl ProgramView<'_> {
     /// Whether both expressions have the same value if they are evaluated one directly after the other: their text is
     /// the same and they contain no call.
     pub(crate) fn is_same(&self, left: ExprId, right: ExprId) -> bool {

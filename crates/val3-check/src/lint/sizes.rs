@@ -1,12 +1,12 @@
 //! Constant sizes of arrays.
 
 use val3_analysis::body::{Expr, ExprId};
-use val3_analysis::effects::Root;
+use val3_analysis::effects::RootVariable;
 use val3_analysis::resizing::is_resized;
 
-use super::Program;
+use super::ProgramView;
 
-impl Program<'_> {
+impl ProgramView<'_> {
     /// Number of elements of a one-dimensional array, from a constant index on, if it is certain: the size of a local
     /// array, or of private data whose size the application never changes.
     pub(crate) fn certain_size(&self, id: ExprId) -> Option<u32> {
@@ -24,13 +24,13 @@ impl Program<'_> {
     fn declared_size(&self, array: ExprId) -> Option<u32> {
         let Expr::Name(name) = self.body.expr(array) else { return None };
         let sizes = match self.effects.root(array)? {
-            Root::Local(_) => &self.header.locals.iter().find(|local| local.name == *name)?.sizes,
-            Root::Data(_) => {
+            RootVariable::Local(_) => &self.header.locals.iter().find(|local| local.name == *name)?.sizes,
+            RootVariable::Data(_) => {
                 let data = &self.items.data.get(name)?.decl;
                 let changes = data.public || is_resized(self.db, self.project, name);
                 Some(&data.sizes).filter(|_| !changes)?
             }
-            Root::Param(_) | Root::Item(..) => return None,
+            RootVariable::Param(_) | RootVariable::Item(..) => return None,
         };
         match **sizes {
             [size] => Some(size),

@@ -4,9 +4,9 @@ use smol_str::SmolStr;
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_analysis::db::FileRange;
 use val3_analysis::items::declarations;
-use val3_analysis::items::project::{Param, Signature};
+use val3_analysis::items::project::{Signature, SignatureParam};
 
-use super::Program;
+use super::ProgramView;
 
 /// A `taskCreate` or `taskCreateSync`.
 pub(crate) struct TaskCreation<'db> {
@@ -32,7 +32,7 @@ pub(crate) struct ProgramCall<'db> {
 
 impl<'db> ProgramCall<'db> {
     /// Arguments with their parameters, if the parameters are known.
-    pub(crate) fn arguments(&self) -> impl Iterator<Item = (&'db Param, ExprId)> {
+    pub(crate) fn arguments(&self) -> impl Iterator<Item = (&'db SignatureParam, ExprId)> {
         let params = self.signature.map_or(&[][..], |signature| &signature.params);
         params.iter().zip(self.args.iter().copied())
     }
@@ -44,7 +44,7 @@ impl TaskCreation<'_> {
     }
 }
 
-impl<'db> Program<'db> {
+impl<'db> ProgramView<'db> {
     /// All statements that create a task, in text order.
     pub(crate) fn task_creations(&self) -> impl Iterator<Item = TaskCreation<'db>> {
         let statements = self.stmts().iter().copied().filter_map(|stmt| match &stmt.kind {

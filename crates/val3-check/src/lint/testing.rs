@@ -10,7 +10,7 @@ use val3_test::{Fixture, ROOT};
 
 use crate::diagnostic::Diagnostic;
 use crate::rule::{Rule, Severity};
-use crate::settings::{Selection, WorkspaceSettings};
+use crate::settings::{RuleSelection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
 
 /// Levels of all `rule` findings in a `val3-test` listing.
@@ -26,7 +26,7 @@ pub(crate) fn finished(listing: &str, code: &str) -> Vec<String> {
     let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
     let db = &workspace.db;
     let units = units(db, &workspace.projects);
-    let settings = WorkspaceSettings::new(db, &workspace.projects, &Selection::default()).unwrap();
+    let settings = WorkspaceSettings::new(db, &workspace.projects, &RuleSelection::default()).unwrap();
     let checked = units.iter().map(|unit| check_unit(db, *unit, &settings)).sum();
     let found = finish(db, &units, &settings, checked).findings.into_iter().filter(|found| found.rule.code == code);
     let file = |found: &Diagnostic| found.place.file.path(db).file_name().unwrap_or("").to_owned();
@@ -75,6 +75,6 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
 /// Settings that turn on a single rule, even if it is off by default.
 pub(crate) fn settings_for(db: &dyn Db, projects: &[Project], rule: &Rule) -> WorkspaceSettings {
     let only = BTreeSet::from([rule.code]);
-    let selection = Selection { only: Some(only.clone()), named: only, ..Selection::default() };
+    let selection = RuleSelection { only: Some(only.clone()), named: only, ..RuleSelection::default() };
     WorkspaceSettings::new(db, projects, &selection).unwrap()
 }

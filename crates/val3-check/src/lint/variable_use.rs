@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::application::Use;
-use val3_analysis::effects::{Effects, Root};
+use val3_analysis::effects::{Effects, RootVariable};
 
 /// A program's accesses to its own variables, by name, without unused variables.
 #[derive(Debug, Default)]
@@ -17,8 +17,8 @@ impl VariableUse {
         let mut used = Self::default();
         for access in effects.all() {
             let (uses, name) = match &access.root {
-                Root::Local(name) => (&mut used.locals, name),
-                Root::Param(name) => (&mut used.params, name),
+                RootVariable::Local(name) => (&mut used.locals, name),
+                RootVariable::Param(name) => (&mut used.params, name),
                 _ => continue,
             };
             uses.entry(name.clone()).or_default().add(access.kind);

@@ -6,7 +6,7 @@ use val3_analysis::items::shared_names::shared_names;
 
 use crate::diagnostic::{MOST_RELATED, Wording};
 use crate::english::count;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -39,7 +39,7 @@ rule! {
 }
 
 /// Reports each name once, in the first program of the project that declares it.
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let shared = shared_names(program.db, program.project);
     if shared.is_empty() {
         return;
@@ -76,7 +76,7 @@ fn variable(db: &dyn Db, file: File, name: &str) -> Option<FileRange> {
     Some(FileRange { file, range: found.range })
 }
 
-fn other_use(program: &Program<'_>, name: &str) -> Option<&'static str> {
+fn other_use(program: &ProgramView<'_>, name: &str) -> Option<&'static str> {
     if program.items.programs.contains_key(name) {
         Some("a program")
     } else {

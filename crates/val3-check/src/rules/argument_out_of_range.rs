@@ -4,7 +4,7 @@ use val3_lang::arguments::OutOfRange;
 
 use crate::diagnostic::Wording;
 use crate::lint::ranges::out_of_range;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -34,7 +34,7 @@ rule! {
     V0225 "argument-out-of-range" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for fault in out_of_range(program) {
         if let OutOfRange::Fails(number) = fault.range.beyond {
             let wording = Wording::new(fault.message(), runtime_error(number), "");

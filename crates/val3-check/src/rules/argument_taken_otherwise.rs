@@ -4,7 +4,7 @@ use val3_lang::arguments::OutOfRange;
 
 use crate::diagnostic::Wording;
 use crate::lint::ranges::out_of_range;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -29,7 +29,7 @@ rule! {
     V0226 "argument-taken-otherwise" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for fault in out_of_range(program) {
         if let OutOfRange::Instead(what) = fault.range.beyond {
             found.report(&RULE, program.range(fault.argument), Wording::new(fault.message(), what, ""));

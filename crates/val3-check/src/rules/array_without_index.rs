@@ -1,12 +1,12 @@
 //! V0234: an array without an index as a single value.
 
 use val3_analysis::body::{ExprId, StmtKind};
-use val3_analysis::effects::Root;
+use val3_analysis::effects::RootVariable;
 use val3_lang::types::Container;
 use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -42,7 +42,7 @@ rule! {
     V0234 "array-without-index" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let calls = program.stmts().iter().copied().filter_map(|stmt| match stmt.kind {
         StmtKind::Call(call) => program.program_call(call),
         _ => None,
@@ -64,9 +64,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// Whether it is a variable that was declared with several values. Parameters are not reported, because many programs
 /// pass an element to an array parameter.
-fn is_array(program: &Program<'_>, id: ExprId) -> bool {
+fn is_array(program: &ProgramView<'_>, id: ExprId) -> bool {
     let ty = program.inference.ty(id);
-    let is_param = matches!(program.effects.root(id), Some(Root::Param(_)));
+    let is_param = matches!(program.effects.root(id), Some(RootVariable::Param(_)));
     matches!(ty.container, Container::Array { .. }) && !ty.is_unknown() && !is_param
 }
 

@@ -6,7 +6,7 @@ use val3_lang::operators::BinaryOp;
 use val3_lang::runtime_errors::{RUNTIME_ERRORS, RuntimeError};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -35,7 +35,7 @@ rule! {
     V0720 "bare-error-number" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (_, expr, _) in program.body.exprs() {
         let Expr::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right) = expr else { continue };
         if let Some(error) = error(program, *right).filter(|_| is_status(program, *left)) {
@@ -44,12 +44,12 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn is_status(program: &Program<'_>, id: ExprId) -> bool {
+fn is_status(program: &ProgramView<'_>, id: ExprId) -> bool {
     let Expr::Call(callee, _) = program.body.expr(program.body.without_parentheses(id)) else { return false };
     matches!(program.body.expr(*callee), Expr::Name(name) if name == TASK_STATUS)
 }
 
-fn error(program: &Program<'_>, id: ExprId) -> Option<&'static RuntimeError> {
+fn error(program: &ProgramView<'_>, id: ExprId) -> Option<&'static RuntimeError> {
     let number = program.body.number(id)?;
     RUNTIME_ERRORS.iter().find(|row| f64::from(row.number) == number)
 }

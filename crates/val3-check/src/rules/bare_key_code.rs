@@ -2,11 +2,11 @@
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
 use val3_lang::instructions::{IS_KEY_PRESSED, READ_KEYS};
-use val3_lang::keys::{KEYS, Key};
+use val3_lang::keys::{CollectionKey, KEYS};
 use val3_lang::operators::BinaryOp;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -35,7 +35,7 @@ rule! {
     V0719 "bare-key-code" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let mut codes: Vec<ExprId> = compared(program);
     codes.extend(program.calls_of(IS_KEY_PRESSED).filter_map(|call| call.args.last()));
     in_switches(program, &program.body.block, &mut codes);
@@ -47,7 +47,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Expressions that are compared with the key that was just read.
-fn compared(program: &Program<'_>) -> Vec<ExprId> {
+fn compared(program: &ProgramView<'_>) -> Vec<ExprId> {
     let sides = program.body.exprs().filter_map(|(_, expr, _)| match expr {
         Expr::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right) => Some((*left, *right)),
         _ => None,
@@ -55,7 +55,7 @@ fn compared(program: &Program<'_>) -> Vec<ExprId> {
     sides.filter(|(left, _)| reads_key(program, *left)).map(|(_, right)| right).collect()
 }
 
-fn in_switches(program: &Program<'_>, block: &[Stmt], codes: &mut Vec<ExprId>) {
+fn in_switches(program: &ProgramView<'_>, block: &[Stmt], codes: &mut Vec<ExprId>) {
     for stmt in block {
         if let StmtKind::Switch { selector: Some(selector), cases } = &stmt.kind
             && reads_key(program, *selector)
@@ -66,17 +66,17 @@ fn in_switches(program: &Program<'_>, block: &[Stmt], codes: &mut Vec<ExprId>) {
     }
 }
 
-fn reads_key(program: &Program<'_>, id: ExprId) -> bool {
+fn reads_key(program: &ProgramView<'_>, id: ExprId) -> bool {
     let Expr::Call(callee, _) = program.body.expr(program.body.without_parentheses(id)) else { return false };
     matches!(program.body.expr(*callee), Expr::Name(name) if READ_KEYS.contains(&name.as_str()))
 }
 
-fn key(program: &Program<'_>, id: ExprId) -> Option<&'static Key> {
+fn key(program: &ProgramView<'_>, id: ExprId) -> Option<&'static CollectionKey> {
     let number = program.body.number(id)?;
     KEYS.iter().find(|key| f64::from(key.code) == number)
 }
 
-fn word(key: &Key) -> Wording {
+fn word(key: &CollectionKey) -> Wording {
     Wording::new(
         format!("{} is the key {} of the pendant", key.code, key.name),
         format!("the key {}", key.name),

@@ -7,7 +7,7 @@ use val3_lang::runtime_errors::INVALID_PARAMETER;
 
 use crate::diagnostic::Wording;
 use crate::english::count;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -38,7 +38,7 @@ rule! {
     V0241 "binary-size" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (instruction, encodes) in [(TO_BINARY, true), (FROM_BINARY, false)] {
         for call in program.calls_of(instruction) {
             let [source, number, format, target] = *call.args else { continue };
@@ -61,7 +61,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// Checks the size of an array. `bytes` is the size of each value, if the number counts values but is often mistaken
 /// for a number of bytes.
-fn check_array(program: &Program<'_>, array: ExprId, needed: f64, bytes: Option<f64>, found: &mut Findings) {
+fn check_array(program: &ProgramView<'_>, array: ExprId, needed: f64, bytes: Option<f64>, found: &mut Findings) {
     let Some(size) = program.certain_size(array).filter(|size| f64::from(*size) < needed) else { return };
     let counts_bytes = bytes.is_some_and(|bytes| needed == bytes * f64::from(size));
     found

@@ -4,7 +4,7 @@ use val3_lang::motion::MotionRole;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Phase, Program};
+use crate::lint::{ArmActivity, Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -45,10 +45,10 @@ rule! {
     V0403 "blend-cancelled" Info, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for step in program.arm_calls() {
         let is_tool = |id| program.inference.ty(id).base.builtin() == Some(BaseType::Tool);
-        let (MotionRole::Arrive, Phase::Moving, Some(last)) = (step.role, step.arm.phase, step.arm.last) else {
+        let (MotionRole::Arrive, ArmActivity::Moving, Some(last)) = (step.role, step.arm.phase, step.arm.last) else {
             continue;
         };
         if step.call.args.iter().copied().any(is_tool) && program.is_blended(last) {

@@ -1,15 +1,15 @@
 //! V0409: `world` or `flange` is changed.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
-use val3_analysis::effects::Root;
+use val3_analysis::effects::RootVariable;
 use val3_lang::builtins::{self, Builtin};
-use val3_lang::instruction::{Class, Shape};
+use val3_lang::instruction::{ArgumentForm, CallClass};
 use val3_lang::instructions::LINK;
 use val3_lang::runtime_errors::{FLANGE_CHANGED, WORLD_CHANGED};
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Call, Findings, Program};
+use crate::lint::{Call, Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -42,7 +42,7 @@ rule! {
     V0409 "built-in-changed" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let assigned = program.stmts().iter().filter_map(|stmt| match stmt.kind {
         StmtKind::Assign { target, value } => Some((target, Some(value))),
         StmtKind::For { counter: Some(counter), .. } => Some((counter, None)),
@@ -64,20 +64,20 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// Arguments that an instruction writes.
 fn changed(call: Call<'_>) -> impl Iterator<Item = ExprId> {
-    let acts = call.form.is_some_and(|form| form.class == Class::Modifier);
+    let acts = call.form.is_some_and(|form| form.class == CallClass::Modifier);
     let is_linked = move |position: usize| position == 0 && call.instruction.name == LINK;
     let arguments = call.arguments().enumerate().filter(move |(position, (param, _))| {
-        acts && (is_linked(*position) || !matches!(param.shape, Shape::Value | Shape::ProgramCall))
+        acts && (is_linked(*position) || !matches!(param.shape, ArgumentForm::Value | ArgumentForm::ProgramCall))
     });
     arguments.map(|(_, (_, argument))| argument)
 }
 
 /// Built-in variable that `id` is or belongs to. Files of s5 and s6 declare it.
-fn built_in(program: &Program<'_>, id: ExprId) -> Option<&'static Builtin> {
+fn built_in(program: &ProgramView<'_>, id: ExprId) -> Option<&'static Builtin> {
     match program.body.expr(id) {
         Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) => built_in(program, *base),
         Expr::Name(name) => {
-            let is_own = matches!(program.effects.root(id), Some(Root::Local(_) | Root::Param(_)));
+            let is_own = matches!(program.effects.root(id), Some(RootVariable::Local(_) | RootVariable::Param(_)));
             builtins::find(name).filter(|builtin| builtin.is_variable && !is_own)
         }
         _ => None,
@@ -85,7 +85,7 @@ fn built_in(program: &Program<'_>, id: ExprId) -> Option<&'static Builtin> {
 }
 
 /// Whether all coordinates are 0, the correct value of `world` and `flange`.
-fn is_zero(program: &Program<'_>, value: ExprId) -> bool {
+fn is_zero(program: &ProgramView<'_>, value: ExprId) -> bool {
     match program.body.expr(program.body.without_parentheses(value)) {
         Expr::Struct(values) => values.iter().all(|value| value.is_some_and(|value| is_zero(program, value))),
         _ => program.body.number(value) == Some(0.0),

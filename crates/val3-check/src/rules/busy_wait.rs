@@ -5,8 +5,8 @@ use val3_lang::instructions::WAIT;
 use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_syntax::TextRange;
 
-use crate::diagnostic::{Edit, Wording};
-use crate::lint::{Findings, Program};
+use crate::diagnostic::{FixEdit, Wording};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -33,7 +33,7 @@ rule! {
     V0309 "busy-wait" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let (condition, is_while) = match &stmt.kind {
             StmtKind::While { condition: Some(condition), block } if block.is_empty() => (*condition, true),
@@ -49,7 +49,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Edits that replace the loop by a `wait`. Empty if they would remove a comment.
-fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Vec<Edit> {
+fn edits(program: &ProgramView<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Vec<FixEdit> {
     let condition = program.body.without_parentheses(condition);
     let negation = if is_while { negation(program, condition) } else { Negation::Of(condition) };
     let (kept, open, close) = match negation {
@@ -74,12 +74,12 @@ enum Negation {
     /// Use this expression, which is the opposite.
     Of(ExprId),
     /// Replace the operator by its opposite.
-    Flipped(Edit),
+    Flipped(FixEdit),
     /// Write `!` and put the condition in brackets.
     Around,
 }
 
-fn negation(program: &Program<'_>, condition: ExprId) -> Negation {
+fn negation(program: &ProgramView<'_>, condition: ExprId) -> Negation {
     let flipped = |left, right, from, to: &str| {
         let operator = program.operator(left, right, from);
         operator.map_or(Negation::Around, |range| Negation::Flipped(program.write(range, to)))

@@ -6,7 +6,7 @@ use val3_analysis::items::declarations;
 use val3_lang::operators::BinaryOp;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -43,7 +43,7 @@ rule! {
     V0313 "complexity" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let decisions: usize = program.flow().points().map(|(_, point)| decisions(program, &point.kind)).sum();
     let limit = program.options.complexity;
     if decisions + 1 > limit
@@ -53,7 +53,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn decisions(program: &Program<'_>, kind: &PointKind) -> usize {
+fn decisions(program: &ProgramView<'_>, kind: &PointKind) -> usize {
     let combined = |condition: &ExprId| {
         let parts = program.body.within(*condition);
         parts.filter(|id| matches!(program.body.expr(*id), Expr::Binary(BinaryOp::And | BinaryOp::Or, ..))).count()

@@ -1,9 +1,9 @@
 //! V0404: a compliant move after a move with a rounded corner.
 
-use val3_lang::motion::{MotionRole, Path};
+use val3_lang::motion::{MotionRole, RequestedPath};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Phase, Program};
+use crate::lint::{ArmActivity, Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -45,11 +45,11 @@ rule! {
     V0404 "compliant-after-blend" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let role_of = |call| program.call_of(call).and_then(|call| call.role);
     for step in program.arm_calls() {
-        let compliant = MotionRole::Move(Path::Compliant);
-        let is_compliant = step.role == compliant && step.arm.phase == Phase::Moving;
+        let compliant = MotionRole::Move(RequestedPath::Compliant);
+        let is_compliant = step.role == compliant && step.arm.phase == ArmActivity::Moving;
         let Some(last) =
             step.arm.last.filter(|last| is_compliant && role_of(*last) != Some(compliant) && program.is_blended(*last))
         else {

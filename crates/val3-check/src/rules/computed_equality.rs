@@ -5,7 +5,7 @@ use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_lang::results::is_rounded;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::{Severity, rule};
 
 rule! {
@@ -37,7 +37,7 @@ rule! {
     V0233 "computed-equality" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (_, expr, range) in program.body.exprs() {
         let Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) = expr else { continue };
         let sides = [*left, *right];
@@ -53,7 +53,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Step in a line `x=x+0.1` for a variable, if the step is a fraction without an exact binary form.
-fn counted_by(program: &Program<'_>, variable: ExprId) -> Option<ExprId> {
+fn counted_by(program: &ProgramView<'_>, variable: ExprId) -> Option<ExprId> {
     program.effects.root(variable)?;
     program.stmts().iter().find_map(|stmt| {
         let StmtKind::Assign { target, value } = stmt.kind else { return None };
@@ -68,7 +68,7 @@ fn counted_by(program: &Program<'_>, variable: ExprId) -> Option<ExprId> {
 }
 
 /// Whether the number is rounded. A number that is written in the code is exact.
-fn is_inexact(program: &Program<'_>, id: ExprId) -> bool {
+fn is_inexact(program: &ProgramView<'_>, id: ExprId) -> bool {
     let is_inexact = |id: &ExprId| is_inexact(program, *id);
     match program.body.expr(id) {
         _ if program.body.number(id).is_some() => false,
@@ -83,12 +83,12 @@ fn is_inexact(program: &Program<'_>, id: ExprId) -> bool {
 }
 
 /// Whether the division is exact because the divisor is 2, 4, 8 …
-fn halves(program: &Program<'_>, divisor: ExprId) -> bool {
+fn halves(program: &ProgramView<'_>, divisor: ExprId) -> bool {
     program.body.number(divisor).is_some_and(|number| number.abs() >= 1.0 && number.abs().log2().fract() == 0.0)
 }
 
 /// Whether the constant has no exact binary form, for example 0.1.
-fn is_fraction(program: &Program<'_>, id: ExprId) -> bool {
+fn is_fraction(program: &ProgramView<'_>, id: ExprId) -> bool {
     const BINARY_PLACES: f64 = 1024.0;
     program.body.number(id).is_some_and(|number| (number * BINARY_PLACES).fract() != 0.0)
 }

@@ -3,7 +3,7 @@
 use val3_analysis::flow::PointKind;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -37,7 +37,7 @@ rule! {
     V0343 "computed-task-name" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (_, point) in program.flow().points() {
         let PointKind::TaskCreate(arguments) = &point.kind else { continue };
         let Some(name) = arguments.first().filter(|name| program.body.string(**name).is_none()) else { continue };

@@ -2,10 +2,10 @@
 
 use val3_analysis::body::ExprId;
 use val3_lang::enumerations::Enumerator;
-use val3_lang::motion::{MotionRole, Path, is_definite};
+use val3_lang::motion::{MotionRole, RequestedPath, is_definite};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -44,9 +44,9 @@ rule! {
     V0405 "configuration-change" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for step in program.arm_calls() {
-        if step.role != MotionRole::Move(Path::Cartesian) {
+        if step.role != MotionRole::Move(RequestedPath::Cartesian) {
             continue;
         }
         let (Some(last), Some(target)) = (step.arm.last, program.target(step.call.id)) else { continue };
@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Parts of the configuration that the target of a move certainly requires.
-fn definite(program: &Program<'_>, call: ExprId) -> Vec<&'static Enumerator> {
+fn definite(program: &ProgramView<'_>, call: ExprId) -> Vec<&'static Enumerator> {
     let target = program.target(call);
     let choices = target.map(|target| program.choices_of(call, target)).unwrap_or_default();
     choices.into_iter().map(|choice| choice.value).filter(|value| is_definite(value)).collect()

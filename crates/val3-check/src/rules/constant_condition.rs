@@ -5,7 +5,7 @@ use val3_analysis::body::{Constant, Expr, ExprId, Stmt, StmtKind};
 use val3_analysis::flow::PointKind;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -37,7 +37,7 @@ rule! {
     V0301 "constant-condition" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let idle = idle_conditions(program);
     for (_, point) in program.flow().points() {
         let PointKind::Test { condition: Some(condition), is_loop } = point.kind else { continue };
@@ -49,7 +49,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Intended literal conditions: a switch `true`, and `false` before comments, which disables nothing.
-fn idle_conditions(program: &Program<'_>) -> FxHashSet<ExprId> {
+fn idle_conditions(program: &ProgramView<'_>) -> FxHashSet<ExprId> {
     let is_idle = |id: &ExprId, block: &[Stmt]| match program.body.expr(program.body.without_parentheses(*id)) {
         Expr::Bool(true) => true,
         Expr::Bool(false) => block.is_empty(),

@@ -6,7 +6,7 @@ use val3_lang::operators::BinaryOp;
 use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -40,7 +40,7 @@ rule! {
 /// Maximum number of compared operands, so that the time stays proportional to the length of the text.
 const LONGEST_CHAIN: usize = 16;
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let mut inner = FxHashSet::default();
     let chains: Vec<(ExprId, BinaryOp, TextRange)> = program
         .body
@@ -65,7 +65,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Operands of a chain such as `a and b and c`. The parts of the chain are added to `inner`.
-fn operands(program: &Program<'_>, chain: ExprId, op: BinaryOp, inner: &mut FxHashSet<ExprId>) -> Vec<ExprId> {
+fn operands(program: &ProgramView<'_>, chain: ExprId, op: BinaryOp, inner: &mut FxHashSet<ExprId>) -> Vec<ExprId> {
     let (mut operands, mut open) = (Vec::new(), vec![chain]);
     while let Some(id) = open.pop() {
         let id = program.body.without_parentheses(id);
@@ -89,7 +89,7 @@ struct Comparison {
     constant: Constant,
 }
 
-fn comparison(program: &Program<'_>, id: ExprId) -> Option<Comparison> {
+fn comparison(program: &ProgramView<'_>, id: ExprId) -> Option<Comparison> {
     let Expr::Binary(op, left, right) = program.body.expr(id) else { return None };
     let flipped = flipped(*op)?;
     let (subject, op, constant) = match (program.body.constant(*left), program.body.constant(*right)) {
@@ -118,7 +118,7 @@ fn flipped(op: BinaryOp) -> Option<BinaryOp> {
 /// First two comparisons of the same value that determine the result of the chain: no value fulfils both (`and`), or
 /// each value fulfils one of them (`or`).
 fn decisive_pair<'c>(
-    program: &Program<'_>,
+    program: &ProgramView<'_>,
     comparisons: &'c [Comparison],
     op: BinaryOp,
 ) -> Option<(&'c Comparison, &'c Comparison)> {

@@ -9,7 +9,7 @@ use val3_lang::types::BaseType;
 
 use super::no_reference::needed;
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -53,7 +53,7 @@ rule! {
     V0402 "data-without-reference" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
     for call in program.calls() {
         for (arg, ty) in needed(call) {

@@ -4,13 +4,13 @@ use std::collections::VecDeque;
 use val3_analysis::db::FileRange;
 
 use val3_analysis::body::{Expr, ExprId};
-use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::effects::{Access, AccessKind, RootVariable};
 use val3_analysis::flow::{PointId, PointKind};
 use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Locals, Program};
+use crate::lint::{Findings, Locals, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -48,7 +48,7 @@ rule! {
     V0312 "dead-store" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let local_use = program.local_use();
     let used = used(program);
     let needed = local_use.needed(program.flow());
@@ -58,7 +58,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             continue;
         };
         let is_needed = needed.after(id).is_none_or(|needed| needed & bit != 0);
-        let Root::Local(name) = &access.root else { continue };
+        let RootVariable::Local(name) = &access.root else { continue };
         // An assignment to an output sets it.
         if program.inference.ty(access.id).base.builtin().is_some_and(BaseType::is_linkable) {
             continue;
@@ -71,7 +71,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Next line after `from` that overwrites the entire variable, on the first path that reaches one.
-fn overwritten(program: &Program<'_>, from: PointId, variable: Locals) -> Option<TextRange> {
+fn overwritten(program: &ProgramView<'_>, from: PointId, variable: Locals) -> Option<TextRange> {
     let flow = program.flow();
     let mut seen = vec![false; flow.len()];
     let mut open: VecDeque<PointId> = flow.point(from)?.next.iter().copied().collect();
@@ -90,13 +90,13 @@ fn overwritten(program: &Program<'_>, from: PointId, variable: Locals) -> Option
 
 /// Whether the value is computed without side effects. Initial values of literals and results of instructions with
 /// other effects are not reported.
-fn is_computed(program: &Program<'_>, value: ExprId) -> bool {
+fn is_computed(program: &ProgramView<'_>, value: ExprId) -> bool {
     let is_variable = |id| matches!(program.body.expr(id), Expr::Name(_) | Expr::Path { .. } | Expr::Call(..));
     program.body.within(value).any(is_variable) && program.is_pure(value)
 }
 
 /// Variables that are used somewhere. Other variables are reported as unused.
-fn used(program: &Program<'_>) -> Locals {
+fn used(program: &ProgramView<'_>) -> Locals {
     let uses = program.flow().points().flat_map(|(id, _)| program.local_use().at(id));
     let reads = uses.filter(|(_, access)| matches!(access.kind, AccessKind::Read | AccessKind::Reference));
     reads.fold(0, |all, (bit, _)| all | bit)

@@ -6,7 +6,7 @@ use val3_lang::runtime_errors::IMPOSSIBLE_MOVE;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::{Severity, rule};
 
@@ -40,7 +40,7 @@ rule! {
     V0418 "degenerate-circle" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for name in [MOVEC, ALTER_MOVEC, SET_FRAME] {
         for call in program.calls_of(name) {
             let is_point = |id: &ExprId| program.inference.ty(*id).base.builtin() == Some(BaseType::Point);
@@ -56,7 +56,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn equal_pair(program: &Program<'_>, points: &[ExprId]) -> Option<(ExprId, ExprId)> {
+fn equal_pair(program: &ProgramView<'_>, points: &[ExprId]) -> Option<(ExprId, ExprId)> {
     let pairs =
         points.iter().enumerate().flat_map(|(at, second)| points.iter().take(at).map(move |first| (*first, *second)));
     pairs.into_iter().find(|(first, second)| program.is_same(*first, *second))

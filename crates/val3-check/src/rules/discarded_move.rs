@@ -5,7 +5,7 @@ use val3_lang::instructions::{DISABLE_POWER, RESET_MOTION, WAIT_END_MOVE};
 use val3_lang::motion::MotionRole;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Call, Findings, Program};
+use crate::lint::{Call, Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -38,7 +38,7 @@ rule! {
     V0417 "discarded-move" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     if [RESET_MOTION, DISABLE_POWER].iter().all(|name| program.calls_of(name).next().is_none()) {
         return;
     }
@@ -58,7 +58,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Instruction call that is a statement, or the value of an assignment.
-fn statement<'p>(program: &'p Program<'_>, stmt: &Stmt) -> Option<&'p Call<'p>> {
+fn statement<'p>(program: &'p ProgramView<'_>, stmt: &Stmt) -> Option<&'p Call<'p>> {
     let call = match stmt.kind {
         StmtKind::Expr(call) => call,
         StmtKind::Assign { value, .. } => value,

@@ -5,7 +5,7 @@ use val3_lang::operators::BinaryOp;
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -31,7 +31,7 @@ rule! {
     V0230 "division-by-zero" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (_, expr, _) in program.body.exprs() {
         let Expr::Binary(op @ (BinaryOp::Divide | BinaryOp::Remainder), _, right) = expr else { continue };
         if program.body.number(*right) == Some(0.0) {

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 use val3_analysis::body::{ExprId, StmtKind};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -44,7 +44,7 @@ rule! {
     V0306 "duplicate-case" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let StmtKind::Switch { cases, .. } = &stmt.kind else { continue };
         let mut seen: FxHashMap<String, ExprId> = FxHashMap::default();

@@ -8,7 +8,7 @@ use val3_lang::instructions;
 use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -49,7 +49,7 @@ rule! {
     V0342 "duplicate-task" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     if program.flow().points().all(|(_, point)| !matches!(point.kind, PointKind::TaskCreate(_))) {
         return;
     }
@@ -72,7 +72,7 @@ struct EqualNames {
 }
 
 /// Endless tasks that an endless loop creates in each pass.
-fn in_endless_loops(program: &Program<'_>, pairs: &mut Vec<EqualNames>) {
+fn in_endless_loops(program: &ProgramView<'_>, pairs: &mut Vec<EqualNames>) {
     for stmt in program.stmts() {
         if program.endless_condition(stmt).is_none() || stmt.holds(&StmtKind::Return) {
             continue;
@@ -84,7 +84,7 @@ fn in_endless_loops(program: &Program<'_>, pairs: &mut Vec<EqualNames>) {
 }
 
 /// A created task whose program never ends, and that no program kills.
-fn endless_task(program: &Program<'_>, stmt: &Stmt) -> Option<(SmolStr, TextRange)> {
+fn endless_task(program: &ProgramView<'_>, stmt: &Stmt) -> Option<(SmolStr, TextRange)> {
     let (name, range) = created(program.body, stmt)?;
     let StmtKind::TaskCreate { arguments, .. } = &stmt.kind else { return None };
     let Expr::Call(callee, _) = program.body.expr(*arguments.last()?) else { return None };

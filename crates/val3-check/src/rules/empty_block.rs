@@ -4,7 +4,7 @@ use val3_analysis::body::{Stmt, StmtKind};
 use val3_syntax::{TextRange, TextSize, text_at};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -35,7 +35,7 @@ rule! {
     V0330 "empty-block" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let StmtKind::If { arms, .. } = &stmt.kind else { continue };
         for (condition, block) in arms {
@@ -48,7 +48,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Whether there is a comment between `start` and the next part of the statement.
-fn has_comment(program: &Program<'_>, start: TextSize, stmt: &Stmt) -> bool {
+fn has_comment(program: &ProgramView<'_>, start: TextSize, stmt: &Stmt) -> bool {
     let range = TextRange::new(start, stmt.range.end());
     let text = text_at(program.file.text(program.db), range);
     let inner = text.lines().map(str::trim_start).take_while(|line| {

@@ -6,7 +6,7 @@ use val3_lang::instructions::takes_any_key;
 use val3_lang::types::Container;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -32,7 +32,7 @@ rule! {
     V0244 "empty-key" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let calls = program.calls().iter().filter(|call| takes_any_key(call.instruction.name));
     let free: FxHashSet<ExprId> = calls.flat_map(|call| call.args.iter().copied()).collect();
     for (id, expr, _) in program.body.exprs() {

@@ -4,7 +4,7 @@ use val3_analysis::application::ENTRY_POINTS;
 use val3_analysis::items::declarations;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -37,7 +37,7 @@ rule! {
     V0715 "empty-program" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let may_be_empty = program.header.public || ENTRY_POINTS.contains(&program.name());
     if program.body.block.is_empty()
         && !may_be_empty

@@ -4,7 +4,7 @@ use val3_analysis::application::ENTRY_POINTS;
 
 use crate::diagnostic::Wording;
 use crate::english::count;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -34,7 +34,7 @@ rule! {
     V0329 "entry-parameters" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let (name, params) = (program.name(), program.header.params.len());
     if ENTRY_POINTS.contains(&name) && params > 0 {
         found.report(&RULE, program.head(), word(name, params));

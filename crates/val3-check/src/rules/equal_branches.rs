@@ -3,7 +3,7 @@
 use val3_analysis::body::{Body, Stmt, StmtKind};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -40,7 +40,7 @@ rule! {
     V0318 "equal-branches" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let StmtKind::If { arms, otherwise: Some(otherwise) } = &stmt.kind else { continue };
         let is_same = arms.iter().all(|(_, block)| is_same_block(program.body, block, otherwise));

@@ -3,7 +3,7 @@
 use val3_analysis::body::Expr;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -25,7 +25,7 @@ rule! {
     V0249 "escape-in-string" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (_, expr, range) in program.body.exprs() {
         let Expr::String(text) = expr else { continue };
         // A path such as `BasicIO-1\nOut` has a letter after the `n`.

@@ -4,7 +4,7 @@ use val3_kinematics::{Arm, ExcessSpeed};
 use val3_lang::motion::AXIS_SPEED;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program, arm_of_project, descriptor_numbers};
+use crate::lint::{Findings, ProgramView, arm_of_project, descriptor_numbers};
 use crate::rule::rule;
 
 rule! {
@@ -37,7 +37,7 @@ rule! {
     V0415 "excess-speed" Info off, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let Some(arm) = arm_of_project(program.db, program.project) else { return };
     for number in descriptor_numbers(program).into_iter().filter(|number| number.field == AXIS_SPEED) {
         if let Some(excess) = arm.model.excess_speed(number.value, |_| true) {

@@ -1,13 +1,13 @@
 //! V0235: an instruction that cannot change the size of this array.
 
 use val3_analysis::body::Expr;
-use val3_analysis::effects::Root;
-use val3_lang::instruction::Class;
+use val3_analysis::effects::RootVariable;
+use val3_lang::instruction::CallClass;
 use val3_lang::instructions::{resizes, resizes_collections, resizes_every_array};
 use val3_lang::types::Container;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Call, Findings, Program};
+use crate::lint::{Call, Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -38,17 +38,17 @@ rule! {
     V0235 "fixed-size" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for call in program.calls() {
         let name = call.instruction.name;
-        let acts = call.form.is_some_and(|form| form.class == Class::Modifier);
+        let acts = call.form.is_some_and(|form| form.class == CallClass::Modifier);
         if let Some(wording) = acts.then(|| fault(program, name, *call)).flatten() {
             found.report(&RULE, program.range(call.id), wording);
         }
     }
 }
 
-fn fault(program: &Program<'_>, instruction: &str, call: Call<'_>) -> Option<Wording> {
+fn fault(program: &ProgramView<'_>, instruction: &str, call: Call<'_>) -> Option<Wording> {
     let argument = *call.args.first().filter(|_| resizes(instruction))?;
     let array = match program.body.expr(argument) {
         Expr::Index(base, _) => *base,
@@ -56,7 +56,7 @@ fn fault(program: &Program<'_>, instruction: &str, call: Call<'_>) -> Option<Wor
     };
     let text = program.text(array);
     let is_whole = matches!(program.body.expr(array), Expr::Name(_));
-    let is_local = is_whole && matches!(program.effects.root(array), Some(Root::Local(_)));
+    let is_local = is_whole && matches!(program.effects.root(array), Some(RootVariable::Local(_)));
     match program.inference.ty(array).container {
         Container::Array { .. } if is_local => Some(local(instruction, text)),
         Container::Array { dims: dims @ 2.. } if !resizes_every_array(instruction) => {

@@ -3,7 +3,7 @@
 use val3_analysis::body::{Body, ExprId, Stmt, StmtKind};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -34,7 +34,7 @@ rule! {
     V0305 "for-counter-changed" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let body = program.body;
     for stmt in program.stmts() {
         let StmtKind::For { counter: Some(counter), block, .. } = &stmt.kind else { continue };

@@ -3,7 +3,7 @@
 use val3_analysis::body::{Stmt, StmtKind};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -40,7 +40,7 @@ rule! {
     V0315 "for-counter-reused" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let StmtKind::For { counter: Some(outer), block, .. } = &stmt.kind else { continue };
         for inside in block.iter().flat_map(Stmt::with_inner) {

@@ -3,7 +3,7 @@
 use val3_analysis::body::StmtKind;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -33,7 +33,7 @@ rule! {
     V0304 "for-never-ends" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let StmtKind::For { step: Some(step), .. } = stmt.kind else { continue };
         if program.body.number(step) == Some(0.0) {

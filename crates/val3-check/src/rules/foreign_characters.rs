@@ -5,7 +5,7 @@ use val3_lang::instruction::Family;
 use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -28,7 +28,7 @@ rule! {
     V0718 "foreign-characters" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let shown = program.calls().iter().filter(|call| call.instruction.family == Family::Screen);
     let shown: Vec<TextRange> = shown.map(|call| program.range(call.id)).collect();
     for (_, expr, range) in program.body.exprs() {

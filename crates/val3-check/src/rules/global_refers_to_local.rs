@@ -1,13 +1,13 @@
 //! V0410: a global frame, tool or point that refers to a local one.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
-use val3_analysis::effects::Root;
+use val3_analysis::effects::RootVariable;
 use val3_lang::instructions::{LINK, gives_point_in_frame};
 use val3_lang::runtime_errors::GLOBAL_REFERS_TO_LOCAL;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Call, Findings, Program};
+use crate::lint::{Call, Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -45,7 +45,7 @@ rule! {
     V0410 "global-refers-to-local" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for call in program.calls_of(LINK) {
         if let [target, reference] = *call.args {
             report(program, target, reference, found);
@@ -67,8 +67,8 @@ fn frame_of(call: &Call<'_>) -> Option<ExprId> {
     arguments.find(|(param, _)| param.ty == Some(BaseType::Frame)).map(|(_, argument)| argument)
 }
 
-fn report(program: &Program<'_>, target: ExprId, reference: ExprId, found: &mut Findings) {
-    let is_global = matches!(program.effects.root(target), Some(Root::Data(_) | Root::Item(..)));
+fn report(program: &ProgramView<'_>, target: ExprId, reference: ExprId, found: &mut Findings) {
+    let is_global = matches!(program.effects.root(target), Some(RootVariable::Data(_) | RootVariable::Item(..)));
     if is_global && is_local(program, reference) {
         found
             .report(&RULE, program.range(reference), word(program.text(target), program.text(reference)))
@@ -77,9 +77,9 @@ fn report(program: &Program<'_>, target: ExprId, reference: ExprId, found: &mut 
 }
 
 /// Whether the expression is a local variable, possibly in parentheses.
-fn is_local(program: &Program<'_>, id: ExprId) -> bool {
+fn is_local(program: &ProgramView<'_>, id: ExprId) -> bool {
     let is_variable = matches!(program.body.expr(id), Expr::Name(_) | Expr::Index(..) | Expr::Field { .. });
-    is_variable && matches!(program.effects.root(id), Some(Root::Local(_)))
+    is_variable && matches!(program.effects.root(id), Some(RootVariable::Local(_)))
 }
 
 fn word(target: &str, reference: &str) -> Wording {

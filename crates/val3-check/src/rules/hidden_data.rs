@@ -4,7 +4,7 @@ use smol_str::SmolStr;
 use val3_analysis::items::declarations::{self, Declared, all_locals, all_params};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -40,7 +40,7 @@ rule! {
     V0121 "hidden-data" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let data = &program.items.data;
     let hides = |name: &SmolStr| data.contains_key(name);
     if program.header.locals.iter().any(|local| hides(&local.name)) {
@@ -51,7 +51,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn report(program: &Program<'_>, found: &mut Findings, what: &str, names: Vec<Declared>) {
+fn report(program: &ProgramView<'_>, found: &mut Findings, what: &str, names: Vec<Declared>) {
     for Declared { name, range, .. } in names {
         let Some(item) = program.items.data.get(&name) else { continue };
         let reported = found.report(&RULE, range, word(what, &name));

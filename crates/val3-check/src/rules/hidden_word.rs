@@ -4,7 +4,7 @@ use val3_analysis::items::declarations::{Declared, all_locals, all_params};
 use val3_lang::keywords::{Reserved, reserved};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -33,7 +33,7 @@ rule! {
     V0122 "hidden-word" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let header = program.header;
     if header.locals.iter().any(|local| meaning(&local.name).is_some()) {
         report(found, "local variable", all_locals(program.db, program.file));

@@ -5,7 +5,7 @@ use val3_kinematics::Unreachable;
 use val3_motion::Cause;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, ImpossibleMove, Program, Shape, arm_of_project, impossible_moves};
+use crate::lint::{Findings, ImpossibleMove, ProgramView, UnreachablePath, arm_of_project, impossible_moves};
 use crate::rule::rule;
 
 rule! {
@@ -68,19 +68,19 @@ rule! {
     V0413 "impossible-move" Info off, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let Some(arm) = arm_of_project(program.db, program.project) else { return };
     for fault in impossible_moves(program) {
         let target = program.range(fault.target);
         let reported = found.report(&RULE, target, word(program, &fault, arm.model.name()));
         if let Some(from) = fault.from {
-            let label = if fault.shape == Shape::Blend { "the corner" } else { "the arm starts here" };
+            let label = if fault.shape == UnreachablePath::Blend { "the corner" } else { "the arm starts here" };
             reported.related(program.range(from), label);
         }
     }
 }
 
-fn word(program: &Program<'_>, fault: &ImpossibleMove, arm: &str) -> Wording {
+fn word(program: &ProgramView<'_>, fault: &ImpossibleMove, arm: &str) -> Wording {
     let text = |id: ExprId| program.text(id);
     let (to, cause) = (text(fault.target), &fault.cause);
     let Some(from) = fault.from else {
@@ -88,9 +88,9 @@ fn word(program: &Program<'_>, fault: &ImpossibleMove, arm: &str) -> Wording {
         return Wording::new(format!("the {arm} cannot reach `{to}`: {cause}"), "out of reach", help);
     };
     let path = match fault.shape {
-        Shape::Line => "straight",
-        Shape::Circle => "along this circle",
-        Shape::Blend => return blend(text(from), text(fault.target), cause, arm),
+        UnreachablePath::Line => "straight",
+        UnreachablePath::Circle => "along this circle",
+        UnreachablePath::Blend => return blend(text(from), text(fault.target), cause, arm),
     };
     let (label, help) = match cause {
         Cause::Unreachable(Unreachable::Limit { .. }) | Cause::OutOfRange(_) => {

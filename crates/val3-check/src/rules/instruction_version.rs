@@ -7,7 +7,7 @@ use val3_lang::instruction::{Availability, Instruction};
 use val3_lang::versions::Version;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Call, Findings, Program};
+use crate::lint::{Call, Findings, ProgramView};
 use crate::rule::{Severity, rule};
 
 rule! {
@@ -39,7 +39,7 @@ rule! {
 }
 
 /// Checks a program with or without faults, because an older controller also rejects it because of the instruction.
-pub(crate) fn check(program: &Program<'_>, found: &mut Findings) {
+pub(crate) fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
     let cell = program.project.cell(program.db).and_then(|cell| cell.config(program.db).version);
     let declared = declarations::version(program.db, program.project);

@@ -8,7 +8,7 @@ use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
 use crate::english::and;
-use crate::lint::{DataFile, Findings, Reach, range_of};
+use crate::lint::{ArmReach, DataFile, Findings, range_of};
 use crate::rule::rule;
 
 rule! {
@@ -58,12 +58,12 @@ rule! {
 }
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {
-    let Some(reach) = Reach::new(&data.view) else { return };
+    let Some(reach) = ArmReach::new(&data.view) else { return };
     let parse = parse(data.view.db, data.file);
     each(parse.view(), &mut |value| joint(&value, data, &reach, found));
 }
 
-fn joint(value: &PositionElement<'_>, data: &DataFile<'_>, reach: &Reach<'_>, found: &mut Findings) {
+fn joint(value: &PositionElement<'_>, data: &DataFile<'_>, reach: &ArmReach<'_>, found: &mut Findings) {
     let path = value.path.as_str();
     let Some(position) = value.read().filter(|position| position.ty == BaseType::Joint) else { return };
     if !reach.is_known(path, &position) || !reach.is_target(path) {

@@ -6,7 +6,7 @@ use val3_lang::instructions::{self, GET_KEY};
 use val3_lang::operators::BinaryOp;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -31,7 +31,7 @@ rule! {
     V0328 "key-not-cleared" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     // After any earlier read, the key counts as cleared.
     let Some(first) = program.calls_of(GET_KEY).map(|call| call.id).min() else { return };
     for stmt in program.stmts() {
@@ -53,7 +53,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Condition of `wait(…)` or `watch(…)`.
-fn waited(program: &Program<'_>, call: ExprId) -> Option<ExprId> {
+fn waited(program: &ProgramView<'_>, call: ExprId) -> Option<ExprId> {
     let Expr::Call(callee, args) = program.body.expr(call) else { return None };
     let Expr::Name(name) = program.body.expr(*callee) else { return None };
     let instruction = instructions::find(name)?;
@@ -63,7 +63,7 @@ fn waited(program: &Program<'_>, call: ExprId) -> Option<ExprId> {
 
 /// The `getKey()` that `condition` compares so that a key ends the wait. `ends_when` is the value of the condition that
 /// ends it.
-fn awaited(program: &Program<'_>, condition: ExprId, ends_when: bool) -> Option<ExprId> {
+fn awaited(program: &ProgramView<'_>, condition: ExprId, ends_when: bool) -> Option<ExprId> {
     let Expr::Binary(op, left, right) = program.body.expr(program.body.without_parentheses(condition)) else {
         return None;
     };

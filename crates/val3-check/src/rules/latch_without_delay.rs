@@ -5,7 +5,7 @@ use val3_lang::instructions::{self, DELAY, GET_LATCH, SET_LATCH};
 use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -36,7 +36,7 @@ rule! {
     V0326 "latch-without-delay" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     if program.calls_of(SET_LATCH).next().is_none() {
         return;
     }
@@ -59,7 +59,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Instructions that a statement calls, in evaluation order as far as the search needs it.
-fn calls<'p>(program: &'p Program<'_>, stmt: &Stmt) -> Vec<(&'p str, ExprId)> {
+fn calls<'p>(program: &'p ProgramView<'_>, stmt: &Stmt) -> Vec<(&'p str, ExprId)> {
     let parts = stmt.kind.exprs().into_iter().flat_map(|id| program.body.within(id));
     let called = |id: ExprId| match program.body.expr(id) {
         Expr::Call(callee, _) => match program.body.expr(*callee) {

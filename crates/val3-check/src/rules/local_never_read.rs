@@ -3,7 +3,7 @@
 use val3_analysis::items::declarations::{Declared, all_locals};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -34,7 +34,7 @@ rule! {
     V0120 "local-never-read" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let used = &program.variable_use().locals;
     if used.values().all(|uses| uses.may_read()) {
         return;

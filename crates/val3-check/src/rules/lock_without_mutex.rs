@@ -4,7 +4,7 @@ use val3_analysis::application::locks;
 use val3_lang::instructions::SET_MUTEX;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -56,7 +56,7 @@ rule! {
     V0340 "lock-without-mutex" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for lock in locks(program.body) {
         let is_data = program.items.data.contains_key(&lock.flag) && !hides(program, &lock.flag);
         let application = program.application();
@@ -67,7 +67,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn hides(program: &Program<'_>, name: &str) -> bool {
+fn hides(program: &ProgramView<'_>, name: &str) -> bool {
     let header = program.header;
     header.locals.iter().any(|local| local.name == name) || header.params.iter().any(|param| param.name == name)
 }

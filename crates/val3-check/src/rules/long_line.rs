@@ -4,7 +4,7 @@ use val3_analysis::items::layout::code;
 use val3_syntax::{TextRange, TextSize, decode_entities};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -29,7 +29,7 @@ rule! {
     V0716 "long-line" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let Some(code) = code(program.db, program.file) else { return };
     let limit = program.options.line_length;
     let mut start = code.start();

@@ -1,14 +1,14 @@
 //! V0333: a loop that uses an index beyond the end of an array.
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
-use val3_analysis::effects::{AccessKind, Root};
+use val3_analysis::effects::{AccessKind, RootVariable};
 use val3_lang::instructions::{SIZE, TASK_KILL};
 use val3_lang::operators::BinaryOp;
 use val3_lang::runtime_errors::INDEX_TOO_LARGE;
 use val3_lang::types::Container;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -48,7 +48,7 @@ struct CountingLoop<'p> {
     block: &'p [Stmt],
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let Some(counting) = for_loop(program, stmt).or_else(|| while_loop(program, stmt)) else { continue };
         let Some((element, array)) = element_beyond(program, &counting) else { continue };
@@ -65,7 +65,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn for_loop<'p>(program: &Program<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p>> {
+fn for_loop<'p>(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p>> {
     let StmtKind::For { counter, start, stop, step, block } = &stmt.kind else { return None };
     let (counter, start, limit) = ((*counter)?, (*start)?, (*stop)?);
     let is_by_one = step.is_none_or(|step| program.body.number(step) == Some(1.0));
@@ -77,7 +77,7 @@ fn for_loop<'p>(program: &Program<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p
     (is_by_one && is_run && writes == 0).then_some(CountingLoop { counter, limit, block })
 }
 
-fn while_loop<'p>(program: &Program<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p>> {
+fn while_loop<'p>(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<CountingLoop<'p>> {
     let StmtKind::While { condition, block } = &stmt.kind else { return None };
     let (counter, limit) = match program.body.expr(program.body.without_parentheses((*condition)?)) {
         Expr::Binary(BinaryOp::LessOrEqual, counter, limit) => (*counter, *limit),
@@ -90,7 +90,7 @@ fn while_loop<'p>(program: &Program<'_>, stmt: &'p Stmt) -> Option<CountingLoop<
 }
 
 /// Whether the statement is `n=n+1`.
-fn is_increment(program: &Program<'_>, stmt: &Stmt, counter: ExprId) -> bool {
+fn is_increment(program: &ProgramView<'_>, stmt: &Stmt, counter: ExprId) -> bool {
     let StmtKind::Assign { target, value } = stmt.kind else { return false };
     let Expr::Binary(BinaryOp::Add, left, right) = program.body.expr(program.body.without_parentheses(value)) else {
         return false;
@@ -99,7 +99,7 @@ fn is_increment(program: &Program<'_>, stmt: &Stmt, counter: ExprId) -> bool {
 }
 
 /// Number of accesses in a loop that may write the counter, without the write of `for` itself.
-fn writes(program: &Program<'_>, stmt: &Stmt, counter: ExprId) -> usize {
+fn writes(program: &ProgramView<'_>, stmt: &Stmt, counter: ExprId) -> usize {
     let root = program.effects.root(counter);
     let inside = program.effects.all().iter().filter(|access| {
         access.kind != AccessKind::Read && access.id != counter && stmt.range.contains_range(program.range(access.id))
@@ -108,7 +108,7 @@ fn writes(program: &Program<'_>, stmt: &Stmt, counter: ExprId) -> usize {
 }
 
 /// First element that each pass uses with the counter as index, in an array that is not larger than the limit.
-fn element_beyond(program: &Program<'_>, counting: &CountingLoop<'_>) -> Option<(ExprId, ExprId)> {
+fn element_beyond(program: &ProgramView<'_>, counting: &CountingLoop<'_>) -> Option<(ExprId, ExprId)> {
     if !matches!(program.body.expr(counting.counter), Expr::Name(_)) {
         return None;
     }
@@ -133,19 +133,19 @@ fn element_beyond(program: &Program<'_>, counting: &CountingLoop<'_>) -> Option<
 }
 
 /// Whether a part of the expression may not be evaluated.
-fn branches(program: &Program<'_>, id: ExprId) -> bool {
+fn branches(program: &ProgramView<'_>, id: ExprId) -> bool {
     let is_branch = |part| matches!(program.body.expr(part), Expr::Binary(BinaryOp::And | BinaryOp::Or, ..));
     // The element may be an argument that only marks where a part of the array starts.
     program.body.within(id).any(is_branch)
 }
 
-fn is_array(program: &Program<'_>, array: ExprId) -> bool {
+fn is_array(program: &ProgramView<'_>, array: ExprId) -> bool {
     matches!(program.body.expr(array), Expr::Name(_) | Expr::Path { .. })
         && program.inference.ty(array).container == Container::Array { dims: 1 }
 }
 
 /// Whether the limit is the size of the array, or a constant that is not below it.
-fn reaches_size(program: &Program<'_>, limit: ExprId, array: ExprId) -> bool {
+fn reaches_size(program: &ProgramView<'_>, limit: ExprId, array: ExprId) -> bool {
     if let Some(limit) = program.body.number(limit) {
         return program.certain_size(array).is_some_and(|size| limit.round() >= f64::from(size));
     }
@@ -153,7 +153,7 @@ fn reaches_size(program: &Program<'_>, limit: ExprId, array: ExprId) -> bool {
 }
 
 /// The array in `size(array)`.
-fn size_of(program: &Program<'_>, limit: ExprId) -> Option<ExprId> {
+fn size_of(program: &ProgramView<'_>, limit: ExprId) -> Option<ExprId> {
     let call = program.call_of(program.body.without_parentheses(limit)).filter(|call| call.instruction.name == SIZE)?;
     match *call.args {
         [array] => Some(array),
@@ -162,14 +162,14 @@ fn size_of(program: &Program<'_>, limit: ExprId) -> Option<ExprId> {
 }
 
 /// Whether the loop may end before its last pass.
-fn may_leave(program: &Program<'_>, stmt: &Stmt) -> bool {
+fn may_leave(program: &ProgramView<'_>, stmt: &Stmt) -> bool {
     let kills = || program.calls_of(TASK_KILL).any(|call| stmt.range.contains_range(program.range(call.id)));
     stmt.holds(&StmtKind::Return) || kills()
 }
 
 /// Whether a line of the loop may change the size of the array.
-fn changes(program: &Program<'_>, stmt: &Stmt, array: ExprId) -> bool {
-    let root: Option<Root> = program.effects.root(array);
+fn changes(program: &ProgramView<'_>, stmt: &Stmt, array: ExprId) -> bool {
+    let root: Option<RootVariable> = program.effects.root(array);
     program.effects.all().iter().any(|access| {
         access.kind == AccessKind::Reference
             && Some(&access.root) == root.as_ref()

@@ -4,7 +4,7 @@ use val3_analysis::body::{Constant, ExprId, StmtKind};
 use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -33,7 +33,7 @@ rule! {
     V0303 "loop-never-runs" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         match &stmt.kind {
             StmtKind::For { start: Some(start), stop: Some(stop), step, .. } => {
@@ -47,7 +47,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn check_for(program: &Program<'_>, [first, last]: [ExprId; 2], step: Option<ExprId>, found: &mut Findings) {
+fn check_for(program: &ProgramView<'_>, [first, last]: [ExprId; 2], step: Option<ExprId>, found: &mut Findings) {
     let number = |id| program.body.number(id);
     let (Some(start), Some(stop)) = (number(first), number(last)) else { return };
     let Some(by) = step.map_or(Some(1.0), number) else { return };
@@ -63,7 +63,7 @@ fn check_for(program: &Program<'_>, [first, last]: [ExprId; 2], step: Option<Exp
 }
 
 /// Whether the condition is a literal. Other conditions that are always false are reported as constant conditions.
-fn is_literally_false(program: &Program<'_>, condition: ExprId) -> bool {
+fn is_literally_false(program: &ProgramView<'_>, condition: ExprId) -> bool {
     program.is_endless(condition) && program.body.constant(condition) == Some(Constant::Bool(false))
 }
 

@@ -1,11 +1,11 @@
 //! V0308: a loop without end in which nothing waits.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
-use val3_analysis::flow::{Point, PointId, PointKind};
+use val3_analysis::flow::{FlowNode, PointId, PointKind};
 use val3_lang::instructions::{CLOCK, DELAY};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -39,7 +39,7 @@ rule! {
     V0308 "loop-never-waits" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let Some(condition) = program.endless_condition(stmt) else { continue };
         let inside = || program.flow().points().filter(|(_, point)| stmt.range.contains_range(point.range));
@@ -54,13 +54,13 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Whether other tasks may run at this flow node, or the clock limits the loop's speed.
-fn waits(program: &Program<'_>, id: PointId, point: &Point) -> bool {
+fn waits(program: &ProgramView<'_>, id: PointId, point: &FlowNode) -> bool {
     program.effects.may_wait_at(point)
         || program.calls_at(id).iter().any(|call| call.instruction.name == CLOCK)
         || matches!(point.kind, PointKind::Call(call) if may_wait(program, call))
 }
 
-fn may_wait(program: &Program<'_>, call: ExprId) -> bool {
+fn may_wait(program: &ProgramView<'_>, call: ExprId) -> bool {
     let Expr::Call(callee, _) = program.body.expr(call) else { return true };
     match program.body.expr(*callee) {
         Expr::Name(name) => program.application().waiting.contains(name),
@@ -68,7 +68,7 @@ fn may_wait(program: &Program<'_>, call: ExprId) -> bool {
     }
 }
 
-fn is_synchronous(program: &Program<'_>) -> bool {
+fn is_synchronous(program: &ProgramView<'_>) -> bool {
     program.application().tasks_of(program.name()).any(|task| task.start.synchronous)
 }
 

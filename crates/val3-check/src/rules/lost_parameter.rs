@@ -3,7 +3,7 @@
 use val3_analysis::items::declarations::{Declared, all_params};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -39,7 +39,7 @@ rule! {
     V0124 "lost-parameter" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     if program.header.params.iter().all(|param| param.by_reference) {
         return;
     }

@@ -3,7 +3,7 @@
 use val3_analysis::items::declarations;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -32,7 +32,7 @@ rule! {
     V0717 "many-parameters" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let (number, limit) = (program.header.params.len(), program.options.parameters);
     if number > limit
         && let Some(place) = declarations::program(program.db, program.file)

@@ -4,7 +4,7 @@ use val3_analysis::items::declarations;
 use val3_analysis::items::layout::comments;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -34,7 +34,7 @@ rule! {
     V0713 "missing-description" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let first = program.body.block.first().map(|stmt| stmt.range.start());
     let says = |text: &str| text.chars().any(char::is_alphanumeric);
     let comments = comments(program.db, program.file);

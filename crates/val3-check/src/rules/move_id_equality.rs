@@ -5,7 +5,7 @@ use val3_lang::instructions::GET_MOVE_ID;
 use val3_lang::operators::BinaryOp;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -27,7 +27,7 @@ rule! {
     V0232 "move-id-equality" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (_, expr, range) in program.body.exprs() {
         let Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) = expr else { continue };
         if !is_move_id(program, *left) && !is_move_id(program, *right) {
@@ -47,7 +47,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn is_move_id(program: &Program<'_>, id: ExprId) -> bool {
+fn is_move_id(program: &ProgramView<'_>, id: ExprId) -> bool {
     match program.body.expr(program.body.without_parentheses(id)) {
         Expr::Call(callee, _) => matches!(program.body.expr(*callee), Expr::Name(name) if name == GET_MOVE_ID),
         _ => false,

@@ -5,7 +5,7 @@ use val3_analysis::application::{START, STOP};
 use val3_analysis::flow::{PointId, PointKind};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Phase, Program, is_library};
+use crate::lint::{ArmActivity, Findings, ProgramView, is_library};
 use crate::rule::rule;
 
 rule! {
@@ -52,7 +52,7 @@ rule! {
     V0414 "move-not-awaited" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     if program.name() != START || !ends_application(program) {
         return;
     }
@@ -60,7 +60,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let end = program.flow().points().find(|(_, point)| point.kind == PointKind::End);
     let Some((end, _)) = end else { return };
     let arm = motion.arm(end);
-    let (Phase::Moving, Some(last)) = (arm.phase, arm.last) else { return };
+    let (ArmActivity::Moving, Some(last)) = (arm.phase, arm.last) else { return };
     let may_poll = motion.point_of(last).is_none_or(|point| leads_to_loop(program, point));
     if let Some(call) = program.call_of(last).filter(|_| !may_poll) {
         found.report(&RULE, program.range(last), word(call.instruction.name));
@@ -68,7 +68,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Whether the application ends when `start` ends, without time for the arm after that.
-fn ends_application(program: &Program<'_>) -> bool {
+fn ends_application(program: &ProgramView<'_>) -> bool {
     let application = program.application();
     let has_stop = program.items.programs.contains_key(STOP);
     application.sound
@@ -80,7 +80,7 @@ fn ends_application(program: &Program<'_>) -> bool {
 }
 
 /// Whether a loop with a condition, which may run until the arm has arrived, can follow a flow node.
-fn leads_to_loop(program: &Program<'_>, from: PointId) -> bool {
+fn leads_to_loop(program: &ProgramView<'_>, from: PointId) -> bool {
     let mut seen = FxHashSet::default();
     let mut open = vec![from];
     while let Some(id) = open.pop() {

@@ -2,11 +2,11 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::ExprId;
-use val3_analysis::flow::{Facts, Point, PointId, PointKind, backward};
+use val3_analysis::flow::{Facts, FlowNode, PointId, PointKind, backward};
 use val3_lang::motion::MotionRole;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Phase, Program};
+use crate::lint::{ArmActivity, Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -42,11 +42,11 @@ rule! {
     V0407 "move-while-stopped" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
     let mut freed = None;
     for step in program.arm_calls() {
-        let Phase::Stopped { by: stop, pending } = step.arm.phase else { continue };
+        let ArmActivity::Stopped { by: stop, pending } = step.arm.phase else { continue };
         let is_move = step.role != MotionRole::Arrive;
         let is_stuck = match step.role {
             MotionRole::Move(_) => !is_freed(program, freed.get_or_insert_with(|| freed_later(program)), step.call.id),
@@ -63,8 +63,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Whether, before each flow node, the program may still restart the arm later, or call a program that may.
-fn freed_later(program: &Program<'_>) -> Facts<bool> {
-    let frees = |id: PointId, point: &Point| {
+fn freed_later(program: &ProgramView<'_>) -> Facts<bool> {
+    let frees = |id: PointId, point: &FlowNode| {
         let mut roles = program.calls_at(id).iter().filter_map(|call| call.role);
         matches!(point.kind, PointKind::Call(_))
             || roles.any(|role| matches!(role, MotionRole::Restart | MotionRole::Reset))
@@ -81,13 +81,13 @@ fn freed_later(program: &Program<'_>) -> Facts<bool> {
     )
 }
 
-fn is_freed(program: &Program<'_>, freed: &Facts<bool>, call: ExprId) -> bool {
+fn is_freed(program: &ProgramView<'_>, freed: &Facts<bool>, call: ExprId) -> bool {
     let point = program.motion().and_then(|motion| motion.point_of(call));
     point.and_then(|point| freed.before(point)).copied().unwrap_or(true)
 }
 
 /// Whether another program, which a task may run meanwhile, calls `restartMove`.
-fn others_restart(program: &Program<'_>) -> bool {
+fn others_restart(program: &ProgramView<'_>) -> bool {
     let application = program.application();
     application.restarting.iter().any(|name| name != program.name() && application.run_by.contains_key(name))
 }

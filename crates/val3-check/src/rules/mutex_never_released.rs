@@ -1,11 +1,11 @@
 //! V0331: a mutex that is never released.
 
 use val3_analysis::body::ExprId;
-use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::effects::{Access, AccessKind, RootVariable};
 use val3_lang::instructions::SET_MUTEX;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -34,16 +34,16 @@ rule! {
     V0331 "mutex-never-released" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let taken: Vec<ExprId> = program.calls_of(SET_MUTEX).filter_map(|call| call.args.first().copied()).collect();
     if taken.is_empty() || !program.application().sound {
         return;
     }
     let accesses = program.effects.all();
     for &mutex in &taken {
-        let Some(Root::Data(name)) = program.effects.root(mutex) else { continue };
+        let Some(RootVariable::Data(name)) = program.effects.root(mutex) else { continue };
         let is_private = program.items.data.get(&name).is_some_and(|item| !item.decl.public);
-        let is_it = |access: &&Access| matches!(&access.root, Root::Data(data) if *data == name);
+        let is_it = |access: &&Access| matches!(&access.root, RootVariable::Data(data) if *data == name);
         let released_here = accesses.iter().filter(is_it).any(|access| match access.kind {
             AccessKind::Read => false,
             AccessKind::Write | AccessKind::WritePart => true,
@@ -56,7 +56,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Whether another program writes the variable, or passes it to a program or instruction that may write it.
-fn is_released_elsewhere(program: &Program<'_>, name: &str) -> bool {
+fn is_released_elsewhere(program: &ProgramView<'_>, name: &str) -> bool {
     let users = program.application().users.get(name).into_iter().flatten();
     users.filter(|(user, _)| user != program.name()).any(|(_, uses)| uses.may_write())
 }

@@ -4,7 +4,7 @@ use val3_lang::instructions::SET_MUTEX;
 
 use super::task_local_by_reference::ends_with_program;
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -44,7 +44,7 @@ rule! {
     V0327 "mutex-not-shared" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for call in program.calls_of(SET_MUTEX) {
         let Some(mutex) = call.args.first() else { continue };
         if let Some(what) = ends_with_program(program, program.effects.root(*mutex)) {

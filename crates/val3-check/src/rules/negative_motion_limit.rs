@@ -1,7 +1,7 @@
 //! V0231: a negative number in a motion descriptor.
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program, descriptor_numbers};
+use crate::lint::{Findings, ProgramView, descriptor_numbers};
 use crate::rule::rule;
 
 rule! {
@@ -27,7 +27,7 @@ rule! {
     V0231 "negative-motion-limit" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for number in descriptor_numbers(program).into_iter().filter(|number| number.value < 0.0) {
         found.report(&RULE, program.range(number.at), word(number.field, number.value));
     }

@@ -5,13 +5,13 @@ use std::rc::Rc;
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::ExprId;
-use val3_analysis::effects::{AccessKind, Root};
-use val3_analysis::flow::{Point, PointId, PointKind, forward};
+use val3_analysis::effects::{AccessKind, RootVariable};
+use val3_analysis::flow::{FlowNode, PointId, PointKind, forward};
 use val3_lang::motion::{missing_reference, needs_reference};
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Call, Findings, Program};
+use crate::lint::{Call, Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -55,13 +55,13 @@ rule! {
 /// covers its fields.
 type ReferencedVariables = FxHashSet<SmolStr>;
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let may_lack = |ty: &str| BaseType::from_file_name(ty).is_none_or(|(ty, _)| ty.has_father());
     if !program.header.locals.iter().any(|local| may_lack(&local.type_name)) {
         return;
     }
     let flow = program.flow();
-    let step = |id: PointId, point: &Point, before: &Rc<ReferencedVariables>| after(program, id, point, before);
+    let step = |id: PointId, point: &FlowNode, before: &Rc<ReferencedVariables>| after(program, id, point, before);
     let facts = forward(flow, Rc::default(), step, |known, more| {
         let news = !Rc::ptr_eq(known, more) && !more.is_subset(known);
         if news {
@@ -87,16 +87,16 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 pub(super) fn needed<'a>(call: &Call<'a>) -> impl Iterator<Item = (ExprId, BaseType)> {
     let (instruction, args) = (call.instruction, call.args);
     let params = call.form.into_iter().flat_map(|form| form.params);
-    let needed = move |(param, arg): (&val3_lang::instruction::Param, &ExprId)| {
+    let needed = move |(param, arg): (&val3_lang::instruction::InstructionParam, &ExprId)| {
         needs_reference(instruction, param).then_some((*arg, param.ty?))
     };
     params.zip(args).filter_map(needed)
 }
 
 fn after(
-    program: &Program<'_>,
+    program: &ProgramView<'_>,
     id: PointId,
-    point: &Point,
+    point: &FlowNode,
     before: &Rc<ReferencedVariables>,
 ) -> Rc<ReferencedVariables> {
     let writes = program.effects.at(id).iter().filter(|access| access.kind != AccessKind::Read);
@@ -114,7 +114,7 @@ fn after(
 }
 
 /// Whether it is an assignment `l_pA=l_pB` in which `l_pB` has no father either.
-fn copies_nothing(program: &Program<'_>, point: &Point, linked: &ReferencedVariables) -> bool {
+fn copies_nothing(program: &ProgramView<'_>, point: &FlowNode, linked: &ReferencedVariables) -> bool {
     let PointKind::Assign { value, .. } = point.kind else { return false };
     let has_father = program.inference.ty(value).base.builtin().is_some_and(BaseType::has_father);
     has_father && local(program, value).is_some_and(|name| !is_linked(linked, &name))
@@ -126,8 +126,8 @@ fn is_linked(linked: &ReferencedVariables, name: &str) -> bool {
 }
 
 /// Local variable or a field of it, without indexes: the elements of an array are not distinguished.
-fn local(program: &Program<'_>, id: ExprId) -> Option<SmolStr> {
-    matches!(program.effects.root(id)?, Root::Local(_)).then(|| program.path_without_indexes(id))
+fn local(program: &ProgramView<'_>, id: ExprId) -> Option<SmolStr> {
+    matches!(program.effects.root(id)?, RootVariable::Local(_)).then(|| program.path_without_indexes(id))
 }
 
 fn word(name: &str, ty: BaseType, instruction: &str) -> Wording {

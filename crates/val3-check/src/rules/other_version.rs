@@ -6,7 +6,7 @@ use val3_lang::versions::Version;
 
 use super::instruction_version::{MissingFeature, lack};
 use crate::diagnostic::Wording;
-use crate::lint::{Call, Findings, Program};
+use crate::lint::{Call, Findings, ProgramView};
 use crate::rule::{Severity, rule};
 
 rule! {
@@ -41,7 +41,7 @@ rule! {
 }
 
 /// Checks a program with or without faults.
-pub(crate) fn check(program: &Program<'_>, found: &mut Findings) {
+pub(crate) fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let Some(target) = program.options.target_version else { return };
     let mut told = FxHashSet::default();
     for call in program.calls() {

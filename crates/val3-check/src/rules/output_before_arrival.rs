@@ -2,13 +2,13 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::ExprId;
-use val3_analysis::flow::{Point, PointId, PointKind};
-use val3_lang::instruction::{Class, Family};
+use val3_analysis::flow::{FlowNode, PointId, PointKind};
+use val3_lang::instruction::{CallClass, Family};
 use val3_lang::instructions::WAIT_END_MOVE;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Phase, Program};
+use crate::lint::{ArmActivity, Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -43,13 +43,13 @@ rule! {
     V0406 "output-before-arrival" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let Some(motion) = program.motion() else { return };
     let wait = format!("{WAIT_END_MOVE}()");
     let mut told = FxHashSet::default();
     for (id, point) in program.flow().points() {
         let arm = motion.arm(id);
-        let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
+        let Some(last) = arm.last.filter(|_| arm.phase == ArmActivity::Moving) else { continue };
         // The first output after a move is enough.
         if let Some(output) = output(program, id, point).filter(|_| told.insert(last)) {
             let target = program.target(last).unwrap_or(last);
@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Output that is set at a flow node.
-fn output(program: &Program<'_>, id: PointId, point: &Point) -> Option<ExprId> {
+fn output(program: &ProgramView<'_>, id: PointId, point: &FlowNode) -> Option<ExprId> {
     let is_output = |id: ExprId| {
         let ty = program.inference.ty(id).base.builtin();
         matches!(ty, Some(BaseType::Dio | BaseType::Aio)).then_some(id)
@@ -70,7 +70,7 @@ fn output(program: &Program<'_>, id: PointId, point: &Point) -> Option<ExprId> {
     match point.kind {
         PointKind::Assign { target, .. } => is_output(target),
         _ => program.calls_at(id).iter().find_map(|call| {
-            let form = call.form.filter(|form| form.class == Class::Modifier)?;
+            let form = call.form.filter(|form| form.class == CallClass::Modifier)?;
             let sets_number = form.params.get(1).is_some_and(|param| param.ty == Some(BaseType::Num));
             let is_setter = call.instruction.family == Family::Io && sets_number;
             call.args.first().copied().filter(|_| is_setter).and_then(is_output)

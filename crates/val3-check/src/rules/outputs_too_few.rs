@@ -5,7 +5,7 @@ use val3_lang::instructions::DIO_SET;
 
 use crate::diagnostic::Wording;
 use crate::english::count;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -31,7 +31,7 @@ rule! {
     V0239 "outputs-too-few" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for call in program.calls_of(DIO_SET) {
         let [outputs, number] = *call.args else { continue };
         let (Some(size), Some(value)) = (program.certain_size(outputs), program.body.number(number)) else { continue };

@@ -2,7 +2,7 @@
 
 use super::task_local_by_reference::ends_with_program;
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -42,7 +42,7 @@ rule! {
     V0321 "overrun-not-global" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for overrun in program.task_creations().filter_map(|task| task.overrun) {
         if let Some(what) = ends_with_program(program, program.effects.root(overrun)) {
             found.report(&RULE, program.range(overrun), word(what, program.text(overrun)));

@@ -5,7 +5,7 @@ use val3_lang::runtime_errors::BAD_VEL;
 use val3_lang::values::HIGHEST_AXIS_SPEED;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program, descriptor_numbers};
+use crate::lint::{Findings, ProgramView, descriptor_numbers};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -34,7 +34,7 @@ rule! {
     V0245 "percent-out-of-range" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for number in descriptor_numbers(program) {
         if number.field == AXIS_SPEED && number.value > HIGHEST_AXIS_SPEED {
             found.report(&RULE, program.range(number.at), word(number.value));

@@ -9,7 +9,7 @@ use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
 use crate::english::all_of;
-use crate::lint::{DataFile, Findings, Reach, Tool, range_of};
+use crate::lint::{ArmReach, DataFile, Findings, FlangeTool, range_of};
 use crate::rule::rule;
 
 rule! {
@@ -61,12 +61,12 @@ rule! {
 }
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {
-    let Some(reach) = Reach::new(&data.view) else { return };
+    let Some(reach) = ArmReach::new(&data.view) else { return };
     let parse = parse(data.view.db, data.file);
     each(parse.view(), &mut |value| point(&value, &reach, found));
 }
 
-fn point(value: &PositionElement<'_>, reach: &Reach<'_>, found: &mut Findings) {
+fn point(value: &PositionElement<'_>, reach: &ArmReach<'_>, found: &mut Findings) {
     let path = value.path.as_str();
     let Some(position) = value.read().filter(|position| position.ty == BaseType::Point) else { return };
     if !reach.is_known(path, &position) || !reach.is_target(path) {
@@ -78,7 +78,7 @@ fn point(value: &PositionElement<'_>, reach: &Reach<'_>, found: &mut Findings) {
     }
 }
 
-fn word(path: &str, arm: &Arm, tool: &Tool, reason: &Unreachable, other: Option<Joints>) -> Wording {
+fn word(path: &str, arm: &Arm, tool: &FlangeTool, reason: &Unreachable, other: Option<Joints>) -> Wording {
     let name = arm.name();
     let path = shown(path);
     let tool = tool.path.as_deref().map(|tool| format!(" with the tool `{}`", shown(tool))).unwrap_or_default();

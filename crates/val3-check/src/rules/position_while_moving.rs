@@ -5,7 +5,7 @@ use val3_lang::instructions::WAIT_END_MOVE;
 use val3_lang::motion::MotionRole;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Phase, Program};
+use crate::lint::{ArmActivity, Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -41,13 +41,13 @@ rule! {
     V0408 "position-while-moving" Info, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let Some(motion) = program.motion() else { return };
     let wait = format!("{WAIT_END_MOVE}()");
     for (id, point) in program.flow().points() {
         let arm = motion.arm(id);
         let PointKind::Assign { .. } = point.kind else { continue };
-        let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
+        let Some(last) = arm.last.filter(|_| arm.phase == ArmActivity::Moving) else { continue };
         let read = program.calls_at(id).iter().find(|call| call.role == Some(MotionRole::Position));
         if let Some(read) = read {
             found

@@ -8,7 +8,7 @@ use val3_analysis::application::summary;
 use val3_analysis::body::{Expr, StmtKind};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -52,7 +52,7 @@ rule! {
 }
 
 /// Reports a circle once, at its alphabetically first program.
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let circles = &program.application().circles;
     if !circles.contains(program.name()) {
         return;
@@ -75,7 +75,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Programs from `first` to the caller of this program, on the shortest way back.
-fn circle(program: &Program<'_>, first: &SmolStr) -> Option<Vec<SmolStr>> {
+fn circle(program: &ProgramView<'_>, first: &SmolStr) -> Option<Vec<SmolStr>> {
     let start = program.name();
     let mut came_from: FxHashMap<SmolStr, Option<SmolStr>> = FxHashMap::default();
     let mut open = VecDeque::from([(first.clone(), None)]);

@@ -5,7 +5,7 @@ use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
 use val3_lang::operators::BinaryOp;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -39,7 +39,7 @@ rule! {
     V0307 "repeated-condition" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let StmtKind::If { arms, .. } = &stmt.kind else { continue };
         if arms.len() < 2 {
@@ -64,7 +64,7 @@ struct EarlierConditions {
     /// Conditions by normal form.
     conditions: FxHashMap<String, ExprId>,
     /// Widest ranges tested so far, by the compared value: above a bound, and below a bound.
-    ranges: FxHashMap<String, [Option<(Range, ExprId)>; 2]>,
+    ranges: FxHashMap<String, [Option<(NumberInterval, ExprId)>; 2]>,
 }
 
 impl EarlierConditions {
@@ -94,7 +94,7 @@ impl EarlierConditions {
 }
 
 /// Numbers between two bounds.
-struct Range {
+struct NumberInterval {
     low: Bound,
     high: Bound,
 }
@@ -106,7 +106,7 @@ struct Bound {
     is_open: bool,
 }
 
-impl Range {
+impl NumberInterval {
     fn is_within(&self, outer: &Self) -> bool {
         let low = self.low.at > outer.low.at || self.low.at >= outer.low.at && (self.low.is_open || !outer.low.is_open);
         let high =
@@ -116,7 +116,7 @@ impl Range {
 }
 
 /// Text of the value and its range, for `value > constant` and similar comparisons, with the constant on either side.
-fn range(body: &Body, id: ExprId) -> Option<(String, Range)> {
+fn range(body: &Body, id: ExprId) -> Option<(String, NumberInterval)> {
     let Expr::Binary(op, left, right) = body.expr(body.without_parentheses(id)) else { return None };
     if let Some(at) = body.number(*right) {
         return Some((body.normal_form(*left), compared(*op, at)?));
@@ -131,7 +131,7 @@ fn range(body: &Body, id: ExprId) -> Option<(String, Range)> {
     Some((body.normal_form(*right), compared(mirrored, body.number(*left)?)?))
 }
 
-fn compared(op: BinaryOp, at: f64) -> Option<Range> {
+fn compared(op: BinaryOp, at: f64) -> Option<NumberInterval> {
     let (closed, open) = (Bound { at, is_open: false }, Bound { at, is_open: true });
     let lowest = Bound { at: f64::NEG_INFINITY, is_open: false };
     let highest = Bound { at: f64::INFINITY, is_open: false };
@@ -143,7 +143,7 @@ fn compared(op: BinaryOp, at: f64) -> Option<Range> {
         BinaryOp::GreaterOrEqual => (closed, highest),
         _ => return None,
     };
-    Some(Range { low, high })
+    Some(NumberInterval { low, high })
 }
 
 fn word(is_same: bool) -> Wording {

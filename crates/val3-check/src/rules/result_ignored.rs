@@ -4,7 +4,7 @@ use val3_analysis::body::{Expr, StmtKind};
 use val3_lang::results::result_meaning;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -39,7 +39,7 @@ rule! {
     V0236 "result-ignored" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let StmtKind::Expr(call) = stmt.kind else { continue };
         let Expr::Call(callee, _) = program.body.expr(call) else { continue };

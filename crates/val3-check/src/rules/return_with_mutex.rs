@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use smol_str::SmolStr;
 use val3_analysis::body::ExprId;
-use val3_analysis::effects::{AccessKind, Root};
-use val3_analysis::flow::{Point, PointId, PointKind, forward};
+use val3_analysis::effects::{AccessKind, RootVariable};
+use val3_analysis::flow::{FlowNode, PointId, PointKind, forward};
 use val3_lang::instructions::SET_MUTEX;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -52,12 +52,12 @@ rule! {
 /// Taken mutexes, each with the call that has taken it.
 type Taken = BTreeMap<SmolStr, ExprId>;
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let returns = program.flow().points().any(|(_, point)| matches!(point.kind, PointKind::Return));
     if !returns || program.calls_of(SET_MUTEX).next().is_none() || !program.application().sound {
         return;
     }
-    let step = |id: PointId, point: &Point, before: &Taken| after(program, id, point, before);
+    let step = |id: PointId, point: &FlowNode, before: &Taken| after(program, id, point, before);
     let facts = forward(program.flow(), Taken::new(), step, |known, other| {
         let count = known.len();
         known.retain(|name, _| other.contains_key(name));
@@ -71,19 +71,19 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn after(program: &Program<'_>, id: PointId, point: &Point, before: &Taken) -> Taken {
+fn after(program: &ProgramView<'_>, id: PointId, point: &FlowNode, before: &Taken) -> Taken {
     let mut taken = before.clone();
     if matches!(point.kind, PointKind::Call(_)) {
         taken.retain(|name, _| !may_change_elsewhere(program, name));
     }
     for access in program.effects.at(id).iter().filter(|access| access.kind != AccessKind::Read) {
-        if let Root::Data(name) = &access.root {
+        if let RootVariable::Data(name) = &access.root {
             taken.remove(name);
         }
     }
     for call in program.calls_at(id).iter().filter(|call| call.instruction.name == SET_MUTEX) {
         let mutex = call.args.first().and_then(|mutex| program.effects.root(*mutex));
-        if let Some(Root::Data(name)) = mutex {
+        if let Some(RootVariable::Data(name)) = mutex {
             taken.insert(name, call.id);
         }
     }
@@ -91,15 +91,15 @@ fn after(program: &Program<'_>, id: PointId, point: &Point, before: &Taken) -> T
 }
 
 /// Whether another program may write the variable.
-fn may_change_elsewhere(program: &Program<'_>, name: &str) -> bool {
+fn may_change_elsewhere(program: &ProgramView<'_>, name: &str) -> bool {
     let users = program.application().users.get(name).into_iter().flatten();
     let is_private = program.items.data.get(name).is_some_and(|item| !item.decl.public);
     !is_private || users.filter(|(user, _)| user != program.name()).any(|(_, uses)| uses.may_write())
 }
 
 /// Whether the program itself releases the mutex somewhere.
-fn is_released(program: &Program<'_>, name: &str) -> bool {
-    let is_it = |root: &Root| matches!(root, Root::Data(data) if data == name);
+fn is_released(program: &ProgramView<'_>, name: &str) -> bool {
+    let is_it = |root: &RootVariable| matches!(root, RootVariable::Data(data) if data == name);
     program.effects.all().iter().any(|access| access.kind == AccessKind::Write && is_it(&access.root))
 }
 

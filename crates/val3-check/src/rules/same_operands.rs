@@ -4,7 +4,7 @@ use val3_analysis::body::{Expr, ExprId};
 use val3_lang::operators::BinaryOp;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -37,7 +37,7 @@ rule! {
     V0238 "same-operands" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (_, expr, _) in program.body.exprs() {
         let Expr::Binary(op, left, right) = expr else { continue };
         let Some(outcome) = outcome(*op) else { continue };
@@ -51,7 +51,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Equal operand before `right`. In `a and b and a`, it may be any earlier operand.
-fn repeated(program: &Program<'_>, op: BinaryOp, left: ExprId, right: ExprId) -> Option<ExprId> {
+fn repeated(program: &ProgramView<'_>, op: BinaryOp, left: ExprId, right: ExprId) -> Option<ExprId> {
     if program.is_same(left, right) {
         return Some(left);
     }

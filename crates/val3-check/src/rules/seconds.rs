@@ -3,7 +3,7 @@
 use val3_lang::arguments::counts_seconds;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -28,7 +28,7 @@ rule! {
 const LONG: f64 = 200.0;
 const MINUTE: f64 = 60.0;
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for call in program.calls() {
         for (_, argument) in call.arguments().filter(|(param, _)| counts_seconds(param.name)) {
             let Some(value) = program.body.number(argument).filter(|value| is_doubtful(*value)) else { continue };

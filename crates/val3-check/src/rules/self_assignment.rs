@@ -4,7 +4,7 @@ use val3_analysis::body::StmtKind;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -34,7 +34,7 @@ rule! {
     V0237 "self-assignment" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let StmtKind::Assign { target, value } = stmt.kind else { continue };
         // An assignment of a serial line to itself reads and writes it.

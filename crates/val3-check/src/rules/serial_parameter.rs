@@ -7,7 +7,7 @@ use val3_lang::suggest::nearest;
 
 use crate::diagnostic::Wording;
 use crate::english::{a, one_of};
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::did_you_mean;
 use crate::rule::rule;
 
@@ -34,7 +34,7 @@ rule! {
     V0229 "serial-parameter" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for call in program.calls_of(SIO_CTRL) {
         let [_, name, value] = *call.args else { continue };
         let Some(text) = program.body.string(name) else { continue };
@@ -45,7 +45,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn report_unknown(program: &Program<'_>, id: ExprId, name: &str, found: &mut Findings) {
+fn report_unknown(program: &ProgramView<'_>, id: ExprId, name: &str, found: &mut Findings) {
     let near = nearest(name, SERIAL_PARAMETERS.iter().map(|row| row.name));
     let reported = found.report(&RULE, program.range(id), unknown(name, near));
     if let Some(near) = near {
@@ -54,7 +54,7 @@ fn report_unknown(program: &Program<'_>, id: ExprId, name: &str, found: &mut Fin
     }
 }
 
-fn check_value(program: &Program<'_>, parameter: &SerialParameter, value: ExprId, found: &mut Findings) {
+fn check_value(program: &ProgramView<'_>, parameter: &SerialParameter, value: ExprId, found: &mut Findings) {
     let wanted = parameter.value.ty();
     let wording = match program.inference.ty(value).base.builtin() {
         Some(ty) if ty != wanted => other_type(parameter, ty.name()),

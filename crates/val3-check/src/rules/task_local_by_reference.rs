@@ -1,9 +1,9 @@
 //! V0320: a local variable by reference for the program of a task.
 
-use val3_analysis::effects::Root;
+use val3_analysis::effects::RootVariable;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -44,7 +44,7 @@ rule! {
     V0320 "task-local-by-reference" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for task in program.task_creations() {
         for (param, argument) in task.call.arguments() {
             if !param.by_reference || param.loose {
@@ -62,14 +62,14 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Describes a variable that ceases to exist when its program ends; `None` for other variables.
-pub(crate) fn ends_with_program(program: &Program<'_>, root: Option<Root>) -> Option<&'static str> {
+pub(crate) fn ends_with_program(program: &ProgramView<'_>, root: Option<RootVariable>) -> Option<&'static str> {
     match root? {
-        Root::Local(_) => Some("the local variable"),
-        Root::Param(name) => {
+        RootVariable::Local(_) => Some("the local variable"),
+        RootVariable::Param(name) => {
             let param = program.header.params.iter().find(|param| param.name == name)?;
             (!param.by_reference && !param.loose).then_some("the value parameter")
         }
-        Root::Data(_) | Root::Item(..) => None,
+        RootVariable::Data(_) | RootVariable::Item(..) => None,
     }
 }
 

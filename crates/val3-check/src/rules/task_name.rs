@@ -4,7 +4,7 @@ use val3_lang::runtime_errors::BAD_TASK_NAME;
 use val3_lang::tasks::{NameFault, name_fault};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -37,7 +37,7 @@ rule! {
     V0325 "task-name" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for task in program.task_creations() {
         let Some(name) = program.body.string(task.name) else { continue };
         if let Some(fault) = name_fault(&name, program.items.version) {

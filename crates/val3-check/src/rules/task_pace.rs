@@ -5,7 +5,7 @@ use val3_lang::tasks;
 
 use crate::diagnostic::Wording;
 use crate::lint::ranges::RangeInWords;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -38,7 +38,7 @@ rule! {
     V0322 "task-pace" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for task in program.task_creations() {
         let (noun, range) = match task.is_synchronous() {
             true => ("period", tasks::period()),

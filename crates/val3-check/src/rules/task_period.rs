@@ -4,7 +4,7 @@ use val3_lang::runtime_errors::INVALID_PARAMETER;
 use val3_lang::tasks::{PERIOD_STEP, is_exact_period, period_steps};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::{Severity, rule};
 
@@ -46,7 +46,7 @@ rule! {
 /// Minimum whole number of seconds that is reported as probably intended in milliseconds.
 const SLOWEST: f64 = 2.0;
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for task in program.task_creations().filter(|task| task.is_synchronous()) {
         let Some(period) = program.body.number(task.pace).filter(|period| *period > 0.0) else { continue };
         let range = program.range(task.pace);

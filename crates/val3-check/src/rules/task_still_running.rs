@@ -5,7 +5,7 @@ use val3_analysis::application::summary;
 use val3_analysis::db::FileRange;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -78,7 +78,7 @@ rule! {
     V0345 "task-still-running" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     // Most programs create no task, so they do not need the summary of the application.
     let starts = &summary(program.db, program.project, program.file).tasks;
     for start in starts {
@@ -93,7 +93,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn creation_in(program: &Program<'_>, other: &str, name: &SmolStr) -> Option<FileRange> {
+fn creation_in(program: &ProgramView<'_>, other: &str, name: &SmolStr) -> Option<FileRange> {
     let other = program.other(other)?;
     let task = other.task_creations().find(|task| other.body.string(task.name).as_ref() == Some(name))?;
     Some(other.span(task.name))

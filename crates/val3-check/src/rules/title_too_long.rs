@@ -3,7 +3,7 @@
 use val3_lang::instructions::TITLE;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -28,7 +28,7 @@ rule! {
 /// Number of columns on the user page.
 const COLUMNS: usize = 40;
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     if program.items.version.language() >= 8 {
         return;
     }

@@ -6,7 +6,7 @@ use val3_lang::tasks::{MAX_PERIODS, PERIOD_STEP, period_steps};
 
 use crate::diagnostic::Wording;
 use crate::english::and;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -47,7 +47,7 @@ rule! {
     V0324 "too-many-periods" Warning, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let mut creations = program.task_creations().filter(|task| task.is_synchronous()).peekable();
     if creations.peek().is_none() {
         return;
@@ -67,7 +67,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Different periods of the tasks that the application may create, in multiples of 4 ms.
-fn periods(program: &Program<'_>) -> Vec<u32> {
+fn periods(program: &ProgramView<'_>) -> Vec<u32> {
     let application = program.application();
     let is_run = |name: &smol_str::SmolStr| application.run_by.contains_key(name);
     let created = application.tasks.iter().filter(|task| task.created_by.as_ref().is_some_and(is_run));
@@ -81,7 +81,7 @@ fn periods(program: &Program<'_>) -> Vec<u32> {
 }
 
 /// First location in the application that uses a period.
-fn asked_for(program: &Program<'_>, period: u32) -> Option<FileRange> {
+fn asked_for(program: &ProgramView<'_>, period: u32) -> Option<FileRange> {
     let tasks = &program.application().tasks;
     let creator = tasks.iter().find(|task| task.start.period == Some(period))?.created_by.as_deref()?;
     let creator = program.other(creator)?;

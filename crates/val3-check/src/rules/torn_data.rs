@@ -4,11 +4,11 @@ use smol_str::SmolStr;
 use val3_analysis::application::summary;
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::db::FileRange;
-use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::effects::{Access, AccessKind, RootVariable};
 use val3_lang::instructions::SET_MUTEX;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -68,7 +68,7 @@ rule! {
     V0344 "torn-data" Info, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let application = program.application();
     let name = SmolStr::from(program.name());
     if application.takers_of_mutexes.contains(&name) {
@@ -98,13 +98,14 @@ struct FieldWrites {
     second: ExprId,
 }
 
-fn parts(program: &Program<'_>) -> Vec<FieldWrites> {
+fn parts(program: &ProgramView<'_>) -> Vec<FieldWrites> {
     let in_parts =
         summary(program.db, program.project, program.file).data.iter().filter(|(_, uses)| uses.written_in_parts);
     let mut found: Vec<FieldWrites> = in_parts
         .filter_map(|(name, _)| {
-            let is_part =
-                |access: &&Access| access.kind == AccessKind::WritePart && access.root == Root::Data(name.clone());
+            let is_part = |access: &&Access| {
+                access.kind == AccessKind::WritePart && access.root == RootVariable::Data(name.clone())
+            };
             let mut writes = program.effects.all().iter().filter(is_part).map(|access| access.id);
             Some(FieldWrites { data: name.clone(), first: writes.next()?, second: writes.next()? })
         })
@@ -114,11 +115,11 @@ fn parts(program: &Program<'_>) -> Vec<FieldWrites> {
 }
 
 /// Location at which the program `reader` reads all of `data`.
-fn read_by(program: &Program<'_>, reader: &str, data: &SmolStr) -> Option<FileRange> {
+fn read_by(program: &ProgramView<'_>, reader: &str, data: &SmolStr) -> Option<FileRange> {
     let reader = program.other(reader)?;
     let is_whole = |access: &&Access| {
         access.kind == AccessKind::Read
-            && access.root == Root::Data(data.clone())
+            && access.root == RootVariable::Data(data.clone())
             && !matches!(reader.body.expr(access.id), Expr::Field { .. })
     };
     let read = reader.effects.all().iter().find(is_whole)?.id;

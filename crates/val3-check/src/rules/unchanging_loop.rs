@@ -3,11 +3,11 @@
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
-use val3_analysis::effects::{AccessKind, Root};
+use val3_analysis::effects::{AccessKind, RootVariable};
 use val3_lang::instructions::TASK_KILL;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -47,7 +47,7 @@ rule! {
     V0319 "unchanging-loop" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let condition = match &stmt.kind {
             StmtKind::While { condition, .. } | StmtKind::Do { condition, .. } => *condition,
@@ -63,7 +63,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Variables of a condition; `None` if it depends on something other than local variables and constants.
-fn locals(program: &Program<'_>, condition: ExprId) -> Option<FxHashSet<SmolStr>> {
+fn locals(program: &ProgramView<'_>, condition: ExprId) -> Option<FxHashSet<SmolStr>> {
     let body = program.body;
     // A constant has no variables, and a single flag may be meant to never change.
     if !matches!(body.expr(body.without_parentheses(condition)), Expr::Binary(..)) {
@@ -74,7 +74,7 @@ fn locals(program: &Program<'_>, condition: ExprId) -> Option<FxHashSet<SmolStr>
         match body.expr(part) {
             Expr::Call(..) | Expr::Path { .. } | Expr::Assign(..) | Expr::Missing | Expr::Struct(_) => return None,
             Expr::Name(name) => match program.effects.root(part)? {
-                Root::Local(local) if !program.is_linkable(name) => _ = locals.insert(local),
+                RootVariable::Local(local) if !program.is_linkable(name) => _ = locals.insert(local),
                 _ => return None,
             },
             _ => {}
@@ -84,9 +84,9 @@ fn locals(program: &Program<'_>, condition: ExprId) -> Option<FxHashSet<SmolStr>
 }
 
 /// Whether a line of the loop may change one of the variables or leave the loop.
-fn may_end(program: &Program<'_>, stmt: &Stmt, locals: &FxHashSet<SmolStr>) -> bool {
+fn may_end(program: &ProgramView<'_>, stmt: &Stmt, locals: &FxHashSet<SmolStr>) -> bool {
     let changes = program.effects.all().iter().any(|access| {
-        let is_local = matches!(&access.root, Root::Local(name) if locals.contains(name));
+        let is_local = matches!(&access.root, RootVariable::Local(name) if locals.contains(name));
         // A program that has received the variable by reference may change it at any time.
         let is_inside = access.kind == AccessKind::Reference || stmt.range.contains_range(program.range(access.id));
         is_local && is_inside && access.kind != AccessKind::Read

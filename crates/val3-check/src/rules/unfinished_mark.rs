@@ -4,7 +4,7 @@ use val3_analysis::items::layout::comments;
 use val3_syntax::{TextRange, TextSize, text_size};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -29,7 +29,7 @@ rule! {
     V0714 "unfinished-mark" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for comment in comments(program.db, program.file) {
         let text = program.slice(comment);
         let marks = program.options.task_words.iter().filter_map(|mark| Some((find_word(text, mark)?, mark)));

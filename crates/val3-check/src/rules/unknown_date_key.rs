@@ -4,7 +4,7 @@ use val3_lang::arguments::{DATE_KEYS, TextForm, text_form};
 
 use crate::diagnostic::Wording;
 use crate::english::one_of;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -26,7 +26,7 @@ rule! {
     V0228 "unknown-date-key" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for call in program.calls() {
         for (param, argument) in call.arguments() {
             let Some(form @ TextForm::Date) = text_form(call.instruction.name, param.name) else { continue };

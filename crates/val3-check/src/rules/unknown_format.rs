@@ -6,7 +6,7 @@ use val3_lang::values::number_text::ignored;
 
 use crate::diagnostic::Wording;
 use crate::english::one_of;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::{Severity, rule};
 
@@ -37,7 +37,7 @@ rule! {
     V0227 "unknown-format" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for call in program.calls() {
         let callee = call.instruction.name;
         for (param, argument) in call.arguments() {

@@ -9,7 +9,7 @@ use val3_lang::suggest::nearest;
 
 use crate::diagnostic::Wording;
 use crate::english::all_of;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::did_you_mean_or;
 use crate::rule::rule;
 
@@ -58,7 +58,7 @@ const NO_TASK: f64 = -1.0;
 /// Character in the names of controller tasks (5.2).
 const OF_CONTROLLER: char = '~';
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let mut told: FxHashSet<SmolStr> = FxHashSet::default();
     let presence = presence_tests(program);
     let calls = program.calls().iter().filter(|call| ON_TASKS.contains(&call.instruction.name));
@@ -77,7 +77,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Calls of `taskStatus` that are compared with -1, the status of a task that does not exist.
-fn presence_tests(program: &Program<'_>) -> FxHashSet<ExprId> {
+fn presence_tests(program: &ProgramView<'_>) -> FxHashSet<ExprId> {
     let mut tests = FxHashSet::default();
     if program.calls_of(TASK_STATUS).next().is_none() {
         return tests;

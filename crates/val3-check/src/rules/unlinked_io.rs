@@ -2,13 +2,13 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::{Expr, ExprId};
-use val3_analysis::effects::{Access, AccessKind, Root};
-use val3_analysis::flow::{Point, PointId, forward};
+use val3_analysis::effects::{Access, AccessKind, RootVariable};
+use val3_analysis::flow::{FlowNode, PointId, forward};
 use val3_lang::runtime_errors::UNLINKED;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Locals, Program};
+use crate::lint::{Findings, Locals, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -41,14 +41,14 @@ rule! {
     V0316 "unlinked-io" Error, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let is_linkable = |ty: &str| BaseType::from_file_name(ty).is_some_and(|(ty, _)| ty.is_linkable());
     if !program.header.locals.iter().any(|local| is_linkable(&local.type_name)) {
         return;
     }
     let arguments = Arguments::of(program);
     let local_use = program.local_use();
-    let step = |id: PointId, _: &Point, before: &Locals| {
+    let step = |id: PointId, _: &FlowNode, before: &Locals| {
         let links = |(bit, access): &(Locals, &Access)| if arguments.may_link(access) { *bit } else { 0 };
         local_use.at(id).iter().map(links).fold(*before, |linked, bit| linked | bit)
     };
@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let Some(mut linked) = facts.before(id).copied() else { continue };
         for (bit, access) in local_use.at(id) {
             let ty = program.inference.ty(access.id).base.builtin().filter(|ty| ty.is_linkable());
-            if let (Root::Local(name), Some(ty)) = (&access.root, ty)
+            if let (RootVariable::Local(name), Some(ty)) = (&access.root, ty)
                 && arguments.uses(access)
                 && (linked | told) & bit == 0
             {
@@ -81,7 +81,7 @@ struct Arguments {
 }
 
 impl Arguments {
-    fn of(program: &Program<'_>) -> Self {
+    fn of(program: &ProgramView<'_>) -> Self {
         let mut arguments = Self { needed: FxHashSet::default(), others: FxHashSet::default() };
         for (id, expr, _) in program.body.exprs() {
             let Expr::Call(_, args) = expr else { continue };

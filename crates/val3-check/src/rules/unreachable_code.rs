@@ -2,11 +2,11 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::{ExprId, StmtKind};
-use val3_analysis::flow::{Point, PointKind};
+use val3_analysis::flow::{FlowNode, PointKind};
 use val3_syntax::{TextRange, TextSize};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -38,12 +38,12 @@ rule! {
     V0302 "unreachable-code" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let flow = program.flow();
     let endless: FxHashSet<ExprId> =
         program.stmts().iter().copied().filter_map(|stmt| program.endless_condition(stmt)).collect();
     // A block with another constant condition is reported at the condition.
-    let is_endless = |point: &Point| match point.kind {
+    let is_endless = |point: &FlowNode| match point.kind {
         PointKind::Test { condition: Some(condition), .. } => endless.contains(&condition),
         _ => false,
     };
@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Last `return` or endless loop before a position that is never reached.
-fn barrier(program: &Program<'_>, dead: TextSize) -> Option<(TextRange, &'static str)> {
+fn barrier(program: &ProgramView<'_>, dead: TextSize) -> Option<(TextRange, &'static str)> {
     let before = program.stmts().iter().filter(|stmt| stmt.range.end() <= dead);
     let barriers = before.filter_map(|stmt| match (program.endless_condition(stmt), &stmt.kind) {
         (Some(condition), _) => Some((stmt.range.end(), program.range(condition), "this loop never ends")),

@@ -1,11 +1,11 @@
 //! V0311: a local variable that is used before it is set.
 
-use val3_analysis::effects::{AccessKind, Root};
+use val3_analysis::effects::{AccessKind, RootVariable};
 use val3_analysis::items::declarations;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -45,7 +45,7 @@ rule! {
     V0311 "unset-local" Warning, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     if !program.header.locals.iter().any(|local| followed(&local.type_name).is_some()) {
         return;
     }
@@ -59,7 +59,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let returned = references.fold(0, |all, (bit, _)| all | bit);
         for (bit, access) in local_use.at(id) {
             let is_unset = access.kind == AccessKind::Read && (written | told | returned) & bit == 0;
-            let Root::Local(name) = &access.root else { continue };
+            let RootVariable::Local(name) = &access.root else { continue };
             let local = program.header.locals.iter().find(|local| is_unset && local.name == *name);
             let is_set = || variable_use.locals.get(name).is_some_and(|uses| uses.may_write());
             let local = local.filter(|_| is_set() || !is_meant_to_be_empty(name));

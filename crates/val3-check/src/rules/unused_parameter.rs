@@ -3,7 +3,7 @@
 use val3_analysis::items::declarations::{Declared, all_params};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -37,7 +37,7 @@ rule! {
     V0114 "unused-parameter" Info, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let params = &program.header.params;
     if program.header.public || params.is_empty() || program.body.block.is_empty() {
         return;

@@ -6,7 +6,7 @@ use val3_analysis::test_applications::has_tests;
 use val3_lang::test_names::is_executed;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::rule::rule;
 
 rule! {
@@ -47,7 +47,7 @@ rule! {
     V0117 "unused-program" Info, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     let name = program.name();
     if program.header.public || program.body.block.is_empty() || !program.application().closed {
         return;
@@ -63,7 +63,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn is_entry_point(program: &Program<'_>) -> bool {
+fn is_entry_point(program: &ProgramView<'_>) -> bool {
     let name = program.name();
     let options = program.options;
     ENTRY_POINTS.contains(&name)

@@ -5,7 +5,7 @@ use val3_analysis::items::declarations::{Declared, all_locals, all_params};
 use val3_analysis::items::project::resolve_type;
 use val3_lang::types::BaseType;
 
-use crate::lint::{Findings, Program, naming};
+use crate::lint::{Findings, ProgramView, naming};
 use crate::rule::rule;
 
 rule! {
@@ -35,8 +35,8 @@ rule! {
     V0711 "variable-prefix" Info off, Program: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
-    let Program { db, file, header, options, .. } = program;
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
+    let ProgramView { db, file, header, options, .. } = program;
     let locals = header.locals.iter().map(|local| &local.type_name);
     let locals = all_locals(*db, *file).into_iter().zip(locals);
     report(program, "local variable", &options.local_prefix, locals, found);
@@ -47,7 +47,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// Reports the names without the prefix of their type after the prefix of their `scope`.
 fn report<'p>(
-    program: &Program<'_>,
+    program: &ProgramView<'_>,
     what: &str,
     scope: &str,
     names: impl Iterator<Item = (Declared, &'p SmolStr)>,

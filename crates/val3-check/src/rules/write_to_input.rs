@@ -1,7 +1,7 @@
 //! V0247: an input that a program writes.
 
 use val3_analysis::body::ExprId;
-use val3_analysis::effects::Root;
+use val3_analysis::effects::RootVariable;
 use val3_analysis::flow::PointKind;
 use val3_analysis::items::input_links::input_links;
 use val3_lang::instructions::{AIO_SET, DIO_SET, ON_GRIPPERS};
@@ -9,7 +9,7 @@ use val3_lang::runtime_errors::WRITE_TO_INPUT;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, ProgramView};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
@@ -52,7 +52,7 @@ rule! {
     V0247 "write-to-input" Error, Member: check
 }
 
-fn check(program: &Program<'_>, found: &mut Findings) {
+fn check(program: &ProgramView<'_>, found: &mut Findings) {
     for (_, point) in program.flow().points() {
         if let PointKind::Assign { target, .. } = point.kind
             && matches!(program.inference.ty(target).base.builtin(), Some(BaseType::Dio | BaseType::Aio))
@@ -71,8 +71,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 /// Instructions that write their first argument.
 const WRITERS: [&str; 2] = [DIO_SET, AIO_SET];
 
-fn report(program: &Program<'_>, data: ExprId, is_tool: bool, found: &mut Findings) {
-    let Some(Root::Data(name)) = program.effects.root(data) else { return };
+fn report(program: &ProgramView<'_>, data: ExprId, is_tool: bool, found: &mut Findings) {
+    let Some(RootVariable::Data(name)) = program.effects.root(data) else { return };
     let Some(item) = program.items.data.get(&name) else { return };
     let Some(link) = input_links(program.db, item.file).get(&name) else { return };
     let application = program.application();

@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use super::*;
 use crate::rules;
 
-fn settings(text: &str, selection: &Selection) -> Result<Settings, ConfigError> {
+fn settings(text: &str, selection: &RuleSelection) -> Result<Settings, ConfigError> {
     let file = ConfigFile::parse(Utf8Path::new("val3.toml"), text).unwrap();
     Settings::new(Some(&file), selection)
 }
@@ -12,12 +12,12 @@ fn settings(text: &str, selection: &Selection) -> Result<Settings, ConfigError> 
 /// Level of V0701, whose default is `info`.
 fn level(text: &str) -> Option<Severity> {
     let rule = rules::find("V0701").unwrap();
-    settings(text, &Selection::default()).unwrap().severity(rule, rule.severity)
+    settings(text, &RuleSelection::default()).unwrap().severity(rule, rule.severity)
 }
 
 #[track_caller]
 fn refused(text: &str, expected: Expect) {
-    expected.assert_eq(&format!("{}\n", settings(text, &Selection::default()).unwrap_err()));
+    expected.assert_eq(&format!("{}\n", settings(text, &RuleSelection::default()).unwrap_err()));
 }
 
 #[test]
@@ -71,11 +71,11 @@ fn unknown_keys_are_reported() {
 fn the_command_line_wins() {
     let rule = rules::find("V0701").unwrap();
     let off = "[rules]\nV0701 = \"off\"\n";
-    let only = Selection { only: Some(["V0701"].into()), ..Selection::default() };
+    let only = RuleSelection { only: Some(["V0701"].into()), ..RuleSelection::default() };
     assert!(!settings(off, &only).unwrap().wants(rule), "a family restricts");
-    let named = Selection { named: ["V0701"].into(), ..only.clone() };
+    let named = RuleSelection { named: ["V0701"].into(), ..only.clone() };
     assert!(settings(off, &named).unwrap().wants(rule), "a name asks");
-    let never = Selection { never: ["V0701"].into(), ..named };
+    let never = RuleSelection { never: ["V0701"].into(), ..named };
     assert!(!settings("", &never).unwrap().wants(rule));
     assert!(!settings("", &only).unwrap().wants(rules::find("V0101").unwrap()));
 }
@@ -83,7 +83,7 @@ fn the_command_line_wins() {
 #[test]
 fn rules_that_are_off_must_be_configured() {
     let rule = Rule { on: false, ..*rules::find("V0701").unwrap() };
-    let wants = |text: &str| settings(text, &Selection::default()).unwrap().wants(&rule);
+    let wants = |text: &str| settings(text, &RuleSelection::default()).unwrap().wants(&rule);
     assert!(!wants("") && !wants("[rules]\nall = \"default\"\n"));
     assert!(wants("[rules]\nV0701 = \"on\"\n") && wants("[rules]\nV07 = \"warning\"\n"));
 }

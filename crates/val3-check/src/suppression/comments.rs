@@ -5,14 +5,14 @@ use std::ops::Range;
 
 use rowan::NodeOrToken;
 use val3_analysis::db::{Db, File};
-use val3_analysis::items::suppressions::{Scope, Suppression, suppressions};
+use val3_analysis::items::suppressions::{Suppression, SuppressionExtent, suppressions};
 use val3_analysis::items::unlisted::is_program;
 use val3_analysis::items::{parse, program};
 use val3_syntax::view::View;
 use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::can_be_silenced;
-use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::diagnostic::{Diagnostic, Fix, FixEdit};
 use crate::fix::Site;
 
 /// Changes that silence findings: one for each line of code with findings, and one for a program with findings outside
@@ -80,7 +80,7 @@ fn begin(code: View<'_>) -> Option<TextRange> {
 
 impl SilencedCode {
     /// Edit that silences these rules: they are added to a comment that applies here, or to a new comment.
-    fn comment(&self, db: &dyn Db, codes: &str) -> Option<Edit> {
+    fn comment(&self, db: &dyn Db, codes: &str) -> Option<FixEdit> {
         let site = Site::new(db, self.file, self.range, None);
         if let Some(last) =
             suppressions(db, self.file).iter().find(|it| self.is_under(it)).and_then(|it| it.rules.last())
@@ -95,9 +95,9 @@ impl SilencedCode {
 
     fn is_under(&self, suppression: &Suppression) -> bool {
         match suppression.scope {
-            Scope::Line(_) => self.is_line && suppression.covers(self.range.start()),
-            Scope::Program => !self.is_line,
-            Scope::Misplaced | Scope::Unreadable => false,
+            SuppressionExtent::Line(_) => self.is_line && suppression.covers(self.range.start()),
+            SuppressionExtent::Program => !self.is_line,
+            SuppressionExtent::Misplaced | SuppressionExtent::Unreadable => false,
         }
     }
 }

@@ -3,12 +3,12 @@
 use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::program;
-use val3_analysis::items::suppressions::{Scope, SuppressedRule, Suppression, suppressions};
+use val3_analysis::items::suppressions::{SuppressedRule, Suppression, SuppressionExtent, suppressions};
 use val3_lang::suggest::nearest;
 use val3_syntax::{TextRange, TextSize};
 
 use super::{UsedComments, can_be_silenced};
-use crate::diagnostic::{Diagnostic, Edit, Fix, Wording};
+use crate::diagnostic::{Diagnostic, Fix, FixEdit, Wording};
 use crate::rule::Rule;
 use crate::rules::{self, unknown_suppression, unused_suppression};
 use crate::settings::Settings;
@@ -22,9 +22,11 @@ pub(crate) fn unknown(db: &dyn Db, project: Project, file: File) -> Vec<Diagnost
 
 fn faults(suppression: &Suppression) -> Vec<(TextRange, Wording)> {
     match suppression.scope {
-        Scope::Unreadable => vec![(suppression.comment, unknown_suppression::form())],
-        Scope::Misplaced => vec![(suppression.comment, unknown_suppression::misplaced())],
-        Scope::Line(_) | Scope::Program => suppression.rules.iter().filter_map(unknown_rule).collect(),
+        SuppressionExtent::Unreadable => vec![(suppression.comment, unknown_suppression::form())],
+        SuppressionExtent::Misplaced => vec![(suppression.comment, unknown_suppression::misplaced())],
+        SuppressionExtent::Line(_) | SuppressionExtent::Program => {
+            suppression.rules.iter().filter_map(unknown_rule).collect()
+        }
     }
 }
 
@@ -57,11 +59,14 @@ pub(crate) fn unused(
         looked_for && !used.contains(&FileRange { file, range: word.range })
     };
     let mut idle = Vec::new();
-    for suppression in found.iter().filter(|found| !matches!(found.scope, Scope::Misplaced | Scope::Unreadable)) {
+    for suppression in found
+        .iter()
+        .filter(|found| !matches!(found.scope, SuppressionExtent::Misplaced | SuppressionExtent::Unreadable))
+    {
         let whole = suppression.rules.iter().all(is_idle);
         for (place, word) in suppression.rules.iter().enumerate().filter(|(_, word)| is_idle(word)) {
             let edit = if whole { comment_line(file.text(db), suppression.comment) } else { entry(suppression, place) };
-            let wording = unused_suppression::word(&word.name, suppression.scope == Scope::Program);
+            let wording = unused_suppression::word(&word.name, suppression.scope == SuppressionExtent::Program);
             let place = FileRange { file, range: word.range };
             let mut finding = finding(db, project, &unused_suppression::RULE, place, wording);
             finding.fix = Some(removal(file, edit));
@@ -95,7 +100,7 @@ fn entry(suppression: &Suppression, place: usize) -> TextRange {
 }
 
 fn removal(file: File, range: TextRange) -> Fix {
-    let edit = Edit { place: FileRange { file, range }, text: String::new() };
+    let edit = FixEdit { place: FileRange { file, range }, text: String::new() };
     Fix { title: "remove what silences nothing".to_owned(), safe: true, edits: vec![edit] }
 }
 

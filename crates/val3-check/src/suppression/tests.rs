@@ -4,7 +4,7 @@ use val3_analysis::load::load;
 use val3_analysis::system::Memory;
 use val3_test::Fixture;
 
-use crate::settings::{Selection, WorkspaceSettings};
+use crate::settings::{RuleSelection, WorkspaceSettings};
 use crate::testing::{check_files, check_selected};
 use crate::{check_unit, finish, units};
 
@@ -93,9 +93,9 @@ fn a_comment_for_a_disabled_rule_is_not_reported() {
     let listing = "public num nA\n//val3: allow(V0101)\nnA=1\n";
     let files: Vec<_> =
         Fixture::parse(listing).files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();
-    let never = Selection { never: ["V0101"].into(), ..Selection::default() };
+    let never = RuleSelection { never: ["V0101"].into(), ..RuleSelection::default() };
     assert_eq!(check_selected(&files, &never), []);
-    let only = Selection { only: Some(["V0702"].into()), ..Selection::default() };
+    let only = RuleSelection { only: Some(["V0702"].into()), ..RuleSelection::default() };
     assert_eq!(check_selected(&files, &only), []);
 }
 

@@ -5,11 +5,11 @@ use val3_test::{Fixture, ROOT};
 
 use super::{CheckedFinding, OF_WHOLE_PROJECTS, check_selected};
 use crate::rules;
-use crate::settings::Selection;
+use crate::settings::RuleSelection;
 
 /// Returns the findings in a listing, without rules about complete projects. The rule `enabled` reports in any case.
 fn check_for(enabled: Option<&'static str>, listing: &str) -> Vec<CheckedFinding> {
-    let selection = Selection { named: enabled.into_iter().collect(), ..Selection::default() };
+    let selection = RuleSelection { named: enabled.into_iter().collect(), ..RuleSelection::default() };
     let fixture = Fixture::parse(listing);
     let files = fixture.files.iter().map(|(path, text)| (format!("{ROOT}/{path}"), text.clone().into_bytes()));
     let mut found = check_selected(&files.collect::<Vec<_>>(), &selection);

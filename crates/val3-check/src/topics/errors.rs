@@ -4,7 +4,7 @@ use val3_lang::instructions;
 use val3_lang::library_errors::{LIBRARY_ERRORS, LibraryError};
 use val3_lang::runtime_errors::{RUNTIME_ERRORS, RuntimeError};
 
-use super::topic::{Kind, Topic};
+use super::topic::{Topic, TopicKind};
 
 /// Pages of all numbers.
 pub(super) fn topics() -> Vec<Topic> {
@@ -13,7 +13,7 @@ pub(super) fn topics() -> Vec<Topic> {
 
 fn runtime_error(row: &RuntimeError) -> Topic {
     let page = format!("# {} {} (run-time error)\n\n{}\n{}", row.number, row.short, row.long, raised_by(row.number));
-    topic(Kind::RuntimeError, row.number, row.short, page)
+    topic(TopicKind::RuntimeError, row.number, row.short, page)
 }
 
 /// Paragraph with the instructions that can raise a run-time error.
@@ -25,10 +25,10 @@ fn raised_by(number: u16) -> String {
 
 fn library_error(row: &LibraryError) -> Topic {
     let page = format!("# {} {} (result of a library instruction)\n\n{}\n", row.number, row.short, row.long);
-    topic(Kind::LibraryError, row.number, row.short, page)
+    topic(TopicKind::LibraryError, row.number, row.short, page)
 }
 
-fn topic(kind: Kind, number: u16, short: &str, page: String) -> Topic {
+fn topic(kind: TopicKind, number: u16, short: &str, page: String) -> Topic {
     Topic {
         kind,
         group: "",

@@ -1,24 +1,26 @@
 //! Pages of types, fields, operators and terms.
 
-use val3_lang::glossary::{ENTRIES, Entry, EntryKind};
+use val3_lang::glossary::{ENTRIES, EntryKind, GlossaryPage};
 use val3_lang::page;
 use val3_lang::types::{Arm, BaseType, fields};
 
 use super::tables;
-use super::topic::{Kind, Topic, sourced};
+use super::topic::{Topic, TopicKind, sourced};
 
 /// Pages of all glossary entries.
 pub(super) fn topics() -> Vec<Topic> {
     ENTRIES.iter().map(topic).collect()
 }
 
-fn topic(entry: &Entry) -> Topic {
+fn topic(entry: &GlossaryPage) -> Topic {
     let names: Vec<String> = entry.names.iter().map(|&name| name.to_owned()).collect();
     let (kind, what, title, tables) = match entry.kind {
-        EntryKind::Type => (Kind::Type, "type", names.first().cloned().unwrap_or_default(), tables::of_type(entry)),
-        EntryKind::Field => (Kind::Field, "field", field_title(&names), tables::of_field(&names)),
-        EntryKind::Operator => (Kind::Operator, "operator", names.join(" "), tables::of_operators(&names)),
-        EntryKind::Word => (Kind::Word, "word", names.first().cloned().unwrap_or_default(), String::new()),
+        EntryKind::Type => {
+            (TopicKind::Type, "type", names.first().cloned().unwrap_or_default(), tables::of_type(entry))
+        }
+        EntryKind::Field => (TopicKind::Field, "field", field_title(&names), tables::of_field(&names)),
+        EntryKind::Operator => (TopicKind::Operator, "operator", names.join(" "), tables::of_operators(&names)),
+        EntryKind::Word => (TopicKind::Word, "word", names.first().cloned().unwrap_or_default(), String::new()),
     };
     Topic {
         kind,

@@ -3,7 +3,7 @@
 use val3_lang::instruction::{Availability, Family, Instruction};
 use val3_lang::{instructions, page};
 
-use super::topic::{Kind, Topic, sourced, stem};
+use super::topic::{Topic, TopicKind, sourced, stem};
 
 /// Pages of all instructions, grouped by family.
 pub(super) fn topics() -> Vec<Topic> {
@@ -16,7 +16,7 @@ fn topic(row: &Instruction) -> Topic {
     let forms: String = row.overloads.iter().map(|form| form.signature(row.name) + "\n").collect();
     let title = format!("# {} ({})\n\n```\n{forms}```\n\n", row.name, origin(row));
     Topic {
-        kind: Kind::Instruction,
+        kind: TopicKind::Instruction,
         group: heading(row.family),
         names: vec![row.name.to_owned()],
         stem: stem(row.name),

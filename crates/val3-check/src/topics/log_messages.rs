@@ -2,7 +2,7 @@
 
 use val3_lang::log_messages::{LOG_MESSAGES, LogMessage};
 
-use super::topic::{Kind, Topic};
+use super::topic::{Topic, TopicKind};
 
 /// Pages of all kinds of messages.
 pub(super) fn topics() -> Vec<Topic> {
@@ -13,7 +13,7 @@ fn topic(message: &LogMessage) -> Topic {
     let names: Vec<String> = message.codes.iter().map(|&code| code.to_owned()).collect();
     let codes = names.join(", ");
     Topic {
-        kind: Kind::LogMessage,
+        kind: TopicKind::LogMessage,
         group: "",
         stem: names.first().cloned().unwrap_or_default(),
         title: format!("{codes} {}", message.short),

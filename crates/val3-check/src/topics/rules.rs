@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use val3_lang::page;
 
 use super::options;
-use super::topic::{Kind, Topic};
+use super::topic::{Topic, TopicKind};
 use crate::fix::{FixSafety, Offer, fix_offer};
 use crate::rule::Rule;
 use crate::rules;
@@ -20,7 +20,7 @@ fn topic(rule: &Rule) -> Topic {
     let off = if rule.on { "" } else { ", off until configured" };
     let title = format!("# {} {} ({}{off})", rule.code, rule.name, rule.severity.word());
     Topic {
-        kind: Kind::Finding,
+        kind: TopicKind::Finding,
         group: family(rule),
         names: vec![rule.code.to_owned(), rule.name.to_owned()],
         stem: rule.code.to_owned(),

@@ -2,7 +2,7 @@
 
 use super::topic::Topic;
 use val3_lang::page;
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 /// A page that a search has found.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -3,14 +3,14 @@
 use std::fmt::Write as _;
 
 use val3_lang::enumerations;
-use val3_lang::glossary::Entry;
+use val3_lang::glossary::GlossaryPage;
 use val3_lang::instruction::Instruction;
 use val3_lang::instructions;
 use val3_lang::operators::{BinaryOp, UnaryOp, assignment, binary, unary};
-use val3_lang::types::{Arm, Attribute, BaseType, DefaultValue, Field, Unit, attributes, fields};
+use val3_lang::types::{Arm, BaseType, DefaultValue, Field, NumberUnit, ValueAttribute, attributes, fields};
 
 /// Fields, file attributes, operators and instructions of a type.
-pub(super) fn of_type(entry: &Entry) -> String {
+pub(super) fn of_type(entry: &GlossaryPage) -> String {
     let Some(ty) = entry.names.first().and_then(|name| BaseType::from_name(name)) else { return String::new() };
     let fields = section("Fields", &of_arms(|arm| fields(ty, arm).iter().map(field_line).collect()));
     let attributes = section("In data files", &of_arms(|arm| attributes(ty, arm).iter().map(attribute_line).collect()));
@@ -76,15 +76,15 @@ fn about(field: &Field) -> String {
     format!("`{}`{comma}{unit}{}. {}", field.ty.name(), default(field.default, ", default "), field.doc)
 }
 
-fn unit(unit: Unit) -> &'static str {
+fn unit(unit: NumberUnit) -> &'static str {
     match unit {
-        Unit::None => "",
-        Unit::Length => "mm or inches",
-        Unit::Degrees => "degrees",
-        Unit::Percent => "%",
-        Unit::LengthPerSecond => "mm/s or inches/s",
-        Unit::DegreesPerSecond => "degrees/s",
-        Unit::Seconds => "s",
+        NumberUnit::None => "",
+        NumberUnit::Length => "mm or inches",
+        NumberUnit::Degrees => "degrees",
+        NumberUnit::Percent => "%",
+        NumberUnit::LengthPerSecond => "mm/s or inches/s",
+        NumberUnit::DegreesPerSecond => "degrees/s",
+        NumberUnit::Seconds => "s",
     }
 }
 
@@ -99,7 +99,7 @@ fn default(value: DefaultValue, words: &str) -> String {
     }
 }
 
-fn attribute_line(attribute: &Attribute) -> String {
+fn attribute_line(attribute: &ValueAttribute) -> String {
     let (name, old) = (attribute.name, attribute.old_name());
     let old = if old == name { String::new() } else { format!(" (s5, s6: `{old}`)") };
     let field = if attribute.field.is_empty() || attribute.field == name {

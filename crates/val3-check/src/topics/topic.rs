@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Topic {
     /// Kind of the subject.
-    pub kind: Kind,
+    pub kind: TopicKind,
     /// Heading of the group within the kind; empty if the kind has no groups.
     pub group: &'static str,
     /// Words that find the page. The first word is listed.
@@ -21,7 +21,7 @@ pub struct Topic {
 
 /// Kind of a page's subject, in the order of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum TopicKind {
     /// A rule of `val3 check`.
     Finding,
     /// A keyword of the language.
@@ -44,7 +44,7 @@ pub enum Kind {
     LogMessage,
 }
 
-impl Kind {
+impl TopicKind {
     /// All kinds, in the order of the list.
     pub const ALL: [Self; 10] = [
         Self::Finding,

@@ -1,13 +1,13 @@
 //! Initial fathers of frames, tools and points, and the grippers of tools (9.4 to 9.6).
 
 use val3_analysis::data_check::steps;
-use val3_analysis::xml::Element as Xml;
+use val3_analysis::xml::XmlElement as Xml;
 use val3_bytecode::{FatherLink, LinkTarget};
 use val3_lang::builtins;
-use val3_lang::memory::{Element, Link, Memory, PartInit, Place};
+use val3_lang::memory::{ElementType, LinkPlace, Memory, PartInit, Place};
 use val3_lang::types::BaseType;
 
-use super::Found;
+use super::LoadedLink;
 
 /// Returns the father in a value of the s7 and s8 dialect.
 pub(super) fn of(value: Xml<'_>) -> Option<FatherLink> {
@@ -42,21 +42,25 @@ fn parse(reference: &str) -> Option<FatherLink> {
 }
 
 /// Links a value to its father: immediately if the father is built in, otherwise after all data exist.
-pub(super) fn attach_father(value: &mut Element, father: FatherLink, number: u32, links: &mut Vec<Found>) {
+pub(super) fn attach_father(value: &mut ElementType, father: FatherLink, number: u32, links: &mut Vec<LoadedLink>) {
     let builtin = builtins::find(&father.name).filter(|builtin| builtin.is_variable && father.library.is_none());
     match builtin {
         Some(builtin) => {
             let store = if builtin.ty == BaseType::Frame { Memory::WORLD } else { Memory::FLANGE };
-            value.links.iter_mut().take(1).for_each(|link| *link = Link::Data(Place::first(store)));
+            value.links.iter_mut().take(1).for_each(|link| *link = LinkPlace::Data(Place::first(store)));
         }
-        None => links.push(Found { path: Vec::new(), value: number, link: 0, target: LinkTarget::Father(father) }),
+        None => links.push(LoadedLink { path: Vec::new(), value: number, link: 0, target: LinkTarget::Father(father) }),
     }
 }
 
 /// Removes the links to built-in variables from these values.
 pub(crate) fn detach_fathers(init: &mut PartInit) {
     for value in init.values.iter_mut().flatten() {
-        value.links.iter_mut().filter(|link| matches!(link, Link::Data(_))).for_each(|link| *link = Link::None);
+        value
+            .links
+            .iter_mut()
+            .filter(|link| matches!(link, LinkPlace::Data(_)))
+            .for_each(|link| *link = LinkPlace::None);
         value.parts.iter_mut().for_each(detach_fathers);
     }
 }

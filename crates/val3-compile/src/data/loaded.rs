@@ -6,12 +6,12 @@ use val3_lang::memory::PartInit;
 /// A container with its values, and their links.
 pub(crate) struct Loaded {
     pub(crate) init: PartInit,
-    pub(crate) links: Vec<Found>,
+    pub(crate) links: Vec<LoadedLink>,
 }
 
 /// Link in a container's value, or in a value nested in it.
 #[derive(Debug, Clone)]
-pub(crate) struct Found {
+pub(crate) struct LoadedLink {
     /// Path from the outermost container: number of the value, then of its field.
     pub(crate) path: Vec<(u32, u32)>,
     /// Number of the value in the innermost container.
@@ -21,7 +21,7 @@ pub(crate) struct Found {
     pub(crate) target: LinkTarget,
 }
 
-impl Found {
+impl LoadedLink {
     /// Returns the link as a part of the enclosing container.
     pub(crate) fn within(&self, value: u32, field: u32) -> Self {
         let path = std::iter::once((value, field)).chain(self.path.iter().copied()).collect();

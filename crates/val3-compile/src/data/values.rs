@@ -3,17 +3,17 @@
 use std::borrow::Cow;
 
 use val3_analysis::ty::Base;
-use val3_analysis::xml::Element as Xml;
+use val3_analysis::xml::XmlElement as Xml;
 use val3_bytecode::{FatherLink, LinkTarget};
 use val3_lang::enumerations::find_in_file;
-use val3_lang::memory::{Element, Kind, Lanes, enumerator, field_offset};
-use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes, field};
+use val3_lang::memory::{ElementType, Lanes, ValueType, enumerator, field_offset};
+use val3_lang::types::{Arm, AttributeValue, BaseType, DefaultValue, ValueAttribute, attributes, field};
 use val3_lang::values::Text;
 
-use super::{Found, fathers};
+use super::{LoadedLink, fathers};
 
 /// Returns the value for an omitted element, if it differs from the default in programs (`mdesc`).
-pub(super) fn unwritten(base: Base, kind: &Kind) -> Option<Element> {
+pub(super) fn unwritten(base: Base, kind: &ValueType) -> Option<ElementType> {
     let Base::Builtin(base, arm) = base else { return None };
     let value = default_of(base, arm, kind);
     (value != kind.default).then_some(value)
@@ -23,14 +23,14 @@ pub(super) fn unwritten(base: Base, kind: &Kind) -> Option<Element> {
 pub(super) fn read(
     value: Xml<'_>,
     common: Option<&FatherLink>,
-    (base, arm, kind): (BaseType, Option<Arm>, &Kind),
+    (base, arm, kind): (BaseType, Option<Arm>, &ValueType),
     number: u32,
-    links: &mut Vec<Found>,
-) -> Element {
+    links: &mut Vec<LoadedLink>,
+) -> ElementType {
     let mut read = default_of(base, arm, kind);
     for attribute in attributes(base, arm) {
         let Some(offset) = offset(base, arm, attribute.field) else { continue };
-        let mut link = |target| links.push(Found { path: Vec::new(), value: number, link: offset.link, target });
+        let mut link = |target| links.push(LoadedLink { path: Vec::new(), value: number, link: offset.link, target });
         let Some(text) = written(value, attribute) else {
             if let (AttributeValue::Link, Some(gripper)) = (attribute.value, fathers::gripper(value)) {
                 link(LinkTarget::Signal(gripper));
@@ -55,7 +55,7 @@ pub(super) fn read(
 }
 
 /// Returns the value for an element without attributes.
-fn default_of(base: BaseType, arm: Option<Arm>, kind: &Kind) -> Element {
+fn default_of(base: BaseType, arm: Option<Arm>, kind: &ValueType) -> ElementType {
     let mut value = kind.default.clone();
     for attribute in attributes(base, arm) {
         let Some(offset) = offset(base, arm, attribute.field) else { continue };
@@ -69,12 +69,12 @@ fn default_of(base: BaseType, arm: Option<Arm>, kind: &Kind) -> Element {
 }
 
 /// Returns an attribute's text: from the value, or in the old dialect from an element in it.
-fn written<'g>(value: Xml<'g>, attribute: &Attribute) -> Option<Cow<'g, str>> {
+fn written<'g>(value: Xml<'g>, attribute: &ValueAttribute) -> Option<Cow<'g, str>> {
     let in_parts = || value.elements().find_map(|part| part.value(attribute.old_name()));
     value.value(attribute.name).or_else(in_parts)
 }
 
-fn read_number(attribute: &Attribute, text: &str) -> Option<f64> {
+fn read_number(attribute: &ValueAttribute, text: &str) -> Option<f64> {
     match attribute.value {
         AttributeValue::Truth => Some(f64::from(u8::from(text.trim() == "true"))),
         AttributeValue::Number => text.trim().parse().ok(),

@@ -9,33 +9,33 @@ use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
 use crate::emitter::Emitter;
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::frame::narrow;
 use crate::location::num_register;
-use crate::location::{Location, Value, is_number};
+use crate::location::{CompiledValue, ValueLocator, is_number};
 
 impl Emitter<'_, '_> {
     /// Loads a number, truth value or enumerator into a register. For an input, its state is read.
-    pub(crate) fn load(&mut self, value: Value, want: Option<Lanes>) -> Result<Register> {
+    pub(crate) fn load(&mut self, value: CompiledValue, want: Option<Lanes>) -> Result<Register> {
         if value.base.builtin() == Some(BaseType::Dio) {
             return self.read_digital(value, want);
         }
-        if let Location::Frame(lanes) = value.location {
+        if let ValueLocator::Frame(lanes) = value.location {
             return Ok(num_register(lanes));
         }
         let to = self.num_result(want)?;
         match value.location {
-            Location::First(container, lanes) => {
+            ValueLocator::First(container, lanes) => {
                 let lane = narrow(lanes.num);
                 self.emit(Op::LoadFirst { to, container, lane });
             }
-            Location::Element { container, at: Subscript::One(index), plain: true } => {
+            ValueLocator::Element { container, at: Subscript::One(index), plain: true } => {
                 self.emit(Op::LoadElement { to, container, index });
             }
-            Location::Element { container, at: Subscript::Two([i, j]), plain: true } => {
+            ValueLocator::Element { container, at: Subscript::Two([i, j]), plain: true } => {
                 self.emit(Op::LoadElement2 { to, container, i, j });
             }
-            Location::Element { container, at: Subscript::Key(key), plain: true } => {
+            ValueLocator::Element { container, at: Subscript::Key(key), plain: true } => {
                 self.emit(Op::LoadKey { to, container, key });
             }
             location => {
@@ -46,7 +46,7 @@ impl Emitter<'_, '_> {
         Ok(to)
     }
 
-    fn read_digital(&mut self, value: Value, want: Option<Lanes>) -> Result<Register> {
+    fn read_digital(&mut self, value: CompiledValue, want: Option<Lanes>) -> Result<Register> {
         let to = self.num_result(want)?;
         let argument = self.argument_of(value)?;
         let mut site = InstructionSite::new(Callee::Assignment(BaseType::Bool, BaseType::Dio));
@@ -57,17 +57,19 @@ impl Emitter<'_, '_> {
     }
 
     /// Stores a number, truth value or enumerator.
-    pub(crate) fn store(&mut self, to: Location, from: Register) -> Result<()> {
+    pub(crate) fn store(&mut self, to: ValueLocator, from: Register) -> Result<()> {
         match to {
-            Location::Frame(lanes) => self.move_num(num_register(lanes), from),
-            Location::First(container, lanes) => self.emit(Op::StoreFirst { container, lane: narrow(lanes.num), from }),
-            Location::Element { container, at: Subscript::One(index), plain: true } => {
+            ValueLocator::Frame(lanes) => self.move_num(num_register(lanes), from),
+            ValueLocator::First(container, lanes) => {
+                self.emit(Op::StoreFirst { container, lane: narrow(lanes.num), from })
+            }
+            ValueLocator::Element { container, at: Subscript::One(index), plain: true } => {
                 self.emit(Op::StoreElement { container, index, from });
             }
-            Location::Element { container, at: Subscript::Two([i, j]), plain: true } => {
+            ValueLocator::Element { container, at: Subscript::Two([i, j]), plain: true } => {
                 self.emit(Op::StoreElement2 { container, i, j, from });
             }
-            Location::Element { container, at: Subscript::Key(key), plain: true } => {
+            ValueLocator::Element { container, at: Subscript::Key(key), plain: true } => {
                 self.emit(Op::StoreKey { container, key, from });
             }
             location => {
@@ -86,14 +88,14 @@ impl Emitter<'_, '_> {
     }
 
     /// Returns a string as an operand: its location if no lookup is necessary.
-    pub(crate) fn text_operand(&mut self, location: Location) -> Result<TextOperand> {
+    pub(crate) fn text_operand(&mut self, location: ValueLocator) -> Result<TextOperand> {
         let source = match location {
-            Location::Frame(lanes) => TextSource::Register(narrow(lanes.text)),
-            Location::Constant(number) => TextSource::Constant(number),
-            Location::First(container, _) if is_there(container) => TextSource::First(container.kind()),
+            ValueLocator::Frame(lanes) => TextSource::Register(narrow(lanes.text)),
+            ValueLocator::Constant(number) => TextSource::Constant(number),
+            ValueLocator::First(container, _) if is_there(container) => TextSource::First(container.kind()),
             location => TextSource::Place(self.located(location)?.0),
         };
-        TextOperand::new(source).ok_or(Limit::Registers)
+        TextOperand::new(source).ok_or(CompileLimit::Registers)
     }
 
     /// Copies a string to a separate register, which other code does not change.
@@ -105,11 +107,11 @@ impl Emitter<'_, '_> {
     }
 
     /// Returns a value's location, for operations that use it in place.
-    pub(crate) fn operand(&mut self, location: Location) -> Result<Operand> {
+    pub(crate) fn operand(&mut self, location: ValueLocator) -> Result<Operand> {
         match location {
-            Location::Frame(lanes) => Ok(Operand::Frame(lanes)),
-            Location::First(container, lanes) if is_there(container) => Ok(Operand::First(container, lanes)),
-            Location::Constant(_) => {
+            ValueLocator::Frame(lanes) => Ok(Operand::Frame(lanes)),
+            ValueLocator::First(container, lanes) if is_there(container) => Ok(Operand::First(container, lanes)),
+            ValueLocator::Constant(_) => {
                 let constant = self.text_operand(location)?;
                 let register = self.kept_text(constant)?;
                 Ok(Operand::Frame(Lanes { text: register.into(), ..Lanes::default() }))
@@ -122,7 +124,7 @@ impl Emitter<'_, '_> {
     }
 
     /// Assigns a value of the same type to a variable.
-    pub(crate) fn copy(&mut self, to: Value, from: Value) -> Result<()> {
+    pub(crate) fn copy(&mut self, to: CompiledValue, from: CompiledValue) -> Result<()> {
         match to.base.builtin() {
             Some(base) if is_number(base) => {
                 let want = to.location.lanes();
@@ -147,18 +149,18 @@ impl Emitter<'_, '_> {
     }
 
     /// Adds a copy or comparison to the table.
-    pub(crate) fn copy_site(&mut self, base: Base, from: Location, to: Location) -> Result<u32> {
+    pub(crate) fn copy_site(&mut self, base: Base, from: ValueLocator, to: ValueLocator) -> Result<u32> {
         let kind = self.kind(base)?;
         let (from, to) = (self.operand(from)?, self.operand(to)?);
         Ok(self.code.copy_site(CopySite { kind, from, to }))
     }
 
     /// Creates a container of the frame with one value, and returns both.
-    pub(crate) fn own_container(&mut self, base: Base) -> Result<(ContainerRef, Value)> {
+    pub(crate) fn own_container(&mut self, base: Base) -> Result<(ContainerRef, CompiledValue)> {
         let kind = self.kind(base)?;
-        let number = self.frame.part(kind, val3_lang::memory::Shape::ELEMENT)?;
-        let container = ContainerRef::new(ContainerKind::Part(number)).ok_or(Limit::Containers)?;
-        Ok((container, Value { location: Location::First(container, Lanes::default()), base }))
+        let number = self.frame.part(kind, val3_lang::memory::ContainerShape::ELEMENT)?;
+        let container = ContainerRef::new(ContainerKind::Part(number)).ok_or(CompileLimit::Containers)?;
+        Ok((container, CompiledValue { location: ValueLocator::First(container, Lanes::default()), base }))
     }
 
     /// Copies a number that later code may change.
@@ -169,7 +171,7 @@ impl Emitter<'_, '_> {
     }
 
     /// Returns an argument for a value.
-    pub(crate) fn argument_of(&mut self, value: Value) -> Result<ArgumentSite> {
+    pub(crate) fn argument_of(&mut self, value: CompiledValue) -> Result<ArgumentSite> {
         match value.base.builtin() {
             Some(base) if is_number(base) => {
                 let register = self.load(value, None)?;
@@ -180,30 +182,30 @@ impl Emitter<'_, '_> {
     }
 
     /// Returns an argument for a variable's place.
-    pub(crate) fn place_of(&mut self, value: Value) -> Result<ArgumentSite> {
+    pub(crate) fn place_of(&mut self, value: CompiledValue) -> Result<ArgumentSite> {
         let operand = self.operand(value.location)?;
         match value.base {
             Base::Builtin(base, _) => Ok(ArgumentSite::Value(operand, base)),
             Base::User(_) => Ok(ArgumentSite::UserValue(operand)),
-            Base::Unknown => Err(Limit::Unclear),
+            Base::Unknown => Err(CompileLimit::Unclear),
         }
     }
 
     /// Looks up a value immediately, so that it can be used several times.
-    pub(crate) fn settled(&mut self, value: Value) -> Result<Value> {
+    pub(crate) fn settled(&mut self, value: CompiledValue) -> Result<CompiledValue> {
         let base = value.base.builtin();
         let location = match value.location {
             _ if base.is_some_and(|base| is_number(base) || base == BaseType::Dio) => {
                 let register = self.load(value, None)?;
-                return Ok(Value::num(BaseType::Num, register));
+                return Ok(CompiledValue::num(BaseType::Num, register));
             }
-            location @ (Location::Frame(_) | Location::Place(..) | Location::Constant(_)) => location,
+            location @ (ValueLocator::Frame(_) | ValueLocator::Place(..) | ValueLocator::Constant(_)) => location,
             location => {
                 let (place, lanes) = self.located(location)?;
-                Location::Place(place, lanes)
+                ValueLocator::Place(place, lanes)
             }
         };
-        Ok(Value { location, base: value.base })
+        Ok(CompiledValue { location, base: value.base })
     }
 }
 
@@ -215,5 +217,5 @@ fn is_there(container: ContainerRef) -> bool {
 
 /// Returns a string register as an operand.
 pub(crate) fn text_register(register: Register) -> Result<TextOperand> {
-    TextOperand::new(TextSource::Register(register)).ok_or(Limit::Registers)
+    TextOperand::new(TextSource::Register(register)).ok_or(CompileLimit::Registers)
 }

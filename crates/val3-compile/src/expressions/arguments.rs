@@ -1,18 +1,18 @@
 //! Arguments of instructions and programs (2.6).
 
 use val3_analysis::body::{Expr, ExprId};
-use val3_analysis::items::project::Param;
+use val3_analysis::items::project::SignatureParam;
 use val3_analysis::ty::Base;
 use val3_bytecode::{ArgumentSite, ContainerKind, ContainerRef, Operand, Register, Subscript, TextSource};
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 use crate::emitter::text_register;
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::expressions::Expressions;
-use crate::location::{Value, is_number};
+use crate::location::{CompiledValue, is_number};
 
 /// Requirement of a parameter on its argument.
 #[derive(Debug, Clone, Copy)]
@@ -20,12 +20,12 @@ pub(crate) struct Formal {
     /// Type; `None` for any type.
     pub(crate) base: Option<Base>,
     /// Required form of the argument.
-    pub(crate) shape: Shape,
+    pub(crate) shape: ArgumentForm,
 }
 
 impl Formal {
     /// Returns the requirement of a program's parameter.
-    pub(crate) fn of(param: &Param) -> Self {
+    pub(crate) fn of(param: &SignatureParam) -> Self {
         Self { base: Some(param.base), shape: param.shape() }
     }
 }
@@ -34,8 +34,8 @@ impl Formal {
 /// the copy is assigned after the call.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Boxed {
-    copy: Value,
-    variable: Value,
+    copy: CompiledValue,
+    variable: CompiledValue,
 }
 
 impl Expressions<'_, '_> {
@@ -57,15 +57,15 @@ impl Expressions<'_, '_> {
 
     fn argument(&mut self, formal: Formal, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<ArgumentSite> {
         match formal.shape {
-            Shape::Value => self.by_value(formal.base, id),
-            Shape::Reference if formal.base.is_some() => self.by_reference(id),
+            ArgumentForm::Value => self.by_value(formal.base, id),
+            ArgumentForm::Reference if formal.base.is_some() => self.by_reference(id),
             // A variable of any type may be an array (`getData`).
-            Shape::Reference | Shape::Array { .. } | Shape::Collection | Shape::Whole => {
+            ArgumentForm::Reference | ArgumentForm::Array { .. } | ArgumentForm::Collection | ArgumentForm::Whole => {
                 let (container, start) = self.view(formal.base, id, boxes)?;
                 Ok(ArgumentSite::View(container, start))
             }
-            Shape::Slot | Shape::Item => self.slot(id, boxes),
-            Shape::ProgramCall => Err(Limit::Unclear),
+            ArgumentForm::Slot | ArgumentForm::Item => self.slot(id, boxes),
+            ArgumentForm::ProgramCall => Err(CompileLimit::Unclear),
         }
     }
 
@@ -73,7 +73,9 @@ impl Expressions<'_, '_> {
     fn kept_argument(&mut self, formal: Formal, site: ArgumentSite, later: &[ExprId]) -> Result<ArgumentSite> {
         match site {
             ArgumentSite::Value(Operand::Frame(lanes), base)
-                if formal.shape == Shape::Value && is_number(base) && later.iter().any(|id| self.may_write(*id)) =>
+                if formal.shape == ArgumentForm::Value
+                    && is_number(base)
+                    && later.iter().any(|id| self.may_write(*id)) =>
             {
                 let register = self.out.kept(crate::location::num_register(lanes))?;
                 Ok(ArgumentSite::Value(Operand::Frame(Lanes::nums(register.into())), base))
@@ -88,13 +90,13 @@ impl Expressions<'_, '_> {
         let read = formal.and_then(Base::builtin) == Some(BaseType::Bool);
         if value.base.builtin() == Some(BaseType::Dio) && read {
             let register = self.out.load(value, None)?;
-            return self.out.argument_of(Value::num(BaseType::Bool, register));
+            return self.out.argument_of(CompiledValue::num(BaseType::Bool, register));
         }
         self.out.argument_of(value)
     }
 
     fn by_reference(&mut self, id: ExprId) -> Result<ArgumentSite> {
-        let variable = self.variable(id)?.ok_or(Limit::Unclear)?;
+        let variable = self.variable(id)?.ok_or(CompileLimit::Unclear)?;
         self.out.place_of(variable)
     }
 
@@ -109,7 +111,7 @@ impl Expressions<'_, '_> {
             && let [index] = **indexes
             && self.base(index).builtin() == Some(BaseType::Num)
         {
-            let container = self.container(*of)?.ok_or(Limit::Unclear)?;
+            let container = self.container(*of)?.ok_or(CompileLimit::Unclear)?;
             return Ok((container, Some(self.num(index)?)));
         }
         match self.container(id)? {
@@ -145,7 +147,7 @@ impl Expressions<'_, '_> {
             };
             return Ok(ArgumentSite::Slot(container, Subscript::Whole));
         };
-        let container = self.slot_of(*of)?.ok_or(Limit::Unclear)?;
+        let container = self.slot_of(*of)?.ok_or(CompileLimit::Unclear)?;
         let at = match self.subscript(indexes)? {
             // The key is passed by place, which a constant does not have.
             Subscript::Key(key) if matches!(key.source(), TextSource::Constant(_)) => {
@@ -161,7 +163,7 @@ impl Expressions<'_, '_> {
         match self.body.expr(id) {
             Expr::Path { library, item } if !self.out.unit().has_item(library, item) => {
                 let kind = ContainerKind::Import(self.out.unit_mut().import_missing(library, item)?);
-                ContainerRef::new(kind).ok_or(Limit::Containers).map(Some)
+                ContainerRef::new(kind).ok_or(CompileLimit::Containers).map(Some)
             }
             _ => self.container(id),
         }

@@ -3,18 +3,18 @@
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
 use val3_bytecode::{ArgumentSite, Callee, InstructionSite, Op, Operand};
-use val3_lang::instruction::{Instruction, Overload, Param};
+use val3_lang::instruction::{Instruction, InstructionParam, Overload};
 use val3_lang::instructions;
 use val3_lang::memory::Lanes;
 use val3_lang::number_functions::NumberFunction;
 use val3_lang::types::BaseType;
 use val3_lang::versions::Version;
 
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::expressions::Expressions;
 use crate::expressions::arguments::Formal;
 use crate::location::num_register;
-use crate::location::{Value, is_number};
+use crate::location::{CompiledValue, is_number};
 
 /// A call whose form is resolved.
 struct ChosenForm {
@@ -31,7 +31,7 @@ impl ChosenForm {
         result: Option<BaseType>,
         version: Version,
     ) -> Self {
-        let formal = |param: &Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
+        let formal = |param: &InstructionParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
         Self {
             site: InstructionSite::new(Callee::Form(instruction, form)),
             formals: form.params.iter().map(formal).collect(),
@@ -62,7 +62,7 @@ impl Expressions<'_, '_> {
         callee: ExprId,
         args: &[ExprId],
         want: Option<Lanes>,
-    ) -> Result<Value> {
+    ) -> Result<CompiledValue> {
         if let Some(stand_in) = self.stand_in(id) {
             return self.stand_in_value(id, &stand_in, args);
         }
@@ -70,19 +70,19 @@ impl Expressions<'_, '_> {
             return self.watch(args, want);
         }
         let mut called = self.called(id)?;
-        let base = called.result.ok_or(Limit::Unclear)?;
+        let base = called.result.ok_or(CompileLimit::Unclear)?;
         let lanes = self.out.result(base, want)?;
         called.site.result = Some((Operand::Frame(lanes), base));
         self.execute(called, callee, args)?;
-        Ok(Value {
-            location: crate::location::Location::Frame(lanes),
+        Ok(CompiledValue {
+            location: crate::location::ValueLocator::Frame(lanes),
             base: Base::of(base).on_arm(self.out.unit().items.arm),
         })
     }
 
     /// Compiles a call that is a statement.
     pub(crate) fn instruction_stmt(&mut self, id: ExprId) -> Result<()> {
-        let Expr::Call(callee, args) = self.body.expr(id) else { return Err(Limit::Unclear) };
+        let Expr::Call(callee, args) = self.body.expr(id) else { return Err(CompileLimit::Unclear) };
         if let Some(stand_in) = self.stand_in(id) {
             return self.stand_in_stmt(id, &stand_in, args);
         }
@@ -113,10 +113,10 @@ impl Expressions<'_, '_> {
     fn called(&self, id: ExprId) -> Result<ChosenForm> {
         let version = self.out.unit().items.version;
         if let Some(call) = self.types.call(id) {
-            let form = call.form.or_else(|| only_form(call.instruction)).ok_or(Limit::Unclear)?;
+            let form = call.form.or_else(|| only_form(call.instruction)).ok_or(CompileLimit::Unclear)?;
             return Ok(ChosenForm::of((call.instruction, form), form.result, version));
         }
-        let call = self.types.add_on_call(id).ok_or(Limit::Unclear)?;
+        let call = self.types.add_on_call(id).ok_or(CompileLimit::Unclear)?;
         // An instruction that the catalogue contains too behaves as there, and the catalogue's form determines how
         // arguments are passed.
         if let Some((instruction, form)) = call.form.known(&call.name) {
@@ -137,7 +137,7 @@ impl Expressions<'_, '_> {
 
     /// Compiles `wait(condition)`: the condition is computed again in each turn (5.10).
     fn wait(&mut self, args: &[ExprId]) -> Result<()> {
-        let &[condition] = args else { return Err(Limit::Unclear) };
+        let &[condition] = args else { return Err(CompileLimit::Unclear) };
         let retry = self.out.code().here();
         let condition = self.num(condition)?;
         self.out.emit(Op::WaitUntil { condition, retry: retry.0 });
@@ -145,15 +145,15 @@ impl Expressions<'_, '_> {
     }
 
     /// Compiles `watch(condition, seconds)`: the time is computed once, the condition in each turn (5.10).
-    fn watch(&mut self, args: &[ExprId], want: Option<Lanes>) -> Result<Value> {
-        let &[condition, seconds] = args else { return Err(Limit::Unclear) };
+    fn watch(&mut self, args: &[ExprId], want: Option<Lanes>) -> Result<CompiledValue> {
+        let &[condition, seconds] = args else { return Err(CompileLimit::Unclear) };
         let seconds = self.num(seconds)?;
         let seconds = self.out.kept(seconds)?;
         let retry = self.out.code().here();
         let condition = self.num(condition)?;
         let to = self.out.num_result(want)?;
         self.out.emit(Op::Watch { to, condition, seconds, retry: retry.0 });
-        Ok(Value::num(BaseType::Bool, to))
+        Ok(CompiledValue::num(BaseType::Bool, to))
     }
 }
 

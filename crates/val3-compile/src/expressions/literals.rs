@@ -2,20 +2,20 @@
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
-use val3_lang::memory::{Kind, Lanes, field_offset};
+use val3_lang::memory::{Lanes, ValueType, field_offset};
 use val3_lang::types::{Arm, BaseType, Field, fields};
 
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::expressions::Expressions;
 use crate::frame::narrow;
-use crate::location::{Location, Value};
+use crate::location::{CompiledValue, ValueLocator};
 
 /// Values between braces.
-type Values = [Option<ExprId>];
+type BracedValues = [Option<ExprId>];
 
 impl Expressions<'_, '_> {
     /// Compiles `{values}` as a value of type `base`.
-    pub(crate) fn literal(&mut self, base: Base, values: &Values) -> Result<Value> {
+    pub(crate) fn literal(&mut self, base: Base, values: &BracedValues) -> Result<CompiledValue> {
         let Base::Builtin(builtin, arm) = base else {
             let (_, own) = self.out.own_container(base)?;
             self.user_literal(own, values)?;
@@ -33,21 +33,21 @@ impl Expressions<'_, '_> {
             self.out.frame_mut().value(kind.size)?
         };
         self.fill(lanes, (builtin, arm), values)?;
-        Ok(Value { location: Location::Frame(lanes), base })
+        Ok(CompiledValue { location: ValueLocator::Frame(lanes), base })
     }
 
     /// Stores a constant structure in the frame's initial values.
-    fn constant_literal(&mut self, base: Base, kind: &Kind, nums: Vec<f64>) -> Result<Value> {
+    fn constant_literal(&mut self, base: Base, kind: &ValueType, nums: Vec<f64>) -> Result<CompiledValue> {
         let mut kind = kind.clone();
         let length = kind.default.nums.len();
         kind.default.nums = nums;
         kind.default.nums.resize(length, 0.0);
         let lanes = self.out.frame_mut().lasting(&kind)?;
-        Ok(Value { location: Location::Frame(lanes), base })
+        Ok(CompiledValue { location: ValueLocator::Frame(lanes), base })
     }
 
     /// Returns the structure's numbers if all values are constants.
-    fn constants(&self, base: BaseType, arm: Option<Arm>, values: &Values) -> Option<Vec<f64>> {
+    fn constants(&self, base: BaseType, arm: Option<Arm>, values: &BracedValues) -> Option<Vec<f64>> {
         let mut nums = Vec::new();
         for (at, field) in fields(base, arm).iter().enumerate() {
             let value = values.get(at).copied().flatten();
@@ -62,11 +62,12 @@ impl Expressions<'_, '_> {
     }
 
     /// Writes all numbers of a structure on the frame.
-    fn fill(&mut self, lanes: Lanes, (base, arm): (BaseType, Option<Arm>), values: &Values) -> Result<()> {
+    fn fill(&mut self, lanes: Lanes, (base, arm): (BaseType, Option<Arm>), values: &BracedValues) -> Result<()> {
         let mut end = 0;
         for (at, field) in fields(base, arm).iter().enumerate() {
-            let offset = field_offset(base, arm, field.name).ok_or(Limit::Unclear)?;
-            let to = Value { location: Location::Frame(lanes + offset), base: Base::Builtin(field.ty, arm) };
+            let offset = field_offset(base, arm, field.name).ok_or(CompileLimit::Unclear)?;
+            let to =
+                CompiledValue { location: ValueLocator::Frame(lanes + offset), base: Base::Builtin(field.ty, arm) };
             end = offset.num + self.out.kind(to.base)?.size.num;
             let value = values.get(at).copied().flatten();
             match value.map(|id| (id, self.body.expr(self.body.without_parentheses(id)))) {
@@ -89,7 +90,7 @@ impl Expressions<'_, '_> {
     }
 
     /// Compiles `variable = {values}`. A frame, tool or point keeps its links (9.4 to 9.6).
-    pub(crate) fn literal_to(&mut self, to: Value, values: &Values) -> Result<()> {
+    pub(crate) fn literal_to(&mut self, to: CompiledValue, values: &BracedValues) -> Result<()> {
         let Base::Builtin(base, arm) = to.base else { return self.user_literal(to, values) };
         let from = self.literal(to.base, values)?;
         if self.out.kind(to.base)?.size.link == 0 {
@@ -101,28 +102,29 @@ impl Expressions<'_, '_> {
             if field.ty.is_linkable() && !given {
                 continue;
             }
-            let offset = field_offset(base, arm, field.name).ok_or(Limit::Unclear)?;
+            let offset = field_offset(base, arm, field.name).ok_or(CompileLimit::Unclear)?;
             let field = Base::Builtin(field.ty, arm);
             let [to, from] = [self.out.after(to.location, offset)?, self.out.after(from.location, offset)?];
-            self.out.copy(Value { location: to, base: field }, Value { location: from, base: field })?;
+            self.out
+                .copy(CompiledValue { location: to, base: field }, CompiledValue { location: from, base: field })?;
         }
         Ok(())
     }
 
     /// Writes the fields of a user type, in the order of its data. Omitted fields keep their values.
-    fn user_literal(&mut self, to: Value, values: &Values) -> Result<()> {
+    fn user_literal(&mut self, to: CompiledValue, values: &BracedValues) -> Result<()> {
         let (kind, bases) = (self.out.kind(to.base)?, self.out.unit_mut().kinds.field_bases(to.base)?);
         for (number, (value, base)) in values.iter().zip(bases).enumerate().take(kind.fields.len()) {
             let Some(id) = *value else { continue };
             let value = self.value_as(id, base)?;
             let field = self.out.first_of_field(to, number)?;
-            self.out.copy(Value { location: field, base }, value)?;
+            self.out.copy(CompiledValue { location: field, base }, value)?;
         }
         Ok(())
     }
 }
 
 fn zeros(field: &Field, arm: Option<Arm>) -> Vec<f64> {
-    let size = Kind::builtin(field.ty, arm).size.num;
+    let size = ValueType::builtin(field.ty, arm).size.num;
     vec![0.0; size as usize]
 }

@@ -8,9 +8,9 @@ use val3_lang::operators::{self, BinaryOp, UnaryOp};
 use val3_lang::types::BaseType;
 
 use crate::emitter::text_register;
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::expressions::Expressions;
-use crate::location::{Value, is_number};
+use crate::location::{CompiledValue, is_number};
 
 impl Expressions<'_, '_> {
     /// Compiles `left op right`.
@@ -19,20 +19,20 @@ impl Expressions<'_, '_> {
         op: BinaryOp,
         (left, right): (ExprId, ExprId),
         want: Option<Lanes>,
-    ) -> Result<Value> {
+    ) -> Result<CompiledValue> {
         match self.base(left) {
             _ if matches!(op, BinaryOp::And | BinaryOp::Or) => self.logic(op, left, right),
             Base::Builtin(base, _) if is_number(base) || base == BaseType::Dio => self.on_nums(op, (left, right), want),
             Base::Builtin(BaseType::String, _) => self.on_texts(op, (left, right), want),
             Base::Builtin(base, _) => self.on_structures(op, base, (left, right), want),
             Base::User(_) => self.compared(op, left, right, want),
-            Base::Unknown => Err(Limit::Unclear),
+            Base::Unknown => Err(CompileLimit::Unclear),
         }
     }
 
     /// Compiles `and` or `or`, whose right side is computed only if the left side does not decide (3.1.2). The result
     /// has a separate register, because the right side may read the wanted one.
-    fn logic(&mut self, op: BinaryOp, left: ExprId, right: ExprId) -> Result<Value> {
+    fn logic(&mut self, op: BinaryOp, left: ExprId, right: ExprId) -> Result<CompiledValue> {
         let condition = self.out.frame_mut().num()?;
         let end = self.out.code().label();
         self.num_to(left, condition)?;
@@ -42,10 +42,10 @@ impl Expressions<'_, '_> {
         });
         self.num_to(right, condition)?;
         self.out.code().place(end);
-        Ok(Value::num(BaseType::Bool, condition))
+        Ok(CompiledValue::num(BaseType::Bool, condition))
     }
 
-    fn on_nums(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), want: Option<Lanes>) -> Result<Value> {
+    fn on_nums(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), want: Option<Lanes>) -> Result<CompiledValue> {
         let (a, b) = self.nums(left, right)?;
         let to = self.out.num_result(want)?;
         self.out.emit(match op {
@@ -60,19 +60,24 @@ impl Expressions<'_, '_> {
             BinaryOp::GreaterOrEqual => Op::LessEqual { to, a: b, b: a },
             BinaryOp::Equal => Op::Equal { to, a, b },
             BinaryOp::NotEqual | BinaryOp::Xor => Op::NotEqual { to, a, b },
-            BinaryOp::And | BinaryOp::Or => return Err(Limit::Unclear),
+            BinaryOp::And | BinaryOp::Or => return Err(CompileLimit::Unclear),
         });
         let is_number = operators::binary(op, BaseType::Num, BaseType::Num) == Some(BaseType::Num);
-        Ok(Value::num(if is_number { BaseType::Num } else { BaseType::Bool }, to))
+        Ok(CompiledValue::num(if is_number { BaseType::Num } else { BaseType::Bool }, to))
     }
 
-    fn on_texts(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), want: Option<Lanes>) -> Result<Value> {
+    fn on_texts(
+        &mut self,
+        op: BinaryOp,
+        (left, right): (ExprId, ExprId),
+        want: Option<Lanes>,
+    ) -> Result<CompiledValue> {
         let (a, b) = self.texts(left, right)?;
         if op == BinaryOp::Add {
             let register = self.out.text_result(want)?;
             let to = text_register(register)?;
             self.out.emit(Op::Concatenate { to, a, b });
-            return Ok(Value::text(register));
+            return Ok(CompiledValue::text(register));
         }
         let to = self.out.num_result(want)?;
         self.out.emit(Op::TextEqual { to, a, b });
@@ -80,11 +85,11 @@ impl Expressions<'_, '_> {
     }
 
     /// Returns the truth value in a register, negated for `!=`.
-    fn negated(&mut self, op: BinaryOp, to: u16) -> Result<Value> {
+    fn negated(&mut self, op: BinaryOp, to: u16) -> Result<CompiledValue> {
         if op == BinaryOp::NotEqual {
             self.out.emit(Op::Not { to, a: to });
         }
-        Ok(Value::num(BaseType::Bool, to))
+        Ok(CompiledValue::num(BaseType::Bool, to))
     }
 
     fn on_structures(
@@ -93,7 +98,7 @@ impl Expressions<'_, '_> {
         base: BaseType,
         (left, right): (ExprId, ExprId),
         want: Option<Lanes>,
-    ) -> Result<Value> {
+    ) -> Result<CompiledValue> {
         let Some(mut site) = self.binary_site(op, base) else {
             return self.compared(op, left, right, want);
         };
@@ -102,7 +107,7 @@ impl Expressions<'_, '_> {
             let argument = self.out.argument_of(value)?;
             site.arguments.push(argument);
         }
-        let result = operators::binary(op, base, base).ok_or(Limit::Unclear)?;
+        let result = operators::binary(op, base, base).ok_or(CompileLimit::Unclear)?;
         self.handled(site, result, want)
     }
 
@@ -120,7 +125,7 @@ impl Expressions<'_, '_> {
         operand: ExprId,
         base: BaseType,
         want: Option<Lanes>,
-    ) -> Result<Value> {
+    ) -> Result<CompiledValue> {
         let mut site = InstructionSite::new(Callee::Unary(op, base));
         let value = self.value(operand, None)?;
         let argument = self.out.argument_of(value)?;
@@ -128,15 +133,15 @@ impl Expressions<'_, '_> {
         self.handled(site, base, want)
     }
 
-    fn handled(&mut self, mut site: InstructionSite, result: BaseType, want: Option<Lanes>) -> Result<Value> {
+    fn handled(&mut self, mut site: InstructionSite, result: BaseType, want: Option<Lanes>) -> Result<CompiledValue> {
         let lanes = self.out.result(result, want)?;
         site.result = Some((Operand::Frame(lanes), result));
         self.out.code().instruction(site);
-        Ok(Value::on_frame(result, lanes))
+        Ok(CompiledValue::on_frame(result, lanes))
     }
 
     /// Compiles `==` or `!=`, field by field.
-    fn compared(&mut self, op: BinaryOp, left: ExprId, right: ExprId, want: Option<Lanes>) -> Result<Value> {
+    fn compared(&mut self, op: BinaryOp, left: ExprId, right: ExprId, want: Option<Lanes>) -> Result<CompiledValue> {
         let left = self.value(left, None)?;
         let right = self.value(right, None)?;
         let site = self.out.copy_site(left.base, left.location, right.location)?;
@@ -146,7 +151,7 @@ impl Expressions<'_, '_> {
     }
 
     /// Compiles the comparison with a value that was already computed.
-    pub(crate) fn is_equal(&mut self, left: Value, right: ExprId) -> Result<u16> {
+    pub(crate) fn is_equal(&mut self, left: CompiledValue, right: ExprId) -> Result<u16> {
         let right = self.value_as(right, left.base)?;
         let to = self.out.frame_mut().num()?;
         let base = left.base.builtin();

@@ -8,19 +8,19 @@ use val3_lang::types::BaseType;
 use val3_lang::{builtins, enumerations};
 
 use crate::emitter::text_register;
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::expressions::Expressions;
-use crate::location::{Location, Value};
+use crate::location::{CompiledValue, ValueLocator};
 
 impl Expressions<'_, '_> {
     /// Returns the variable that an expression names; `None` for a computed value.
-    pub(crate) fn variable(&mut self, id: ExprId) -> Result<Option<Value>> {
+    pub(crate) fn variable(&mut self, id: ExprId) -> Result<Option<CompiledValue>> {
         let base = self.base(id);
         let location = match self.body.expr(id) {
             Expr::Paren(inner) => return self.variable(*inner),
             Expr::Name(name) => match self.out.frame().find(name) {
-                Some(Storage::Value(lanes)) => Some(Location::Frame(lanes)),
-                Some(Storage::Place(place)) => Some(Location::Place(place, Lanes::default())),
+                Some(Storage::Value(lanes)) => Some(ValueLocator::Frame(lanes)),
+                Some(Storage::Place(place)) => Some(ValueLocator::Place(place, Lanes::default())),
                 Some(_) | None => self.container(id)?.map(first),
             },
             Expr::Path { .. } => self.container(id)?.map(first),
@@ -31,7 +31,7 @@ impl Expressions<'_, '_> {
             },
             _ => None,
         };
-        Ok(location.map(|location| Value { location, base }))
+        Ok(location.map(|location| CompiledValue { location, base }))
     }
 
     /// Returns the container that an expression names without an index; `None` if the variable is not a container.
@@ -52,7 +52,7 @@ impl Expressions<'_, '_> {
             },
             _ => None,
         };
-        kind.map(|kind| ContainerRef::new(kind).ok_or(Limit::Containers)).transpose()
+        kind.map(|kind| ContainerRef::new(kind).ok_or(CompileLimit::Containers)).transpose()
     }
 
     /// Returns global data, or a built-in variable.
@@ -67,19 +67,19 @@ impl Expressions<'_, '_> {
     }
 
     /// Compiles `of[indexes]`.
-    fn element(&mut self, of: ExprId, indexes: &[ExprId], base: Base) -> Result<Location> {
+    fn element(&mut self, of: ExprId, indexes: &[ExprId], base: Base) -> Result<ValueLocator> {
         let Some(container) = self.container(of)? else { return self.only_element(of, indexes) };
         let plain = matches!(base.builtin(), Some(BaseType::Num | BaseType::Bool));
-        Ok(Location::Element { container, at: self.subscript(indexes)?, plain })
+        Ok(ValueLocator::Element { container, at: self.subscript(indexes)?, plain })
     }
 
     /// Compiles `of[0]` for a variable that is a single value. A fragment may use a local as an array although its
     /// program does not.
-    fn only_element(&mut self, of: ExprId, indexes: &[ExprId]) -> Result<Location> {
+    fn only_element(&mut self, of: ExprId, indexes: &[ExprId]) -> Result<ValueLocator> {
         let is_first =
             self.out.frame().is_fragment && indexes.iter().all(|index| self.body.number(*index) == Some(0.0));
         let variable = if is_first { self.variable(of)? } else { None };
-        variable.map(|variable| variable.location).ok_or(Limit::Unclear)
+        variable.map(|variable| variable.location).ok_or(CompileLimit::Unclear)
     }
 
     /// Compiles the indexes or the key between brackets. A key is read when the element is looked up, or earlier if the
@@ -96,13 +96,13 @@ impl Expressions<'_, '_> {
                 let first = self.run(indexes)?;
                 Subscript::Three([first, first + 1, first + 2])
             }
-            _ => return Err(Limit::Unclear),
+            _ => return Err(CompileLimit::Unclear),
         })
     }
 
     /// Compiles numbers into consecutive registers, and returns the first register.
     pub(crate) fn run(&mut self, ids: &[ExprId]) -> Result<Register> {
-        let first = self.out.frame_mut().nums(u32::try_from(ids.len()).map_err(|_| Limit::Registers)?)?;
+        let first = self.out.frame_mut().nums(u32::try_from(ids.len()).map_err(|_| CompileLimit::Registers)?)?;
         for (to, id) in (first..).zip(ids) {
             self.num_to(*id, to)?;
         }
@@ -110,19 +110,19 @@ impl Expressions<'_, '_> {
     }
 
     /// Compiles a field of a built-in type: lanes within the value.
-    fn field(&mut self, of: ExprId, field: &str) -> Result<Location> {
+    fn field(&mut self, of: ExprId, field: &str) -> Result<ValueLocator> {
         let value = self.value(of, None)?;
-        let Base::Builtin(base, arm) = value.base else { return Err(Limit::Unclear) };
-        let offset = field_offset(base, arm.or(self.out.unit().items.arm), field).ok_or(Limit::Unclear)?;
+        let Base::Builtin(base, arm) = value.base else { return Err(CompileLimit::Unclear) };
+        let offset = field_offset(base, arm.or(self.out.unit().items.arm), field).ok_or(CompileLimit::Unclear)?;
         self.out.after(value.location, offset)
     }
 
     /// Looks up the container for a field of a user type in a view.
     fn user_field(&mut self, of: ExprId, field: &str) -> Result<Register> {
-        let value = self.variable(of)?.ok_or(Limit::Unclear)?;
+        let value = self.variable(of)?.ok_or(CompileLimit::Unclear)?;
         let kind = self.out.kind(value.base)?;
-        let number = kind.fields.iter().position(|known| known.name == field).ok_or(Limit::Unclear)?;
-        let field = u16::try_from(number).map_err(|_| Limit::Items)?;
+        let number = kind.fields.iter().position(|known| known.name == field).ok_or(CompileLimit::Unclear)?;
+        let field = u16::try_from(number).map_err(|_| CompileLimit::Items)?;
         self.out.field_view(value.location, field)
     }
 
@@ -133,6 +133,6 @@ impl Expressions<'_, '_> {
     }
 }
 
-fn first(container: ContainerRef) -> Location {
-    Location::First(container, Lanes::default())
+fn first(container: ContainerRef) -> ValueLocator {
+    ValueLocator::First(container, Lanes::default())
 }

@@ -5,13 +5,13 @@ use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
 use val3_bytecode::{ArgumentSite, CallSite, ProgramRef};
 use val3_config::{AddOnStandIn, StandInValue};
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 use val3_lang::types::BaseType;
 
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::expressions::Expressions;
 use crate::expressions::arguments::Formal;
-use crate::location::{Location, Value};
+use crate::location::{CompiledValue, ValueLocator};
 
 /// Replacement for an add-on instruction.
 pub(crate) enum StandIn {
@@ -37,10 +37,15 @@ impl Expressions<'_, '_> {
     }
 
     /// Compiles a call whose value is used.
-    pub(crate) fn stand_in_value(&mut self, call: ExprId, stand_in: &StandIn, args: &[ExprId]) -> Result<Value> {
+    pub(crate) fn stand_in_value(
+        &mut self,
+        call: ExprId,
+        stand_in: &StandIn,
+        args: &[ExprId],
+    ) -> Result<CompiledValue> {
         match stand_in {
             StandIn::Value(value) => self.stand_in_constant(value),
-            StandIn::Program(program) => self.call_stand_in(call, program, args)?.ok_or(Limit::Unclear),
+            StandIn::Program(program) => self.call_stand_in(call, program, args)?.ok_or(CompileLimit::Unclear),
         }
     }
 
@@ -53,20 +58,25 @@ impl Expressions<'_, '_> {
     }
 
     /// Returns the value as a constant. Values are not converted: their type is the type of the call.
-    fn stand_in_constant(&mut self, value: &StandInValue) -> Result<Value> {
-        let mut number = |ty, number| Ok(Value::num(ty, self.out.frame_mut().constant(number)?));
+    fn stand_in_constant(&mut self, value: &StandInValue) -> Result<CompiledValue> {
+        let mut number = |ty, number| Ok(CompiledValue::num(ty, self.out.frame_mut().constant(number)?));
         match value {
             StandInValue::Bool(value) => number(BaseType::Bool, f64::from(u8::from(*value))),
             StandInValue::Number(value) => number(BaseType::Num, *value),
             StandInValue::Text(text) => {
-                let location = Location::Constant(self.out.code().text(&text.as_str().into())?);
-                Ok(Value { location, base: Base::of(BaseType::String) })
+                let location = ValueLocator::Constant(self.out.code().text(&text.as_str().into())?);
+                Ok(CompiledValue { location, base: Base::of(BaseType::String) })
             }
         }
     }
 
     /// Compiles the program call. If the instruction has a result, the program's last parameter receives it.
-    fn call_stand_in(&mut self, call: ExprId, program: &AddOnProgram, args: &[ExprId]) -> Result<Option<Value>> {
+    fn call_stand_in(
+        &mut self,
+        call: ExprId,
+        program: &AddOnProgram,
+        args: &[ExprId],
+    ) -> Result<Option<CompiledValue>> {
         let result = self.types.add_on_call(call).and_then(|call| call.form.result);
         let params = program.params(self.unit().db);
         let formals: Vec<Formal> = params.iter().map(Formal::of).collect();
@@ -95,12 +105,15 @@ impl Expressions<'_, '_> {
     }
 
     /// Creates a variable with its type's default value, and the argument that passes the variable by reference.
-    fn result_variable(&mut self, base: BaseType, shape: Shape) -> Result<(Value, ArgumentSite)> {
+    fn result_variable(&mut self, base: BaseType, shape: ArgumentForm) -> Result<(CompiledValue, ArgumentSite)> {
         let kind = self.out.builtin_kind(base)?;
-        let default = Value::on_frame(base, self.out.frame_mut().lasting(&kind)?);
-        if shape == Shape::Reference {
+        let default = CompiledValue::on_frame(base, self.out.frame_mut().lasting(&kind)?);
+        if shape == ArgumentForm::Reference {
             let lanes = self.out.frame_mut().value(kind.size)?;
-            let variable = Value { base: Base::of(base).on_arm(self.unit().items.arm), ..Value::on_frame(base, lanes) };
+            let variable = CompiledValue {
+                base: Base::of(base).on_arm(self.unit().items.arm),
+                ..CompiledValue::on_frame(base, lanes)
+            };
             self.out.copy(variable, default)?;
             return Ok((variable, self.out.place_of(variable)?));
         }

@@ -5,7 +5,7 @@ use val3_analysis::db::{File, Project};
 use val3_analysis::items::project::{items, signature};
 use val3_bytecode::{CallSite, ProgramRef, TaskSite};
 
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::expressions::arguments::{Boxed, Formal};
 use crate::statements::Statements;
 
@@ -20,14 +20,14 @@ impl Statements<'_, '_> {
 
     /// Compiles the called program and its arguments.
     pub(crate) fn call_site(&mut self, call: ExprId, boxes: &mut Vec<Boxed>) -> Result<CallSite> {
-        let Expr::Call(callee, args) = self.values.body().expr(call) else { return Err(Limit::Unclear) };
+        let Expr::Call(callee, args) = self.values.body().expr(call) else { return Err(CompileLimit::Unclear) };
         let (program, project, file) = self.called_program(*callee)?;
         let params = &signature(self.values.unit().db, project, file).params;
         params.iter().try_for_each(|param| self.out().kind(param.base).map(drop))?;
         let formals: Vec<Formal> = params.iter().map(Formal::of).collect();
         let arguments = self.values.arguments(&formals, args, boxes)?;
         if arguments.len() != params.len() {
-            return Err(Limit::Unclear);
+            return Err(CompileLimit::Unclear);
         }
         Ok(CallSite { program, arguments, passes: None })
     }
@@ -35,16 +35,16 @@ impl Statements<'_, '_> {
     fn called_program(&mut self, callee: ExprId) -> Result<(ProgramRef, Project, File)> {
         match self.values.body().expr(callee) {
             Expr::Name(name) => {
-                let file = *self.values.unit().items.programs.get(name).ok_or(Limit::Unclear)?;
+                let file = *self.values.unit().items.programs.get(name).ok_or(CompileLimit::Unclear)?;
                 Ok((ProgramRef::Own(self.values.unit().program(name)?), self.values.unit().project, file))
             }
             Expr::Path { library, item } => {
                 let interface = self.values.unit().interface(library)?;
-                let file = *items(self.values.unit().db, interface).programs.get(item).ok_or(Limit::Unclear)?;
+                let file = *items(self.values.unit().db, interface).programs.get(item).ok_or(CompileLimit::Unclear)?;
                 let number = self.out().unit_mut().import_program(library, item, (interface, file))?;
                 Ok((ProgramRef::Import(number), interface, file))
             }
-            _ => Err(Limit::Unclear),
+            _ => Err(CompileLimit::Unclear),
         }
     }
 
@@ -53,12 +53,12 @@ impl Statements<'_, '_> {
         let (name, rate, overrun, call) = match (synchronous, arguments) {
             (false, &[name, rate, call]) => (name, rate, None, call),
             (true, &[name, rate, overrun, call]) => (name, rate, Some(overrun), call),
-            _ => return Err(Limit::Unclear),
+            _ => return Err(CompileLimit::Unclear),
         };
         let (name, rate) = (self.values.text(name)?, self.values.num(rate)?);
         let overrun = match overrun {
             Some(id) => {
-                let variable = self.values.variable(id)?.ok_or(Limit::Unclear)?;
+                let variable = self.values.variable(id)?.ok_or(CompileLimit::Unclear)?;
                 Some(self.out().operand(variable.location)?)
             }
             None => None,

@@ -6,15 +6,15 @@ use val3_bytecode::{Op, Register, Subscript};
 use crate::code::Label;
 use crate::counting::{BranchId, END, FALSE, ROUND, TRUE};
 use crate::emitter::text_register;
-use crate::error::{Limit, Result};
+use crate::error::{CompileLimit, Result};
 use crate::location::num_register;
-use crate::location::{Location, Value};
+use crate::location::{CompiledValue, ValueLocator};
 use crate::statements::Statements;
 use crate::statements::head;
 
 /// Counter of a `for`, with its registers.
 struct Counter {
-    variable: Value,
+    variable: CompiledValue,
     /// Register that counts.
     register: Register,
     /// Register with the limit. The next register contains the step.
@@ -26,7 +26,7 @@ struct Counter {
 impl Statements<'_, '_> {
     /// Compiles a `while`. The condition follows the block, so that an iteration needs one jump.
     pub(crate) fn while_stmt(&mut self, stmt: &Stmt, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
-        let condition = condition.ok_or(Limit::Unclear)?;
+        let condition = condition.ok_or(CompileLimit::Unclear)?;
         let range = head(stmt, self.values.body().range(condition));
         let line = self.out().code().later_line(range);
         let test = self.out().code().label();
@@ -44,7 +44,7 @@ impl Statements<'_, '_> {
     }
 
     pub(crate) fn do_stmt(&mut self, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
-        let condition = condition.ok_or(Limit::Unclear)?;
+        let condition = condition.ok_or(CompileLimit::Unclear)?;
         let again = self.out().code().here();
         self.block(block)?;
         let range = self.values.body().range(condition);
@@ -71,7 +71,7 @@ impl Statements<'_, '_> {
     /// Compiles a `for`. Start, limit and step are computed once, in this order, before the first assignment to the
     /// counter.
     pub(crate) fn for_stmt(&mut self, stmt: &Stmt, parts: [Option<ExprId>; 4], block: &[Stmt]) -> Result<()> {
-        let [Some(counter), Some(start), Some(stop), step] = parts else { return Err(Limit::Unclear) };
+        let [Some(counter), Some(start), Some(stop), step] = parts else { return Err(CompileLimit::Unclear) };
         let range = head(stmt, self.values.body().range(step.unwrap_or(stop)));
         self.out().code().line(range);
         let ids: Vec<ExprId> = [counter, start, stop].into_iter().chain(step).collect();
@@ -86,12 +86,12 @@ impl Statements<'_, '_> {
 
     /// Computes the counter, the limit and the step of a `for`.
     fn counter(&mut self, counter: ExprId, start: ExprId, stop: ExprId, step: Option<ExprId>) -> Result<Counter> {
-        let variable = self.values.variable(counter)?.ok_or(Limit::Unclear)?;
-        let variable = Value { location: self.pinned(variable.location)?, ..variable };
+        let variable = self.values.variable(counter)?.ok_or(CompileLimit::Unclear)?;
+        let variable = CompiledValue { location: self.pinned(variable.location)?, ..variable };
         let fixed = self.fixed_end(stop, step)?;
         let limit = fixed.map_or_else(|| self.out().frame_mut().nums(2), Ok)?;
         let register = match variable.location {
-            Location::Frame(lanes) => num_register(lanes),
+            ValueLocator::Frame(lanes) => num_register(lanes),
             _ => self.out().frame_mut().num()?,
         };
         let start = self.values.num(start)?;
@@ -143,22 +143,22 @@ impl Statements<'_, '_> {
 
     /// Stores a counter that is not on the frame. It is counted in a register, and stored before and after each
     /// iteration.
-    fn store_counter(&mut self, variable: Value, counter: Register) -> Result<()> {
+    fn store_counter(&mut self, variable: CompiledValue, counter: Register) -> Result<()> {
         match variable.location {
-            Location::Frame(_) => Ok(()),
+            ValueLocator::Frame(_) => Ok(()),
             location => self.out().store(location, counter),
         }
     }
 
     /// Returns the location of the same variable, even if the block changes the variables in the index.
-    fn pinned(&mut self, location: Location) -> Result<Location> {
-        let Location::Element { container, at, plain } = location else { return Ok(location) };
+    fn pinned(&mut self, location: ValueLocator) -> Result<ValueLocator> {
+        let ValueLocator::Element { container, at, plain } = location else { return Ok(location) };
         let at = match at {
             Subscript::One(index) => Subscript::One(self.out().kept(index)?),
             Subscript::Two([i, j]) => Subscript::Two([self.out().kept(i)?, self.out().kept(j)?]),
             Subscript::Key(key) => Subscript::Key(text_register(self.out().kept_text(key)?)?),
             at @ (Subscript::Whole | Subscript::Three(_)) => at,
         };
-        Ok(Location::Element { container, at, plain })
+        Ok(ValueLocator::Element { container, at, plain })
     }
 }

@@ -8,8 +8,8 @@ use val3_syntax::TextRange;
 use crate::code::Label;
 use crate::counting::NO_CASE;
 use crate::emitter::text_register;
-use crate::error::{Limit, Result};
-use crate::location::{Value, is_number};
+use crate::error::{CompileLimit, Result};
+use crate::location::{CompiledValue, is_number};
 use crate::statements::Statements;
 use crate::statements::head;
 
@@ -18,7 +18,7 @@ type Case = (Vec<ExprId>, Vec<Stmt>);
 
 impl Statements<'_, '_> {
     pub(crate) fn switch_stmt(&mut self, stmt: &Stmt, selector: Option<ExprId>, cases: &[Case]) -> Result<()> {
-        let selector = selector.ok_or(Limit::Unclear)?;
+        let selector = selector.ok_or(CompileLimit::Unclear)?;
         let range = head(stmt, self.values.body().range(selector));
         self.out().code().line(range);
         let labels: Vec<Label> = cases.iter().map(|_| self.out().code().label()).collect();
@@ -76,7 +76,7 @@ impl Statements<'_, '_> {
     }
 
     /// Compiles the comparisons with a string, which is compared in place if no case can change it.
-    fn text_cases(&mut self, selector: Value, cases: &[Case], labels: &[Label]) -> Result<()> {
+    fn text_cases(&mut self, selector: CompiledValue, cases: &[Case], labels: &[Label]) -> Result<()> {
         let a = self.out().text_operand(selector.location)?;
         let a = if self.values.is_stable(a) { a } else { text_register(self.out().kept_text(a)?)? };
         for ((values, _), label) in cases.iter().zip(labels) {
@@ -90,13 +90,13 @@ impl Statements<'_, '_> {
         Ok(())
     }
 
-    fn number_case(&mut self, selector: Value, id: ExprId, label: Label) -> Result<()> {
+    fn number_case(&mut self, selector: CompiledValue, id: ExprId, label: Label) -> Result<()> {
         let (a, b) = (self.out().load(selector, None)?, self.values.num(id)?);
         self.out().emit(Op::IfEqual { a, b, to: label.0 });
         Ok(())
     }
 
-    fn other_case(&mut self, selector: Value, id: ExprId, label: Label) -> Result<()> {
+    fn other_case(&mut self, selector: CompiledValue, id: ExprId, label: Label) -> Result<()> {
         let condition = self.values.is_equal(selector, id)?;
         self.out().emit(Op::JumpIf { condition, to: label.0 });
         Ok(())

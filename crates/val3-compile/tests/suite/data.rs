@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use expect_test::{Expect, expect};
 use val3_bytecode::Image;
-use val3_lang::memory::{Element, Link, PartInit, Shape};
+use val3_lang::memory::{ContainerShape, ElementType, LinkPlace, PartInit};
 
 use crate::show::image;
 
@@ -27,20 +27,20 @@ fn shown(image: &Image) -> String {
 
 fn part(part: &PartInit) -> String {
     let shape = match &part.shape {
-        Shape::Array { dims, sizes } => format!("{:?}", &sizes[..usize::from(*dims)]),
-        Shape::Collection(keys) => format!("{keys:?}"),
+        ContainerShape::Array { dims, sizes } => format!("{:?}", &sizes[..usize::from(*dims)]),
+        ContainerShape::Collection(keys) => format!("{keys:?}"),
     };
     let values: Vec<String> = part.values.iter().map(|value| value.as_ref().map_or("-".to_owned(), element)).collect();
     format!("{shape} {}", values.join(" "))
 }
 
-fn element(value: &Element) -> String {
+fn element(value: &ElementType) -> String {
     let nums: Vec<String> = value.nums.iter().map(ToString::to_string).collect();
     let texts = value.texts.iter().map(|text| format!("{text:?}"));
     let links = value.links.iter().map(|link| match link {
-        Link::None => "none".to_owned(),
-        Link::Data(_) => "built in".to_owned(),
-        Link::Port(port) => format!("port {port}"),
+        LinkPlace::None => "none".to_owned(),
+        LinkPlace::Data(_) => "built in".to_owned(),
+        LinkPlace::Port(port) => format!("port {port}"),
     });
     let parts = value.parts.iter().map(part);
     let all: Vec<String> = nums.into_iter().chain(texts).chain(links).chain(parts).collect();

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use val3_lang::runtime_errors::RUNTIME_ERRORS;
 use val3_machine::devices::Devices;
 use val3_machine::event::EventKind;
-use val3_machine::io::{Direction, Kind, Signal};
+use val3_machine::io::{Direction, Signal, SignalKind};
 
 use crate::cell::{Cell, run};
 
@@ -122,7 +122,7 @@ fn connect(devices: &mut Devices) {
     let output = |path: &str, protected| Signal {
         path: path.to_owned(),
         description: String::new(),
-        kind: Kind::Digital,
+        kind: SignalKind::Digital,
         direction: Direction::Output,
         protected,
     };

@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use val3_machine::controller::Controller;
 use val3_machine::event::EventKind;
-use val3_machine::sio::{ChannelConfig, LineKind, MemoryLine, Peer, Setting, replay};
+use val3_machine::sio::{ChannelConfig, LineKind, LineSetting, MemoryLine, Peer, replay};
 
 use crate::cell::{Cell, run, shown};
 
@@ -32,7 +32,7 @@ fn cell(lines: &str) -> Cell {
 }
 
 fn config(kind: LineKind, timeout: f64) -> ChannelConfig {
-    ChannelConfig { link: r"Socket\host".to_owned(), kind, settings: vec![Setting::Timeout(timeout)] }
+    ChannelConfig { link: r"Socket\host".to_owned(), kind, settings: vec![LineSetting::Timeout(timeout)] }
 }
 
 fn connected(cell: &Cell, kind: LineKind) -> (Controller, Peer) {

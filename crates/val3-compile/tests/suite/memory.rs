@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_bytecode::Image;
-use val3_compile::Limit;
+use val3_compile::CompileLimit;
 use val3_lang::memory::MEMORY;
 use val3_machine::controller::{Controller, RunStatus};
 use val3_machine::event::EventKind;
@@ -216,7 +216,7 @@ fn data_beyond_all_memory_are_refused() {
         let workspace = workspace(&format!("version s8.10\n{data}\nprogram start()\nbegin\nend"));
         let refused = val3_compile::compile(&workspace.db, project(&workspace, "main"));
         let error = refused.map(drop).unwrap_err();
-        assert_eq!(error.limit, Limit::Memory, "{data}");
+        assert_eq!(error.limit, CompileLimit::Memory, "{data}");
         let last = data.lines().last().unwrap();
         let name = last.split([' ', '[']).nth(1).map(str::to_owned);
         assert_eq!(error.variable, name, "{data}");

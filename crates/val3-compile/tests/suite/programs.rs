@@ -1,7 +1,7 @@
 //! Images of complete projects: source maps, old programs, limits.
 
 use expect_test::expect;
-use val3_compile::{CompileError, Limit};
+use val3_compile::{CompileError, CompileLimit};
 use val3_lang::types::LengthUnit;
 
 use crate::show::{image, program, project, text_of, workspace};
@@ -119,5 +119,5 @@ fn limits_are_errors_at_their_statement() {
     let data: String = (0..8193).map(|number| format!("num n{number}\n")).collect();
     let workspace = workspace(&format!("{data}return"));
     let found = val3_compile::compile(&workspace.db, project(&workspace, "main"));
-    assert!(matches!(found, Err(CompileError { limit: Limit::Containers, .. })));
+    assert!(matches!(found, Err(CompileError { limit: CompileLimit::Containers, .. })));
 }

@@ -1,9 +1,9 @@
 //! Snapshots of a controller whose application uses files, a socket, a library and the pendant.
 
 use proptest::prelude::*;
-use val3_machine::controller::{Controller, Operation};
+use val3_machine::controller::{Controller, OperatorAction};
 use val3_machine::event::Event;
-use val3_machine::sio::{ChannelConfig, LineKind, MemoryLine, Peer, Setting};
+use val3_machine::sio::{ChannelConfig, LineKind, LineSetting, MemoryLine, Peer};
 
 use crate::cell::{Cell, run};
 
@@ -50,7 +50,7 @@ fn connected(cell: &Cell) -> (Controller, Peer) {
     let config = ChannelConfig {
         link: r"Socket\host".to_owned(),
         kind: LineKind::Server,
-        settings: vec![Setting::Timeout(0.0)],
+        settings: vec![LineSetting::Timeout(0.0)],
     };
     controller.devices.lines.attach(&config, Box::new(line), false).unwrap();
     (controller, peer)
@@ -69,7 +69,7 @@ fn outside(controller: &mut Controller, peer: &Peer, last: &mut u64) {
         20 => peer.disconnect(),
         22 => peer.connect(),
         24 => peer.send("four\r"),
-        cycle if cycle.is_multiple_of(8) => controller.operate(Operation::Tap(270)),
+        cycle if cycle.is_multiple_of(8) => controller.operate(OperatorAction::Tap(270)),
         _ => {}
     }
 }

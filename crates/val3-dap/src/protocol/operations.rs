@@ -9,7 +9,7 @@ use super::*;
 /// Serializes as the content alone.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Request {
+pub enum StandardRequest {
     Attach(AttachRequestArguments),
     BreakpointLocations(BreakpointLocationsArguments),
     Cancel(CancelArguments),
@@ -57,7 +57,7 @@ pub enum Request {
     WriteMemory(WriteMemoryArguments),
 }
 
-impl Request {
+impl StandardRequest {
     /// The value of `command` in a message.
     pub const fn command(&self) -> &'static str {
         match self {
@@ -331,7 +331,7 @@ impl Response {
 /// Serializes as the content alone.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Event {
+pub enum StandardEvent {
     Breakpoint(BreakpointEvent),
     Capabilities(CapabilitiesEvent),
     Continued(ContinuedEvent),
@@ -351,7 +351,7 @@ pub enum Event {
     Thread(ThreadEvent),
 }
 
-impl Event {
+impl StandardEvent {
     /// The value of `event` in a message.
     pub const fn event(&self) -> &'static str {
         match self {

@@ -4,7 +4,7 @@ use val3_debug::WatchedData;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::inspection::Node;
+use crate::inspection::InspectedItem;
 use crate::protocol::DataBreakpointAccessType;
 use crate::protocol::{DataBreakpointInfoArguments, DataBreakpointInfoResponse};
 use crate::request::DebugRequest;
@@ -25,8 +25,8 @@ impl DebugRequest for DataBreakpointInfo {
     ) -> Result<DataBreakpointInfoResponse, RequestFailure> {
         let name = arguments.name.as_str();
         let named = match arguments.variables_reference.map(|reference| session.handles.node(reference)) {
-            Some(Some(Node::Values(inside))) => inside.expression(name),
-            Some(Some(Node::Properties(_))) => None,
+            Some(Some(InspectedItem::Values(inside))) => inside.expression(name),
+            Some(Some(InspectedItem::Properties(_))) => None,
             Some(None) => return Err(RequestFailure::Stale),
             None => Some((session.context(arguments.frame_id, run)?, name.to_owned())),
         };

@@ -1,6 +1,6 @@
 //! `evaluate`: evaluates an expression, or executes a statement of the debug console.
 
-use val3_debug::{Format, Value, count, values};
+use val3_debug::{DebugValue, DisplayFormat, count, values};
 use val3_session::{Evaluation, Purpose};
 
 use crate::debugged_run::DebuggedRun;
@@ -48,7 +48,7 @@ impl DebugRequest for Evaluate {
 }
 
 /// Returns all values of an array or collection as one text.
-fn list(value: &Value, run: &mut DebuggedRun<'_>, format: Format) -> Option<String> {
+fn list(value: &DebugValue, run: &mut DebuggedRun<'_>, format: DisplayFormat) -> Option<String> {
     let inside = value.inside.as_ref().filter(|inside| inside.is_indexed())?;
     let controller = &mut run.debugger.controller;
     let all = 0..count(&mut controller.vm, inside);

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use val3_machine::controller::Controller;
-use val3_machine::io::Kind;
+use val3_machine::io::SignalKind;
 use val3_view::{direction, level};
 
 use crate::debugged_run::DebuggedRun;
@@ -61,7 +61,7 @@ fn signals(controller: &Controller) -> Vec<Signal> {
             link: signal.path.to_string(),
             direction: direction(signal.direction),
             value: level(io, id)?,
-            is_digital: matches!(signal.kind, Kind::Digital),
+            is_digital: matches!(signal.kind, SignalKind::Digital),
             is_locked: forcing.is_locked,
             is_simulated: forcing.is_simulated,
             is_protected: signal.protected,

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 use val3_machine::controller::Controller;
-use val3_machine::script::Action;
+use val3_machine::script::ScriptAction;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -38,7 +38,7 @@ pub(crate) struct OperateArguments(Map<String, Value>);
 /// # Errors
 /// A key is unknown or has an invalid value, or the controller rejects the action.
 pub(super) fn act(keys: Map<String, Value>, controller: &mut Controller) -> Result<Empty, RequestFailure> {
-    let action = Action::from_json(keys).map_err(RequestFailure::rejected)?;
+    let action = ScriptAction::from_json(keys).map_err(RequestFailure::rejected)?;
     controller.act(&action).map_err(|problems| RequestFailure::Rejected(problems.join("; ")))?;
     Ok(Empty {})
 }

@@ -2,7 +2,7 @@
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::inspection::Node;
+use crate::inspection::InspectedItem;
 use crate::protocol::{SetVariableArguments, SetVariableResponse};
 use crate::request::DebugRequest;
 use crate::session::DebugSession;
@@ -21,8 +21,8 @@ impl DebugRequest for SetVariable {
         arguments: SetVariableArguments,
     ) -> Result<SetVariableResponse, RequestFailure> {
         let inside = match session.handles.node(arguments.variables_reference).ok_or(RequestFailure::Stale)? {
-            Node::Values(inside) => inside.clone(),
-            Node::Properties(_) => return Err(RequestFailure::NoData(arguments.name)),
+            InspectedItem::Values(inside) => inside.clone(),
+            InspectedItem::Properties(_) => return Err(RequestFailure::NoData(arguments.name)),
         };
         let assignment = (arguments.name.as_str(), arguments.value.as_str());
         let format = session.format(arguments.format.as_ref());

@@ -30,7 +30,7 @@ impl DebugRequest for StepBack {
 mod tests {
     use serde_json::json;
 
-    use crate::message::Content;
+    use crate::message::MessageContent;
     use crate::test_client::{EMPTY, TestClient};
 
     #[test]
@@ -38,7 +38,8 @@ mod tests {
         let mut client = TestClient::stopped(EMPTY);
         let (thread, _) = client.thread_and_frame();
         let messages = client.exchange("stepBack", json!({ "threadId": thread }));
-        let is_stop = |content: &Content| matches!(content, Content::Event { event, .. } if event == "stopped");
+        let is_stop =
+            |content: &MessageContent| matches!(content, MessageContent::Event { event, .. } if event == "stopped");
         assert!(messages.iter().any(is_stop), "{messages:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! `terminate`: runs the program `stop`, as when an operator stops the application.
 
-use val3_machine::controller::Operation;
+use val3_machine::controller::OperatorAction;
 
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
@@ -21,7 +21,7 @@ impl DebugRequest for Terminate {
         run: &mut DebuggedRun<'_>,
         _: TerminateArguments,
     ) -> Result<(), RequestFailure> {
-        run.debugger.controller.operate(Operation::Stop);
+        run.debugger.controller.operate(OperatorAction::Stop);
         run.debugger.resume_tasks();
         session.run_on();
         Ok(())

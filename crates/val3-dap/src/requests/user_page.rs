@@ -4,7 +4,7 @@ use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::request::{DebugRequest, NoArguments};
 use crate::session::DebugSession;
-use crate::user_page::UserPage;
+use crate::user_page::ShownUserPage;
 
 /// The request `val3/userPage`.
 pub(crate) enum UserPageRequest {}
@@ -12,10 +12,14 @@ pub(crate) enum UserPageRequest {}
 impl DebugRequest for UserPageRequest {
     const COMMAND: &'static str = "val3/userPage";
     type Arguments = NoArguments;
-    type Body = UserPage;
+    type Body = ShownUserPage;
 
-    fn answer(_: &mut DebugSession, run: &mut DebuggedRun<'_>, _: NoArguments) -> Result<UserPage, RequestFailure> {
-        Ok(UserPage::new(&run.debugger.controller))
+    fn answer(
+        _: &mut DebugSession,
+        run: &mut DebuggedRun<'_>,
+        _: NoArguments,
+    ) -> Result<ShownUserPage, RequestFailure> {
+        Ok(ShownUserPage::new(&run.debugger.controller))
     }
 }
 

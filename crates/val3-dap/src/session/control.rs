@@ -3,12 +3,13 @@
 use val3_debug::StepKind;
 use val3_lang::ports::TaskNumber;
 
-use super::{DebugSession, Phase};
+use super::{DebugSession, SessionState};
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
 use crate::notices;
 use crate::protocol::{
-    Event, InvalidatedAreas, InvalidatedEvent, OutputEvent, OutputEventCategory, StoppedEvent, StoppedEventReason,
+    InvalidatedAreas, InvalidatedEvent, OutputEvent, OutputEventCategory, StandardEvent, StoppedEvent,
+    StoppedEventReason,
 };
 use crate::stop_event;
 
@@ -47,14 +48,14 @@ impl DebugSession {
         let events = run.debugger.controller.devices.take_events();
         let notices = self.notices.of(&events, &run.debugger.controller, &self.conventions);
         self.following.extend(notices);
-        if self.phase == Phase::Stopped {
+        if self.phase == SessionState::Stopped {
             self.invalidate();
         }
     }
 
     /// Checks that the whole run is stopped.
     pub(crate) fn check_stopped(&self) -> Result<(), RequestFailure> {
-        if self.phase == Phase::Stopped { Ok(()) } else { Err(RequestFailure::NotStopped) }
+        if self.phase == SessionState::Stopped { Ok(()) } else { Err(RequestFailure::NotStopped) }
     }
 
     /// Returns whether only this task is stopped.
@@ -62,7 +63,7 @@ impl DebugSession {
     /// # Errors
     /// The task runs.
     pub(crate) fn check_task_stopped(&self, task: TaskNumber, run: &DebuggedRun<'_>) -> Result<bool, RequestFailure> {
-        let is_alone = self.phase == Phase::Running && run.debugger.is_task_paused(task);
+        let is_alone = self.phase == SessionState::Running && run.debugger.is_task_paused(task);
         if is_alone { Ok(true) } else { self.check_stopped().map(|()| false) }
     }
 
@@ -105,7 +106,7 @@ impl DebugSession {
             Ok(task) if self.start.settings.stops_one_task => {
                 run.debugger.pause_task(task, true);
                 let event = stop_event::event(StoppedEventReason::Pause, Some(task));
-                self.following.push(Event::Stopped(StoppedEvent { all_threads_stopped: Some(false), ..event }));
+                self.following.push(StandardEvent::Stopped(StoppedEvent { all_threads_stopped: Some(false), ..event }));
             }
             _ => run.debugger.pause(notices::task(thread)),
         }
@@ -116,7 +117,7 @@ impl DebugSession {
         if run.debugger.is_in_past() {
             let output = "note: the run continues from here with a change: a new future begins\n".to_owned();
             let category = Some(OutputEventCategory::Console);
-            self.following.push(Event::Output(OutputEvent { output, category, ..OutputEvent::default() }));
+            self.following.push(StandardEvent::Output(OutputEvent { output, category, ..OutputEvent::default() }));
         }
     }
 
@@ -124,20 +125,20 @@ impl DebugSession {
     pub(crate) fn run_on(&mut self) {
         self.handles.clear();
         self.goto_targets.clear();
-        self.phase = Phase::Running;
+        self.phase = SessionState::Running;
     }
 
     /// Reports that the run is at another moment or line without having run there. There is no `invalidated`, because
     /// clients request all values after a stop, and VS Code would also request values of the previous stop.
     pub(crate) fn stopped_elsewhere(&mut self, event: StoppedEvent) {
         self.handles.clear();
-        self.following.push(Event::Stopped(event));
+        self.following.push(StandardEvent::Stopped(event));
     }
 
     fn invalidate(&mut self) {
         if self.conventions.knows_invalidated {
             let areas = Some(vec![InvalidatedAreas::All]);
-            self.following.push(Event::Invalidated(InvalidatedEvent { areas, ..InvalidatedEvent::default() }));
+            self.following.push(StandardEvent::Invalidated(InvalidatedEvent { areas, ..InvalidatedEvent::default() }));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Evaluation in a stack frame, for several requests.
 
-use val3_debug::{Format, Value};
+use val3_debug::{DebugValue, DisplayFormat};
 use val3_session::{Evaluation, Purpose};
 use val3_vm::FragmentContext;
 
@@ -12,9 +12,9 @@ use crate::protocol::{ValueFormat, Variable};
 
 impl DebugSession {
     /// Returns the number format of a request.
-    pub(crate) fn format(&self, format: Option<&ValueFormat>) -> Format {
+    pub(crate) fn format(&self, format: Option<&ValueFormat>) -> DisplayFormat {
         let hex = format.and_then(|format| format.hex).unwrap_or_default();
-        Format { hex, radians: self.start.settings.has_radians }
+        DisplayFormat { hex, radians: self.start.settings.has_radians }
     }
 
     /// Returns the context of a stack frame; without a stack frame, of the first loaded application.
@@ -39,7 +39,7 @@ impl DebugSession {
         &mut self,
         context: FragmentContext,
         code: &str,
-        how: (Purpose, Format),
+        how: (Purpose, DisplayFormat),
         run: &mut DebuggedRun<'_>,
     ) -> Result<Evaluation, RequestFailure> {
         let controller = &mut run.debugger.controller;
@@ -62,7 +62,7 @@ impl DebugSession {
     }
 
     /// Converts a value for the client.
-    pub(crate) fn shown(&mut self, value: Value, run: &mut DebuggedRun<'_>) -> Variable {
+    pub(crate) fn shown(&mut self, value: DebugValue, run: &mut DebuggedRun<'_>) -> Variable {
         self.handles.variable(value, &mut run.debugger.controller)
     }
 }

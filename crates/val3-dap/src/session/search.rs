@@ -8,7 +8,7 @@ use super::DebugSession;
 use crate::client::Client;
 use crate::debugged_run::DebuggedRun;
 use crate::failure::RequestFailure;
-use crate::protocol::{Event, ProgressEndEvent, ProgressStartEvent, ProgressUpdateEvent};
+use crate::protocol::{ProgressEndEvent, ProgressStartEvent, ProgressUpdateEvent, StandardEvent};
 use crate::stop_event;
 
 /// Replayed cycles before progress is reported: some tenths of a second.
@@ -63,7 +63,7 @@ impl ReverseSearch {
 
     fn show(&mut self, percentage: f64, client: &mut Client) {
         match self.seen {
-            None => client.event(&Event::ProgressStart(ProgressStartEvent {
+            None => client.event(&StandardEvent::ProgressStart(ProgressStartEvent {
                 progress_id: self.id.clone(),
                 title: "Going back in the run".to_owned(),
                 cancellable: Some(true),
@@ -71,7 +71,7 @@ impl ReverseSearch {
                 request_id: i32::try_from(self.request).ok(),
                 ..ProgressStartEvent::default()
             })),
-            Some(seen) if percentage > seen => client.event(&Event::ProgressUpdate(ProgressUpdateEvent {
+            Some(seen) if percentage > seen => client.event(&StandardEvent::ProgressUpdate(ProgressUpdateEvent {
                 progress_id: self.id.clone(),
                 percentage: Some(percentage),
                 ..ProgressUpdateEvent::default()
@@ -84,7 +84,7 @@ impl ReverseSearch {
     fn end(self, client: &mut Client) {
         if self.seen.is_some() {
             let (progress_id, message) = (self.id, None);
-            client.event(&Event::ProgressEnd(ProgressEndEvent { progress_id, message }));
+            client.event(&StandardEvent::ProgressEnd(ProgressEndEvent { progress_id, message }));
         }
     }
 }

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use serde_json::Value;
 use val3_dap::{
-    BODY_LIMIT, Content, FrameError, HEADER_LIMIT, MessageReader, MessageWriter, ProtocolMessage, ReadError,
+    BODY_LIMIT, HEADER_LIMIT, HeaderError, MessageContent, MessageReader, MessageWriter, ProtocolMessage, ReadError,
 };
 
 /// Input that returns a limited number of bytes in each call.
@@ -39,14 +39,14 @@ pub(crate) fn json_value() -> impl Strategy<Value = Value> {
     })
 }
 
-fn content() -> impl Strategy<Value = Content> {
+fn content() -> impl Strategy<Value = MessageContent> {
     // `null` is the same as a missing property.
     let value = || proptest::option::of(json_value().prop_filter("not null", |value| !value.is_null()));
     prop_oneof![
-        (any::<String>(), value()).prop_map(|(command, arguments)| Content::Request { command, arguments }),
-        (any::<String>(), value()).prop_map(|(event, body)| Content::Event { event, body }),
+        (any::<String>(), value()).prop_map(|(command, arguments)| MessageContent::Request { command, arguments }),
+        (any::<String>(), value()).prop_map(|(event, body)| MessageContent::Event { event, body }),
         (any::<i64>(), any::<bool>(), any::<String>(), any::<Option<String>>(), value()).prop_map(
-            |(request_seq, success, command, message, body)| Content::Response {
+            |(request_seq, success, command, message, body)| MessageContent::Response {
                 request_seq,
                 success,
                 command,
@@ -74,7 +74,7 @@ fn read_all(input: impl Read) -> Vec<Result<ProtocolMessage, ReadError>> {
 /// Returns an input's messages and errors as texts.
 fn outcomes(input: &[u8]) -> Vec<String> {
     let outcome = |result| match result {
-        Ok(ProtocolMessage { content: Content::Event { event, .. }, .. }) => event,
+        Ok(ProtocolMessage { content: MessageContent::Event { event, .. }, .. }) => event,
         Ok(message) => format!("{message:?}"),
         Err(error) => format!("{error}"),
     };
@@ -113,7 +113,7 @@ fn a_message_of_another_kind_does_not_end_the_input() {
 }
 
 #[track_caller]
-fn check_end(input: &[u8], expected: &FrameError) {
+fn check_end(input: &[u8], expected: &HeaderError) {
     let results = read_all(input);
     let Some(Err(ReadError::Frame(error))) = results.last() else { panic!("{results:?}") };
     assert_eq!(error, expected);
@@ -123,7 +123,7 @@ fn check_end(input: &[u8], expected: &FrameError) {
 fn an_unknown_length_ends_the_input() {
     for length in ["-1", "x", "", "1.5", "2 bytes"] {
         let input = format!("Content-Length: {length}\r\n\r\n{{}}");
-        check_end(input.as_bytes(), &FrameError::Length(length.to_owned()));
+        check_end(input.as_bytes(), &HeaderError::Length(length.to_owned()));
     }
 }
 
@@ -132,21 +132,21 @@ fn an_end_inside_a_frame_is_an_error() {
     assert!(read_all(&b""[..]).is_empty());
     assert!(read_all(&b"\r\n\n"[..]).is_empty());
     for input in ["Content-Len", "Content-Length: 5\r\n", "Content-Length: 5\r\n\r\n{}"] {
-        check_end(input.as_bytes(), &FrameError::Truncated);
+        check_end(input.as_bytes(), &HeaderError::Truncated);
     }
 }
 
 #[test]
 fn sizes_are_limited() {
     let header = |length: usize| format!("a: {}\r\n", "x".repeat(length - 5));
-    check_end(header(HEADER_LIMIT + 1).as_bytes(), &FrameError::HeaderSize);
-    check_end(header(HEADER_LIMIT).as_bytes(), &FrameError::Truncated);
-    check_end(&vec![b'x'; 2 * HEADER_LIMIT], &FrameError::HeaderSize);
+    check_end(header(HEADER_LIMIT + 1).as_bytes(), &HeaderError::HeaderSize);
+    check_end(header(HEADER_LIMIT).as_bytes(), &HeaderError::Truncated);
+    check_end(&vec![b'x'; 2 * HEADER_LIMIT], &HeaderError::HeaderSize);
     let length = |length: u64| format!("Content-Length: {length}\r\n\r\n");
-    check_end(length(BODY_LIMIT + 1).as_bytes(), &FrameError::BodySize(BODY_LIMIT + 1));
-    check_end(length(BODY_LIMIT).as_bytes(), &FrameError::Truncated);
+    check_end(length(BODY_LIMIT + 1).as_bytes(), &HeaderError::BodySize(BODY_LIMIT + 1));
+    check_end(length(BODY_LIMIT).as_bytes(), &HeaderError::Truncated);
     let digits = format!("Content-Length: {}\r\n\r\n", "9".repeat(50));
-    check_end(digits.as_bytes(), &FrameError::BodySize(u64::MAX));
+    check_end(digits.as_bytes(), &HeaderError::BodySize(u64::MAX));
 }
 
 proptest! {

@@ -8,7 +8,7 @@ use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
 use serde_json::{Map, Value, json};
 use val3_dap::validate::{SCHEMA, SchemaValidator};
-use val3_dap::{Content, Event, ProtocolMessage, Request, Response};
+use val3_dap::{MessageContent, ProtocolMessage, Response, StandardEvent, StandardRequest};
 
 /// Levels of objects below which optional properties are omitted. Some definitions contain themselves.
 const DEPTH: usize = 5;
@@ -143,22 +143,26 @@ fn simple_instance(schema: &Value) -> BoxedStrategy<Value> {
 }
 
 /// The content after decoding and encoding.
-fn converted(content: Content) -> Content {
+fn converted(content: MessageContent) -> MessageContent {
     match content {
-        Content::Request { command, arguments } => Content::request(&Request::parse(&command, arguments).unwrap()),
-        Content::Response { request_seq, command, body, .. } => {
-            Content::success(request_seq, &Response::decode(&command, body).unwrap().unwrap())
+        MessageContent::Request { command, arguments } => {
+            MessageContent::request(&StandardRequest::parse(&command, arguments).unwrap())
         }
-        Content::Event { event, body } => Content::event(&Event::decode(&event, body).unwrap().unwrap()),
+        MessageContent::Response { request_seq, command, body, .. } => {
+            MessageContent::success(request_seq, &Response::decode(&command, body).unwrap().unwrap())
+        }
+        MessageContent::Event { event, body } => {
+            MessageContent::event(&StandardEvent::decode(&event, body).unwrap().unwrap())
+        }
     }
     .unwrap()
 }
 
 /// Missing arguments are the same as those without properties.
-fn with_content(mut content: Content) -> Content {
-    let (Content::Request { arguments: value, .. }
-    | Content::Response { body: value, .. }
-    | Content::Event { body: value, .. }) = &mut content;
+fn with_content(mut content: MessageContent) -> MessageContent {
+    let (MessageContent::Request { arguments: value, .. }
+    | MessageContent::Response { body: value, .. }
+    | MessageContent::Event { body: value, .. }) = &mut content;
     value.get_or_insert_with(|| Value::Object(Map::new()));
     content
 }

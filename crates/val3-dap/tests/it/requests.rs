@@ -4,13 +4,13 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 use val3_dap::protocol::{EvaluateContext, LaunchRequestArguments, SetBreakpointsArguments};
 use val3_dap::validate::SchemaValidator;
-use val3_dap::{Content, MessageError, ProtocolMessage, Request};
+use val3_dap::{MessageContent, MessageError, ProtocolMessage, StandardRequest};
 
 use crate::frames::json_value;
 
 /// The failed response to a request that is not understood.
 fn refusal(command: &str, arguments: Value) -> Value {
-    let error = Request::parse(command, Some(arguments)).unwrap_err();
+    let error = StandardRequest::parse(command, Some(arguments)).unwrap_err();
     let message = ProtocolMessage { seq: 1, content: error.response(7).unwrap() };
     serde_json::to_value(message).unwrap()
 }
@@ -18,8 +18,8 @@ fn refusal(command: &str, arguments: Value) -> Value {
 #[test]
 fn unknown_properties_are_ignored() {
     let arguments = json!({ "source": { "path": "a.pgx", "origin2": 1 }, "lines": [1], "colour": {} });
-    let Request::SetBreakpoints(SetBreakpointsArguments { source, lines, breakpoints, source_modified }) =
-        Request::parse("setBreakpoints", Some(arguments)).unwrap()
+    let StandardRequest::SetBreakpoints(SetBreakpointsArguments { source, lines, breakpoints, source_modified }) =
+        StandardRequest::parse("setBreakpoints", Some(arguments)).unwrap()
     else {
         panic!("another request");
     };
@@ -32,8 +32,8 @@ fn unknown_properties_are_ignored() {
 #[test]
 fn launch_keeps_the_properties_of_the_adapter() {
     let arguments = json!({ "noDebug": true, "program": "cell", "__restart": 5 });
-    let Request::Launch(LaunchRequestArguments { no_debug, restart, additional }) =
-        Request::parse("launch", Some(arguments)).unwrap()
+    let StandardRequest::Launch(LaunchRequestArguments { no_debug, restart, additional }) =
+        StandardRequest::parse("launch", Some(arguments)).unwrap()
     else {
         panic!("another request");
     };
@@ -51,8 +51,8 @@ fn open_enumerations_keep_unknown_values() {
 #[test]
 fn requests_without_arguments_accept_any_form_of_none() {
     for arguments in [None, Some(Value::Null), Some(json!({}))] {
-        assert_eq!(Request::parse("threads", arguments.clone()).unwrap(), Request::Threads);
-        assert!(matches!(Request::parse("disconnect", arguments), Ok(Request::Disconnect(_))));
+        assert_eq!(StandardRequest::parse("threads", arguments.clone()).unwrap(), StandardRequest::Threads);
+        assert!(matches!(StandardRequest::parse("disconnect", arguments), Ok(StandardRequest::Disconnect(_))));
     }
 }
 
@@ -118,8 +118,8 @@ proptest! {
         command in prop_oneof!["(setBreakpoints|evaluate|launch|restart|threads|variables)", any::<String>()],
         arguments in json_value(),
     ) {
-        let content = match Request::parse(&command, Some(arguments)) {
-            Ok(request) => Content::request(&request).unwrap(),
+        let content = match StandardRequest::parse(&command, Some(arguments)) {
+            Ok(request) => MessageContent::request(&request).unwrap(),
             Err(error) => error.response(1).unwrap(),
         };
         let message = serde_json::to_value(ProtocolMessage { seq: 1, content }).unwrap();

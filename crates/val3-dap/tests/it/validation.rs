@@ -3,23 +3,23 @@
 use serde_json::{Value, json};
 use val3_dap::protocol::{Capabilities, StoppedEvent, StoppedEventReason};
 use val3_dap::validate::SchemaValidator;
-use val3_dap::{Content, Event, ProtocolMessage, Response};
+use val3_dap::{MessageContent, ProtocolMessage, Response, StandardEvent};
 
 fn check(message: &Value, expected: &str) {
     let result = SchemaValidator::new().unwrap().validate(message);
     assert_eq!(result.err().unwrap_or_default(), expected);
 }
 
-fn check_valid(content: Content) {
+fn check_valid(content: MessageContent) {
     check(&serde_json::to_value(ProtocolMessage { seq: 1, content }).unwrap(), "");
 }
 
 #[test]
 fn typed_messages_are_valid() {
     let capabilities = Capabilities { supports_step_back: Some(true), ..Capabilities::default() };
-    check_valid(Content::success(1, &Response::Initialize(capabilities)).unwrap());
-    check_valid(Content::success(1, &Response::Next).unwrap());
-    check_valid(Content::event(&Event::Initialized).unwrap());
+    check_valid(MessageContent::success(1, &Response::Initialize(capabilities)).unwrap());
+    check_valid(MessageContent::success(1, &Response::Next).unwrap());
+    check_valid(MessageContent::event(&StandardEvent::Initialized).unwrap());
     let stopped = StoppedEvent {
         reason: StoppedEventReason::FunctionBreakpoint,
         all_threads_stopped: Some(true),
@@ -29,7 +29,7 @@ fn typed_messages_are_valid() {
         text: None,
         thread_id: Some(1),
     };
-    check_valid(Content::event(&Event::Stopped(stopped)).unwrap());
+    check_valid(MessageContent::event(&StandardEvent::Stopped(stopped)).unwrap());
 }
 
 #[test]

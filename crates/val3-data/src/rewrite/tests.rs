@@ -1,22 +1,22 @@
 use expect_test::{Expect, expect};
 
 use super::*;
-use crate::{Content, SavedField, SavedValue, Shape};
+use crate::{SavedContainer, SavedContent, SavedField, SavedValue};
 
 fn values(values: &[(&str, &[(&str, &str)])]) -> Vec<SavedValue> {
     let attributes = |given: &[(&str, &str)]| {
-        Content::Attributes(given.iter().map(|(name, text)| ((*name).into(), (*text).to_owned())).collect())
+        SavedContent::Attributes(given.iter().map(|(name, text)| ((*name).into(), (*text).to_owned())).collect())
     };
     values.iter().map(|(key, given)| SavedValue { key: (*key).to_owned(), content: attributes(given) }).collect()
 }
 
 fn array(name: &str, ty: &str, sizes: &[u32], given: &[(&str, &[(&str, &str)])]) -> SavedData {
-    let shape = Shape::Sizes(sizes.to_vec());
+    let shape = SavedContainer::Sizes(sizes.to_vec());
     SavedData { name: name.into(), type_name: ty.into(), shape, values: values(given), is_part: false }
 }
 
 fn collection(name: &str, ty: &str, given: &[(&str, &[(&str, &str)])]) -> SavedData {
-    SavedData { shape: Shape::Keys, ..array(name, ty, &[], given) }
+    SavedData { shape: SavedContainer::Keys, ..array(name, ty, &[], given) }
 }
 
 const NEW: &str = r#"<?xml version="1.0" encoding="utf-8"?>
@@ -184,7 +184,7 @@ fn slot(key: &str, x: &str, id: &str) -> SavedValue {
     let pick = array("pPick", "pointRx", &[1], &[("0", &[("x", x), ("fatherId", "world[0]")])]);
     let id = array("sID", "string", &[1], &[("0", &[("value", id)])]);
     let fields = [pick, id].map(|data| SavedField { initial: x == "0", data });
-    SavedValue { key: key.to_owned(), content: Content::Fields(fields.into()) }
+    SavedValue { key: key.to_owned(), content: SavedContent::Fields(fields.into()) }
 }
 
 fn slots(values: Vec<SavedValue>) -> [SavedData; 1] {
@@ -318,7 +318,7 @@ fn size_and_values(text: &str, name: &str) -> (String, Vec<(String, String)>) {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).unwrap();
     let data = root.list("Datas", "Data").find(|data| data.value("name").as_deref() == Some(name)).unwrap();
-    let text = |value: Element<'_>, name| value.value(name).unwrap_or_default().into_owned();
+    let text = |value: XmlElement<'_>, name| value.value(name).unwrap_or_default().into_owned();
     let values = data.elements().map(|value| (text(value, "key"), text(value, "value")));
     (text(data, "size"), values.collect())
 }
@@ -334,7 +334,7 @@ proptest::proptest! {
             let given: Vec<_> = values.into_iter().filter(|(index, _)| *index < size).collect();
             let value = |(index, text): &(u32, String)| SavedValue {
                 key: index.to_string(),
-                content: Content::Attributes(vec![("value".into(), text.clone())]),
+                content: SavedContent::Attributes(vec![("value".into(), text.clone())]),
             };
             let data = SavedData { values: given.iter().map(value).collect(), ..array("nList", "string", &[size], &[]) };
             text = rewrite(&text, &[data]);
@@ -359,7 +359,7 @@ fn many_values() {
     );
     let value = |index: u32| SavedValue {
         key: index.to_string(),
-        content: Content::Attributes(vec![("value".into(), (index + 2).to_string())]),
+        content: SavedContent::Attributes(vec![("value".into(), (index + 2).to_string())]),
     };
     let data = SavedData { values: (0..count).map(value).collect(), ..array("nList", "num", &[count], &[]) };
     let written = rewrite(&text, &[data]);

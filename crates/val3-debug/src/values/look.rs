@@ -3,29 +3,29 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use val3_bytecode::{Storage, Variable};
+use val3_bytecode::{FrameVariable, Storage};
 use val3_lang::call::Argument;
 use val3_lang::fault::Result;
-use val3_lang::memory::{Kind, KindBase, Memory, Place, Shape, StoreId, View, field_offset};
+use val3_lang::memory::{ContainerShape, KindBase, Memory, Place, StoreId, ValueType, View, field_offset};
 use val3_lang::ports::TaskNumber;
-use val3_lang::types::{Unit, fields};
+use val3_lang::types::{NumberUnit, fields};
 use val3_machine::devices::Devices;
 use val3_vm::Frame;
 
-use super::names::Names;
-use super::text::{Format, index, key, radians, shown, sizes, type_name};
-use super::{Inside, Node, Path, Value, positions};
+use super::names::AccessNames;
+use super::text::{DisplayFormat, index, key, radians, shown, sizes, type_name};
+use super::{DebugValue, Inside, ValueNode, ValuePath, positions};
 
 /// Values of a page, as the memory has them.
-pub(super) enum Page {
+pub(super) enum ItemRange {
     /// Variables of a stack frame.
-    Variables(Frame, Vec<Variable>),
+    Variables(Frame, Vec<FrameVariable>),
     /// Data: name, whether the program of the page can name it, and values.
     Data(Vec<(String, bool, View)>),
     /// Array or collection elements.
     Values(View, Range<usize>),
     /// Fields of a value.
-    Fields(Arc<Kind>, Place, Range<usize>),
+    Fields(Arc<ValueType>, Place, Range<usize>),
 }
 
 /// Reader of values while the stack of a task is in the memory.
@@ -33,37 +33,37 @@ pub(super) enum Page {
 pub(super) struct Look<'a> {
     pub(super) task: Option<TaskNumber>,
     /// Path of the enclosing value.
-    pub(super) path: &'a Path,
-    pub(super) names: &'a Names,
+    pub(super) path: &'a ValuePath,
+    pub(super) names: &'a AccessNames,
     pub(super) devices: &'a Devices,
-    pub(super) format: Format,
+    pub(super) format: DisplayFormat,
 }
 
 impl Look<'_> {
     /// Reads the values of a page.
-    pub(super) fn page(self, memory: &mut Memory, page: Page) -> Vec<Value> {
+    pub(super) fn page(self, memory: &mut Memory, page: ItemRange) -> Vec<DebugValue> {
         match page {
-            Page::Variables(frame, variables) => {
+            ItemRange::Variables(frame, variables) => {
                 variables.iter().map(|variable| self.variable(memory, &frame, variable)).collect()
             }
-            Page::Data(data) => {
+            ItemRange::Data(data) => {
                 let value = |(name, is_seen, view): (String, bool, View)| {
                     let value = self.container(memory, name, view);
                     if is_seen { value } else { unseen(value) }
                 };
                 data.into_iter().map(value).collect()
             }
-            Page::Values(view, range) => self.elements(memory, view, range),
-            Page::Fields(kind, place, range) => {
+            ItemRange::Values(view, range) => self.elements(memory, view, range),
+            ItemRange::Fields(kind, place, range) => {
                 range.filter_map(|number| self.field(memory, &kind, place, number)).collect()
             }
         }
     }
 
     /// Reads an expression's value.
-    pub(super) fn argument(self, memory: &Memory, name: &str, argument: Argument, kind: &Arc<Kind>) -> Value {
+    pub(super) fn argument(self, memory: &Memory, name: &str, argument: Argument, kind: &Arc<ValueType>) -> DebugValue {
         // The path is the value's own, not the enclosing value's.
-        let path = Path { text: Some(String::new()), ..self.path.clone() };
+        let path = ValuePath { text: Some(String::new()), ..self.path.clone() };
         let look = Look { path: &path, ..self };
         let (value, refers_to) = match argument {
             Argument::Value(place, _) | Argument::UserValue(place) => {
@@ -72,12 +72,12 @@ impl Look<'_> {
             Argument::View(view) => (look.container(memory, name.to_owned(), view), look.names.of_view(memory, view)),
             Argument::Slot(_) | Argument::Library(_) => return gone(name.to_owned()),
         };
-        Value { refers_to: refers_to.filter(|found| found != name), ..value }
+        DebugValue { refers_to: refers_to.filter(|found| found != name), ..value }
     }
 
     /// Reads all nested values of a result, because a result does not remain on the stack.
-    pub(super) fn complete(self, memory: &Memory, value: Value) -> Value {
-        let Some(Inside { node: Node::Fields(kind, place), path, .. }) = &value.inside else { return value };
+    pub(super) fn complete(self, memory: &Memory, value: DebugValue) -> DebugValue {
+        let Some(Inside { node: ValueNode::Fields(kind, place), path, .. }) = &value.inside else { return value };
         if place.store != StoreId::STACK {
             return value;
         }
@@ -85,26 +85,26 @@ impl Look<'_> {
         let look = Look { path: &path, ..self };
         let children = (0..fields_of(kind, *place)).filter_map(|number| look.field(memory, kind, *place, number));
         let inside = Inside::listed(children.map(|child| look.complete(memory, child)).collect());
-        Value { inside, ..value }
+        DebugValue { inside, ..value }
     }
 
-    fn elements(self, memory: &Memory, view: View, range: Range<usize>) -> Vec<Value> {
+    fn elements(self, memory: &Memory, view: View, range: Range<usize>) -> Vec<DebugValue> {
         let Ok(store) = memory.store(view.store) else { return Vec::new() };
         let kind = Arc::clone(&store.kind);
         let element = |name, number| self.single(memory, name, &kind, store.place(view.store, number));
         match &store.shape {
-            Shape::Collection(keys) => {
+            ContainerShape::Collection(keys) => {
                 let page = keys.iter().skip(range.start).take(range.len());
                 page.map(|(text, number)| element(key(text), *number)).collect()
             }
-            Shape::Array { dims, sizes } => {
+            ContainerShape::Array { dims, sizes } => {
                 let numbers = range.filter_map(|number| u32::try_from(number).ok());
                 numbers.map(|number| element(index(*dims, *sizes, number), number + view.start)).collect()
             }
         }
     }
 
-    fn variable(self, memory: &Memory, frame: &Frame, variable: &Variable) -> Value {
+    fn variable(self, memory: &Memory, frame: &Frame, variable: &FrameVariable) -> DebugValue {
         let (name, base) = (variable.name.clone(), &frame.base);
         let part = |number: u16| memory.stack.parts.get(base.part as usize + usize::from(number)).copied();
         match variable.storage {
@@ -114,17 +114,17 @@ impl Look<'_> {
                 let place = memory.stack.places.get(base.place as usize + usize::from(number)).copied();
                 let Some(place) = place else { return gone(name) };
                 let refers_to = self.names.of_place(memory, place, &variable.kind);
-                Value { refers_to, ..self.single(memory, name, &variable.kind, place) }
+                DebugValue { refers_to, ..self.single(memory, name, &variable.kind, place) }
             }
             Storage::View(number) => {
                 let view = memory.stack.views.get(base.view as usize + usize::from(number)).copied();
                 let refers_to = view.and_then(|view| self.names.of_view(memory, view));
-                Value { refers_to, ..self.optional(memory, name, view) }
+                DebugValue { refers_to, ..self.optional(memory, name, view) }
             }
         }
     }
 
-    fn optional(self, memory: &Memory, name: String, view: Option<View>) -> Value {
+    fn optional(self, memory: &Memory, name: String, view: Option<View>) -> DebugValue {
         match view {
             Some(view) => self.container(memory, name, view),
             None => gone(name),
@@ -132,40 +132,40 @@ impl Look<'_> {
     }
 
     /// Reads an array or collection, or its only element.
-    pub(super) fn container(self, memory: &Memory, name: String, view: View) -> Value {
+    pub(super) fn container(self, memory: &Memory, name: String, view: View) -> DebugValue {
         or_gone(name, |name| {
             let store = memory.store(view.store)?;
             let (kind, count) = (Arc::clone(&store.kind), memory.len(view)?);
-            if count == 1 && matches!(store.shape, Shape::Array { .. }) {
+            if count == 1 && matches!(store.shape, ContainerShape::Array { .. }) {
                 return Ok(self.single(memory, name, &kind, memory.element(view, 0)?));
             }
             let shown = if count == 1 { "1 value".to_owned() } else { format!("{count} values") };
             let type_name = type_name(&kind) + &sizes(&store.shape, count);
-            Ok(self.value((name, type_name, shown), (count > 0).then_some(Node::Values(view))))
+            Ok(self.value((name, type_name, shown), (count > 0).then_some(ValueNode::Values(view))))
         })
     }
 
     /// Reads a single value.
-    pub(super) fn single(self, memory: &Memory, name: String, kind: &Arc<Kind>, place: Place) -> Value {
+    pub(super) fn single(self, memory: &Memory, name: String, kind: &Arc<ValueType>, place: Place) -> DebugValue {
         or_gone(name, |name| {
             let has_fields = match &kind.base {
                 KindBase::User(_) => !kind.fields.is_empty(),
                 KindBase::Builtin(base, _) => base.is_structured(),
             };
             let shown = shown(memory, self.devices, (kind, place), self.format)?;
-            let node = has_fields.then(|| Node::Fields(Arc::clone(kind), place));
+            let node = has_fields.then(|| ValueNode::Fields(Arc::clone(kind), place));
             Ok(self.value((name, type_name(kind), shown), node))
         })
     }
 
-    fn value(self, (name, type_name, shown): (String, String, String), node: Option<Node>) -> Value {
+    fn value(self, (name, type_name, shown): (String, String, String), node: Option<ValueNode>) -> DebugValue {
         let path = self.path.child(&name);
         let expression = path.expression();
         let inside = node.map(|node| Inside { task: self.task, path, node });
-        Value { name, type_name, shown, path: expression, refers_to: None, inside }
+        DebugValue { name, type_name, shown, path: expression, refers_to: None, inside }
     }
 
-    pub(super) fn field(self, memory: &Memory, kind: &Kind, place: Place, number: usize) -> Option<Value> {
+    pub(super) fn field(self, memory: &Memory, kind: &ValueType, place: Place, number: usize) -> Option<DebugValue> {
         match &kind.base {
             KindBase::User(_) => {
                 let name = kind.fields.get(number)?.name.clone();
@@ -177,19 +177,19 @@ impl Look<'_> {
                     let number = number - fields(*base, *arm).len();
                     return positions::part(self, memory, (*base, place), number);
                 };
-                let kind = Arc::new(Kind::builtin(field.ty, *arm));
+                let kind = Arc::new(ValueType::builtin(field.ty, *arm));
                 let place = place.after(field_offset(*base, *arm, field.name)?);
                 let value = self.single(memory, field.name.to_owned(), &kind, place);
-                let is_angle = self.format.radians && field.unit == Unit::Degrees;
+                let is_angle = self.format.radians && field.unit == NumberUnit::Degrees;
                 let angle = memory.num(place, 0).ok().filter(|_| is_angle);
-                Some(angle.map(radians).map_or(value.clone(), |shown| Value { shown, ..value }))
+                Some(angle.map(radians).map_or(value.clone(), |shown| DebugValue { shown, ..value }))
             }
         }
     }
 }
 
 /// Returns the number of fields and computed parts of a value.
-pub(super) fn fields_of(kind: &Kind, place: Place) -> usize {
+pub(super) fn fields_of(kind: &ValueType, place: Place) -> usize {
     match &kind.base {
         KindBase::User(_) => kind.fields.len(),
         KindBase::Builtin(base, arm) => fields(*base, *arm).len() + positions::count(*base, place),
@@ -198,17 +198,17 @@ pub(super) fn fields_of(kind: &Kind, place: Place) -> usize {
 
 /// Returns the value, or a text for a value that no longer exists because its library was unloaded or its task has
 /// ended.
-fn or_gone(name: String, value: impl FnOnce(String) -> Result<Value>) -> Value {
+fn or_gone(name: String, value: impl FnOnce(String) -> Result<DebugValue>) -> DebugValue {
     value(name.clone()).unwrap_or_else(|_| gone(name))
 }
 
-pub(super) fn gone(name: String) -> Value {
+pub(super) fn gone(name: String) -> DebugValue {
     let shown = "not in memory".to_owned();
-    Value { name, type_name: String::new(), shown, path: None, refers_to: None, inside: None }
+    DebugValue { name, type_name: String::new(), shown, path: None, refers_to: None, inside: None }
 }
 
 /// Returns a value that the program of the stack frame cannot name.
-fn unseen(value: Value) -> Value {
-    let hide = |inside: Inside| Inside { path: Path { prefix: None, ..inside.path }, ..inside };
-    Value { path: None, inside: value.inside.map(hide), ..value }
+fn unseen(value: DebugValue) -> DebugValue {
+    let hide = |inside: Inside| Inside { path: ValuePath { prefix: None, ..inside.path }, ..inside };
+    DebugValue { path: None, inside: value.inside.map(hide), ..value }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_bytecode::{Image, Storage};
-use val3_lang::memory::{Kind, KindBase, Lanes, Memory, Place, Shape, StoreId, View, field_offset};
+use val3_lang::memory::{ContainerShape, KindBase, Lanes, Memory, Place, StoreId, ValueType, View, field_offset};
 use val3_lang::ports::TaskNumber;
 use val3_lang::types::fields;
 use val3_vm::{FragmentContext, Frame, Instance, Vm};
@@ -15,14 +15,14 @@ const SEARCHED: usize = 10_000;
 
 /// Names by which a program accesses data and its task's variables.
 #[derive(Debug, Default)]
-pub(crate) struct Names {
+pub(crate) struct AccessNames {
     /// Applications and libraries, with the prefix of their data names.
     data: Vec<(String, Arc<Image>, Arc<[StoreId]>)>,
     /// Stack frames of the task, the innermost first.
     frames: Vec<(Frame, Arc<Image>)>,
 }
 
-impl Names {
+impl AccessNames {
     /// Returns the names in a context, with the stack frames of a task.
     pub(super) fn of(vm: &Vm, task: Option<TaskNumber>, context: FragmentContext) -> Self {
         let found = task.and_then(|task| vm.tasks().iter().find(|known| known.id == task));
@@ -45,7 +45,7 @@ impl Names {
     }
 
     /// Returns the name for a value with this type.
-    pub(super) fn of_place(&self, memory: &Memory, place: Place, kind: &Kind) -> Option<String> {
+    pub(super) fn of_place(&self, memory: &Memory, place: Place, kind: &ValueType) -> Option<String> {
         if place.store == StoreId::STACK {
             return self.on_stack(place, kind);
         }
@@ -68,7 +68,7 @@ impl Names {
         self.of_place(memory, place, &kind)
     }
 
-    fn on_stack(&self, place: Place, kind: &Kind) -> Option<String> {
+    fn on_stack(&self, place: Place, kind: &ValueType) -> Option<String> {
         self.frames.iter().find_map(|(frame, image)| {
             let program = image.programs.get(usize::from(frame.program))?;
             program.variables.iter().find_map(|variable| {
@@ -137,11 +137,11 @@ fn within(memory: &Memory, (name, id): (String, StoreId), wanted: StoreId, left:
 
 /// Returns the index or key in brackets for the container's value `number`; empty for an array with one value.
 #[must_use]
-pub fn subscript(shape: &Shape, number: u32) -> Option<String> {
+pub fn subscript(shape: &ContainerShape, number: u32) -> Option<String> {
     match shape {
-        Shape::Array { .. } if shape.len() == 1 => Some(String::new()),
-        Shape::Array { dims, sizes } => Some(index(*dims, *sizes, number)),
-        Shape::Collection(keys) => keys.iter().find(|(_, at)| **at == number).map(|(text, _)| key(text)),
+        ContainerShape::Array { .. } if shape.len() == 1 => Some(String::new()),
+        ContainerShape::Array { dims, sizes } => Some(index(*dims, *sizes, number)),
+        ContainerShape::Collection(keys) => keys.iter().find(|(_, at)| **at == number).map(|(text, _)| key(text)),
     }
 }
 
@@ -162,7 +162,7 @@ fn lanes_between(start: Place, place: Place) -> Option<Lanes> {
 }
 
 /// Returns the field path of a part with this type and offset: `.trsf.x`, or empty for the value itself.
-fn field_path(kind: &Kind, offset: Lanes, wanted: &Kind) -> Option<String> {
+fn field_path(kind: &ValueType, offset: Lanes, wanted: &ValueType) -> Option<String> {
     if offset == Lanes::default() && kind.suits(wanted) {
         return Some(String::new());
     }
@@ -170,7 +170,7 @@ fn field_path(kind: &Kind, offset: Lanes, wanted: &Kind) -> Option<String> {
     fields(base, arm).iter().find_map(|field| {
         let before = field_offset(base, arm, field.name)?;
         let rest = lanes_between(Place::on_stack(before), Place::on_stack(offset))?;
-        let inner = field_path(&Kind::builtin(field.ty, arm), rest, wanted)?;
+        let inner = field_path(&ValueType::builtin(field.ty, arm), rest, wanted)?;
         Some(format!(".{}{inner}", field.name))
     })
 }

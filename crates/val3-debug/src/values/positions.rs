@@ -9,7 +9,7 @@ use val3_lang::types::{BaseType, fields};
 use val3_lang::values::printed;
 
 use super::look::Look;
-use super::{Inside, Value};
+use super::{DebugValue, Inside};
 
 /// Largest number of fathers in a chain that are shown.
 const MOST: usize = 16;
@@ -22,7 +22,12 @@ pub(super) fn count(base: BaseType, place: Place) -> usize {
 }
 
 /// Returns a computed part.
-pub(super) fn part(look: Look<'_>, memory: &Memory, (base, place): (BaseType, Place), number: usize) -> Option<Value> {
+pub(super) fn part(
+    look: Look<'_>,
+    memory: &Memory,
+    (base, place): (BaseType, Place),
+    number: usize,
+) -> Option<DebugValue> {
     match number {
         0 => Some(father(look, memory, place)),
         1 => Some(position(memory, base, place)),
@@ -31,7 +36,7 @@ pub(super) fn part(look: Look<'_>, memory: &Memory, (base, place): (BaseType, Pl
 }
 
 /// Returns the father of a position, with the names of all fathers up to `world` or `flange`.
-fn father(look: Look<'_>, memory: &Memory, place: Place) -> Value {
+fn father(look: Look<'_>, memory: &Memory, place: Place) -> DebugValue {
     let mut names = Vec::new();
     let mut next = reference(memory, place);
     let first = next;
@@ -45,7 +50,7 @@ fn father(look: Look<'_>, memory: &Memory, place: Place) -> Value {
     match first.zip(kind) {
         Some((first, kind)) => {
             let shown = names.join(" -> ");
-            Value { shown, ..look.single(memory, FATHER.to_owned(), &kind, first) }
+            DebugValue { shown, ..look.single(memory, FATHER.to_owned(), &kind, first) }
         }
         None => plain(FATHER, "", "none".to_owned()),
     }
@@ -59,7 +64,7 @@ fn reference(memory: &Memory, place: Place) -> Option<Place> {
 }
 
 /// Returns the placement of a position in `world`, or at `flange`.
-fn position(memory: &Memory, base: BaseType, place: Place) -> Value {
+fn position(memory: &Memory, base: BaseType, place: Place) -> DebugValue {
     let (name, chain) = match base {
         BaseType::Tool => ("flange", references::of_tool(memory, ToolRef(place))),
         BaseType::Frame => ("world", references::of_frame(memory, FrameRef(place))),
@@ -74,16 +79,16 @@ fn position(memory: &Memory, base: BaseType, place: Place) -> Value {
     }
 }
 
-fn trsf(name: &str, value: &Trsf) -> Value {
+fn trsf(name: &str, value: &Trsf) -> DebugValue {
     let numbers =
         [value.x, value.y, value.z, value.rx, value.ry, value.rz].map(|number| printed::num(number).to_string());
     let shown = printed::structure(&numbers);
     let names = fields(BaseType::Trsf, None).iter().map(|field| field.name);
     let inside = names.zip(numbers).map(|(name, number)| plain(name, "num", number)).collect();
-    Value { inside: Inside::listed(inside), ..plain(name, "trsf", shown) }
+    DebugValue { inside: Inside::listed(inside), ..plain(name, "trsf", shown) }
 }
 
-fn plain(name: &str, type_name: &str, shown: String) -> Value {
+fn plain(name: &str, type_name: &str, shown: String) -> DebugValue {
     let (name, type_name) = (name.to_owned(), type_name.to_owned());
-    Value { name, type_name, shown, path: None, refers_to: None, inside: None }
+    DebugValue { name, type_name, shown, path: None, refers_to: None, inside: None }
 }

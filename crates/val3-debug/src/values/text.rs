@@ -1,7 +1,7 @@
 //! Values as text.
 
 use val3_lang::fault::Result;
-use val3_lang::memory::{Kind, KindBase, Link, Memory, Place, Shape, View};
+use val3_lang::memory::{ContainerShape, KindBase, LinkPlace, Memory, Place, ValueType, View};
 use val3_lang::types::BaseType;
 use val3_lang::values::printed;
 use val3_machine::devices::Devices;
@@ -11,7 +11,7 @@ const SHOWN_FIELDS: usize = 4;
 
 /// Format of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Format {
+pub struct DisplayFormat {
     /// Whether whole numbers are hexadecimal: `0xFF`.
     pub hex: bool,
     /// Whether the angles of positions are in radians: `1.570796 rad`.
@@ -22,8 +22,8 @@ pub struct Format {
 pub(super) fn shown(
     memory: &Memory,
     devices: &Devices,
-    (kind, place): (&Kind, Place),
-    format: Format,
+    (kind, place): (&ValueType, Place),
+    format: DisplayFormat,
 ) -> Result<String> {
     match &kind.base {
         KindBase::User(_) => user(memory, devices, (kind, place), format),
@@ -56,8 +56,8 @@ fn hexadecimal(value: f64) -> Option<String> {
 }
 
 /// Formats the state and link of inputs, outputs and channels.
-fn port(devices: &Devices, base: BaseType, link: Link) -> String {
-    let Link::Port(port) = link else { return "not linked".to_owned() };
+fn port(devices: &Devices, base: BaseType, link: LinkPlace) -> String {
+    let LinkPlace::Port(port) = link else { return "not linked".to_owned() };
     let name = devices.port_name(base, port).unwrap_or_default();
     let state = match base {
         BaseType::Dio => devices.digital(port).map(|value| printed::bool(value).to_owned()),
@@ -70,7 +70,12 @@ fn port(devices: &Devices, base: BaseType, link: Link) -> String {
     }
 }
 
-fn user(memory: &Memory, devices: &Devices, (kind, place): (&Kind, Place), format: Format) -> Result<String> {
+fn user(
+    memory: &Memory,
+    devices: &Devices,
+    (kind, place): (&ValueType, Place),
+    format: DisplayFormat,
+) -> Result<String> {
     let mut texts = Vec::new();
     for (lane, field) in (0..).zip(&kind.fields).take(SHOWN_FIELDS) {
         let view = View::whole(memory.part(place, lane)?);
@@ -88,7 +93,7 @@ fn user(memory: &Memory, devices: &Devices, (kind, place): (&Kind, Place), forma
     Ok(format!("{{{}}}", texts.join(", ")))
 }
 
-pub(super) fn type_name(kind: &Kind) -> String {
+pub(super) fn type_name(kind: &ValueType) -> String {
     match &kind.base {
         KindBase::User(name) => name.clone(),
         KindBase::Builtin(base, _) => base.name().to_owned(),
@@ -96,11 +101,11 @@ pub(super) fn type_name(kind: &Kind) -> String {
 }
 
 /// Formats the sizes of a container, of which `count` elements can be reached.
-pub(super) fn sizes(shape: &Shape, count: u32) -> String {
+pub(super) fn sizes(shape: &ContainerShape, count: u32) -> String {
     match shape {
-        Shape::Collection(_) => "[\"\"]".to_owned(),
-        Shape::Array { dims: 1, .. } => format!("[{count}]"),
-        Shape::Array { dims, sizes } => {
+        ContainerShape::Collection(_) => "[\"\"]".to_owned(),
+        ContainerShape::Array { dims: 1, .. } => format!("[{count}]"),
+        ContainerShape::Array { dims, sizes } => {
             let sizes: Vec<String> = sizes.iter().take(usize::from(*dims)).map(ToString::to_string).collect();
             format!("[{}]", sizes.join(","))
         }

@@ -46,7 +46,7 @@ fn global(debugger: &Debugger, name: &str) -> f64 {
 fn cycles(debugger: &mut Debugger, count: usize) {
     for _ in 0..count {
         let progress = debugger.advance();
-        assert!(matches!(progress, val3_debug::Progress::Ran(_)), "{progress:?}");
+        assert!(matches!(progress, val3_debug::AdvanceResult::Ran(_)), "{progress:?}");
     }
 }
 
@@ -171,7 +171,7 @@ fn a_task_continues_only_in_its_innermost_program() {
 #[test]
 fn a_failed_task_continues_at_another_line() {
     let mut debugger = debugger("program start()\nnum l_nZero\nbegin\n  ? 1/l_nZero\n  ? 2\nend\n");
-    debugger.set_errors(val3_debug::Errors::all());
+    debugger.set_errors(val3_debug::StopErrors::all());
     let task = task_of(&run(&mut debugger).unwrap()).unwrap();
     let (file, first) = (file(&debugger, "start"), first_row(&debugger, "start"));
     let target = debugger.goto_target(task, &file, first + 1).unwrap();

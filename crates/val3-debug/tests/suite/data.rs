@@ -2,9 +2,10 @@
 
 use expect_test::{Expect, expect};
 use val3_debug::{
-    BreakpointId, DataAccess, DataBreakpoint, DataStop, Debugger, PastLimits, AdvanceResult, StepKind, Stop, WatchedData,
+    AdvanceResult, BreakpointId, DataAccess, DataBreakpoint, DataStop, Debugger, PastLimits, StepKind, Stop,
+    WatchedData,
 };
-use val3_lang::memory::Link;
+use val3_lang::memory::LinkPlace;
 use val3_machine::controller::Controller;
 use val3_machine::io::{Direction, Signal};
 use val3_tests::running::Running;
@@ -276,7 +277,7 @@ fn link_all(Controller { vm, devices, .. }: &mut Controller, array: &str, paths:
     let (_, application) = vm.space.loaded().next().unwrap();
     let Some(number) = application.image.data(array) else { return };
     let store = application.data[usize::from(number)];
-    let links = paths.iter().map(|path| Link::Port(devices.state.io.link(path).number()));
+    let links = paths.iter().map(|path| LinkPlace::Port(devices.state.io.link(path).number()));
     vm.space.memory.store_mut(store).unwrap().links = links.collect();
 }
 
@@ -286,7 +287,7 @@ fn signals_are_watched() {
     let listing = "program start()\nbegin\n  while true\n    delay(0)\n  endWhile\nend\n";
     let mut debugger = with_signals(listing, "Io\\start", DataAccess::Write);
     for _ in 0..50 {
-        assert!(matches!(debugger.advance(), Progress::Ran(_)));
+        assert!(matches!(debugger.advance(), AdvanceResult::Ran(_)));
     }
     let io = &mut debugger.controller.devices.state.io;
     let signal = io.find("Io\\start").unwrap();

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use val3_debug::{
-    Breakpoint, BreakpointId, Debugger, Errors, HitCondition, PastLimits, AdvanceResult, StepKind, Stop, frames,
+    AdvanceResult, Breakpoint, BreakpointId, Debugger, HitCondition, PastLimits, StepKind, Stop, StopErrors, frames,
 };
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::RunStatus;
@@ -301,7 +301,7 @@ fn a_step_waits_with_its_task() {
 fn a_run_time_error_stops_the_run_where_it_happens() {
     let listing = "program start()\nnum l_nZero\nbegin\n  ? 1\n  ? 1/l_nZero\n  ? 3\nend\n";
     let mut debugger = debugger(listing);
-    debugger.set_errors(Errors::all());
+    debugger.set_errors(StopErrors::all());
     stops(
         &mut debugger,
         |_, _| (),
@@ -310,7 +310,7 @@ fn a_run_time_error_stops_the_run_where_it_happens() {
         end
     "#]],
     );
-    for (errors, expected) in [(Errors::default(), 0), (Errors::only([10]), 1), (Errors::only([20]), 0)] {
+    for (errors, expected) in [(StopErrors::default(), 0), (StopErrors::only([10]), 1), (StopErrors::only([20]), 0)] {
         let mut debugger = self::debugger(listing);
         debugger.set_errors(errors.clone());
         assert_eq!(usize::from(run(&mut debugger).is_some()), expected, "{errors:?}");

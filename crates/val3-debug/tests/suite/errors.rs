@@ -1,11 +1,11 @@
 //! Run-time errors that stop the run.
 
-use val3_debug::{Debugger, Errors, PastLimits, StepKind, Stop, handler};
+use val3_debug::{Debugger, PastLimits, StepKind, Stop, StopErrors, handler};
 
 use crate::debugger::{debugger, run, set};
 
 /// Whether an error stops the run of a task that fails, next to a task with these lines and programs.
-fn stops(lines: &str, errors: Errors) -> bool {
+fn stops(lines: &str, errors: StopErrors) -> bool {
     let mut debugger = debugger(&format!(
         "program start()\nbegin\n  taskCreate \"work\",10,work()\n  {lines}\nend\nprogram work()\nnum l_nZero\nbegin\n  \
          delay(0.1)\n  ? 1/l_nZero\nend\nprogram watch()\nbegin\n  call look()\n  delay(0)\nend\nprogram look()\nbegin\n  \
@@ -17,8 +17,8 @@ fn stops(lines: &str, errors: Errors) -> bool {
     stop.is_some()
 }
 
-fn unhandled() -> Errors {
-    Errors { unhandled: true, ..Errors::default() }
+fn unhandled() -> StopErrors {
+    StopErrors { unhandled: true, ..StopErrors::default() }
 }
 
 #[test]
@@ -32,18 +32,18 @@ fn an_error_that_no_task_looks_for_is_unhandled() {
         ("call look()\n  delay(0.01)\n  while clock()<1\n    delay(0)\n  endWhile", false),
     ] {
         assert_eq!(stops(lines, unhandled()), expected, "{lines}");
-        assert!(stops(lines, Errors::all()), "{lines}");
-        assert!(!stops(lines, Errors::default()), "{lines}");
+        assert!(stops(lines, StopErrors::all()), "{lines}");
+        assert!(!stops(lines, StopErrors::default()), "{lines}");
     }
 }
 
 #[test]
 fn filters_add_up() {
     let handled = "wait(taskStatus(\"work\")>1)\n  taskKill(\"work\")";
-    let motion = Errors { motion: true, ..Errors::default() };
+    let motion = StopErrors { motion: true, ..StopErrors::default() };
     assert!(!stops(handled, motion.clone()));
-    assert!(!stops(handled, Errors::only([20])));
-    assert!(stops(handled, Errors { unhandled: true, numbers: [10].into(), ..motion }));
+    assert!(!stops(handled, StopErrors::only([20])));
+    assert!(stops(handled, StopErrors { unhandled: true, numbers: [10].into(), ..motion }));
 }
 
 #[test]
@@ -52,7 +52,7 @@ fn errors_of_motion_descriptors_are_motion_errors() {
                    movej(l_jTarget,flange,l_mFast)\nend\n";
     for (motion, expected) in [(true, true), (false, false)] {
         let mut debugger = debugger(listing);
-        debugger.set_errors(Errors { motion, ..Errors::only([10]) });
+        debugger.set_errors(StopErrors { motion, ..StopErrors::only([10]) });
         let stop = run(&mut debugger);
         assert_eq!(stop.is_some(), expected, "{stop:?}");
     }
@@ -80,7 +80,7 @@ fn an_arm_that_stops_before_an_impossible_path_is_a_motion_error() {
         let mut debugger = debugger(CUT_CORNER);
         debugger.controller.devices.state.robot.set_power(true);
         debugger.controller.arm_mut().put([0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
-        debugger.set_errors(Errors { motion, ..Errors::default() });
+        debugger.set_errors(StopErrors { motion, ..StopErrors::default() });
         let stop = run(&mut debugger);
         let Some(Stop::PathFault(fault)) = stop else {
             assert!(stop.is_none() && !expected, "{stop:?}");
@@ -99,7 +99,7 @@ fn going_back_stops_before_an_impossible_path() {
     debugger.controller.devices.state.robot.set_power(true);
     debugger.controller.arm_mut().put([0.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
     debugger.record(PastLimits::snapshots(100));
-    debugger.set_errors(Errors { motion: true, ..Errors::default() });
+    debugger.set_errors(StopErrors { motion: true, ..StopErrors::default() });
     assert_eq!(set(&mut debugger, "start", &[(13, None)]), [Some(13)]);
     let Some(Stop::PathFault(fault)) = run(&mut debugger) else { panic!("no stop") };
     let place = |debugger: &Debugger| (debugger.controller.now(), debugger.controller.arm().sample().joints);
@@ -114,6 +114,6 @@ fn going_back_stops_before_an_impossible_path() {
         };
         assert_eq!((stop, place(&debugger)), (Stop::PathFault(fault.clone()), there), "{kind:?}");
     }
-    debugger.set_errors(Errors::default());
+    debugger.set_errors(StopErrors::default());
     assert_eq!(debugger.run_back(), Stop::Beginning);
 }

@@ -1,7 +1,7 @@
 //! Step mode of the motion (10.2.2), with programs. The arm is a TX2-90.
 
 use expect_test::{Expect, expect};
-use val3_debug::{Breakpoint, BreakpointId, Debugger, MotionStop, PastLimits, AdvanceResult, StepKind, Stop, frames};
+use val3_debug::{AdvanceResult, Breakpoint, BreakpointId, Debugger, MotionStop, PastLimits, StepKind, Stop, frames};
 use val3_lang::ports::TaskNumber;
 use val3_machine::arm::{ArmHold, MotionMode, MoveStage};
 use val3_machine::controller::RunStatus;
@@ -475,7 +475,7 @@ fn an_arm_that_is_held_in_the_middle_of_a_motion_stops_the_run() {
     for (hold, free, expected) in holds {
         let mut debugger = debugger(MANUAL, MotionMode::Step);
         while debugger.travel_time() < 20 {
-            assert!(!matches!(debugger.advance(), Progress::Stopped(_)));
+            assert!(!matches!(debugger.advance(), AdvanceResult::Stopped(_)));
         }
         hold(&mut debugger.controller.devices.state.robot);
         let Some(Stop::Motion(stop)) = run(&mut debugger) else { panic!("no stop: {expected:?}") };

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use expect_test::expect;
-use val3_debug::{Debugger, Errors, StepInTarget, StepKind, Stop};
+use val3_debug::{Debugger, StepInTarget, StepKind, Stop, StopErrors};
 
 use crate::debugger::{debugger, run, set, shown};
 
@@ -62,7 +62,7 @@ fn a_line_leads_into_a_program_or_a_task() {
 fn a_line_that_creates_no_task_leads_nowhere() {
     let mut debugger = debugger(LEADING);
     let main = debugger.controller.vm.tasks()[0].id;
-    debugger.set_errors(Errors::all());
+    debugger.set_errors(StopErrors::all());
     set(&mut debugger, "start", &[(6, None)]);
     run(&mut debugger);
     debugger.step(main, StepKind::IntoTask);

@@ -1,7 +1,9 @@
 //! Variables of stopped tasks.
 
 use expect_test::{Expect, expect};
-use val3_debug::{Breakpoint, BreakpointId, Debugger, Format, Inside, AdvanceResult, Stop, count, scopes, values};
+use val3_debug::{
+    AdvanceResult, Breakpoint, BreakpointId, Debugger, DisplayFormat, Inside, Stop, count, scopes, values,
+};
 use val3_lang::ports::TaskNumber;
 use val3_machine::controller::Controller;
 use val3_tests::running::Running;
@@ -25,7 +27,7 @@ fn stopped(listing: &str) -> (Controller, TaskNumber) {
 /// Appends a value and all nested values, indented.
 fn tree(controller: &mut Controller, inside: &Inside, indent: usize, text: &mut String) {
     let all = count(&mut controller.vm, inside);
-    for value in values(controller, inside, 0..all, Format::default()) {
+    for value in values(controller, inside, 0..all, DisplayFormat::default()) {
         let refers_to = value.refers_to.map_or_else(String::new, |name| format!(" -> {name}"));
         *text += &format!("{:indent$}{}{refers_to}: {} = {}\n", "", value.name, value.type_name, value.shown);
         // The fields of a transformation are in its text, and a father is listed under its own name.
@@ -136,10 +138,10 @@ fn a_page_of_a_long_array_is_read_alone() {
         "num nMany[100000]\nprogram start()\nbegin\n  nMany[99999]=5\n  call show()\nend\nprogram show()\nbegin\n  ? 1\nend\n",
     );
     let globals = scopes(&controller.vm, task, 0).remove(2);
-    let many = values(&mut controller, &globals.inside, 0..1, Format::default()).remove(0);
+    let many = values(&mut controller, &globals.inside, 0..1, DisplayFormat::default()).remove(0);
     assert_eq!((many.type_name.as_str(), many.shown.as_str()), ("num[100000]", "100000 values"));
     let inside = many.inside.unwrap();
-    let page = values(&mut controller, &inside, 99_998..100_100, Format::default());
+    let page = values(&mut controller, &inside, 99_998..100_100, DisplayFormat::default());
     let shown: Vec<_> = page.iter().map(|value| format!("{}={}", value.name, value.shown)).collect();
     assert_eq!(shown, ["[99998]=0", "[99999]=5"]);
 }
@@ -368,12 +370,12 @@ public trsf trAt[2]
     let mut found = String::new();
     for scope in scopes(&controller.vm, task, 0) {
         let all = count(&mut controller.vm, &scope.inside);
-        for mut value in values(&mut controller, &scope.inside, 0..all, Format::default()) {
+        for mut value in values(&mut controller, &scope.inside, 0..all, DisplayFormat::default()) {
             found += &format!("{:?}", value.path);
             while let Some(inside) = value.inside.take() {
                 let last = count(&mut controller.vm, &inside) - 1;
                 let last = last.min(1);
-                value = values(&mut controller, &inside, last..last + 1, Format::default()).remove(0);
+                value = values(&mut controller, &inside, last..last + 1, DisplayFormat::default()).remove(0);
                 found += &format!(" {}", value.path.as_deref().unwrap_or("-"));
             }
             found.push('\n');
@@ -396,9 +398,10 @@ fn whole_numbers_are_shown_in_hexadecimal() {
         "num nMask\nnum nPart\nprogram start()\nbegin\n  nMask=255\n  nPart=0.5\n  call show()\nend\nprogram show()\nbegin\n  ? 1\nend\n",
     );
     let globals = scopes(&controller.vm, task, 0).remove(2);
-    let shown: Vec<_> = values(&mut controller, &globals.inside, 0..2, Format { hex: true, ..Format::default() })
-        .into_iter()
-        .map(|value| value.shown)
-        .collect();
+    let shown: Vec<_> =
+        values(&mut controller, &globals.inside, 0..2, DisplayFormat { hex: true, ..DisplayFormat::default() })
+            .into_iter()
+            .map(|value| value.shown)
+            .collect();
     assert_eq!(shown, ["0xFF", "0.5"]);
 }

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 
 /// A step of the alignment, by element index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum AlignmentStep {
     /// The element is in both sequences, with the same or changed content.
     Pair {
         /// Index in the old sequence.
@@ -21,12 +21,12 @@ pub(super) enum Step {
 /// Aligns two sequences in O(n log n). Elements that occur once in each sequence are anchors, in their longest common
 /// order. Between two anchors, equal elements at both ends are paired first, then the rest in order. An alignment with
 /// the fewest edits would need quadratic time for sequences without common elements.
-pub(super) fn align(old: &[u32], new: &[u32]) -> Vec<Step> {
+pub(super) fn align(old: &[u32], new: &[u32]) -> Vec<AlignmentStep> {
     let mut steps = Vec::with_capacity(old.len().max(new.len()));
     let (mut old_start, mut new_start) = (0, 0);
     for (old_end, new_end) in increasing(&unique(old, new)) {
         between(old, new, (old_start, old_end), (new_start, new_end), &mut steps);
-        steps.push(Step::Pair { old: old_end, new: new_end });
+        steps.push(AlignmentStep::Pair { old: old_end, new: new_end });
         (old_start, new_start) = (old_end + 1, new_end + 1);
     }
     between(old, new, (old_start, old.len()), (new_start, new.len()), &mut steps);
@@ -80,11 +80,11 @@ fn between(
     new: &[u32],
     (mut old_start, old_end): (usize, usize),
     (mut new_start, new_end): (usize, usize),
-    steps: &mut Vec<Step>,
+    steps: &mut Vec<AlignmentStep>,
 ) {
     let is_equal = |old_index: usize, new_index: usize| old.get(old_index) == new.get(new_index);
     while old_start < old_end && new_start < new_end && is_equal(old_start, new_start) {
-        steps.push(Step::Pair { old: old_start, new: new_start });
+        steps.push(AlignmentStep::Pair { old: old_start, new: new_start });
         (old_start, new_start) = (old_start + 1, new_start + 1);
     }
     let mut equal = 0;
@@ -96,10 +96,12 @@ fn between(
     }
     let (old_rest, new_rest) = (old_end - equal - old_start, new_end - equal - new_start);
     let changed = old_rest.min(new_rest);
-    steps.extend((0..changed).map(|offset| Step::Pair { old: old_start + offset, new: new_start + offset }));
-    steps.extend((changed..old_rest).map(|offset| Step::Removed(old_start + offset)));
-    steps.extend((changed..new_rest).map(|offset| Step::Inserted(new_start + offset)));
-    steps.extend((0..equal).map(|offset| Step::Pair { old: old_end - equal + offset, new: new_end - equal + offset }));
+    steps.extend((0..changed).map(|offset| AlignmentStep::Pair { old: old_start + offset, new: new_start + offset }));
+    steps.extend((changed..old_rest).map(|offset| AlignmentStep::Removed(old_start + offset)));
+    steps.extend((changed..new_rest).map(|offset| AlignmentStep::Inserted(new_start + offset)));
+    steps.extend(
+        (0..equal).map(|offset| AlignmentStep::Pair { old: old_end - equal + offset, new: new_end - equal + offset }),
+    );
 }
 
 #[cfg(test)]
@@ -111,10 +113,10 @@ mod tests {
 
     fn shown(old: &str, new: &str) -> String {
         let ids = |text: &str| text.chars().map(u32::from).collect::<Vec<_>>();
-        let step = |step: Step| match step {
-            Step::Pair { old, new } => format!("{old}{new}"),
-            Step::Removed(old) => format!("-{old}"),
-            Step::Inserted(new) => format!("+{new}"),
+        let step = |step: AlignmentStep| match step {
+            AlignmentStep::Pair { old, new } => format!("{old}{new}"),
+            AlignmentStep::Removed(old) => format!("-{old}"),
+            AlignmentStep::Inserted(new) => format!("+{new}"),
         };
         align(&ids(old), &ids(new)).into_iter().map(step).collect::<Vec<_>>().join(" ")
     }
@@ -133,8 +135,8 @@ mod tests {
         #[test]
         fn every_element_has_one_step_in_order(old in vec(0..6_u32, 0..12), new in vec(0..6_u32, 0..12)) {
             let steps = align(&old, &new);
-            let of_old = |step: &Step| match step { Step::Pair { old, .. } | Step::Removed(old) => Some(*old), Step::Inserted(_) => None };
-            let of_new = |step: &Step| match step { Step::Pair { new, .. } | Step::Inserted(new) => Some(*new), Step::Removed(_) => None };
+            let of_old = |step: &AlignmentStep| match step { AlignmentStep::Pair { old, .. } | AlignmentStep::Removed(old) => Some(*old), AlignmentStep::Inserted(_) => None };
+            let of_new = |step: &AlignmentStep| match step { AlignmentStep::Pair { new, .. } | AlignmentStep::Inserted(new) => Some(*new), AlignmentStep::Removed(_) => None };
             prop_assert_eq!(steps.iter().filter_map(of_old).collect::<Vec<_>>(), (0..old.len()).collect::<Vec<_>>());
             prop_assert_eq!(steps.iter().filter_map(of_new).collect::<Vec<_>>(), (0..new.len()).collect::<Vec<_>>());
         }
@@ -143,7 +145,7 @@ mod tests {
         fn removed_elements_of_distinct_ones_are_the_only_steps_without_a_pair(kept in vec(prop::bool::ANY, 1..20)) {
             let old: Vec<u32> = (0..).zip(&kept).map(|(id, _)| id).collect();
             let new: Vec<u32> = (0..).zip(&kept).filter(|(_, kept)| **kept).map(|(id, _)| id).collect();
-            let removed = align(&old, &new).iter().filter(|step| matches!(step, Step::Removed(_))).count();
+            let removed = align(&old, &new).iter().filter(|step| matches!(step, AlignmentStep::Removed(_))).count();
             prop_assert_eq!(removed, old.len() - new.len());
         }
     }

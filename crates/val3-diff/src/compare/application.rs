@@ -10,9 +10,9 @@ use super::renames::{self, Renamed};
 use super::users::{self, Users};
 use super::{contents, data, project, text};
 use crate::applications::{Application, Matched, SourceFile};
-use crate::exclusions::Layout;
+use crate::exclusions::BlankComparison;
 use crate::model::{ApplicationChange, Change, InterfaceChange, Problem};
-use crate::read::project::Project;
+use crate::read::project::ProjectVersion;
 use programs::ProgramPair;
 use sides::{DataSides, versions};
 
@@ -23,7 +23,7 @@ const START: &str = "start.pgx";
 pub(super) fn compare(
     pair: &Matched<'_, '_>,
     users: &Users,
-    layout: Layout,
+    layout: BlankComparison,
     problems: &mut Vec<Problem>,
 ) -> Option<ApplicationChange> {
     let shown = pair.new.or(pair.old)?;
@@ -77,7 +77,7 @@ fn moved_from(pair: &Matched<'_, '_>) -> Option<String> {
 
 /// Compares the project files.
 fn manifest(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: &mut Vec<Problem>) {
-    fn read<'a>(side: Option<&'a Application<'_>>) -> Option<&'a Project> {
+    fn read<'a>(side: Option<&'a Application<'_>>) -> Option<&'a ProjectVersion> {
         side.and_then(|application| application.project.as_ref())
     }
     fn version<'t>(side: Option<&Application<'t>>) -> Option<text::Version<'t>> {
@@ -90,7 +90,7 @@ fn manifest(pair: &Matched<'_, '_>, compared: &mut ApplicationChange, problems: 
         return;
     }
     let (old, new) = (read(pair.old), read(pair.new));
-    let none = Project::default();
+    let none = ProjectVersion::default();
     let (old, new) = (old.unwrap_or(&none), new.unwrap_or(&none));
     if compared.change == Change::Changed {
         compared.project = project::parameters(old, new);

@@ -7,12 +7,12 @@ use val3_lang::types::{Arm, BaseType};
 
 use super::dependents;
 use super::interface;
-use super::placement::{Places, Positions};
+use super::placement::{Places, TreePositions};
 use super::values;
-use crate::model::Class;
-use crate::model::{Change, DataChange, InterfaceChange, Pair, Side};
+use crate::model::ReportClass;
+use crate::model::{Change, DataChange, InterfaceChange, TreeSide, ValuePair};
 use crate::read::code::Renames;
-use crate::read::data::Data;
+use crate::read::data::DataVersion;
 use crate::read::program::access;
 
 /// Data that differ.
@@ -21,20 +21,20 @@ pub(super) struct DataComparison {
     pub(super) data: Vec<DataChange>,
     pub(super) interface: Vec<InterfaceChange>,
     /// Loops of fathers.
-    pub(super) problems: Vec<(Side, String)>,
+    pub(super) problems: Vec<(TreeSide, String)>,
 }
 
 /// Compares data. `units` are the length units in mm, `renames` the new names of data.
-pub(super) fn compare([original, new]: [&[Data]; 2], units: [f64; 2], renames: &Renames) -> DataComparison {
-    let old: Vec<Data> = original.iter().map(|data| data.renamed(renames)).collect();
+pub(super) fn compare([original, new]: [&[DataVersion]; 2], units: [f64; 2], renames: &Renames) -> DataComparison {
+    let old: Vec<DataVersion> = original.iter().map(|data| data.renamed(renames)).collect();
     let old = old.as_slice();
-    let by_name = |list: &'_ [Data]| -> BTreeMap<String, usize> {
+    let by_name = |list: &'_ [DataVersion]| -> BTreeMap<String, usize> {
         // If a name is declared twice, the first declaration is used, as in the analysis.
         list.iter().enumerate().rev().map(|(index, data)| (data.decl.name.to_string(), index)).collect()
     };
     let (old_names, new_names) = (by_name(old), by_name(new));
     let [old_unit, new_unit] = units;
-    let mut places = Places::new(Positions::new(old, old_unit), Positions::new(new, new_unit));
+    let mut places = Places::new(TreePositions::new(old, old_unit), TreePositions::new(new, new_unit));
     let mut names: Vec<&String> =
         old_names.keys().chain(new_names.keys().filter(|name| !old_names.contains_key(*name))).collect();
     names.sort_by_key(|name| (path_key(name), *name));
@@ -45,43 +45,43 @@ pub(super) fn compare([original, new]: [&[Data]; 2], units: [f64; 2], renames: &
         let new = new_names.get(name).and_then(|index| new.get(*index));
         let renamed_from = before.map(|data| data.decl.name.to_string()).filter(|before| before != name);
         let Some(change) = compare_one([old, new], renamed_from, &mut places) else { continue };
-        let types = Pair { old: before.map(interface_of), new: new.map(interface_of) };
+        let types = ValuePair { old: before.map(interface_of), new: new.map(interface_of) };
         found.interface.extend(interface::data(&change, types));
         found.data.push(change);
     }
     dependents::add(&mut found.data, new, &mut places);
-    found.problems.extend(places.old.loops().map(|message| (Side::Old, message)));
-    found.problems.extend(places.new.loops().map(|message| (Side::New, message)));
+    found.problems.extend(places.old.loops().map(|message| (TreeSide::Old, message)));
+    found.problems.extend(places.new.loops().map(|message| (TreeSide::New, message)));
     found
 }
 
 /// Formats the interface of data for their users, for example `num nA[]`.
-fn interface_of(data: &Data) -> String {
+fn interface_of(data: &DataVersion) -> String {
     let brackets = val3_analysis::ty::brackets(data.decl.container);
     let is_single = data.decl.sizes == [1];
     format!("{} {}{}", data.type_name(), data.decl.name, if is_single { "" } else { brackets })
 }
 
 fn compare_one(
-    [old, new]: [Option<&Data>; 2],
+    [old, new]: [Option<&DataVersion>; 2],
     renamed_from: Option<String>,
     places: &mut Places<'_>,
 ) -> Option<DataChange> {
     let shown = new.or(old)?;
     let change = Change::of(old.is_some(), new.is_some());
-    let is_public = |data: Option<&Data>| data.is_some_and(|data| data.decl.public);
+    let is_public = |data: Option<&DataVersion>| data.is_some_and(|data| data.decl.public);
     let mut compared = DataChange {
         name: shown.decl.name.to_string(),
         renamed_from,
         change,
-        class: Class::of(shown.base.map(|(ty, _)| ty)),
+        class: ReportClass::of(shown.base.map(|(ty, _)| ty)),
         type_name: shown.type_name().to_owned(),
         declaration: shown.declaration(),
         value: (change != Change::Changed).then(|| shown.single()).flatten(),
         access: None,
         types: None,
         sizes: None,
-        public: Pair { old: is_public(old), new: is_public(new) },
+        public: ValuePair { old: is_public(old), new: is_public(new) },
         renumbering: None,
         values: Vec::new(),
     };
@@ -90,18 +90,18 @@ fn compare_one(
         compared.values = if is_single { Vec::new() } else { values::all(shown, change) };
         return Some(compared);
     };
-    compared.access = Pair::differing(access(old.decl.public), access(new.decl.public));
+    compared.access = ValuePair::differing(access(old.decl.public), access(new.decl.public));
     if is_same_type(old, new) {
         (compared.values, compared.renumbering) = values::compare(old, new, places);
     } else {
-        compared.types = Some(Pair { old: old.type_name().to_owned(), new: new.type_name().to_owned() });
+        compared.types = Some(ValuePair { old: old.type_name().to_owned(), new: new.type_name().to_owned() });
     }
-    compared.sizes = Pair::differing(old.size(), new.size());
+    compared.sizes = ValuePair::differing(old.size(), new.size());
     (!compared.is_same()).then_some(compared)
 }
 
 /// Whether the types are equal. Each dialect has its own names for types that depend on the kind of arm.
-fn is_same_type(old: &Data, new: &Data) -> bool {
+fn is_same_type(old: &DataVersion, new: &DataVersion) -> bool {
     let arm = |(ty, arm): (BaseType, Option<Arm>)| (ty, arm.unwrap_or(Arm::SixAxis));
     match (old.base, new.base) {
         (Some(old), Some(new)) => arm(old) == arm(new),

@@ -6,12 +6,12 @@ use val3_analysis::placement::shown;
 use val3_lang::types::BaseType;
 
 use super::movement;
-use super::placement::{Places, Positions};
+use super::placement::{Places, TreePositions};
 use crate::model::{DataChange, Dependent};
-use crate::read::data::Data;
+use crate::read::data::DataVersion;
 
 /// Adds dependents to every frame and tool that has moved. A position is added to its nearest father that has moved.
-pub(super) fn add(changes: &mut [DataChange], new: &[Data], places: &mut Places<'_>) {
+pub(super) fn add(changes: &mut [DataChange], new: &[DataVersion], places: &mut Places<'_>) {
     let moved = moved(changes);
     if moved.is_empty() {
         return;
@@ -35,7 +35,7 @@ pub(super) fn add(changes: &mut [DataChange], new: &[Data], places: &mut Places<
     }
 }
 
-fn paths(data: &[Data]) -> impl Iterator<Item = &SmolStr> {
+fn paths(data: &[DataVersion]) -> impl Iterator<Item = &SmolStr> {
     let values = data.iter().flat_map(|data| &data.values);
     values.filter(|(_, value)| value.ty.has_father()).map(|(path, _)| path)
 }
@@ -48,7 +48,7 @@ fn moved(changes: &[DataChange]) -> FxHashSet<String> {
 }
 
 /// Returns the nearest father that has moved. The search ends at a loop of fathers.
-fn nearest(father: Option<&SmolStr>, moved: &FxHashSet<String>, positions: &Positions<'_>) -> Option<String> {
+fn nearest(father: Option<&SmolStr>, moved: &FxHashSet<String>, positions: &TreePositions<'_>) -> Option<String> {
     let (mut next, mut seen) = (father.cloned(), FxHashSet::default());
     while let Some(path) = next.filter(|path| seen.insert(path.clone())) {
         let found = shown(&path);

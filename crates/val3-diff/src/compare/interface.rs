@@ -1,9 +1,9 @@
 //! Interface of a project for other projects: its public programs and data.
 
-use crate::model::{Change, DataChange, InterfaceChange, ItemKind, Pair, ProgramChange};
+use crate::model::{Change, DataChange, InterfaceChange, ItemKind, ProgramChange, ValuePair};
 
 /// Old and new signature of a changed program: `pick(num, string&)`.
-pub(super) type Interfaces = Pair<Option<String>>;
+pub(super) type Interfaces = ValuePair<Option<String>>;
 
 /// Returns the change of a public program; `None` if its interface is unchanged.
 pub(super) fn program(change: &ProgramChange, interfaces: Interfaces) -> Option<InterfaceChange> {

@@ -5,14 +5,14 @@ use val3_geometry::{Rotation3, Trsf, Vector3, chain, rotation};
 
 use super::placement::Places;
 use crate::model::{Displacement, Movement, Shift};
-use crate::read::value::{AxisKind, Value};
+use crate::read::value::{AxisKind, FileValue};
 
 /// Movements below this limit in mm or degrees are rounding errors.
 const NOISE: f64 = 1e-6;
 
 /// Returns the movement from an old to a new value of the position at a new path; `None` if the value is no position or
 /// has not moved.
-pub(super) fn of(path: &SmolStr, old: &Value, new: &Value, places: &mut Places<'_>) -> Option<Movement> {
+pub(super) fn of(path: &SmolStr, old: &FileValue, new: &FileValue, places: &mut Places<'_>) -> Option<Movement> {
     let (old_trsf, new_trsf) = (places.old.transformation(old)?, places.new.transformation(new)?);
     let is_same_father = old.father() == new.father();
     let is_same_place = old_trsf == new_trsf && is_same_father;
@@ -26,7 +26,7 @@ pub(super) fn of(path: &SmolStr, old: &Value, new: &Value, places: &mut Places<'
 }
 
 /// Returns the maximum changes of linear and of rotary axes; `None` if the values are no joint positions.
-pub(super) fn of_axes(old: &Value, new: &Value, places: &Places<'_>) -> Option<Displacement> {
+pub(super) fn of_axes(old: &FileValue, new: &FileValue, places: &Places<'_>) -> Option<Displacement> {
     let (old, new) = (old.axes()?, new.axes()?);
     let greatest = |wanted: AxisKind, [old_unit, new_unit]: [f64; 2]| {
         let axes = old.iter().zip(&new).filter(|((kind, _), _)| *kind == wanted);

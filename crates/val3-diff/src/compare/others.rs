@@ -7,21 +7,21 @@ use val3_analysis::paths::path_key;
 
 use crate::applications::{Application, Matched};
 use crate::model::{Change, OtherChange};
-use crate::tree::Tree;
+use crate::tree::FileTree;
 
 /// Index of the matched application that contains a file, and the path below its folder. A file outside of applications
 /// has `None` and its whole path.
-type Key = (Option<usize>, String);
+type FileKey = (Option<usize>, String);
 
 /// A file with its length and hash.
-type Found = (String, (usize, u64));
+type FileHash = (String, (usize, u64));
 
 /// Returns the files that differ. A file in an application is compared with the file in the matched application.
-pub(super) fn compare([old, new]: [&Tree; 2], pairs: &[Matched<'_, '_>], is_one_cell: bool) -> Vec<OtherChange> {
+pub(super) fn compare([old, new]: [&FileTree; 2], pairs: &[Matched<'_, '_>], is_one_cell: bool) -> Vec<OtherChange> {
     let old = by_key(old, &pairs.iter().map(|pair| pair.old).collect::<Vec<_>>(), is_one_cell);
     let new = by_key(new, &pairs.iter().map(|pair| pair.new).collect::<Vec<_>>(), is_one_cell);
-    let keys: BTreeSet<&Key> = old.keys().chain(new.keys()).collect();
-    let change = |key: &Key| {
+    let keys: BTreeSet<&FileKey> = old.keys().chain(new.keys()).collect();
+    let change = |key: &FileKey| {
         let (before, after) = (old.get(key), new.get(key));
         let (path, _) = after.or(before)?;
         let is_same = before.map(|(_, content)| content) == after.map(|(_, content)| content);
@@ -33,10 +33,14 @@ pub(super) fn compare([old, new]: [&Tree; 2], pairs: &[Matched<'_, '_>], is_one_
     found
 }
 
-fn by_key(tree: &Tree, applications: &[Option<&Application<'_>>], is_one_cell: bool) -> BTreeMap<Key, Found> {
+fn by_key(
+    tree: &FileTree,
+    applications: &[Option<&Application<'_>>],
+    is_one_cell: bool,
+) -> BTreeMap<FileKey, FileHash> {
     let folder = |application: &Option<&Application<'_>>| application.map(|it| path_key(it.folder().as_str()));
     let folders: Vec<Option<String>> = applications.iter().map(folder).collect();
-    let key = |path: &Utf8Path| -> Key {
+    let key = |path: &Utf8Path| -> FileKey {
         let path = path_key(path.as_str());
         let inside = |folder: &str| Utf8Path::new(&path).strip_prefix(folder).ok().map(|inner| inner.to_string());
         let around = folders.iter().enumerate().filter_map(|(pair, folder)| Some((pair, inside(folder.as_deref()?)?)));

@@ -8,10 +8,10 @@ use smol_str::SmolStr;
 use val3_analysis::placement::shown;
 use val3_geometry::Trsf;
 use val3_lang::builtins;
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
-use crate::read::data::Data;
-use crate::read::value::Value;
+use crate::read::data::DataVersion;
+use crate::read::value::FileValue;
 
 /// Maximum number of fathers in a chain. Real chains have up to five.
 const LONGEST: usize = 100;
@@ -19,15 +19,15 @@ const LONGEST: usize = 100;
 /// Frames, tools and points of both trees.
 #[derive(Debug)]
 pub(super) struct Places<'a> {
-    pub(super) old: Positions<'a>,
-    pub(super) new: Positions<'a>,
+    pub(super) old: TreePositions<'a>,
+    pub(super) new: TreePositions<'a>,
     /// Old paths of array elements whose index differs, by new path; `None` for an inserted element.
     origins: FxHashMap<SmolStr, Option<SmolStr>>,
 }
 
 impl<'a> Places<'a> {
     /// Creates the positions of both trees, with equal paths.
-    pub(super) fn new(old: Positions<'a>, new: Positions<'a>) -> Self {
+    pub(super) fn new(old: TreePositions<'a>, new: TreePositions<'a>) -> Self {
         Self { old, new, origins: FxHashMap::default() }
     }
 
@@ -45,8 +45,8 @@ impl<'a> Places<'a> {
 
 /// Frames, tools and points of a tree.
 #[derive(Debug)]
-pub(super) struct Positions<'a> {
-    values: FxHashMap<&'a str, &'a Value>,
+pub(super) struct TreePositions<'a> {
+    values: FxHashMap<&'a str, &'a FileValue>,
     /// Length unit in mm.
     unit: f64,
     /// Known chains of fathers; `None` if a chain does not end at `world` or the flange.
@@ -63,16 +63,16 @@ pub(super) struct Chain {
     pub(super) names: Vec<SmolStr>,
 }
 
-impl<'a> Positions<'a> {
+impl<'a> TreePositions<'a> {
     /// Collects the positions in `data`.
-    pub(super) fn new(data: &'a [Data], unit: f64) -> Self {
+    pub(super) fn new(data: &'a [DataVersion], unit: f64) -> Self {
         let values = data.iter().flat_map(|data| &data.values).filter(|(_, value)| value.ty.has_father());
         let values = values.map(|(path, value)| (path.as_str(), value)).collect();
         Self { values, unit, chains: FxHashMap::default(), loops: BTreeSet::new() }
     }
 
     /// Returns the position at a path.
-    pub(super) fn value(&self, path: &str) -> Option<&'a Value> {
+    pub(super) fn value(&self, path: &str) -> Option<&'a FileValue> {
         self.values.get(path).copied()
     }
 
@@ -82,7 +82,7 @@ impl<'a> Positions<'a> {
     }
 
     /// Returns the transformation of a value in mm.
-    pub(super) fn transformation(&self, value: &Value) -> Option<Trsf> {
+    pub(super) fn transformation(&self, value: &FileValue) -> Option<Trsf> {
         value.transformation().map(|found| found.scaled(self.unit))
     }
 
@@ -110,7 +110,7 @@ impl<'a> Positions<'a> {
                 self.add_loop(open.part(start..));
                 break None;
             }
-            let father = self.value(&next).and_then(Value::father).filter(|_| open.len() < LONGEST).cloned();
+            let father = self.value(&next).and_then(FileValue::father).filter(|_| open.len() < LONGEST).cloned();
             open.push(next);
             match father {
                 Some(father) => next = father,

@@ -6,20 +6,20 @@ use smol_str::SmolStr;
 
 use super::text;
 use crate::applications::SourceFile;
-use crate::exclusions::Layout;
-use crate::model::{Change, CodeChange, CodeKind, LineKind, Pair, ProgramChange, VariableChange};
-use crate::read::code::{Code, CodeLine, Renames};
-use crate::read::program::{Program, access};
+use crate::exclusions::BlankComparison;
+use crate::model::{Change, CodeChange, CodeKind, LineKind, ProgramChange, ValuePair, VariableChange};
+use crate::read::code::{CodeLine, ProgramCode, Renames};
+use crate::read::program::{ProgramVersion, access};
 
 /// A program with its file.
-pub(super) type Located<'a, 't> = (&'a SourceFile<'t>, &'a Program);
+pub(super) type Located<'a, 't> = (&'a SourceFile<'t>, &'a ProgramVersion);
 
 /// Options for comparing programs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rules<'r> {
     /// Whether both project files are readable, so that listing of programs is compared.
     pub(super) has_lists: bool,
-    pub(super) layout: Layout,
+    pub(super) layout: BlankComparison,
     /// New names of programs and data.
     pub(super) renames: &'r Renames,
 }
@@ -28,7 +28,7 @@ pub(super) struct Rules<'r> {
 pub(super) fn compare([old, new]: [Option<Located<'_, '_>>; 2], rules: Rules<'_>) -> Option<ProgramChange> {
     let (file, shown) = new.or(old)?;
     let change = Change::of(old.is_some(), new.is_some());
-    let public = Pair { old: is_public(old), new: is_public(new) };
+    let public = ValuePair { old: is_public(old), new: is_public(new) };
     let mut compared = ProgramChange {
         name: shown.header.name.to_string(),
         renamed_from: None,
@@ -47,9 +47,9 @@ pub(super) fn compare([old, new]: [Option<Located<'_, '_>>; 2], rules: Rules<'_>
     let renamed = rules.renames.get(old.header.name.as_str()).is_some_and(|name| *name == new.header.name);
     compared.renamed_from = renamed.then(|| old.header.name.to_string());
     let is_same = old.parameters() == new.parameters() && (renamed || old.header.name == new.header.name);
-    compared.signatures = (!is_same).then(|| Pair { old: old.signature(), new: new.signature() });
-    compared.access = Pair::differing(old.access(), new.access());
-    compared.listed = Pair::differing(old_file.listed, new_file.listed).filter(|_| rules.has_lists);
+    compared.signatures = (!is_same).then(|| ValuePair { old: old.signature(), new: new.signature() });
+    compared.access = ValuePair::differing(old.access(), new.access());
+    compared.listed = ValuePair::differing(old_file.listed, new_file.listed).filter(|_| rules.has_lists);
     compared.locals = locals(old, new);
     compared.description_changed = old.description != new.description;
     (!compared.is_same()).then_some(compared)
@@ -59,10 +59,10 @@ fn is_public(located: Option<Located<'_, '_>>) -> bool {
     located.is_some_and(|(_, program)| program.access() == access(true))
 }
 
-fn code(old: Option<&Program>, new: Option<&Program>, rules: Rules<'_>) -> CodeChange {
-    let has_errors = |program: Option<&Program>| program.is_some_and(|program| program.has_errors);
-    let syntax_errors = Pair { old: has_errors(old), new: has_errors(new) };
-    let lines = |program: Option<&Program>| program.map_or(0, |program| program.code.lines().len());
+fn code(old: Option<&ProgramVersion>, new: Option<&ProgramVersion>, rules: Rules<'_>) -> CodeChange {
+    let has_errors = |program: Option<&ProgramVersion>| program.is_some_and(|program| program.has_errors);
+    let syntax_errors = ValuePair { old: has_errors(old), new: has_errors(new) };
+    let lines = |program: Option<&ProgramVersion>| program.map_or(0, |program| program.code.lines().len());
     let (Some(old_program), Some(new_program)) = (old, new) else {
         return CodeChange {
             kind: CodeKind::Code,
@@ -82,23 +82,23 @@ fn code(old: Option<&Program>, new: Option<&Program>, rules: Rules<'_>) -> CodeC
 }
 
 /// Returns the renames without names of parameters and local variables.
-fn names_of(old: &Program, new: &Program, renames: &Renames) -> Renames {
+fn names_of(old: &ProgramVersion, new: &ProgramVersion, renames: &Renames) -> Renames {
     let is_global = |(before, after): &(&String, &String)| !old.has_local(before) && !new.has_local(after);
     renames.iter().filter(is_global).map(|(before, after)| (before.clone(), after.clone())).collect()
 }
 
 /// Returns the lines of the code, without blank lines if layout is ignored.
-fn lines_of(code: &Code, layout: Layout, renames: &Renames) -> Vec<text::Line> {
-    let line = |(number, line): (usize, &CodeLine)| text::Line {
+fn lines_of(code: &ProgramCode, layout: BlankComparison, renames: &Renames) -> Vec<text::VersionLine> {
+    let line = |(number, line): (usize, &CodeLine)| text::VersionLine {
         number,
         text: line.text.clone(),
         key: line.key(layout, renames),
     };
     let lines = (1..).zip(code.lines()).map(line);
-    lines.filter(|line| layout == Layout::Compared || !line.key.is_empty()).collect()
+    lines.filter(|line| layout == BlankComparison::Compared || !line.key.is_empty()).collect()
 }
 
-fn kind(old: &Code, new: &Code, renames: &Renames) -> CodeKind {
+fn kind(old: &ProgramCode, new: &ProgramCode, renames: &Renames) -> CodeKind {
     if old.lines() == new.lines() {
         return CodeKind::Same;
     }
@@ -110,9 +110,10 @@ fn kind(old: &Code, new: &Code, renames: &Renames) -> CodeKind {
     }
 }
 
-fn locals(old: &Program, new: &Program) -> Vec<VariableChange> {
-    let named =
-        |program: &Program, name: &SmolStr| program.locals().find(|(known, _)| *known == name).map(|(_, shown)| shown);
+fn locals(old: &ProgramVersion, new: &ProgramVersion) -> Vec<VariableChange> {
+    let named = |program: &ProgramVersion, name: &SmolStr| {
+        program.locals().find(|(known, _)| *known == name).map(|(_, shown)| shown)
+    };
     let names: BTreeSet<&SmolStr> = old.locals().chain(new.locals()).map(|(name, _)| name).collect();
     let changes = names.into_iter().map(|name| (name, named(old, name), named(new, name)));
     let differing = changes.filter(|(_, old, new)| old != new);

@@ -5,15 +5,15 @@ use std::collections::BTreeSet;
 use smol_str::SmolStr;
 
 use crate::model::{Change, ProjectChange, ReferenceChange};
-use crate::read::project::Project;
+use crate::read::project::ProjectVersion;
 
 /// Returns the parameters that differ, and the list of data files if it differs, because the first of several
 /// declarations is used.
-pub(super) fn parameters(old: &Project, new: &Project) -> Vec<ProjectChange> {
+pub(super) fn parameters(old: &ProjectVersion, new: &ProjectVersion) -> Vec<ProjectChange> {
     let names: BTreeSet<&str> = old.parameters.iter().chain(&new.parameters).map(|(name, _)| name.as_str()).collect();
-    let value = |project: &Project, name: &str| project.parameter(name).map(str::to_owned);
+    let value = |project: &ProjectVersion, name: &str| project.parameter(name).map(str::to_owned);
     let change = |name: &str| ProjectChange { name: name.to_owned(), old: value(old, name), new: value(new, name) };
-    let files = |project: &Project| Some(project.data_files()).filter(|files| !files.is_empty());
+    let files = |project: &ProjectVersion| Some(project.data_files()).filter(|files| !files.is_empty());
     let files = ProjectChange { name: "data files".to_owned(), old: files(old), new: files(new) };
     names.into_iter().map(change).chain([files]).filter(|change| change.old != change.new).collect()
 }

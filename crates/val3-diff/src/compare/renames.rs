@@ -8,21 +8,23 @@ mod contents;
 mod items;
 mod uses;
 
-use crate::read::data::Data;
+use crate::read::data::DataVersion;
 
-use items::Names;
-pub(super) use items::{Renamed, Versions};
+use items::UnmatchedNames;
+pub(super) use items::{ItemVersions, Renamed};
 
 /// Finds renamed items among the data and programs that differ.
-pub(super) fn find([old, new]: [&[Data]; 2], programs: &[Versions<'_>]) -> Renamed {
+pub(super) fn find([old, new]: [&[DataVersion]; 2], programs: &[ItemVersions<'_>]) -> Renamed {
     let mut renamed = Renamed::default();
-    let data =
-        Names::of(old.iter().map(|data| data.decl.name.as_str()), new.iter().map(|data| data.decl.name.as_str()));
+    let data = UnmatchedNames::of(
+        old.iter().map(|data| data.decl.name.as_str()),
+        new.iter().map(|data| data.decl.name.as_str()),
+    );
     let names = |side: usize| {
         let versions = programs.iter().filter_map(move |versions| *versions.get(side)?);
         versions.map(|program| program.header.name.as_str())
     };
-    let program_names = Names::of(names(0), names(1));
+    let program_names = UnmatchedNames::of(names(0), names(1));
     if data.is_empty() && program_names.is_empty() {
         return renamed;
     }

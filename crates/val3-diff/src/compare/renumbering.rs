@@ -4,14 +4,14 @@ use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_analysis::items::data::DataDecl;
 use val3_lang::types::{BaseType, Container, attributes};
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
-use super::alignment::{Step, align};
+use super::alignment::{AlignmentStep, align};
 use super::movement;
 use super::placement::Places;
 use super::values::{Contents, key};
-use crate::model::{Renumbering, Run};
-use crate::read::data::Data;
+use crate::model::{MovedElements, Renumbering};
+use crate::read::data::DataVersion;
 
 /// Maximum ratio of the highest index to the number of written elements for which an array is aligned. A file with a
 /// few lines may contain an element with index 4,000,000,000.
@@ -21,9 +21,9 @@ const SPARSEST: usize = 4;
 #[derive(Debug)]
 pub(super) struct Renumbered {
     /// Old data with the new indexes, without the removed elements.
-    pub(super) old: Data,
+    pub(super) old: DataVersion,
     /// New data without the inserted elements.
-    pub(super) new: Data,
+    pub(super) new: DataVersion,
     /// Old indexes of removed elements.
     pub(super) removed: Vec<usize>,
     /// New indexes of inserted elements.
@@ -33,7 +33,7 @@ pub(super) struct Renumbered {
 
 /// Finds removed and inserted elements; `None` if a comparison by index has fewer differences, or if the index
 /// identifies the elements.
-pub(super) fn find(old: &Data, new: &Data, places: &mut Places<'_>) -> Option<Renumbered> {
+pub(super) fn find(old: &DataVersion, new: &DataVersion, places: &mut Places<'_>) -> Option<Renumbered> {
     if !can_be_renumbered(old, new) {
         return None;
     }
@@ -41,20 +41,25 @@ pub(super) fn find(old: &Data, new: &Data, places: &mut Places<'_>) -> Option<Re
     let (old_ids, new_ids) = (ids.of(old)?, ids.of(new)?);
     let steps = align(&old_ids, &new_ids);
     let differing: Vec<usize> = differing_indexes(&old_ids, &new_ids, ids.unwritten()).collect();
-    let is_change = |step: &&Step| match step {
-        Step::Pair { old, new } => old_ids.get(*old) != new_ids.get(*new),
-        Step::Removed(_) | Step::Inserted(_) => true,
+    let is_change = |step: &&AlignmentStep| match step {
+        AlignmentStep::Pair { old, new } => old_ids.get(*old) != new_ids.get(*new),
+        AlignmentStep::Removed(_) | AlignmentStep::Inserted(_) => true,
     };
-    let has_moved = |step: &Step| matches!(step, Step::Pair { old, new } if old != new) && !is_change(&step);
+    let has_moved =
+        |step: &AlignmentStep| matches!(step, AlignmentStep::Pair { old, new } if old != new) && !is_change(&step);
     if !steps.iter().any(has_moved) || steps.iter().filter(is_change).count() >= differing.len() {
         return None;
     }
     let greatest_distance_mm = greatest_distance(&new.decl.name, &differing, places);
     let renumbering = Renumbering { runs: runs(&steps), differing_indexes: differing.len(), greatest_distance_mm };
-    let removed =
-        steps.iter().filter_map(|step| if let Step::Removed(old) = step { Some(*old) } else { None }).collect();
-    let inserted: Vec<usize> =
-        steps.iter().filter_map(|step| if let Step::Inserted(new) = step { Some(*new) } else { None }).collect();
+    let removed = steps
+        .iter()
+        .filter_map(|step| if let AlignmentStep::Removed(old) = step { Some(*old) } else { None })
+        .collect();
+    let inserted: Vec<usize> = steps
+        .iter()
+        .filter_map(|step| if let AlignmentStep::Inserted(new) = step { Some(*new) } else { None })
+        .collect();
     let pairs = pairs(&steps);
     set_origins(new, &pairs, places);
     Some(Renumbered {
@@ -69,10 +74,10 @@ pub(super) fn find(old: &Data, new: &Data, places: &mut Places<'_>) -> Option<Re
 /// Whether elements may be matched with another index. Frames and tools are excluded, because fathers refer to them by
 /// index. Single numbers do not identify an element, so in arrays of them elements are matched only if the size
 /// differs.
-fn can_be_renumbered(old: &Data, new: &Data) -> bool {
-    let is_array = |data: &Data| data.decl.container != Container::Collection && data.decl.sizes.len() == 1;
+fn can_be_renumbered(old: &DataVersion, new: &DataVersion) -> bool {
+    let is_array = |data: &DataVersion| data.decl.container != Container::Collection && data.decl.sizes.len() == 1;
     let is_father = |ty: BaseType| matches!(ty, BaseType::Frame | BaseType::Tool);
-    let has_fathers = |data: &Data| data.values.iter().any(|(_, value)| is_father(value.ty));
+    let has_fathers = |data: &DataVersion| data.values.iter().any(|(_, value)| is_father(value.ty));
     let is_rich = new.base.is_none_or(|(ty, arm)| attributes(ty, arm).len() > 1);
     let has_other_size = old.decl.sizes != new.decl.sizes;
     [old, new].into_iter().all(|data| is_array(data) && !has_fathers(data)) && (is_rich || has_other_size)
@@ -84,7 +89,7 @@ struct Ids(FxHashMap<Vec<String>, u32>);
 
 impl Ids {
     /// Returns the identifiers of the elements up to the last written element; `None` for a sparse array.
-    fn of(&mut self, data: &Data) -> Option<Vec<u32>> {
+    fn of(&mut self, data: &DataVersion) -> Option<Vec<u32>> {
         let contents = Contents::of(data);
         let indexes = data.keys.iter().filter(|key| data.has_element(key)).filter_map(|key| key.parse::<usize>().ok());
         let length = indexes.max().map_or(0, |last| last + 1);
@@ -131,19 +136,20 @@ fn greatest_distance(name: &str, indexes: &[usize], places: &mut Places<'_>) -> 
 }
 
 /// Returns the new index of every old index that is in both versions.
-fn pairs(steps: &[Step]) -> FxHashMap<usize, usize> {
-    let pair = |step: &Step| if let Step::Pair { old, new } = step { Some((*old, *new)) } else { None };
+fn pairs(steps: &[AlignmentStep]) -> FxHashMap<usize, usize> {
+    let pair =
+        |step: &AlignmentStep| if let AlignmentStep::Pair { old, new } = step { Some((*old, *new)) } else { None };
     steps.iter().filter_map(pair).collect()
 }
 
 /// Returns the runs of elements whose index differs.
-fn runs(steps: &[Step]) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
+fn runs(steps: &[AlignmentStep]) -> Vec<MovedElements> {
+    let mut runs: Vec<MovedElements> = Vec::new();
     for step in steps {
-        let Step::Pair { old, new } = *step else { continue };
+        let AlignmentStep::Pair { old, new } = *step else { continue };
         match runs.last_mut().filter(|run| run.old + run.count == old && run.new + run.count == new) {
             Some(run) => run.count += 1,
-            None => runs.push(Run { old, new, count: 1 }),
+            None => runs.push(MovedElements { old, new, count: 1 }),
         }
     }
     runs.retain(|run| run.old != run.new);
@@ -158,12 +164,12 @@ fn moved(name: &str, path: &str, pairs: &FxHashMap<usize, usize>) -> Option<Smol
     Some(format_smolstr!("{name}[{index}]{rest}"))
 }
 
-fn under_new_indexes(old: &Data, new: &Data, pairs: &FxHashMap<usize, usize>) -> Data {
+fn under_new_indexes(old: &DataVersion, new: &DataVersion, pairs: &FxHashMap<usize, usize>) -> DataVersion {
     let name = &old.decl.name;
     let key = |key: &SmolStr| pairs.get(&key.parse().ok()?).map(|index| format_smolstr!("{index}"));
     let values = old.values.iter().filter_map(|(path, value)| Some((moved(name, path, pairs)?, value.clone())));
     let sizes = old.field_sizes.iter().filter_map(|(path, size)| Some((moved(name, path, pairs)?, size.clone())));
-    Data {
+    DataVersion {
         decl: DataDecl { sizes: new.decl.sizes.clone(), ..old.decl.clone() },
         base: old.base,
         keys: old.keys.iter().filter_map(key).collect(),
@@ -172,7 +178,7 @@ fn under_new_indexes(old: &Data, new: &Data, pairs: &FxHashMap<usize, usize>) ->
     }
 }
 
-fn without(data: &Data, inserted: &[usize]) -> Data {
+fn without(data: &DataVersion, inserted: &[usize]) -> DataVersion {
     let mut rest = data.clone();
     let is_inserted = |key: &str| key.parse().is_ok_and(|index: usize| inserted.binary_search(&index).is_ok());
     let name = &data.decl.name;
@@ -181,7 +187,7 @@ fn without(data: &Data, inserted: &[usize]) -> Data {
     rest
 }
 
-fn set_origins(new: &Data, pairs: &FxHashMap<usize, usize>, places: &mut Places<'_>) {
+fn set_origins(new: &DataVersion, pairs: &FxHashMap<usize, usize>, places: &mut Places<'_>) {
     let old_indexes: FxHashMap<usize, usize> = pairs.iter().map(|(old, new)| (*new, *old)).collect();
     for (path, _) in &new.values {
         places.set_origin(path.clone(), moved(&new.decl.name, path, &old_indexes));

@@ -6,15 +6,15 @@ use camino::Utf8Path;
 use val3_analysis::paths::path_key;
 
 use super::text::{self, Version};
-use crate::applications::Files;
+use crate::applications::TreeFiles;
 use crate::model::{Change, EntryChange, Problem, SettingsChange};
-use crate::read::entries::Entry;
+use crate::read::entries::TomlEntry;
 use crate::read::settings::{is_io, read};
 use crate::tree::{is_settings, text_of};
 
 /// Returns the files that differ.
-pub(super) fn compare(old: &Files<'_>, new: &Files<'_>, problems: &mut Vec<Problem>) -> Vec<SettingsChange> {
-    let of = |files: &Files<'_>| -> BTreeMap<String, String> {
+pub(super) fn compare(old: &TreeFiles<'_>, new: &TreeFiles<'_>, problems: &mut Vec<Problem>) -> Vec<SettingsChange> {
+    let of = |files: &TreeFiles<'_>| -> BTreeMap<String, String> {
         let settings = files.keys().filter(|path| is_settings(path));
         settings.map(|path| (path_key(path.as_str()), path.to_string())).collect()
     };
@@ -22,7 +22,7 @@ pub(super) fn compare(old: &Files<'_>, new: &Files<'_>, problems: &mut Vec<Probl
     let keys: BTreeSet<&String> = old_paths.keys().chain(new_paths.keys()).collect();
     let change = |key: &String| {
         let path = new_paths.get(key).or(old_paths.get(key))?;
-        let bytes = |paths: &BTreeMap<String, String>, files: &Files<'_>| -> Option<Vec<u8>> {
+        let bytes = |paths: &BTreeMap<String, String>, files: &TreeFiles<'_>| -> Option<Vec<u8>> {
             files.get(Utf8Path::new(paths.get(key)?)).map(|bytes| bytes.to_vec())
         };
         file(path, bytes(&old_paths, old), bytes(&new_paths, new), problems)
@@ -51,11 +51,11 @@ fn file(path: &str, old: Option<Vec<u8>>, new: Option<Vec<u8>>, problems: &mut V
 }
 
 /// Returns the entries that differ, in the order of the new file, followed by removed entries.
-pub(super) fn entries(old: &[Entry], new: &[Entry]) -> Vec<EntryChange> {
+pub(super) fn entries(old: &[TomlEntry], new: &[TomlEntry]) -> Vec<EntryChange> {
     let (old_values, new_values): (BTreeMap<_, _>, BTreeMap<_, _>) =
         (old.iter().cloned().collect(), new.iter().cloned().collect());
     let gone = old.iter().filter(|(name, _)| !new_values.contains_key(name));
-    let change = |(name, _): &Entry| EntryChange {
+    let change = |(name, _): &TomlEntry| EntryChange {
         entry: name.clone(),
         old: old_values.get(name).cloned(),
         new: new_values.get(name).cloned(),

@@ -2,7 +2,7 @@
 
 use similar::{ChangeTag, DiffOp, TextDiff};
 
-use crate::model::{Change, Hunk, HunkLine, LineKind, Problem, Side, TextChange};
+use crate::model::{Change, Hunk, HunkLine, LineKind, Problem, TextChange, TreeSide};
 use crate::read::code::line_ends;
 use crate::tree::text_of;
 
@@ -11,7 +11,7 @@ const CONTEXT: usize = 3;
 
 /// A line of a version.
 #[derive(Debug)]
-pub(crate) struct Line {
+pub(crate) struct VersionLine {
     /// Line number, from 1.
     pub(crate) number: usize,
     pub(crate) text: String,
@@ -21,17 +21,17 @@ pub(crate) struct Line {
 
 /// Returns the lines that differ with context. Line ends are ignored.
 pub(crate) fn hunks(old: &str, new: &str) -> Vec<Hunk> {
-    let lines = |text: &str| -> Vec<Line> {
+    let lines = |text: &str| -> Vec<VersionLine> {
         let text = line_ends(text);
-        let line = |(number, text): (usize, &str)| Line { number, text: text.to_owned(), key: text.to_owned() };
+        let line = |(number, text): (usize, &str)| VersionLine { number, text: text.to_owned(), key: text.to_owned() };
         (1..).zip(text.lines()).map(line).collect()
     };
     hunks_of(&lines(old), &lines(new))
 }
 
 /// Returns the lines whose keys differ with context.
-pub(crate) fn hunks_of(old: &[Line], new: &[Line]) -> Vec<Hunk> {
-    let keys = |lines: &'_ [Line]| -> Vec<String> { lines.iter().map(|line| line.key.clone()).collect() };
+pub(crate) fn hunks_of(old: &[VersionLine], new: &[VersionLine]) -> Vec<Hunk> {
+    let keys = |lines: &'_ [VersionLine]| -> Vec<String> { lines.iter().map(|line| line.key.clone()).collect() };
     let (old_keys, new_keys) = (keys(old), keys(new));
     let (old_keys, new_keys): (Vec<&str>, Vec<&str>) =
         (old_keys.iter().map(String::as_str).collect(), new_keys.iter().map(String::as_str).collect());
@@ -39,7 +39,7 @@ pub(crate) fn hunks_of(old: &[Line], new: &[Line]) -> Vec<Hunk> {
     diff.grouped_ops(CONTEXT).iter().map(|group| hunk(&diff, group, old, new)).collect()
 }
 
-fn hunk<'k>(diff: &TextDiff<'k, 'k, str>, group: &[DiffOp], old: &[Line], new: &[Line]) -> Hunk {
+fn hunk<'k>(diff: &TextDiff<'k, 'k, str>, group: &[DiffOp], old: &[VersionLine], new: &[VersionLine]) -> Hunk {
     let mut hunk = Hunk { old_start: 0, old_lines: 0, new_start: 0, new_lines: 0, lines: Vec::new() };
     if let Some(first) = group.first() {
         (hunk.old_start, hunk.new_start) = (number(old, first.old_range().start), number(new, first.new_range().start));
@@ -61,7 +61,7 @@ fn hunk<'k>(diff: &TextDiff<'k, 'k, str>, group: &[DiffOp], old: &[Line], new: &
 }
 
 /// Returns the number of a line; after the last line, the next number.
-fn number(lines: &[Line], index: usize) -> usize {
+fn number(lines: &[VersionLine], index: usize) -> usize {
     lines.get(index).map_or_else(|| lines.last().map_or(1, |last| last.number + 1), |line| line.number)
 }
 
@@ -92,7 +92,7 @@ pub(super) fn compare(
         return None;
     }
     let mut texts = [String::new(), String::new()];
-    for ((version, side), text) in [(old, Side::Old), (new, Side::New)].into_iter().zip(&mut texts) {
+    for ((version, side), text) in [(old, TreeSide::Old), (new, TreeSide::New)].into_iter().zip(&mut texts) {
         let Some(version) = version else { continue };
         let message = match text_of(version.bytes) {
             Err(reason) => format!("the file cannot be read: {reason}"),

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::paths::{Roots, Target, path_key, project};
+use val3_analysis::paths::{ResolvedPath, Roots, path_key, project};
 
 use crate::applications::Application;
 
@@ -28,8 +28,8 @@ pub(super) fn users(old: &[Application<'_>], new: &[Application<'_>]) -> Users {
 fn target(folder: &Utf8Path, reference: &str) -> Option<String> {
     let roots = Roots { disk: Some("/".into()), others: Vec::new() };
     match project(&Utf8Path::new("/").join(folder), &roots, reference) {
-        Target::Path(path) => Some(path_key(path.as_str().trim_start_matches('/'))),
-        Target::Elsewhere => None,
+        ResolvedPath::Path(path) => Some(path_key(path.as_str().trim_start_matches('/'))),
+        ResolvedPath::Elsewhere => None,
     }
 }
 

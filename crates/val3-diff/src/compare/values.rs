@@ -3,17 +3,21 @@
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::placement::shown;
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 use super::placement::Places;
 use super::{fields, movement, renumbering};
-use crate::model::Class;
-use crate::model::{Change, FieldChange, Pair, Renumbering, ValueChange};
-use crate::read::data::Data;
-use crate::read::value::Value;
+use crate::model::ReportClass;
+use crate::model::{Change, FieldChange, Renumbering, ValueChange, ValuePair};
+use crate::read::data::DataVersion;
+use crate::read::value::FileValue;
 
 /// Returns the values that differ, in the order of the new file, followed by removed values; and the renumbering.
-pub(super) fn compare(old: &Data, new: &Data, places: &mut Places<'_>) -> (Vec<ValueChange>, Option<Renumbering>) {
+pub(super) fn compare(
+    old: &DataVersion,
+    new: &DataVersion,
+    places: &mut Places<'_>,
+) -> (Vec<ValueChange>, Option<Renumbering>) {
     let Some(found) = renumbering::find(old, new, places) else { return (by_index(old, new, places), None) };
     let mut changes = some(old, &found.removed, Change::Removed);
     changes.extend(some(new, &found.inserted, Change::Added));
@@ -22,8 +26,8 @@ pub(super) fn compare(old: &Data, new: &Data, places: &mut Places<'_>) -> (Vec<V
 }
 
 /// Returns the values that differ between elements with the same index or key.
-fn by_index(old: &Data, new: &Data, places: &mut Places<'_>) -> Vec<ValueChange> {
-    let by_path = |data: &Data| -> FxHashMap<SmolStr, usize> {
+fn by_index(old: &DataVersion, new: &DataVersion, places: &mut Places<'_>) -> Vec<ValueChange> {
+    let by_path = |data: &DataVersion| -> FxHashMap<SmolStr, usize> {
         data.values.iter().enumerate().map(|(index, (path, _))| (path.clone(), index)).collect()
     };
     let (old_paths, new_paths) = (by_path(old), by_path(new));
@@ -34,7 +38,7 @@ fn by_index(old: &Data, new: &Data, places: &mut Places<'_>) -> Vec<ValueChange>
         if !is_in_both(old, new, key) {
             continue;
         }
-        let value = |data: &'_ Data, paths: &FxHashMap<SmolStr, usize>| {
+        let value = |data: &'_ DataVersion, paths: &FxHashMap<SmolStr, usize>| {
             paths.get(path).and_then(|index| data.values.get(*index)).map(|(_, value)| value.clone())
         };
         changes.extend(compare_one(path, value(old, &old_paths), value(new, &new_paths), places));
@@ -44,7 +48,7 @@ fn by_index(old: &Data, new: &Data, places: &mut Places<'_>) -> Vec<ValueChange>
 }
 
 /// Whether the element is in both data, or both files contain it outside of the size.
-fn is_in_both(old: &Data, new: &Data, key: &str) -> bool {
+fn is_in_both(old: &DataVersion, new: &DataVersion, key: &str) -> bool {
     match (old.has_element(key), new.has_element(key)) {
         (true, true) => true,
         (false, false) => old.keys.contains(key) && new.keys.contains(key),
@@ -53,12 +57,12 @@ fn is_in_both(old: &Data, new: &Data, key: &str) -> bool {
 }
 
 /// Returns fields of user types with different sizes in both files. An omitted size is the size in the type.
-fn field_sizes(old: &Data, new: &Data) -> impl Iterator<Item = ValueChange> {
+fn field_sizes(old: &DataVersion, new: &DataVersion) -> impl Iterator<Item = ValueChange> {
     let sizes = new.field_sizes.iter().filter_map(|(path, size)| Some((path, old.field_sizes.get(path)?, size)));
     sizes.filter(|(_, old, new)| old != new).map(|(path, old, new)| ValueChange {
         path: shown(path),
         change: Change::Changed,
-        class: Class::Data,
+        class: ReportClass::Data,
         type_name: String::new(),
         value: None,
         movement: None,
@@ -76,12 +80,17 @@ pub(super) fn key<'p>(name: &str, path: &'p str) -> &'p str {
 }
 
 /// Compares a value. A missing value is the type's default; for a field, the value in the user type.
-fn compare_one(path: &SmolStr, old: Option<Value>, new: Option<Value>, places: &mut Places<'_>) -> Option<ValueChange> {
+fn compare_one(
+    path: &SmolStr,
+    old: Option<FileValue>,
+    new: Option<FileValue>,
+    places: &mut Places<'_>,
+) -> Option<ValueChange> {
     let known = new.as_ref().or(old.as_ref())?;
     let (ty, arm) = (known.ty, known.arm);
-    let default = Value::default_of(ty, arm);
+    let default = FileValue::default_of(ty, arm);
     let is_field = path.contains("].");
-    let is_written = Pair { old: old.is_some() || !is_field, new: new.is_some() || !is_field };
+    let is_written = ValuePair { old: old.is_some() || !is_field, new: new.is_some() || !is_field };
     let (old, new) = (old.unwrap_or_else(|| default.clone()), new.unwrap_or(default));
     let are_known = is_written.old && is_written.new;
     let fields = fields::compare(&old, &new, is_written);
@@ -91,7 +100,7 @@ fn compare_one(path: &SmolStr, old: Option<Value>, new: Option<Value>, places: &
     Some(ValueChange {
         path: shown(path),
         change: Change::Changed,
-        class: Class::of(Some(ty)),
+        class: ReportClass::of(Some(ty)),
         type_name: ty.name().to_owned(),
         value: None,
         movement: if are_known { movement::of(path, &old, &new, places) } else { None },
@@ -102,8 +111,8 @@ fn compare_one(path: &SmolStr, old: Option<Value>, new: Option<Value>, places: &
 }
 
 /// Returns elements that are in only one of the sizes or key sets, and that have a value or key in the file.
-fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
-    let only = |data: &Data, other: &Data, change: Change| -> Vec<ValueChange> {
+fn elements(old: &DataVersion, new: &DataVersion) -> Vec<ValueChange> {
+    let only = |data: &DataVersion, other: &DataVersion, change: Change| -> Vec<ValueChange> {
         let contents = Contents::of(data);
         let is_only_here = |key: &&SmolStr| {
             let is_outside_of_both = !data.has_element(key) && other.keys.contains(key.as_str());
@@ -116,13 +125,13 @@ fn elements(old: &Data, new: &Data) -> Vec<ValueChange> {
 }
 
 /// Returns all elements in the file, for data that exist in only one tree.
-pub(super) fn all(data: &Data, change: Change) -> Vec<ValueChange> {
+pub(super) fn all(data: &DataVersion, change: Change) -> Vec<ValueChange> {
     let contents = Contents::of(data);
     data.keys.iter().map(|key| contents.element(data, key, change)).collect()
 }
 
 /// Returns the elements with these indexes, for data that exist in only one tree.
-fn some(data: &Data, indexes: &[usize], change: Change) -> Vec<ValueChange> {
+fn some(data: &DataVersion, indexes: &[usize], change: Change) -> Vec<ValueChange> {
     let contents = Contents::of(data);
     indexes.iter().map(|index| contents.element(data, &index.to_string(), change)).collect()
 }
@@ -132,7 +141,7 @@ pub(super) struct Contents<'d>(FxHashMap<&'d str, Vec<String>>);
 
 impl<'d> Contents<'d> {
     /// Returns the contents of data.
-    pub(super) fn of(data: &'d Data) -> Self {
+    pub(super) fn of(data: &'d DataVersion) -> Self {
         let name = &data.decl.name;
         let mut contents: FxHashMap<&str, Vec<String>> = FxHashMap::default();
         for (path, value) in &data.values {
@@ -151,14 +160,14 @@ impl<'d> Contents<'d> {
         self.0.get(key).map(Vec::as_slice)
     }
 
-    fn element(&self, data: &Data, key: &str, change: Change) -> ValueChange {
+    fn element(&self, data: &DataVersion, key: &str, change: Change) -> ValueChange {
         let ty = data.base.map(|(ty, _)| ty);
         let mut texts = self.get(key).unwrap_or_default().to_vec();
         texts.extend((!data.has_element(key)).then(|| "outside of the size".to_owned()));
         ValueChange {
             path: shown(&format!("{}[{key}]", data.decl.name)),
             change,
-            class: Class::of(ty),
+            class: ReportClass::of(ty),
             type_name: ty.map_or_else(|| data.type_name().to_owned(), |ty| ty.name().to_owned()),
             value: (!texts.is_empty()).then(|| texts.join("; ")),
             fields: Vec::new(),

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::escape::html;
 use crate::model::{Comparison, HunkLine, LineKind};
-use crate::report::{Block, Detail, Entry, Mark, Table, blocks, summary};
+use crate::report::{Block, Detail, ReportItem, ReportMark, TextTable, blocks, summary};
 
 const STYLE: &str = include_str!("html/style.css");
 
@@ -49,23 +49,23 @@ fn add(block: &Block, out: &mut String) {
 }
 
 /// Returns the CSS class of a line, and a sign for readers who cannot see colours.
-fn mark(mark: Mark) -> (&'static str, &'static str) {
+fn mark(mark: ReportMark) -> (&'static str, &'static str) {
     match mark {
-        Mark::Added => ("added", "+"),
-        Mark::Removed => ("removed", "−"),
-        Mark::Changed => ("changed", "~"),
-        Mark::Note => ("note", ""),
-        Mark::Warning => ("warning", "!"),
+        ReportMark::Added => ("added", "+"),
+        ReportMark::Removed => ("removed", "−"),
+        ReportMark::Changed => ("changed", "~"),
+        ReportMark::Note => ("note", ""),
+        ReportMark::Warning => ("warning", "!"),
     }
 }
 
-fn add_entry(entry: &Entry, out: &mut String) {
+fn add_entry(entry: &ReportItem, out: &mut String) {
     let (class, sign) = mark(entry.mark);
     let name = if entry.name.is_empty() { String::new() } else { format!("<code>{}</code> ", html(&entry.name)) };
     let _ = writeln!(out, "<li class=\"{class}\"><b>{sign}</b> {name}{}</li>", html(&entry.text));
 }
 
-fn add_table(table: &Table, out: &mut String) {
+fn add_table(table: &TextTable, out: &mut String) {
     let last = table.titles.len().saturating_sub(1);
     let title = |(column, title): (usize, &&str)| match column {
         0 => format!("<th>{title}</th>"),

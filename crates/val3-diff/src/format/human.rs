@@ -4,11 +4,11 @@ use unicode_width::UnicodeWidthStr;
 
 use super::escape::printable;
 use crate::model::{Comparison, HunkLine, LineKind};
-use crate::report::{Block, Detail, Entry, Mark, Table, blocks, summary};
+use crate::report::{Block, Detail, ReportItem, ReportMark, TextTable, blocks, summary};
 
 /// Style of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Style {
+pub enum TextStyle {
     /// Default text of the terminal.
     Plain,
     /// A heading.
@@ -28,27 +28,27 @@ pub enum Style {
 }
 
 /// A line: its texts with their styles.
-pub type Line = Vec<(Style, String)>;
+pub type StyledLine = Vec<(TextStyle, String)>;
 
 /// Formats the report, with the summary at the end.
 #[must_use]
-pub fn lines(comparison: &Comparison, detail: Detail) -> Vec<Line> {
+pub fn lines(comparison: &Comparison, detail: Detail) -> Vec<StyledLine> {
     let mut lines = Vec::new();
     for block in blocks(comparison, detail) {
         add(&block, &mut lines);
     }
     if !lines.is_empty() {
-        lines.push(Line::new());
+        lines.push(StyledLine::new());
     }
-    lines.push(vec![(Style::Heading, summary(comparison))]);
+    lines.push(vec![(TextStyle::Heading, summary(comparison))]);
     lines
 }
 
-fn add(block: &Block, lines: &mut Vec<Line>) {
+fn add(block: &Block, lines: &mut Vec<StyledLine>) {
     match block {
         Block::Heading { level: 1, text, note } => {
             if !lines.is_empty() {
-                lines.push(Line::new());
+                lines.push(StyledLine::new());
             }
             lines.push(heading("", text, note));
         }
@@ -59,39 +59,39 @@ fn add(block: &Block, lines: &mut Vec<Line>) {
     }
 }
 
-fn heading(indent: &str, text: &str, note: &str) -> Line {
-    let mut line = vec![(Style::Heading, format!("{indent}{}", printable(text)))];
+fn heading(indent: &str, text: &str, note: &str) -> StyledLine {
+    let mut line = vec![(TextStyle::Heading, format!("{indent}{}", printable(text)))];
     if !note.is_empty() {
-        line.push((Style::Dim, format!("  {}", printable(note))));
+        line.push((TextStyle::Dim, format!("  {}", printable(note))));
     }
     line
 }
 
-fn entry_line(entry: &Entry) -> Line {
+fn entry_line(entry: &ReportItem) -> StyledLine {
     let (style, sign) = sign(entry.mark);
     let mut line = vec![(style, format!("    {sign} "))];
     if !entry.name.is_empty() {
-        line.push((Style::Name, printable(&entry.name)));
+        line.push((TextStyle::Name, printable(&entry.name)));
     }
     if !entry.text.is_empty() {
         let gap = if entry.name.is_empty() { "" } else { "  " };
-        line.push((Style::Plain, format!("{gap}{}", printable(&entry.text).replace('\n', " "))));
+        line.push((TextStyle::Plain, format!("{gap}{}", printable(&entry.text).replace('\n', " "))));
     }
     line
 }
 
 /// Returns the style and the first character of a line.
-fn sign(mark: Mark) -> (Style, &'static str) {
+fn sign(mark: ReportMark) -> (TextStyle, &'static str) {
     match mark {
-        Mark::Added => (Style::Added, "+"),
-        Mark::Removed => (Style::Removed, "-"),
-        Mark::Changed => (Style::Changed, "~"),
-        Mark::Note => (Style::Dim, "   "),
-        Mark::Warning => (Style::Warning, "!"),
+        ReportMark::Added => (TextStyle::Added, "+"),
+        ReportMark::Removed => (TextStyle::Removed, "-"),
+        ReportMark::Changed => (TextStyle::Changed, "~"),
+        ReportMark::Note => (TextStyle::Dim, "   "),
+        ReportMark::Warning => (TextStyle::Warning, "!"),
     }
 }
 
-fn add_table(table: &Table, lines: &mut Vec<Line>) {
+fn add_table(table: &TextTable, lines: &mut Vec<StyledLine>) {
     let last = table.titles.len().saturating_sub(1);
     let width = |column: usize| {
         let cells = table.rows.iter().filter_map(|row| row.cells.get(column)).map(|cell| printable(cell).width());
@@ -102,17 +102,17 @@ fn add_table(table: &Table, lines: &mut Vec<Line>) {
     for (mark, cells) in
         std::iter::once((None, &titles)).chain(table.rows.iter().map(|row| (Some(row.mark), &row.cells)))
     {
-        let (style, sign) = mark.map_or((Style::Dim, " "), sign);
+        let (style, sign) = mark.map_or((TextStyle::Dim, " "), sign);
         let mut line = vec![(style, format!("    {sign} "))];
         for (column, (cell, width)) in cells.iter().zip(&widths).enumerate() {
             let cell = printable(cell);
             let blanks = " ".repeat(width.saturating_sub(cell.width()));
             let style = if mark.is_none() {
-                Style::Dim
+                TextStyle::Dim
             } else if column == 0 {
-                Style::Name
+                TextStyle::Name
             } else {
-                Style::Plain
+                TextStyle::Plain
             };
             line.push((
                 style,
@@ -127,26 +127,26 @@ fn add_table(table: &Table, lines: &mut Vec<Line>) {
     }
 }
 
-fn add_lines(groups: &[Vec<HunkLine>], lines: &mut Vec<Line>) {
+fn add_lines(groups: &[Vec<HunkLine>], lines: &mut Vec<StyledLine>) {
     let greatest = groups.iter().flatten().map(|line| line.number).max().unwrap_or(0);
     let width = greatest.to_string().len();
     for (index, group) in groups.iter().enumerate() {
         if index > 0 {
-            lines.push(vec![(Style::Dim, format!("      {}", "·".repeat(width)))]);
+            lines.push(vec![(TextStyle::Dim, format!("      {}", "·".repeat(width)))]);
         }
         lines.extend(group.iter().map(|line| code_line(line, width)));
     }
 }
 
-fn code_line(line: &HunkLine, width: usize) -> Line {
+fn code_line(line: &HunkLine, width: usize) -> StyledLine {
     let (style, sign) = match line.kind {
-        LineKind::Context => (Style::Plain, " "),
-        LineKind::Removed => (Style::Removed, "-"),
-        LineKind::Added => (Style::Added, "+"),
+        LineKind::Context => (TextStyle::Plain, " "),
+        LineKind::Removed => (TextStyle::Removed, "-"),
+        LineKind::Added => (TextStyle::Added, "+"),
     };
     let text = printable(&line.text);
     vec![
-        (Style::Dim, format!("      {:>width$} ", line.number)),
+        (TextStyle::Dim, format!("      {:>width$} ", line.number)),
         (style, format!("{sign} {text}").trim_end().to_owned()),
     ]
 }

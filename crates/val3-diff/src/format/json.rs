@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::model::{Comparison, Ignored, Problem};
-use crate::report::{Counts, Detail, Statistics, statistics};
+use crate::report::{Detail, DiffStatistics, DifferenceCounts, statistics};
 
 /// Version of the document format. It changes only if a field is removed or its meaning changes.
 const VERSION: u32 = 1;
@@ -12,7 +12,7 @@ const VERSION: u32 = 1;
 struct Document<'a, C: Serialize> {
     version: u32,
     different: bool,
-    summary: Counts,
+    summary: DifferenceCounts,
     #[serde(flatten)]
     content: &'a C,
 }
@@ -23,7 +23,7 @@ struct Numbers<'a> {
     old: &'a str,
     new: &'a str,
     compared: usize,
-    statistics: Vec<Statistics>,
+    statistics: Vec<DiffStatistics>,
     ignored: &'a Ignored,
     problems: &'a [Problem],
 }
@@ -46,5 +46,10 @@ pub fn write(comparison: &Comparison, detail: Detail) -> Result<String, serde_js
 
 fn document(comparison: &Comparison, content: &impl Serialize) -> Result<String, serde_json::Error> {
     let different = !comparison.is_empty();
-    serde_json::to_string_pretty(&Document { version: VERSION, different, summary: Counts::of(comparison), content })
+    serde_json::to_string_pretty(&Document {
+        version: VERSION,
+        different,
+        summary: DifferenceCounts::of(comparison),
+        content,
+    })
 }

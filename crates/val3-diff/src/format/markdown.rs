@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::escape::{code_span, markdown, printable};
 use crate::model::{Comparison, HunkLine, LineKind};
-use crate::report::{Block, Detail, Entry, Mark, Table, blocks, summary};
+use crate::report::{Block, Detail, ReportItem, ReportMark, TextTable, blocks, summary};
 
 /// Writes the report.
 #[must_use]
@@ -36,20 +36,20 @@ fn add(block: &Block, out: &mut String) {
     }
 }
 
-fn add_entry(entry: &Entry, out: &mut String) {
+fn add_entry(entry: &ReportItem, out: &mut String) {
     let word = match entry.mark {
-        Mark::Added => "- **added** ",
-        Mark::Removed => "- **removed** ",
-        Mark::Changed => "- **changed** ",
-        Mark::Warning => "- **note** ",
-        Mark::Note => "  - ",
+        ReportMark::Added => "- **added** ",
+        ReportMark::Removed => "- **removed** ",
+        ReportMark::Changed => "- **changed** ",
+        ReportMark::Warning => "- **note** ",
+        ReportMark::Note => "  - ",
     };
     let name = if entry.name.is_empty() { String::new() } else { code_span(&entry.name) };
     let gap = if entry.name.is_empty() || entry.text.is_empty() { "" } else { " " };
     let _ = writeln!(out, "{word}{name}{gap}{}", markdown(&entry.text));
 }
 
-fn add_table(table: &Table, out: &mut String) {
+fn add_table(table: &TextTable, out: &mut String) {
     let _ = writeln!(out, "| {} |", table.titles.join(" | "));
     let last = table.titles.len().saturating_sub(1);
     let rule = |column: usize| if column == 0 || column == last { "---" } else { "--:" };

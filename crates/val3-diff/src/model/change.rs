@@ -27,14 +27,14 @@ impl Change {
 
 /// A value in both trees.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Pair<T> {
+pub struct ValuePair<T> {
     /// Value in the old tree.
     pub old: T,
     /// Value in the new tree.
     pub new: T,
 }
 
-impl<T: PartialEq> Pair<T> {
+impl<T: PartialEq> ValuePair<T> {
     /// Returns both values, if they differ.
     pub(crate) fn differing(old: T, new: T) -> Option<Self> {
         (old != new).then_some(Self { old, new })

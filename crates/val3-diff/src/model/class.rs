@@ -6,7 +6,7 @@ use val3_lang::types::BaseType;
 /// A part of a report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Class {
+pub enum ReportClass {
     /// Programs.
     Programs,
     /// Data except positions, inputs and outputs.
@@ -23,7 +23,7 @@ pub enum Class {
     Files,
 }
 
-impl Class {
+impl ReportClass {
     /// Returns the class of data by type; user types are data.
     pub(crate) fn of(ty: Option<BaseType>) -> Self {
         match ty {

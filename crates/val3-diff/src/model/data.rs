@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::change::{Change, Pair};
-use super::class::Class;
+use super::change::{Change, ValuePair};
+use super::class::ReportClass;
 
 /// Global data that differ.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -15,7 +15,7 @@ pub struct DataChange {
     /// Change of the data.
     pub change: Change,
     /// Part of the report.
-    pub class: Class,
+    pub class: ReportClass,
     /// Type in the new tree; in the old tree if the data were removed.
     #[serde(rename = "type")]
     pub type_name: String,
@@ -25,14 +25,14 @@ pub struct DataChange {
     /// Value of added or removed data with one element; `None` for the default value.
     pub value: Option<String>,
     /// Access `public` or `private`, if it differs.
-    pub access: Option<Pair<String>>,
+    pub access: Option<ValuePair<String>>,
     /// Types, if they differ.
-    pub types: Option<Pair<String>>,
+    pub types: Option<ValuePair<String>>,
     /// Sizes, if they differ, for example `3`, `3 x 4` or `collection`.
-    pub sizes: Option<Pair<String>>,
+    pub sizes: Option<ValuePair<String>>,
     /// Whether the data are public in each tree.
     #[serde(skip)]
-    pub public: Pair<bool>,
+    pub public: ValuePair<bool>,
     /// Elements whose index differs because of removed or inserted elements.
     pub renumbering: Option<Renumbering>,
     /// Values that differ; for added or removed data with several elements, the values in the file.
@@ -59,7 +59,7 @@ impl DataChange {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Renumbering {
     /// Runs of elements that moved by the same number of indexes, in order.
-    pub runs: Vec<Run>,
+    pub runs: Vec<MovedElements>,
     /// Number of indexes whose element differs for a program.
     pub differing_indexes: usize,
     /// Maximum distance in `world` between the old and the new position at an index, in mm; `None` if the elements are
@@ -69,7 +69,7 @@ pub struct Renumbering {
 
 /// Consecutive elements that moved by the same number of indexes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Run {
+pub struct MovedElements {
     /// Old index of the first element.
     pub old: usize,
     /// New index of the first element.
@@ -86,7 +86,7 @@ pub struct ValueChange {
     /// Change of the value. A larger size or a new key adds elements.
     pub change: Change,
     /// Part of the report.
-    pub class: Class,
+    pub class: ReportClass,
     /// Type of the value.
     #[serde(rename = "type")]
     pub type_name: String,

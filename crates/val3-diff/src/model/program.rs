@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::change::{Change, Pair};
+use super::change::{Change, ValuePair};
 use super::text::Hunk;
 
 /// A program that differs.
@@ -19,14 +19,14 @@ pub struct ProgramChange {
     /// Name and parameters in the new tree; in the old tree if the program was removed.
     pub signature: String,
     /// Name and parameters in both trees, if the parameters differ.
-    pub signatures: Option<Pair<String>>,
+    pub signatures: Option<ValuePair<String>>,
     /// Access `public` or `private`, if it differs.
-    pub access: Option<Pair<String>>,
+    pub access: Option<ValuePair<String>>,
     /// Whether the project file lists the program, if that differs. An unlisted program is no part of the application.
-    pub listed: Option<Pair<bool>>,
+    pub listed: Option<ValuePair<bool>>,
     /// Whether the program is public in each tree.
     #[serde(skip)]
-    pub public: Pair<bool>,
+    pub public: ValuePair<bool>,
     /// Local variables that differ.
     pub locals: Vec<VariableChange>,
     /// Change of the code.
@@ -93,5 +93,5 @@ pub struct CodeChange {
     /// Lines that differ with context. Line 1 is the line of `begin`. Empty for an added or removed program.
     pub hunks: Vec<Hunk>,
     /// Whether the code has syntax errors in each tree.
-    pub syntax_errors: Pair<bool>,
+    pub syntax_errors: ValuePair<bool>,
 }

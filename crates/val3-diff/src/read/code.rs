@@ -6,16 +6,16 @@ use std::ops::Range;
 use rowan::NodeOrToken;
 use val3_analysis::items::program;
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{Part, SyntaxKind, decode_entities};
+use val3_syntax::{SyntaxKind, TextSlice, decode_entities};
 
-use crate::exclusions::Layout;
+use crate::exclusions::BlankComparison;
 
 /// New names of renamed programs and data, by old name.
 pub(crate) type Renames = BTreeMap<String, String>;
 
 /// Code of a program, from `begin` on.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct Code {
+pub(crate) struct ProgramCode {
     lines: Vec<CodeLine>,
 }
 
@@ -45,7 +45,7 @@ enum TokenKind {
     Other,
 }
 
-impl Code {
+impl ProgramCode {
     /// Reads the code in the tree of a `.pgx`.
     pub(crate) fn read(file: View<'_>) -> Self {
         let Some(code) = program::code(file) else { return Self::default() };
@@ -111,8 +111,8 @@ impl Code {
 
 impl CodeLine {
     /// Returns the text by which the lines in both versions are matched.
-    pub(crate) fn key(&self, layout: Layout, renames: &Renames) -> String {
-        if layout == Layout::Ignored {
+    pub(crate) fn key(&self, layout: BlankComparison, renames: &Renames) -> String {
+        if layout == BlankComparison::Ignored {
             return self.tokens.iter().map(|token| self.shown(token, renames)).collect::<Vec<_>>().join(" ");
         }
         let mut key = String::with_capacity(self.text.len());
@@ -197,9 +197,9 @@ pub(crate) fn line_ends(text: &str) -> String {
 mod tests {
     use super::*;
 
-    fn code(inner: &str) -> Code {
+    fn code(inner: &str) -> ProgramCode {
         let text = format!("<Programs><Program name=\"p\"><Code>{inner}</Code></Program></Programs>");
-        Code::read(val3_syntax::parse(&text).view())
+        ProgramCode::read(val3_syntax::parse(&text).view())
     }
 
     #[test]
@@ -226,7 +226,7 @@ mod tests {
         let renames = Renames::from([("a".to_owned(), "b".to_owned())]);
         let old = code("<![CDATA[begin\n  a = p.a+lib:a // a\n  put(\"a\")\nend]]>");
         let keys = |layout| old.lines().iter().map(|line| line.key(layout, &renames)).collect::<Vec<_>>();
-        assert_eq!(keys(Layout::Compared)[1..3], ["  b = p.a+lib:a // a", "  put(\"a\")"]);
-        assert_eq!(keys(Layout::Ignored)[1], "b = p . a + lib : a // a");
+        assert_eq!(keys(BlankComparison::Compared)[1..3], ["  b = p.a+lib:a // a", "  put(\"a\")"]);
+        assert_eq!(keys(BlankComparison::Ignored)[1], "b = p . a + lib : a // a");
     }
 }

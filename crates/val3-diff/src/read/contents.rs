@@ -4,7 +4,7 @@
 use val3_analysis::xml;
 use val3_lang::types::{BaseType, attributes};
 
-use super::entries::{Entry, Style, entries};
+use super::entries::{EntryRules, TomlEntry, entries};
 
 /// Default values of attributes that files may omit.
 const DEFAULTS: [(&str, &str); 7] = [
@@ -39,7 +39,7 @@ pub(crate) struct Contents {
     /// Name of the root element, which determines the dialect.
     pub(crate) root: String,
     /// Entries, without defaults, elements without name and content, empty attributes, code, and values.
-    pub(crate) entries: Vec<Entry>,
+    pub(crate) entries: Vec<TomlEntry>,
 }
 
 impl Contents {
@@ -47,7 +47,8 @@ impl Contents {
     pub(crate) fn read(text: &str) -> Option<Self> {
         let parse = val3_syntax::parse(text);
         let root = xml::root(parse.view())?;
-        let style = Style { keys: &["index", "key", "id", "name", "alias", "file"], without: &TEXTS, has_keys: true };
+        let style =
+            EntryRules { keys: &["index", "key", "id", "name", "alias", "file"], without: &TEXTS, has_keys: true };
         let mut entries = entries(root, &style);
         entries.retain(|entry| !is_usual(entry));
         Some(Self { root: root.name().to_owned(), entries })
@@ -55,7 +56,7 @@ impl Contents {
 }
 
 /// Whether an entry has no information, or is compared as a value.
-fn is_usual((path, value): &Entry) -> bool {
+fn is_usual((path, value): &TomlEntry) -> bool {
     if is_unread(path) {
         return false;
     }

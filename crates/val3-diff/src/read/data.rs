@@ -5,32 +5,32 @@ use std::collections::{BTreeMap, BTreeSet};
 use smol_str::{SmolStr, format_smolstr};
 use val3_analysis::items::data::{self, DataDecl};
 use val3_analysis::items::positions::key_of;
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 use val3_lang::builtins;
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_syntax::view::View;
 
 use super::code::Renames;
-use super::value::Value;
+use super::value::FileValue;
 
 /// Maximum nesting of fields that are read, so that hostile files cannot overflow the stack.
 const NESTING: usize = 16;
 
 /// Global data.
 #[derive(Debug, Clone)]
-pub(crate) struct Data {
+pub(crate) struct DataVersion {
     pub(crate) decl: DataDecl,
     /// Built-in type with its kind of arm; `None` for a user type.
     pub(crate) base: Option<(BaseType, Option<Arm>)>,
     /// Keys of the elements in the file.
     pub(crate) keys: BTreeSet<SmolStr>,
     /// Values by data path (`tSlot[a].pPick[0]`), in file order.
-    pub(crate) values: Vec<(SmolStr, Value)>,
+    pub(crate) values: Vec<(SmolStr, FileValue)>,
     /// Dimensions of user type fields in the file, by data path of the field (`tSlot[a].pPick`).
     pub(crate) field_sizes: BTreeMap<SmolStr, String>,
 }
 
-impl Data {
+impl DataVersion {
     /// Whether the data have an element with this key: `3`, `1,2`, or the key of a collection.
     pub(crate) fn has_element(&self, key: &str) -> bool {
         if self.decl.container == Container::Collection {
@@ -100,18 +100,18 @@ pub(crate) fn declaration(type_name: &str, name: &str, container: Container, siz
 }
 
 /// Reads the data of a file, without `world` and `flange`, which files of s5 and s6 declare.
-pub(crate) fn read(file: View<'_>) -> Vec<Data> {
+pub(crate) fn read(file: View<'_>) -> Vec<DataVersion> {
     data::elements(file).filter_map(read_one).filter(|data| !is_built_in(data)).collect()
 }
 
-fn is_built_in(data: &Data) -> bool {
+fn is_built_in(data: &DataVersion) -> bool {
     let builtin = builtins::find(&data.decl.name).filter(|builtin| builtin.is_variable);
     builtin.is_some_and(|builtin| data.base.is_some_and(|(ty, _)| ty == builtin.ty))
 }
 
-fn read_one(element: Element<'_>) -> Option<Data> {
+fn read_one(element: XmlElement<'_>) -> Option<DataVersion> {
     let decl = data::declaration(element)?;
-    let mut data = Data {
+    let mut data = DataVersion {
         base: BaseType::from_file_name(&decl.type_name),
         decl,
         keys: elements(element).map(|(key, _)| key).collect(),
@@ -124,19 +124,25 @@ fn read_one(element: Element<'_>) -> Option<Data> {
 }
 
 /// Returns the elements of data or a field in the file, with their keys.
-fn elements<'g>(container: Element<'g>) -> impl Iterator<Item = (SmolStr, Element<'g>)> {
-    let is_value = |element: &Element<'_>| element.name().to_ascii_lowercase().starts_with("value");
+fn elements<'g>(container: XmlElement<'g>) -> impl Iterator<Item = (SmolStr, XmlElement<'g>)> {
+    let is_value = |element: &XmlElement<'_>| element.name().to_ascii_lowercase().starts_with("value");
     container.elements().filter(is_value).filter_map(|element| {
         let key = element.value("key").or_else(|| element.value("index"))?;
         Some((key_of(&key).into(), element))
     })
 }
 
-fn values(name: &str, container: Element<'_>, base: Option<(BaseType, Option<Arm>)>, nesting: usize, data: &mut Data) {
+fn values(
+    name: &str,
+    container: XmlElement<'_>,
+    base: Option<(BaseType, Option<Arm>)>,
+    nesting: usize,
+    data: &mut DataVersion,
+) {
     for (key, element) in elements(container) {
         let path = format_smolstr!("{name}[{key}]");
         match base {
-            Some((ty, arm)) => data.values.push((path, Value::read(element, container, ty, arm))),
+            Some((ty, arm)) => data.values.push((path, FileValue::read(element, container, ty, arm))),
             None if nesting == 0 => {}
             None => element.elements().filter(|field| field.name() == "Field").for_each(|field| {
                 let Some(field_name) = field.value("name") else { return };
@@ -147,7 +153,7 @@ fn values(name: &str, container: Element<'_>, base: Option<(BaseType, Option<Arm
                     data.field_sizes.insert(path.as_str().into(), sizes.join(" x "));
                 }
                 if let Some((ty, arm)) = base.filter(|_| is_unwritten_single(field)) {
-                    return data.values.push((format_smolstr!("{path}[0]"), Value::default_of(ty, arm)));
+                    return data.values.push((format_smolstr!("{path}[0]"), FileValue::default_of(ty, arm)));
                 }
                 values(&path, field, base, nesting - 1, data);
             }),
@@ -156,7 +162,7 @@ fn values(name: &str, container: Element<'_>, base: Option<(BaseType, Option<Arm
 }
 
 /// Whether the field has one element with the default value, which files may omit.
-fn is_unwritten_single(field: Element<'_>) -> bool {
+fn is_unwritten_single(field: XmlElement<'_>) -> bool {
     elements(field).next().is_none() && field.value("size").is_some_and(|size| size.trim() == "1")
 }
 
@@ -167,7 +173,7 @@ mod tests {
     fn shown(text: &str) -> Vec<String> {
         let parse = val3_syntax::parse(text);
         let data = read(parse.view());
-        let value = |(path, value): &(SmolStr, Value)| format!("{path}={}", value.shown().unwrap_or_default());
+        let value = |(path, value): &(SmolStr, FileValue)| format!("{path}={}", value.shown().unwrap_or_default());
         data.iter().flat_map(|data| std::iter::once(data.declaration()).chain(data.values.iter().map(value))).collect()
     }
 

@@ -1,7 +1,7 @@
 //! Elements in an XML file as a flat list of entries.
 
 use rustc_hash::FxHashMap;
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 
 use super::program::text_in;
 
@@ -9,11 +9,11 @@ use super::program::text_in;
 const NESTING: usize = 64;
 
 /// An entry: its enclosing elements with the attribute, and the value.
-pub(crate) type Entry = (String, String);
+pub(crate) type TomlEntry = (String, String);
 
 /// Rules for converting elements to entries.
 #[derive(Debug)]
-pub(crate) struct Style {
+pub(crate) struct EntryRules {
     /// Attributes that identify an element among its siblings, in this order.
     pub(crate) keys: &'static [&'static str],
     /// Elements to omit.
@@ -24,13 +24,13 @@ pub(crate) struct Style {
 }
 
 /// Returns the entries in an element, in order.
-pub(crate) fn entries(root: Element<'_>, style: &Style) -> Vec<Entry> {
+pub(crate) fn entries(root: XmlElement<'_>, style: &EntryRules) -> Vec<TomlEntry> {
     let mut entries = Vec::new();
     add("", root, style, NESTING, &mut entries);
     entries
 }
 
-fn add(around: &str, element: Element<'_>, style: &Style, nesting: usize, entries: &mut Vec<Entry>) {
+fn add(around: &str, element: XmlElement<'_>, style: &EntryRules, nesting: usize, entries: &mut Vec<TomlEntry>) {
     let join = |name: &str| if around.is_empty() { name.to_owned() } else { format!("{around} {name}") };
     let key = key_of(element, style);
     for attribute in
@@ -62,12 +62,12 @@ fn add(around: &str, element: Element<'_>, style: &Style, nesting: usize, entrie
     }
 }
 
-fn key_of(element: Element<'_>, style: &Style) -> Option<(&'static str, String)> {
+fn key_of(element: XmlElement<'_>, style: &EntryRules) -> Option<(&'static str, String)> {
     style.keys.iter().find_map(|name| Some((*name, element.value(name)?.trim().to_owned())))
 }
 
 /// Formats an element with its key, for example `bioDin[3]`.
-fn named(element: Element<'_>, style: &Style) -> String {
+fn named(element: XmlElement<'_>, style: &EntryRules) -> String {
     let key = key_of(element, style).map(|(_, key)| format!("[{key}]")).unwrap_or_default();
     format!("{}{key}", element.name())
 }

@@ -2,24 +2,24 @@
 
 use smol_str::SmolStr;
 use val3_analysis::items::program::{self, Header, ParamDecl};
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 use val3_lang::types::Container;
 use val3_syntax::{Parse, SyntaxKind};
 
-use super::code::{Code, line_ends};
+use super::code::{ProgramCode, line_ends};
 use super::data::declaration;
 
 /// A program of either dialect.
 #[derive(Debug, Clone)]
-pub(crate) struct Program {
+pub(crate) struct ProgramVersion {
     pub(crate) header: Header,
-    pub(crate) code: Code,
+    pub(crate) code: ProgramCode,
     pub(crate) description: String,
     /// Whether the code has syntax errors.
     pub(crate) has_errors: bool,
 }
 
-impl Program {
+impl ProgramVersion {
     /// Reads the text of a `.pgx`; `None` if it is broken outside of the code.
     pub(crate) fn read(text: &str) -> Option<Self> {
         let parse = val3_syntax::parse(text);
@@ -28,7 +28,7 @@ impl Program {
         let is_sound = !header.name.is_empty() && has_errors_in_code_alone(&parse);
         is_sound.then(|| Self {
             header,
-            code: Code::read(parse.view()),
+            code: ProgramCode::read(parse.view()),
             description: description(element),
             has_errors: !parse.errors().is_empty(),
         })
@@ -97,13 +97,13 @@ fn has_errors_in_code_alone(parse: &Parse) -> bool {
 }
 
 /// Returns the text of `<Description>`.
-fn description(program: Element<'_>) -> String {
+fn description(program: XmlElement<'_>) -> String {
     let Some(element) = program.child(&["Description", "description"]) else { return String::new() };
     line_ends(&text_in(element)).trim().to_owned()
 }
 
 /// Returns the decoded character data directly in an element.
-pub(crate) fn text_in(element: Element<'_>) -> String {
+pub(crate) fn text_in(element: XmlElement<'_>) -> String {
     let is_text = |kind| matches!(kind, SyntaxKind::XML_TEXT | SyntaxKind::ENTITY_REF);
     let tokens = element.view().children_with_tokens().filter_map(rowan::NodeOrToken::into_token);
     tokens.filter(|token| is_text(token.kind())).map(|token| val3_syntax::decode_entities(token.text())).collect()
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn both_dialects_are_read() {
-        let new = Program::read(
+        let new = ProgramVersion::read(
             "<Programs><Program name=\"pick\" access=\"public\"><Description><![CDATA[// a\r\n]]></Description><Parameters>\
              <Parameter name=\"x_n\" type=\"num\" xsi:type=\"element\"/><Parameter name=\"x_s\" type=\"string\" \
              xsi:type=\"array\" use=\"reference\" dimensions=\"2\"/></Parameters><Locals><Local name=\"l_i\" type=\"num\" \
@@ -126,7 +126,7 @@ mod tests {
         assert_eq!(new.interface(), "pick(num, string&[,])");
         assert_eq!((new.description.as_str(), new.access().as_str(), new.has_errors), ("// a", "public", false));
         assert_eq!(new.locals().map(|(_, local)| local).collect::<Vec<_>>(), ["num l_i[3]"]);
-        let old = Program::read(
+        let old = ProgramVersion::read(
             "<programList><program name=\"p\" public=\"true\"><paramSection><param name=\"x\" type=\"num\" byVal=\"false\"/>\
              </paramSection><source><code>begin\nx=\nend</code></source></program></programList>",
         )
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn a_broken_file_is_no_program() {
         for text in ["", "text", "<Programs><Program name=\"p\"><Code>begin end</Code>", "<Database/>"] {
-            assert!(Program::read(text).is_none(), "{text}");
+            assert!(ProgramVersion::read(text).is_none(), "{text}");
         }
     }
 }

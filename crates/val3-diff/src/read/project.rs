@@ -8,13 +8,13 @@ use val3_lang::types::LengthUnit;
 
 /// A `.pjx` of either dialect.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Project {
+pub(crate) struct ProjectVersion {
     pub(crate) manifest: Manifest,
     /// Attributes of `<Parameters>`.
     pub(crate) parameters: Vec<(String, String)>,
 }
 
-impl Project {
+impl ProjectVersion {
     /// Reads the text of a `.pjx`; `None` if it is broken.
     pub(crate) fn read(text: &str) -> Option<Self> {
         let parse = val3_syntax::parse(text);
@@ -23,7 +23,7 @@ impl Project {
         if root.name() != spelling.root {
             return None;
         }
-        let parameters = root.child(&[spelling.parameters]).into_iter().flat_map(xml::Element::attributes);
+        let parameters = root.child(&[spelling.parameters]).into_iter().flat_map(xml::XmlElement::attributes);
         let parameters = parameters.map(|found| (found.name.to_owned(), found.text().trim().to_owned())).collect();
         Some(Self { manifest: manifest::read(parse.view()), parameters })
     }
@@ -66,16 +66,17 @@ mod tests {
 
     #[test]
     fn both_dialects_are_read() {
-        let new = Project::read(
+        let new = ProjectVersion::read(
             "<Project><Parameters version=\"s7.8\" millimeterUnit=\"false\"/><Libraries>\
              <Library alias=\"io\" path=\"Disk://io\" autoload=\"false\"/></Libraries></Project>",
         )
         .unwrap();
         assert_eq!((new.unit(), new.parameter("version")), (LengthUnit::Inch, Some("s7.8")));
         assert_eq!(new.libraries(), [("io".into(), "Disk://io (not loaded at the start)".to_owned())]);
-        let old =
-            Project::read("<project><aliasSection><alias name=\"io\" interface=\"io\"/></aliasSection></project>");
+        let old = ProjectVersion::read(
+            "<project><aliasSection><alias name=\"io\" interface=\"io\"/></aliasSection></project>",
+        );
         assert_eq!(old.unwrap().libraries(), [("io".into(), "io".to_owned())]);
-        assert!(Project::read("<Project>").is_none() && Project::read("<Database/>").is_none());
+        assert!(ProjectVersion::read("<Project>").is_none() && ProjectVersion::read("<Database/>").is_none());
     }
 }

@@ -2,13 +2,13 @@
 
 use val3_analysis::xml;
 
-use super::entries::{Entry, Style, entries};
+use super::entries::{EntryRules, TomlEntry, entries};
 
 /// Reads the entries of a file in order; `None` if it is no XML.
-pub(crate) fn read(text: &str) -> Option<Vec<Entry>> {
+pub(crate) fn read(text: &str) -> Option<Vec<TomlEntry>> {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).filter(|_| parse.errors().is_empty())?;
-    Some(entries(root, &Style { keys: &["index", "key", "id", "name"], without: &[], has_keys: false }))
+    Some(entries(root, &EntryRules { keys: &["index", "key", "id", "name"], without: &[], has_keys: false }))
 }
 
 /// Whether the file describes inputs and outputs: `bio.cfx`, `sio.cfx`, `modbus.cfx`.

@@ -5,10 +5,10 @@ use std::borrow::Cow;
 use smol_str::SmolStr;
 use val3_analysis::items::positions::path_of_reference;
 use val3_analysis::placement;
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 use val3_geometry::Trsf;
 use val3_lang::enumerations::{find, find_in_file};
-use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
+use val3_lang::types::{Arm, AttributeValue, BaseType, DefaultValue, ValueAttribute, attributes};
 
 use super::code::Renames;
 use super::data::path_with_new_name;
@@ -16,10 +16,10 @@ use super::number;
 
 /// A value of a built-in type, with a part for each attribute of the type in the file format.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Value {
+pub(crate) struct FileValue {
     pub(crate) ty: BaseType,
     pub(crate) arm: Option<Arm>,
-    parts: Vec<Part>,
+    parts: Vec<ValuePart>,
 }
 
 /// Kind of axis. The third axis of a SCARA arm is linear.
@@ -31,22 +31,22 @@ pub(crate) enum AxisKind {
 
 /// Attribute content.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Part {
+pub(crate) enum ValuePart {
     /// A number.
     Number(f64),
     /// Any other content, normalised so that equal contents have equal texts. An unreadable number is a text.
     Text(SmolStr),
 }
 
-impl Value {
+impl FileValue {
     /// Returns the value of elements that are not in the file.
     pub(crate) fn default_of(ty: BaseType, arm: Option<Arm>) -> Self {
         Self { ty, arm, parts: attributes(ty, arm).iter().map(default_part).collect() }
     }
 
     /// Reads the value of `element`. `container` is the element that declares the data.
-    pub(crate) fn read(element: Element<'_>, container: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Self {
-        let part = |attribute: &Attribute| match written(element, container, attribute) {
+    pub(crate) fn read(element: XmlElement<'_>, container: XmlElement<'_>, ty: BaseType, arm: Option<Arm>) -> Self {
+        let part = |attribute: &ValueAttribute| match written(element, container, attribute) {
             Some(text) => part(attribute, &text),
             None => default_part(attribute),
         };
@@ -54,7 +54,7 @@ impl Value {
     }
 
     /// Returns each attribute with its content.
-    pub(crate) fn parts(&self) -> impl Iterator<Item = (&'static Attribute, &Part)> {
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (&'static ValueAttribute, &ValuePart)> {
         attributes(self.ty, self.arm).iter().zip(&self.parts)
     }
 
@@ -64,7 +64,7 @@ impl Value {
             return None;
         }
         let mut numbers = self.parts.iter().take(6).map(|part| match part {
-            Part::Number(number) if number.is_finite() => Some(*number),
+            ValuePart::Number(number) if number.is_finite() => Some(*number),
             _ => None,
         });
         let mut next = || numbers.next().flatten();
@@ -75,7 +75,7 @@ impl Value {
     pub(crate) fn with_new_father(&self, renames: &Renames) -> Self {
         let mut renamed = self.clone();
         for (attribute, part) in attributes(self.ty, self.arm).iter().zip(&mut renamed.parts) {
-            if let (AttributeValue::Father(_), Part::Text(father)) = (attribute.value, &mut *part) {
+            if let (AttributeValue::Father(_), ValuePart::Text(father)) = (attribute.value, &mut *part) {
                 *father = path_with_new_name(father, renames).unwrap_or_else(|| father.clone());
             }
         }
@@ -91,10 +91,10 @@ impl Value {
     /// Returns the axes of a joint position; `None` for other values or with an unreadable number. Angles are in
     /// degrees, linear axes in the length unit of the application.
     pub(crate) fn axes(&self) -> Option<Vec<(AxisKind, f64)>> {
-        let axis = |(number, part): (usize, &Part)| match part {
-            Part::Number(value) if number == 2 && self.arm == Some(Arm::Scara) => Some((AxisKind::Linear, *value)),
-            Part::Number(value) => Some((AxisKind::Rotary, *value)),
-            Part::Text(_) => None,
+        let axis = |(number, part): (usize, &ValuePart)| match part {
+            ValuePart::Number(value) if number == 2 && self.arm == Some(Arm::Scara) => Some((AxisKind::Linear, *value)),
+            ValuePart::Number(value) => Some((AxisKind::Rotary, *value)),
+            ValuePart::Text(_) => None,
         };
         if self.ty != BaseType::Joint {
             return None;
@@ -105,7 +105,7 @@ impl Value {
     /// Returns the data path of the value's father; empty if the value has none.
     pub(crate) fn father(&self) -> Option<&SmolStr> {
         self.parts().find_map(|(attribute, part)| match (attribute.value, part) {
-            (AttributeValue::Father(_), Part::Text(father)) => Some(father),
+            (AttributeValue::Father(_), ValuePart::Text(father)) => Some(father),
             _ => None,
         })
     }
@@ -127,7 +127,7 @@ impl Value {
 }
 
 /// Returns the field name in a report: `x` for the `trsf.x` of a position.
-pub(crate) fn field_name(attribute: &Attribute) -> &'static str {
+pub(crate) fn field_name(attribute: &ValueAttribute) -> &'static str {
     match attribute.value {
         AttributeValue::Father(_) => "father",
         _ => attribute.field.strip_prefix("trsf.").unwrap_or(attribute.field),
@@ -135,40 +135,42 @@ pub(crate) fn field_name(attribute: &Attribute) -> &'static str {
 }
 
 /// Formats attribute content for a report.
-pub(crate) fn shown_part(attribute: &Attribute, part: &Part) -> String {
+pub(crate) fn shown_part(attribute: &ValueAttribute, part: &ValuePart) -> String {
     match (part, attribute.value) {
-        (Part::Number(number), _) => number::shown(*number),
-        (Part::Text(text), AttributeValue::Text) => format!("\"{text}\""),
-        (Part::Text(text), _) if text.is_empty() => "(none)".to_owned(),
-        (Part::Text(text), AttributeValue::Father(_)) => placement::shown(text),
-        (Part::Text(text), _) => text.to_string(),
+        (ValuePart::Number(number), _) => number::shown(*number),
+        (ValuePart::Text(text), AttributeValue::Text) => format!("\"{text}\""),
+        (ValuePart::Text(text), _) if text.is_empty() => "(none)".to_owned(),
+        (ValuePart::Text(text), AttributeValue::Father(_)) => placement::shown(text),
+        (ValuePart::Text(text), _) => text.to_string(),
     }
 }
 
-fn part(attribute: &Attribute, text: &str) -> Part {
+fn part(attribute: &ValueAttribute, text: &str) -> ValuePart {
     let trimmed = text.trim();
     match attribute.value {
         AttributeValue::Number => {
-            trimmed.parse().map_or_else(|_| Part::Text(text.into()), |number: f64| Part::Number(number + 0.0))
+            trimmed.parse().map_or_else(|_| ValuePart::Text(text.into()), |number: f64| ValuePart::Number(number + 0.0))
         }
-        AttributeValue::Choice(ty) => Part::Text(find_in_file(ty, trimmed).map_or(trimmed, |found| found.name).into()),
-        AttributeValue::Father(_) => Part::Text(path_of_reference(trimmed).unwrap_or_else(|| trimmed.into())),
-        AttributeValue::Truth => Part::Text(trimmed.into()),
-        AttributeValue::Text | AttributeValue::Link => Part::Text(text.into()),
+        AttributeValue::Choice(ty) => {
+            ValuePart::Text(find_in_file(ty, trimmed).map_or(trimmed, |found| found.name).into())
+        }
+        AttributeValue::Father(_) => ValuePart::Text(path_of_reference(trimmed).unwrap_or_else(|| trimmed.into())),
+        AttributeValue::Truth => ValuePart::Text(trimmed.into()),
+        AttributeValue::Text | AttributeValue::Link => ValuePart::Text(text.into()),
     }
 }
 
-fn default_part(attribute: &Attribute) -> Part {
+fn default_part(attribute: &ValueAttribute) -> ValuePart {
     match attribute.default {
-        DefaultValue::Number(number) => Part::Number(number),
-        DefaultValue::Enumerator(name) => Part::Text(find(name).map_or(name, |found| found.name).into()),
-        DefaultValue::False => Part::Text("false".into()),
-        _ => Part::Text(SmolStr::default()),
+        DefaultValue::Number(number) => ValuePart::Number(number),
+        DefaultValue::Enumerator(name) => ValuePart::Text(find(name).map_or(name, |found| found.name).into()),
+        DefaultValue::False => ValuePart::Text("false".into()),
+        _ => ValuePart::Text(SmolStr::default()),
     }
 }
 
 /// Returns the attribute's text: in the value, or in the old dialect in an element of the value or its container.
-fn written<'g>(element: Element<'g>, container: Element<'g>, attribute: &Attribute) -> Option<Cow<'g, str>> {
+fn written<'g>(element: XmlElement<'g>, container: XmlElement<'g>, attribute: &ValueAttribute) -> Option<Cow<'g, str>> {
     let in_parts = || element.elements().find_map(|part| part.value(attribute.old_name()));
     let old = || match attribute.value {
         AttributeValue::Father(_) => named(container, |name| name.ends_with("Father"), "fatherIndex"),
@@ -179,7 +181,7 @@ fn written<'g>(element: Element<'g>, container: Element<'g>, attribute: &Attribu
 }
 
 /// Returns the reference in an element of the old dialect: `<pFather alias="" name="world" fatherIndex="0" />`.
-fn named(around: Element<'_>, is_wanted: impl Fn(&str) -> bool, index: &str) -> Option<String> {
+fn named(around: XmlElement<'_>, is_wanted: impl Fn(&str) -> bool, index: &str) -> Option<String> {
     let element = around.elements().find(|element| is_wanted(element.name()))?;
     let text = |name: &str| element.value(name).filter(|text| !text.is_empty());
     let library = text("alias").map(|alias| format!("{alias}:")).unwrap_or_default();
@@ -190,11 +192,11 @@ fn named(around: Element<'_>, is_wanted: impl Fn(&str) -> bool, index: &str) -> 
 mod tests {
     use super::*;
 
-    fn read(text: &str, ty: BaseType) -> Value {
+    fn read(text: &str, ty: BaseType) -> FileValue {
         let parse = val3_syntax::parse(text);
         let container = val3_analysis::xml::root(parse.view()).unwrap();
         let value = container.elements().find(|element| element.name().to_lowercase().starts_with("value")).unwrap();
-        Value::read(value, container, ty, None)
+        FileValue::read(value, container, ty, None)
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! Report of an application's differences.
 
-use super::block::{Block, Mark, entry, heading};
+use super::block::{Block, ReportMark, entry, heading};
 use super::changes::{arrow, optional_arrow};
 use super::counts::counted;
 use super::groups::groups;
 use super::{code, contents, points, renumbering};
-use crate::model::Class;
+use crate::model::ReportClass;
 use crate::model::{ApplicationChange, Change, DataChange, InterfaceChange, ItemKind, ReferenceChange, ValueChange};
 
 /// Number of elements that are shown for added or removed data.
@@ -23,9 +23,11 @@ pub(super) fn add(change: &ApplicationChange, blocks: &mut Vec<Block>) {
     references("User types", &change.types, blocks);
     interface(change, blocks);
     code::add(&change.programs, blocks);
-    for (title, class) in
-        [("Points, frames and tools", Class::Points), ("Data", Class::Data), ("Inputs and outputs", Class::Io)]
-    {
+    for (title, class) in [
+        ("Points, frames and tools", ReportClass::Points),
+        ("Data", ReportClass::Data),
+        ("Inputs and outputs", ReportClass::Io),
+    ] {
         data(title, class, &change.data, blocks);
     }
     code::texts(&change.texts, blocks);
@@ -53,7 +55,7 @@ fn whole(change: &ApplicationChange, blocks: &mut Vec<Block>) {
     let content = if parts.is_empty() { "empty".to_owned() } else { parts.join(", ") };
     blocks.push(entry(change.change.into(), "", format!("{word}: {content}")));
     if !change.used_by.is_empty() {
-        blocks.push(entry(Mark::Note, "", format!("used by {}", change.used_by.join(", "))));
+        blocks.push(entry(ReportMark::Note, "", format!("used by {}", change.used_by.join(", "))));
     }
     code::texts(&change.texts, blocks);
 }
@@ -64,7 +66,7 @@ fn project(change: &ApplicationChange, blocks: &mut Vec<Block>) {
     }
     for parameter in &change.project {
         let text = optional_arrow(parameter.old.as_ref(), parameter.new.as_ref());
-        blocks.push(entry(Mark::Changed, &parameter.name, text));
+        blocks.push(entry(ReportMark::Changed, &parameter.name, text));
     }
 }
 
@@ -102,7 +104,7 @@ fn interface_item(item: &InterfaceChange) -> Block {
     entry(item.change.into(), &format!("{kind} {}", item.name), text)
 }
 
-fn data(title: &str, class: Class, changes: &[DataChange], blocks: &mut Vec<Block>) {
+fn data(title: &str, class: ReportClass, changes: &[DataChange], blocks: &mut Vec<Block>) {
     let before = blocks.len();
     blocks.push(heading(2, title, ""));
     for change in changes.iter().filter(|change| change.class == class) {
@@ -110,7 +112,7 @@ fn data(title: &str, class: Class, changes: &[DataChange], blocks: &mut Vec<Bloc
     }
     let values = changes.iter().filter(|change| change.change == Change::Changed).flat_map(listed_values);
     let values: Vec<&ValueChange> = values.filter(|value| value.class == class).collect();
-    if class == Class::Points {
+    if class == ReportClass::Points {
         points::add(&values, blocks);
     } else {
         blocks.extend(groups(&values).iter().filter_map(|group| points::values_entry(group)));
@@ -139,7 +141,7 @@ fn declaration(change: &DataChange, blocks: &mut Vec<Block>) {
         parts.iter().filter_map(|(word, pair)| Some(format!("{word} {}", arrow(pair.as_ref()?)))).collect();
     let name = change.renamed_from.as_ref().map(|old| format!("{old} renamed to {}", change.name));
     if !parts.is_empty() || name.is_some() {
-        blocks.push(entry(Mark::Changed, name.as_ref().unwrap_or(&change.name), parts.join(", ")));
+        blocks.push(entry(ReportMark::Changed, name.as_ref().unwrap_or(&change.name), parts.join(", ")));
     }
     if let Some(renumbering) = &change.renumbering {
         renumbering::add(change, renumbering, blocks);

@@ -15,16 +15,16 @@ pub enum Block {
         note: String,
     },
     /// An item that differs.
-    Entry(Entry),
+    Entry(ReportItem),
     /// Positions with their movements.
-    Table(Table),
+    Table(TextTable),
     /// Lines of code or of a file, in groups of consecutive lines.
     Lines(Vec<Vec<HunkLine>>),
 }
 
 /// Meaning of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mark {
+pub enum ReportMark {
     /// An added item.
     Added,
     /// A removed item.
@@ -37,7 +37,7 @@ pub enum Mark {
     Warning,
 }
 
-impl From<Change> for Mark {
+impl From<Change> for ReportMark {
     fn from(change: Change) -> Self {
         match change {
             Change::Added => Self::Added,
@@ -49,9 +49,9 @@ impl From<Change> for Mark {
 
 /// An item that differs.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Entry {
+pub struct ReportItem {
     /// Change of the item.
-    pub mark: Mark,
+    pub mark: ReportMark,
     /// Name or declaration; may be empty.
     pub name: String,
     /// Rest of the line; may be empty.
@@ -60,18 +60,18 @@ pub struct Entry {
 
 /// A table of texts.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Table {
+pub struct TextTable {
     /// Titles of the columns. The first column contains names, the last contains texts, and the others contain numbers.
     pub titles: Vec<&'static str>,
     /// The rows.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ReportRow>,
 }
 
 /// A row of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Row {
+pub struct ReportRow {
     /// Change of the item in the row.
-    pub mark: Mark,
+    pub mark: ReportMark,
     /// Text for each column.
     pub cells: Vec<String>,
 }
@@ -82,6 +82,6 @@ pub(super) fn heading(level: u8, text: &str, note: &str) -> Block {
 }
 
 /// Creates an entry for an item that differs.
-pub(super) fn entry(mark: Mark, name: &str, text: impl Into<String>) -> Block {
-    Block::Entry(Entry { mark, name: name.to_owned(), text: text.into() })
+pub(super) fn entry(mark: ReportMark, name: &str, text: impl Into<String>) -> Block {
+    Block::Entry(ReportItem { mark, name: name.to_owned(), text: text.into() })
 }

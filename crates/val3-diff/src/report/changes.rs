@@ -1,9 +1,9 @@
 //! Formatting of old and new values.
 
-use crate::model::{FieldChange, Pair};
+use crate::model::{FieldChange, ValuePair};
 
 /// Formats `5 → 7`.
-pub(super) fn arrow(pair: &Pair<String>) -> String {
+pub(super) fn arrow(pair: &ValuePair<String>) -> String {
     format!("{} → {}", pair.old, pair.new)
 }
 

@@ -1,6 +1,6 @@
 //! Report of programs, and of files compared as text.
 
-use super::block::{Block, Mark, entry, heading};
+use super::block::{Block, ReportMark, entry, heading};
 use super::changes::arrow;
 use super::counts::counted;
 use crate::model::{Change, CodeKind, Hunk, ProgramChange, TextChange};
@@ -22,7 +22,7 @@ pub(super) fn add(programs: &[ProgramChange], blocks: &mut Vec<Block>) {
     let layouts = names(|change| is_only(change, CodeKind::Layout));
     for (names, text) in [(renames, "only renamed names differ"), (layouts, "only the layout of the code differs")] {
         if !names.is_empty() {
-            blocks.push(entry(Mark::Changed, &names, text));
+            blocks.push(entry(ReportMark::Changed, &names, text));
         }
     }
 }
@@ -53,7 +53,7 @@ fn program(change: &ProgramChange, blocks: &mut Vec<Block>) {
     for (word, pair) in [("was", &change.signatures), ("access", &change.access)] {
         if let Some(pair) = pair {
             let text = if word == "was" { format!("was {}", pair.old) } else { format!("{word} {}", arrow(pair)) };
-            blocks.push(entry(Mark::Note, "", text));
+            blocks.push(entry(ReportMark::Note, "", text));
         }
     }
     if let Some(listed) = &change.listed {
@@ -62,7 +62,7 @@ fn program(change: &ProgramChange, blocks: &mut Vec<Block>) {
         } else {
             "the project file no longer lists it, so it is not part of the application"
         };
-        blocks.push(entry(Mark::Note, "", text));
+        blocks.push(entry(ReportMark::Note, "", text));
     }
     for local in &change.locals {
         let shown = match (&local.old, &local.new) {
@@ -70,13 +70,13 @@ fn program(change: &ProgramChange, blocks: &mut Vec<Block>) {
             (None, Some(new)) => format!("new local {new}"),
             (old, _) => format!("removed local {}", old.as_deref().unwrap_or("")),
         };
-        blocks.push(entry(Mark::Note, "", shown));
+        blocks.push(entry(ReportMark::Note, "", shown));
     }
     if change.description_changed {
-        blocks.push(entry(Mark::Note, "", "the description differs"));
+        blocks.push(entry(ReportMark::Note, "", "the description differs"));
     }
     if change.code.syntax_errors.new && !change.code.syntax_errors.old {
-        blocks.push(entry(Mark::Warning, "", "the new code has syntax errors; `val3 check` shows them"));
+        blocks.push(entry(ReportMark::Warning, "", "the new code has syntax errors; `val3 check` shows them"));
     }
     if change.code.kind != CodeKind::Layout {
         add_hunks(&change.code.hunks, blocks);

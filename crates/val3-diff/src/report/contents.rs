@@ -1,6 +1,6 @@
 //! Report of files that differ in their XML.
 
-use super::block::{Block, Mark, entry, heading};
+use super::block::{Block, ReportMark, entry, heading};
 use super::changes::optional_arrow;
 use crate::model::{ContentChange, EntryChange};
 
@@ -13,11 +13,12 @@ pub(super) fn add(files: &[ContentChange], blocks: &mut Vec<Block>) {
         blocks.push(heading(2, "Other attributes and texts of the files", ""));
     }
     for file in files {
-        blocks.push(entry(Mark::Changed, &file.path, ""));
-        blocks.extend(file.entries.iter().take(SHOWN).map(|change| entry(Mark::Note, &change.entry, text(change))));
+        blocks.push(entry(ReportMark::Changed, &file.path, ""));
+        blocks
+            .extend(file.entries.iter().take(SHOWN).map(|change| entry(ReportMark::Note, &change.entry, text(change))));
         let more = file.entries.len().saturating_sub(SHOWN);
         if more > 0 {
-            blocks.push(entry(Mark::Note, "", format!("and {more} more; `--format json` names all")));
+            blocks.push(entry(ReportMark::Note, "", format!("and {more} more; `--format json` names all")));
         }
     }
 }

@@ -4,12 +4,12 @@ use std::fmt::{self, Display};
 
 use serde::Serialize;
 
-use crate::model::Class;
+use crate::model::ReportClass;
 use crate::model::{ApplicationChange, Change, Comparison};
 
 /// Numbers of items that differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-pub struct Counts {
+pub struct DifferenceCounts {
     /// Applications, libraries and user types.
     pub applications: usize,
     /// Number of programs.
@@ -36,7 +36,7 @@ pub struct Counts {
     pub others: usize,
 }
 
-impl Counts {
+impl DifferenceCounts {
     /// Returns the numbers of a comparison.
     #[must_use]
     pub fn of(comparison: &Comparison) -> Self {
@@ -92,17 +92,17 @@ impl Counts {
         *self == Self::default()
     }
 
-    fn add(&mut self, class: Class, count: usize) {
+    fn add(&mut self, class: ReportClass, count: usize) {
         match class {
-            Class::Points => self.points += count,
-            Class::Io => self.io += count,
+            ReportClass::Points => self.points += count,
+            ReportClass::Io => self.io += count,
             _ => self.data += count,
         }
     }
 }
 
 /// Formats `2 applications differ: 3 programs, 12 points`.
-impl Display for Counts {
+impl Display for DifferenceCounts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = [
             (self.programs, "program", "programs"),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::block::{Block, Mark, entry};
+use super::block::{Block, ReportMark, entry};
 use super::counts::counted;
 use super::elements::{elements, parts};
 use super::points::{degrees, millimetres};
@@ -11,7 +11,7 @@ use crate::model::{Dependent, Displacement, ValueChange};
 /// Adds an entry for the frame or tool, and a line for each variable with the range of movements.
 pub(super) fn add(moved: &ValueChange, blocks: &mut Vec<Block>) {
     let count = counted(moved.dependents.len(), "position moves with it", "positions move with it");
-    blocks.push(entry(Mark::Changed, &moved.path, count));
+    blocks.push(entry(ReportMark::Changed, &moved.path, count));
     let mut groups: BTreeMap<(&str, &str), Vec<&Dependent>> = BTreeMap::new();
     for dependent in &moved.dependents {
         let (name, _, field) = parts(&dependent.path);
@@ -19,7 +19,7 @@ pub(super) fn add(moved: &ValueChange, blocks: &mut Vec<Block>) {
     }
     for dependents in groups.into_values() {
         let paths: Vec<&str> = dependents.iter().map(|dependent| dependent.path.as_str()).collect();
-        blocks.push(entry(Mark::Note, &elements(&paths), range(&dependents)));
+        blocks.push(entry(ReportMark::Note, &elements(&paths), range(&dependents)));
     }
 }
 
@@ -67,7 +67,7 @@ mod tests {
         let moved = ValueChange {
             path: "fTable".to_owned(),
             change: crate::model::Change::Changed,
-            class: crate::Class::Points,
+            class: crate::ReportClass::Points,
             type_name: "frame".to_owned(),
             value: None,
             fields: Vec::new(),

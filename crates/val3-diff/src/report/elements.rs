@@ -1,6 +1,6 @@
 //! Short notation for elements of a variable.
 
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 /// Splits a data path into variable, key and field: `tSlot`, `3`, `.pPick` for `tSlot[3].pPick`.
 pub(super) fn parts(path: &str) -> (&str, &str, &str) {

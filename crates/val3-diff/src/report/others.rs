@@ -1,6 +1,6 @@
 //! Report of other kinds of files.
 
-use super::block::{Block, Mark, entry, heading};
+use super::block::{Block, ReportMark, entry, heading};
 use crate::model::{Change, OtherChange};
 
 /// Number of files that are named in a report. The JSON document names all.
@@ -22,6 +22,6 @@ pub(super) fn add(files: &[OtherChange], blocks: &mut Vec<Block>) {
     }
     let more = files.len().saturating_sub(SHOWN);
     if more > 0 {
-        blocks.push(entry(Mark::Note, "", format!("and {more} more; `--format json` names all")));
+        blocks.push(entry(ReportMark::Note, "", format!("and {more} more; `--format json` names all")));
     }
 }

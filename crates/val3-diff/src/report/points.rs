@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use val3_lang::types::BaseType;
 
-use super::block::{Block, Mark, Row, Table, entry};
+use super::block::{Block, ReportMark, ReportRow, TextTable, entry};
 use super::changes::fields;
 use super::dependents::{self, span};
 use super::elements::elements;
@@ -22,7 +22,7 @@ pub(super) fn add(values: &[&ValueChange], blocks: &mut Vec<Block>) {
     if !moved.is_empty() {
         let titles = vec!["Position", "Moved", "Turned", whole_movement(&moved), "Values"];
         let rows = groups(&moved).iter().filter_map(|group| row(group)).collect();
-        blocks.push(Block::Table(Table { titles, rows }));
+        blocks.push(Block::Table(TextTable { titles, rows }));
     }
     for group in groups(&others) {
         blocks.extend(values_entry(&group));
@@ -78,7 +78,7 @@ fn whole_movement(moved: &[&ValueChange]) -> &'static str {
     }
 }
 
-fn row(group: &[&ValueChange]) -> Option<Row> {
+fn row(group: &[&ValueChange]) -> Option<ReportRow> {
     let value = group.first()?;
     let in_father = value.movement.and_then(|movement| movement.in_father);
     let in_world: Vec<Displacement> = group.iter().filter_map(|value| value.movement?.in_world).collect();
@@ -97,7 +97,7 @@ fn row(group: &[&ValueChange]) -> Option<Row> {
         _ => fields(&value.fields),
     };
     let angle = in_father.map_or(String::new(), |found| nonzero(found.angle_deg, degrees));
-    Some(Row { mark: Mark::from(value.change), cells: vec![names(group), moved, angle, in_world, values] })
+    Some(ReportRow { mark: ReportMark::from(value.change), cells: vec![names(group), moved, angle, in_world, values] })
 }
 
 /// Formats the common movement of several positions, `x +1.5, y −2, turned about z`, and the other fields.

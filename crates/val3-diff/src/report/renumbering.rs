@@ -1,9 +1,9 @@
 //! Report of arrays with renumbered elements.
 
-use super::block::{Block, Mark, entry};
+use super::block::{Block, ReportMark, entry};
 use super::elements::ranges;
 use super::points::millimetres;
-use crate::model::{Change, DataChange, Renumbering, Run, ValueChange};
+use crate::model::{Change, DataChange, MovedElements, Renumbering, ValueChange};
 
 /// Number of removed or inserted elements that are shown with their values.
 const SHOWN: usize = 4;
@@ -26,16 +26,16 @@ pub(super) fn add(change: &DataChange, renumbering: &Renumbering, blocks: &mut V
                     indexes(&change.name, run.old, run.count),
                     indexes(&change.name, run.new, run.count)
                 );
-                blocks.push(entry(Mark::Note, "", text));
+                blocks.push(entry(ReportMark::Note, "", text));
             }
         }
     }
-    blocks.push(entry(Mark::Note, "", by_index(renumbering)));
+    blocks.push(entry(ReportMark::Note, "", by_index(renumbering)));
 }
 
 /// Returns a sentence for the usual edit: consecutive removed or inserted elements, with one run of elements after
 /// them.
-fn one_edit<'v>(name: &str, edited: &[&'v ValueChange], runs: &[Run]) -> Option<(&'v ValueChange, String)> {
+fn one_edit<'v>(name: &str, edited: &[&'v ValueChange], runs: &[MovedElements]) -> Option<(&'v ValueChange, String)> {
     let ([first, ..], [run]) = (edited, runs) else { return None };
     let (word, direction, start) = match first.change {
         Change::Removed => ("removed", "up", run.old),
@@ -71,11 +71,11 @@ fn values(edited: &[&ValueChange], blocks: &mut Vec<Block>) {
     for value in edited.iter().take(SHOWN) {
         let Some(text) = &value.value else { continue };
         let name = if edited.len() == 1 { "" } else { &value.path };
-        blocks.push(entry(Mark::Note, name, text.clone()));
+        blocks.push(entry(ReportMark::Note, name, text.clone()));
     }
     let more = edited.len().saturating_sub(SHOWN);
     if more > 0 {
-        blocks.push(entry(Mark::Note, "", format!("and {more} more; `--format json` has all values")));
+        blocks.push(entry(ReportMark::Note, "", format!("and {more} more; `--format json` has all values")));
     }
 }
 

@@ -3,14 +3,14 @@
 use camino::Utf8Path;
 use serde::Serialize;
 
-use super::block::{Block, Mark, Row, Table};
-use super::counts::Counts;
+use super::block::{Block, ReportMark, ReportRow, TextTable};
+use super::counts::DifferenceCounts;
 use super::points::{by_size, displacement, extent};
 use crate::model::{ApplicationChange, Change, Comparison, Displacement};
 
 /// Statistics for an application, or for the configuration and files outside of applications.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Statistics {
+pub struct DiffStatistics {
     /// Application name; `None` for files outside of applications that differ.
     pub name: Option<String>,
     /// Path of the project file; `None` without an application.
@@ -18,7 +18,7 @@ pub struct Statistics {
     /// Change of the application.
     pub change: Change,
     /// Numbers of items that differ. `others` are other kinds of files in the folder of the application.
-    pub counts: Counts,
+    pub counts: DifferenceCounts,
     /// Greatest movement of a position.
     pub greatest: Option<GreatestMovement>,
 }
@@ -34,9 +34,9 @@ pub struct GreatestMovement {
 
 /// Returns the statistics of a comparison, by application.
 #[must_use]
-pub fn statistics(comparison: &Comparison) -> Vec<Statistics> {
+pub fn statistics(comparison: &Comparison) -> Vec<DiffStatistics> {
     let mut others: Vec<usize> = vec![0; comparison.applications.len()];
-    let mut outside = Counts::of(comparison);
+    let mut outside = DifferenceCounts::of(comparison);
     for file in &comparison.others {
         let around =
             comparison.applications.iter().enumerate().filter(|(_, application)| contains(application, &file.path));
@@ -45,10 +45,10 @@ pub fn statistics(comparison: &Comparison) -> Vec<Statistics> {
         outside.others -= 1;
     }
     let with_others = comparison.applications.iter().zip(others);
-    let mut found: Vec<Statistics> = with_others.map(|(application, others)| one(application, others)).collect();
+    let mut found: Vec<DiffStatistics> = with_others.map(|(application, others)| one(application, others)).collect();
     outside = outside.without(found.iter().map(|statistics| &statistics.counts));
     if !outside.is_empty() {
-        found.push(Statistics { name: None, path: None, change: Change::Changed, counts: outside, greatest: None });
+        found.push(DiffStatistics { name: None, path: None, change: Change::Changed, counts: outside, greatest: None });
     }
     found
 }
@@ -59,9 +59,9 @@ fn contains(application: &ApplicationChange, file: &str) -> bool {
     folder.is_some_and(|folder| Utf8Path::new(&file.to_lowercase()).starts_with(folder.as_str().to_lowercase()))
 }
 
-fn one(application: &ApplicationChange, others: usize) -> Statistics {
-    let counts = Counts { others, ..Counts::default().with(application) };
-    Statistics {
+fn one(application: &ApplicationChange, others: usize) -> DiffStatistics {
+    let counts = DifferenceCounts { others, ..DifferenceCounts::default().with(application) };
+    DiffStatistics {
         name: Some(application.name.clone()),
         path: Some(application.path.clone()),
         change: application.change,
@@ -84,7 +84,7 @@ fn greatest(application: &ApplicationChange) -> Option<GreatestMovement> {
 }
 
 /// A column of numbers: its title, and the number in a row.
-type Column = (&'static str, fn(&Counts) -> usize);
+type Column = (&'static str, fn(&DifferenceCounts) -> usize);
 
 const COLUMNS: [Column; 7] = [
     ("Positions", |counts| counts.points),
@@ -106,10 +106,10 @@ pub(super) fn table(comparison: &Comparison) -> Option<Block> {
     let columns: Vec<&Column> = COLUMNS.iter().filter(has_number).collect();
     let titles = std::iter::once("Application").chain(columns.iter().map(|(title, _)| *title));
     let titles = titles.chain(["Greatest movement"]).collect();
-    Some(Block::Table(Table { titles, rows: statistics.iter().map(|one| row(one, &columns)).collect() }))
+    Some(Block::Table(TextTable { titles, rows: statistics.iter().map(|one| row(one, &columns)).collect() }))
 }
 
-fn row(statistics: &Statistics, columns: &[&Column]) -> Row {
+fn row(statistics: &DiffStatistics, columns: &[&Column]) -> ReportRow {
     let number = |(_, number): &&Column| match number(&statistics.counts) {
         0 => String::new(),
         count => count.to_string(),
@@ -122,5 +122,5 @@ fn row(statistics: &Statistics, columns: &[&Column]) -> Row {
         statistics.name.as_deref().map_or("(other files)", |name| if name.is_empty() { "(this folder)" } else { name });
     let cells =
         std::iter::once(name.to_owned()).chain(columns.iter().map(number)).chain([greatest.unwrap_or_default()]);
-    Row { mark: Mark::from(statistics.change), cells: cells.collect() }
+    ReportRow { mark: ReportMark::from(statistics.change), cells: cells.collect() }
 }

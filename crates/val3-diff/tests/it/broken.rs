@@ -1,7 +1,7 @@
 //! Broken, missing and hostile files.
 
 use expect_test::expect;
-use val3_diff::{Tree, compare, listing};
+use val3_diff::{FileTree, compare, listing};
 
 use crate::support::{check, human};
 
@@ -83,7 +83,7 @@ fn a_missing_program_is_reported_if_it_was_there() {
         let project =
             "<Project><Programs><Program file=\"START.pgx\"/><Program file=\"other.pgx\"/></Programs></Project>";
         let files = [("a.pjx", project), ("start.pgx", program), ("a.dtx", "<Database/>")];
-        Tree::new(files.into_iter().filter(move |(path, _)| has_program || *path != "start.pgx"))
+        FileTree::new(files.into_iter().filter(move |(path, _)| has_program || *path != "start.pgx"))
     };
     expect![[r#"
         a  a.pjx
@@ -100,7 +100,7 @@ fn a_missing_program_is_reported_if_it_was_there() {
 
 #[test]
 fn unreadable_bytes_are_compared() {
-    let tree = |bytes: &[u8]| Tree::new([("a.pgx", bytes.to_vec())]);
+    let tree = |bytes: &[u8]| FileTree::new([("a.pgx", bytes.to_vec())]);
     expect![[r#"
         a.pgx
           Files compared as text
@@ -124,7 +124,7 @@ fn deep_nesting_and_long_chains_end() {
         .map(|index| format!("<Data name=\"f{index}\" type=\"frame\" size=\"1\"><Value key=\"0\" x=\"1\" fatherId=\"f{}[0]\"/></Data>", index + 1))
         .collect();
     let chain = |x: &str| format!("<Database><Datas>{}</Datas></Database>", frames.replacen("x=\"1\"", x, 4000));
-    let tree = |text: &str| Tree::new([("a.dtx", text)]);
+    let tree = |text: &str| FileTree::new([("a.dtx", text)]);
     assert!(!compare(&tree(&text), &tree("<Database/>")).is_empty());
     assert!(!compare(&tree(&chain("x=\"1\"")), &tree(&chain("x=\"2\""))).is_empty());
 }

@@ -1,7 +1,7 @@
 //! Entire cells: their configuration, and applications that moved.
 
 use expect_test::expect;
-use val3_diff::{Tree, compare};
+use val3_diff::{FileTree, compare};
 
 use crate::support::{check, human};
 
@@ -36,18 +36,18 @@ fn inputs_and_outputs_of_the_cell_are_compared() {
 
 #[test]
 fn a_backup_is_compared_with_its_applications() {
-    let old = Tree::new([("usr/usrapp/a/a.pjx", "<Project/>"), ("usr/configs/arm.cfx", "<arm x=\"1\"/>")]);
-    let new = Tree::new([("usrapp/a/a.pjx", "<Project/>"), ("configs/arm.cfx", "<arm x=\"1\"/>")]);
+    let old = FileTree::new([("usr/usrapp/a/a.pjx", "<Project/>"), ("usr/configs/arm.cfx", "<arm x=\"1\"/>")]);
+    let new = FileTree::new([("usrapp/a/a.pjx", "<Project/>"), ("configs/arm.cfx", "<arm x=\"1\"/>")]);
     assert!(compare(&old, &new).is_empty());
-    let application = |path: &str| Tree::new([(path, "<Project/>")]);
+    let application = |path: &str| FileTree::new([(path, "<Project/>")]);
     assert!(compare(&application("usr/usrapp/a/a.pjx"), &application("a.pjx")).is_empty());
 }
 
 #[test]
 fn an_application_in_another_folder_is_the_same() {
     let project = "<Project><Parameters version=\"s7\"/></Project>";
-    let old = Tree::new([("1/a/a.pjx", project)]);
-    let new = Tree::new([("2/a/a.pjx", project)]);
+    let old = FileTree::new([("1/a/a.pjx", project)]);
+    let new = FileTree::new([("2/a/a.pjx", project)]);
     expect![[r#"
         a  2/a/a.pjx, moved from 1/a/a.pjx
 

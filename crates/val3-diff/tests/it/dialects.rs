@@ -1,6 +1,6 @@
 //! The same application in files of s6 and s7.
 
-use val3_diff::{Tree, compare};
+use val3_diff::{FileTree, compare};
 
 use crate::support::human;
 
@@ -32,15 +32,15 @@ const NEW_PROGRAM: &str = "<Programs xmlns=\"http://www.staubli.com/robotics/VAL
 
 #[test]
 fn a_conversion_changes_nothing() {
-    let old = Tree::new([("a/a.dtx", OLD_DATA), ("a/p.pgx", OLD_PROGRAM)]);
-    let new = Tree::new([("a/a.dtx", NEW_DATA), ("a/p.pgx", NEW_PROGRAM)]);
+    let old = FileTree::new([("a/a.dtx", OLD_DATA), ("a/p.pgx", OLD_PROGRAM)]);
+    let new = FileTree::new([("a/a.dtx", NEW_DATA), ("a/p.pgx", NEW_PROGRAM)]);
     assert_eq!(human(&compare(&old, &new)), "no differences in 1 application\n");
 }
 
 #[test]
 fn the_old_dialect_has_movements_too() {
-    let old = Tree::new([("a.dtx", OLD_DATA)]);
-    let new = Tree::new([(
+    let old = FileTree::new([("a.dtx", OLD_DATA)]);
+    let new = FileTree::new([(
         "a.dtx",
         OLD_DATA.replace("tfValue x=\"500\"", "tfValue x=\"501\"").replace("value=\"3\"", "value=\"4\""),
     )]);

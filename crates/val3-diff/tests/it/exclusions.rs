@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use val3_diff::format::{human, json, markdown};
 use val3_diff::report::Detail;
-use val3_diff::{Comparison, Exclusions, Layout, compare_with};
+use val3_diff::{BlankComparison, Comparison, Exclusions, compare_with};
 
 use crate::support::{human, tree};
 
@@ -312,7 +312,7 @@ end
 
 #[test]
 fn layout_can_be_ignored() {
-    let ignored = Exclusions { layout: Layout::Ignored, ..Exclusions::default() };
+    let ignored = Exclusions { layout: BlankComparison::Ignored, ..Exclusions::default() };
     let layout = PROGRAM.replace("  if x_n>1", "IF  x_n > 1\n").replace("  // look", "// look ");
     check(
         PROGRAM,
@@ -394,7 +394,7 @@ fn numbers_can_replace_differences() {
     let [old, new] = visit();
     let comparison = left_out(&old, &new, &Exclusions::default());
     let lines = human::lines(&comparison, Detail::Statistics);
-    let text = |line: &human::Line| line.iter().map(|(_, text)| text.as_str()).collect::<String>();
+    let text = |line: &human::StyledLine| line.iter().map(|(_, text)| text.as_str()).collect::<String>();
     let shown: String = lines.iter().map(|line| text(line).trim_end().to_owned() + "\n").collect();
     expect![[r#"
               Application    Positions  Moved along  Values  Programs  Files  Other  Greatest movement

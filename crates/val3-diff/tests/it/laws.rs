@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use val3_diff::format::{html, human, json, markdown};
 use val3_diff::model::{ApplicationChange, Change};
 use val3_diff::report::Detail;
-use val3_diff::{Comparison, Tree, compare};
+use val3_diff::{Comparison, FileTree, compare};
 
 /// Generates data with a few names, so that both trees have common data.
 fn data() -> impl Strategy<Value = String> {
@@ -32,12 +32,12 @@ fn program() -> impl Strategy<Value = String> {
     })
 }
 
-fn tree() -> impl Strategy<Value = Tree> {
+fn tree() -> impl Strategy<Value = FileTree> {
     let project = "<Project><Programs><Program file=\"p.pgx\"/></Programs></Project>";
     let text = prop_oneof![8 => data().boxed(), 8 => program().boxed(), 1 => "\\PC{0,20}".boxed()];
     btree_map("(a|b)/(a.dtx|p.pgx|q.pgx)", text, 0..5).prop_map(move |files| {
         let with_project = files.into_iter().chain([("a/a.pjx".to_owned(), project.to_owned())]);
-        Tree::new(with_project)
+        FileTree::new(with_project)
     })
 }
 

@@ -1,7 +1,7 @@
 //! Listed files: only files in the project file are compared, in its order.
 
 use expect_test::expect;
-use val3_diff::{Tree, compare};
+use val3_diff::{FileTree, compare};
 
 use crate::support::human;
 
@@ -25,7 +25,7 @@ fn program(code: &str) -> String {
 fn report(old: &[(&str, String)], new: &[(&str, String)]) -> String {
     let tree = |files: &[(&str, String)]| {
         let start = [("a/start.pgx".to_owned(), program(""))];
-        Tree::new(start.into_iter().chain(files.iter().map(|(name, text)| (format!("a/{name}"), text.clone()))))
+        FileTree::new(start.into_iter().chain(files.iter().map(|(name, text)| (format!("a/{name}"), text.clone()))))
     };
     human(&compare(&tree(old), &tree(new)))
 }
@@ -123,7 +123,7 @@ fn settings_in_any_folder_of_the_configuration_differ() {
         let profile = format!("<profile><right name=\"manualMode\" level=\"{level}\"/></profile>");
         let files =
             ["profiles/default.cfx", "templates/a/b.cfx"].map(|name| (format!("usr/configs/{name}"), profile.clone()));
-        Tree::new(files)
+        FileTree::new(files)
     };
     expect![[r#"
         configs/profiles/default.cfx  configuration of the controller
@@ -142,7 +142,7 @@ fn other_files_of_a_backup_differ_by_their_bytes() {
     let tree = |recipe: &str, gone: &[(&str, &str)]| {
         let files = [("usr/usrapp/a/a.pjx", project(&[])), ("usr/usrapp/txt/12.txt", recipe.to_owned())];
         let more = gone.iter().map(|(path, text)| (*path, (*text).to_owned()));
-        Tree::new(files.into_iter().chain(more))
+        FileTree::new(files.into_iter().chain(more))
     };
     let old = tree("1 2", &[("usr/app/addon.dll", "a"), ("usr/usrapp/a/interface/p.html", "<p/>")]);
     let new = tree("1 3", &[("usr/app/addon.dll", "a"), ("usr/usrapp/a/interface/q.html", "<p/>")]);
@@ -157,9 +157,9 @@ fn other_files_of_a_backup_differ_by_their_bytes() {
     .assert_eq(&human(&compare(&old, &new)));
     assert!(compare(&old, &old).is_empty());
     let mut only = compare(&old, &new);
-    only.keep(&[val3_diff::Class::Programs]);
+    only.keep(&[val3_diff::ReportClass::Programs]);
     assert!(only.is_empty());
     let many = (0..30).map(|number| (format!("usr/log/{number}.txt"), "x"));
-    let report = human(&compare(&Tree::default(), &Tree::new(many)));
+    let report = human(&compare(&FileTree::default(), &FileTree::new(many)));
     assert!(report.ends_with("and 10 more; `--format json` names all\n\n30 other files differ\n"), "{report}");
 }

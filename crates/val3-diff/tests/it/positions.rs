@@ -1,7 +1,7 @@
 //! Points, frames and tools: their movements and their dependents.
 
 use expect_test::expect;
-use val3_diff::Class;
+use val3_diff::ReportClass;
 
 use crate::support::{check, compared, human};
 
@@ -209,9 +209,9 @@ fn positions_can_be_asked_for_alone() {
     let old = cell("x=\"1\" fatherId=\"world[0]\"", "fatherId=\"fTable[0]\"");
     let new = cell("x=\"2\" fatherId=\"world[0]\"", "fatherId=\"fTable[0]\"").replace("cls()", "put(1)");
     let mut comparison = compared(&old, &new);
-    comparison.keep(&[Class::Points]);
+    comparison.keep(&[ReportClass::Points]);
     let report = human(&comparison);
     assert!(report.contains("fTable") && !report.contains("Programs"), "{report}");
-    comparison.keep(&[Class::Io]);
+    comparison.keep(&[ReportClass::Io]);
     assert!(comparison.is_empty(), "{comparison:?}");
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use expect_test::expect;
-use val3_diff::{Tree, compare};
+use val3_diff::{FileTree, compare};
 use val3_test::Fixture;
 
 use crate::dialects::{OLD_DATA, OLD_PROGRAM};
@@ -84,7 +84,7 @@ fn assert_reported(path: &str, range: Range<usize>, replacement: &str) {
     let mut new = old.clone();
     let before = old[path][range.clone()].to_owned();
     new.get_mut(path).unwrap().replace_range(range, replacement);
-    let found = compare(&Tree::new(old), &Tree::new(new));
+    let found = compare(&FileTree::new(old), &FileTree::new(new));
     assert!(!found.is_empty(), "no difference in {path}: {before} -> {replacement}");
 }
 
@@ -112,7 +112,7 @@ fn other_attributes_are_named_with_their_elements() {
             ! main/main.pjx  in the new version the project file lists `gone.pgx`, and there is no such file; restore it, or remove the entry
 
         1 application differs: 2 files with other XML
-    "#]].assert_eq(&human(&compare(&Tree::new(old), &Tree::new(new))));
+    "#]].assert_eq(&human(&compare(&FileTree::new(old), &FileTree::new(new))));
 }
 
 /// Returns another value of the same form.

@@ -2,12 +2,12 @@
 
 use val3_diff::format::human;
 use val3_diff::report::Detail;
-use val3_diff::{Comparison, Tree, compare};
+use val3_diff::{Comparison, FileTree, compare};
 use val3_test::Fixture;
 
 /// Returns the files of a listing as a tree.
-pub(crate) fn tree(listing: &str) -> Tree {
-    Tree::new(Fixture::parse(listing).files)
+pub(crate) fn tree(listing: &str) -> FileTree {
+    FileTree::new(Fixture::parse(listing).files)
 }
 
 /// Returns the differences between two listings.
@@ -18,7 +18,7 @@ pub(crate) fn compared(old: &str, new: &str) -> Comparison {
 /// Formats the report for people, without colours.
 pub(crate) fn human(comparison: &Comparison) -> String {
     let lines = human::lines(comparison, Detail::Full);
-    let line = |line: &human::Line| line.iter().map(|(_, text)| text.as_str()).collect::<String>();
+    let line = |line: &human::StyledLine| line.iter().map(|(_, text)| text.as_str()).collect::<String>();
     lines.iter().map(|texts| line(texts).trim_end().to_owned() + "\n").collect()
 }
 

@@ -1,10 +1,10 @@
 //! Converts a global array to a collection whose keys are the indexes.
 
 use val3_analysis::items::data::{self, DataDecl};
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 use val3_lang::types::Container;
 use val3_syntax::xml::{indentation, line_end};
-use val3_syntax::{Part, TextRange, TextSize};
+use val3_syntax::{TextRange, TextSize, TextSlice};
 
 use super::container_uses::{IndexUse, index_uses};
 use super::context::Context;
@@ -33,7 +33,12 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 }
 
 /// Uses of the array, or the reason why it cannot be converted.
-fn obstacle(context: &Context<'_>, element: Element<'_>, decl: &DataDecl, size: u32) -> Result<Vec<IndexUse>, String> {
+fn obstacle(
+    context: &Context<'_>,
+    element: XmlElement<'_>,
+    decl: &DataDecl,
+    size: u32,
+) -> Result<Vec<IndexUse>, String> {
     let name = &decl.name;
     if context.is_broken(element.view().range()) || present(element, size).is_none() {
         return Err(format!("the values of `{name}` are not in the order of their indexes"));
@@ -52,8 +57,8 @@ fn number(text: &str) -> Option<u32> {
 }
 
 /// Values in the file, with their indexes in ascending order; `None` if they are in another order or have other keys.
-fn present(element: Element<'_>, size: u32) -> Option<Vec<(u32, TextRange)>> {
-    let value = |value: Element<'_>| {
+fn present(element: XmlElement<'_>, size: u32) -> Option<Vec<(u32, TextRange)>> {
+    let value = |value: XmlElement<'_>| {
         let key = value.value("key")?;
         number(&key).filter(|index| *index < size && value.name() == "Value").map(|index| (index, value.view().range()))
     };
@@ -62,7 +67,7 @@ fn present(element: Element<'_>, size: u32) -> Option<Vec<(u32, TextRange)>> {
 }
 
 /// Edits of the declaration. A collection must contain all its values.
-fn new_element(context: &Context<'_>, element: Element<'_>, size: u32) -> Option<Vec<FileEdit>> {
+fn new_element(context: &Context<'_>, element: XmlElement<'_>, size: u32) -> Option<Vec<FileEdit>> {
     let mut edits = vec![context.replace(element.attribute("xsi:type")?.range, "collection")];
     if let Some(found) = element.attribute("size") {
         edits.push(context.replace(with_blanks(context.text, found.name_range, found.range), ""));
@@ -91,7 +96,7 @@ fn new_element(context: &Context<'_>, element: Element<'_>, size: u32) -> Option
 }
 
 /// Edit that adds all values to an element without values.
-fn all(context: &Context<'_>, element: Element<'_>, values: impl Iterator<Item = String>) -> FileEdit {
+fn all(context: &Context<'_>, element: XmlElement<'_>, values: impl Iterator<Item = String>) -> FileEdit {
     let tag = element.tag_range();
     let outer = indentation(context.text, tag.start());
     let separator = outer.map_or_else(String::new, |outer| format!("{}{outer}", line_end(context.text)));

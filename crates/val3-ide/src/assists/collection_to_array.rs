@@ -1,7 +1,7 @@
 //! Converts a global collection to an array, if all its keys are literals.
 
 use val3_analysis::items::data;
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 use val3_lang::types::Container;
 use val3_syntax::{TextRange, TextSize};
 
@@ -17,7 +17,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let parse = val3_analysis::items::parse(context.db, context.file);
     let element = data::elements(parse.view()).find(|element| element.tag_range().contains_range(context.range))?;
     let decl = data::declaration(element).filter(|decl| decl.container == Container::Collection && decl.plain)?;
-    let values: Vec<Element<'_>> = element.elements().collect();
+    let values: Vec<XmlElement<'_>> = element.elements().collect();
     let indexes = Indexes::of(&values).filter(|_| !context.is_broken(element.view().range()))?;
     match obstacle(context, &decl.name, &indexes) {
         Ok(uses) => assists.add(ID, AssistKind::Rewrite, TITLE, || {
@@ -45,7 +45,7 @@ struct Indexes(Vec<String>);
 impl Indexes {
     /// Orders the keys. If the keys are exactly the numbers from 0, each key is its index; otherwise the order of the
     /// file counts. `None` if there are no keys or a key occurs twice.
-    fn of(values: &[Element<'_>]) -> Option<Self> {
+    fn of(values: &[XmlElement<'_>]) -> Option<Self> {
         let keys: Vec<String> =
             values.iter().map(|value| Some(value.value("key")?.into_owned())).collect::<Option<_>>()?;
         let mut sorted = keys.clone();
@@ -67,8 +67,8 @@ impl Indexes {
 /// Edits of the declaration. An array omits default values.
 fn new_element(
     context: &Context<'_>,
-    element: Element<'_>,
-    values: &[Element<'_>],
+    element: XmlElement<'_>,
+    values: &[XmlElement<'_>],
     indexes: &Indexes,
 ) -> Option<Vec<FileEdit>> {
     let behind_type = element.attribute("type")?.range.end() + TextSize::of('"');
@@ -104,7 +104,7 @@ fn leaves_open(context: &Context<'_>) -> bool {
 }
 
 /// Whether the element contains only the key.
-fn is_default(value: Element<'_>) -> bool {
+fn is_default(value: XmlElement<'_>) -> bool {
     value.attributes().count() == 1 && value.elements().next().is_none()
 }
 

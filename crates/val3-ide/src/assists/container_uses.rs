@@ -9,7 +9,7 @@ use val3_analysis::items::program;
 use val3_analysis::items::project::{data_files, items};
 use val3_analysis::occurrences::{Symbol, Usage, occurrences};
 use val3_analysis::pages::is_bindings;
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 use val3_syntax::{SyntaxKind, TextRange, text_at};
 
 use crate::edit::FileEdit;
@@ -160,7 +160,7 @@ impl IndexUses<'_> {
             let Some(at) = arguments.iter().position(is_it) else { return false };
             let Some(known) = inference.call(call) else { return self.is_reference(name) };
             let shape = known.form.and_then(|form| form.params.get(at)).map(|param| param.shape);
-            !matches!(shape, Some(Shape::Value | Shape::Reference))
+            !matches!(shape, Some(ArgumentForm::Value | ArgumentForm::Reference))
         })
     }
 

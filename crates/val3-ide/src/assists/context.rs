@@ -9,10 +9,10 @@ use val3_analysis::items::parse;
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
 use val3_config::Options;
-use val3_fmt::{IndentOverride, Style};
+use val3_fmt::{CodeStyle, IndentOverride};
 use val3_syntax::ast::{AstNode, Block, Code, Stmt};
 use val3_syntax::{
-    Part, SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, decode_entities, text_at, text_size,
+    SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, TextSlice, decode_entities, text_at, text_size,
 };
 
 use super::lines::{is_escaped, with_comments};
@@ -64,9 +64,9 @@ impl<'db> Context<'db> {
     }
 
     /// Format style of the code.
-    pub(crate) fn style(&self) -> Style {
+    pub(crate) fn style(&self) -> CodeStyle {
         let format = self.project.config(self.db).map(|config| config.format.clone()).unwrap_or_default();
-        Style::new(&format, IndentOverride::default())
+        CodeStyle::new(&format, IndentOverride::default())
     }
 
     /// One level of indentation.

@@ -5,7 +5,7 @@ mod callers;
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_analysis::items::project::{items, signature};
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 use val3_lang::types::Container;
 
 use super::context::Context;
@@ -71,7 +71,7 @@ fn is_written(context: &Context<'_>, unknown: &UnknownName) -> bool {
 /// Whether the callee's parameter `at` requires a variable, not a value.
 fn takes_reference(context: &Context<'_>, call: ExprId, callee: ExprId, at: usize) -> bool {
     if let Some(found) = context.inference().call(call) {
-        let is_variable = |shape| !matches!(shape, Shape::Value | Shape::ProgramCall);
+        let is_variable = |shape| !matches!(shape, ArgumentForm::Value | ArgumentForm::ProgramCall);
         let mut forms = match found.form {
             Some(form) => std::slice::from_ref(form).iter(),
             None => found.instruction.overloads.iter(),

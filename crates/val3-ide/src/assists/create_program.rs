@@ -7,7 +7,7 @@ use val3_syntax::SyntaxKind;
 use super::context::Context;
 use super::expected::type_name;
 use super::{AssistKind, Assists};
-use crate::declare::{self, NewProgram, Variable};
+use crate::declare::{self, NewProgram, NewVariable};
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let token = context.token().filter(|token| token.kind() == SyntaxKind::IDENT)?;
@@ -47,7 +47,7 @@ fn called_with<'db>(context: &Context<'db>, id: ExprId) -> Option<&'db [ExprId]>
 
 /// Parameter for the argument, named after it if the argument is a name. The second value is true for passing by
 /// reference.
-fn parameter(context: &Context<'_>, id: ExprId, at: usize) -> (Variable, bool) {
+fn parameter(context: &Context<'_>, id: ExprId, at: usize) -> (NewVariable, bool) {
     let ty = context.inference().ty(id);
     let type_name = if ty.is_unknown() { "num".to_owned() } else { type_name(context, ty.base, false) };
     let options = context.options();
@@ -67,7 +67,7 @@ fn parameter(context: &Context<'_>, id: ExprId, at: usize) -> (Variable, bool) {
         _ => vec![1],
     };
     let by_reference = container != Container::Element || ty.base.builtin().is_some_and(|ty| ty.is_linkable());
-    (Variable { name, type_name, container, sizes }, by_reference)
+    (NewVariable { name, type_name, container, sizes }, by_reference)
 }
 
 /// Whether the argument names an array with several elements.

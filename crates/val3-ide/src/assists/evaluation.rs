@@ -3,7 +3,7 @@
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind};
 use val3_analysis::effects::Effects;
 use val3_analysis::infer::Inference;
-use val3_lang::instruction::{Overload, Shape};
+use val3_lang::instruction::{ArgumentForm, Overload};
 use val3_lang::instructions::{WAIT, WATCH};
 use val3_lang::operators::BinaryOp;
 use val3_lang::types::BaseType;
@@ -100,10 +100,13 @@ impl<'db> Evaluation<'db> {
 
     fn is_passed_by_value(&self, call: ExprId, callee: ExprId, position: usize) -> bool {
         if let Some(found) = self.inference.call(call) {
-            return found.form.and_then(|form| form.params.get(position)).is_some_and(|it| it.shape == Shape::Value);
+            return found
+                .form
+                .and_then(|form| form.params.get(position))
+                .is_some_and(|it| it.shape == ArgumentForm::Value);
         }
         if let Some(found) = self.inference.add_on_call(call) {
-            return found.form.params.get(position).is_some_and(|param| param.shape == Shape::Value);
+            return found.form.params.get(position).is_some_and(|param| param.shape == ArgumentForm::Value);
         }
         let signature = self.effects.program(callee);
         signature.and_then(|signature| signature.params.get(position)).is_some_and(|param| !param.by_reference)

@@ -12,7 +12,7 @@ use val3_lang::types::{Arm, BaseType, Container, fields};
 use val3_syntax::SyntaxKind;
 
 use super::context::Context;
-use crate::declare::Variable;
+use crate::declare::NewVariable;
 
 /// An unresolved name in the code.
 pub(super) struct UnknownName {
@@ -65,24 +65,24 @@ impl UnknownName {
         context: &Context<'_>,
         bound: bool,
         bodies: impl IntoIterator<Item = &'b Body>,
-    ) -> Option<Variable> {
+    ) -> Option<NewVariable> {
         let (container, sizes) = match self.variable.container {
             Container::Array { dims } => (self.variable.container, sizes(&self.name, dims, bodies)?),
             Container::Element => (Container::Array { dims: 1 }, vec![1]),
             Container::Collection => (Container::Collection, vec![1]),
         };
         let type_name = type_name(context, self.variable.base, bound);
-        Some(Variable { name: self.name.to_string(), type_name, container, sizes })
+        Some(NewVariable { name: self.name.to_string(), type_name, container, sizes })
     }
 
     /// Declaration as a parameter, which has a number of dimensions but no sizes.
-    pub(super) fn parameter(&self, context: &Context<'_>) -> Variable {
+    pub(super) fn parameter(&self, context: &Context<'_>) -> NewVariable {
         let sizes = match self.variable.container {
             Container::Array { dims } => vec![2; usize::from(dims.max(1))],
             _ => vec![1],
         };
         let type_name = type_name(context, self.variable.base, false);
-        Variable { name: self.name.to_string(), type_name, container: self.variable.container, sizes }
+        NewVariable { name: self.name.to_string(), type_name, container: self.variable.container, sizes }
     }
 
     /// Expected type.

@@ -15,7 +15,7 @@ use super::evaluation::Evaluation;
 use super::expected::type_name;
 use super::precedence::needs_parentheses;
 use super::{AssistKind, Assists};
-use crate::declare::{self, Variable, free};
+use crate::declare::{self, NewVariable, free};
 use crate::edit::SourceChange;
 use occurrences::Occurrences;
 
@@ -94,7 +94,7 @@ fn change(context: &Context<'_>, evaluation: &Evaluation<'_>, id: ExprId, found:
     let type_name = type_name(context, evaluation.inference.ty(id).base, false);
     let name = name(context, id, &type_name);
     let value = value(context, evaluation, id);
-    let declared = declare::locals(context.db, context.file, &[&Variable::single(&name, &type_name)])?;
+    let declared = declare::locals(context.db, context.file, &[&NewVariable::single(&name, &type_name)])?;
     let equals = if context.style().around_assignment { " = " } else { "=" };
     let line = format!("{name}{equals}{value}{}{}", context.line_end(), context.indentation(found.before));
     let assigned = context.replace(TextRange::empty(found.before), line);

@@ -2,11 +2,11 @@
 
 use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::system::System;
-use val3_check::diagnostic::{Diagnostic, Edit, Fix};
+use val3_check::diagnostic::{Diagnostic, Fix, FixEdit};
 use val3_check::fix::{AddedError, FixGuard};
 
 use crate::edit::{FileEdit, SourceChange};
-use crate::trial::Trial;
+use crate::trial::TrialProjects;
 
 /// Context in which fixes are tried before they are offered.
 #[derive(Clone, Copy)]
@@ -71,17 +71,17 @@ pub fn fix_all(context: FixContext<'_>, diagnostics: &[Diagnostic], file: File) 
 /// First error that a change would add anywhere, as a reason for the user.
 pub(crate) fn added_error(context: FixContext<'_>, change: &SourceChange) -> Option<String> {
     let place = |edit: &FileEdit| FileRange { file: edit.file, range: edit.range };
-    let edits = change.edits.iter().map(|edit| Edit { place: place(edit), text: edit.text.clone() }).collect();
+    let edits = change.edits.iter().map(|edit| FixEdit { place: place(edit), text: edit.text.clone() }).collect();
     let fix = Fix { title: String::new(), safe: true, edits };
     let added = guard(context, std::iter::once(&fix))?.added_error(context.db, &[&fix]);
     added.map(|error| reason(&error))
 }
 
 /// Guard for these fixes; `None` without fixes, because creating a guard reads and checks all affected projects.
-fn guard<'s, 'f>(context: FixContext<'s>, fixes: impl Iterator<Item = &'f Fix>) -> Option<FixGuard<Trial<'s>>> {
+fn guard<'s, 'f>(context: FixContext<'s>, fixes: impl Iterator<Item = &'f Fix>) -> Option<FixGuard<TrialProjects<'s>>> {
     let mut fixes = fixes.peekable();
     fixes.peek()?;
-    Some(FixGuard::new(Trial::of_fixes(context.db, context.system, fixes, context.check_cancelled)))
+    Some(FixGuard::new(TrialProjects::of_fixes(context.db, context.system, fixes, context.check_cancelled)))
 }
 
 fn reason(error: &AddedError) -> String {

@@ -3,7 +3,7 @@
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::File;
-use val3_analysis::effects::{AccessKind, Effects, Root};
+use val3_analysis::effects::{AccessKind, Effects, RootVariable};
 use val3_analysis::items::program::{Header, LocalDecl, ParamDecl, header};
 use val3_lang::types::Container;
 use val3_syntax::ast::{AstNode as _, CallStmt, Code};
@@ -12,7 +12,7 @@ use val3_syntax::{TextRange, TextSize};
 use super::context::Context;
 use super::lines::{dedented, plain_with, with_comments};
 use super::{AssistKind, Assists};
-use crate::declare::{self, Variable, free};
+use crate::declare::{self, NewVariable, free};
 use crate::edit::SourceChange;
 use crate::xml_list::whole_line;
 
@@ -48,7 +48,7 @@ struct NewName {
     old: SmolStr,
     new: String,
     /// Variable to be declared in the caller.
-    local: Option<Variable>,
+    local: Option<NewVariable>,
 }
 
 impl InlinedProgram<'_, '_> {
@@ -79,7 +79,7 @@ impl InlinedProgram<'_, '_> {
                 again || self.context.is_taken(name)
             };
             let new = free(&local.name, taken);
-            let variable = Variable {
+            let variable = NewVariable {
                 name: new.clone(),
                 type_name: local.type_name.to_string(),
                 container: Container::Array { dims: 1 },
@@ -104,7 +104,7 @@ impl InlinedProgram<'_, '_> {
         let text = self.context.plain(own.range(argument));
         let effects = Effects::new(self.context.db, self.context.project, self.file);
         let by_reference = param.by_reference;
-        let is_param = |root: &Root| matches!(root, Root::Param(name) if *name == param.name);
+        let is_param = |root: &RootVariable| matches!(root, RootVariable::Param(name) if *name == param.name);
         let written = effects.all().iter().any(|access| is_param(&access.root) && access.kind != AccessKind::Read);
         // Code with an array parameter may use an index, which a single value does not support.
         let is_array = |container| matches!(container, Container::Array { .. });
@@ -123,7 +123,7 @@ impl InlinedProgram<'_, '_> {
     /// Whether the program writes a variable other than its locals, or makes a call that may.
     fn changes_anything(&self) -> bool {
         let effects = Effects::new(self.context.db, self.context.project, self.file);
-        let outer = |root: &Root| !matches!(root, Root::Local(_));
+        let outer = |root: &RootVariable| !matches!(root, RootVariable::Local(_));
         let calls = |kind: &StmtKind| matches!(kind, StmtKind::Call(_) | StmtKind::TaskCreate { .. });
         effects.all().iter().any(|access| access.kind != AccessKind::Read && outer(&access.root))
             || self.body.stmts().iter().any(|stmt| calls(&stmt.kind))
@@ -164,7 +164,7 @@ impl InlinedProgram<'_, '_> {
             nothing if nothing.is_empty() => context.replace(whole_line(context.text, call), ""),
             code => context.replace(call, code),
         };
-        let locals: Vec<&Variable> = names.iter().filter_map(|name| name.local.as_ref()).collect();
+        let locals: Vec<&NewVariable> = names.iter().filter_map(|name| name.local.as_ref()).collect();
         let declared = match locals.as_slice() {
             [] => None,
             locals => Some(declare::locals(context.db, context.file, locals)?),

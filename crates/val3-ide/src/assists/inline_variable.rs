@@ -2,11 +2,11 @@
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
-use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::effects::{Access, AccessKind, RootVariable};
 use val3_analysis::items::declarations;
 use val3_analysis::items::program::LocalDecl;
 use val3_analysis::items::project::resolve_type;
-use val3_syntax::{Part, SyntaxKind};
+use val3_syntax::{SyntaxKind, TextSlice};
 
 use super::context::Context;
 use super::evaluation::Evaluation;
@@ -48,7 +48,7 @@ struct Inlining<'c, 'db> {
 impl<'c, 'db> Inlining<'c, 'db> {
     /// Collects the assignment and the reads. The error is a reason for the user.
     fn of(context: &'c Context<'db>, evaluation: &'c Evaluation<'db>, local: &'c LocalDecl) -> Result<Self, String> {
-        let root = Root::Local(local.name.clone());
+        let root = RootVariable::Local(local.name.clone());
         let uses: Vec<&Access> = evaluation.effects.all().iter().filter(|access| access.root == root).collect();
         let reads = uses.iter().filter(|access| access.kind == AccessKind::Read).map(|access| access.id);
         let reads: Vec<ExprId> = reads.filter_map(|id| name_in(evaluation, id)).collect();

@@ -2,7 +2,7 @@
 
 use rowan::NodeOrToken;
 use val3_syntax::ast::{AstNode as _, Block, Code};
-use val3_syntax::{Part, SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, decode_entities, text_size};
+use val3_syntax::{SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, TextSlice, decode_entities, text_size};
 
 use super::context::Context;
 

@@ -32,10 +32,10 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-type Merged = (&'static str, Vec<FileEdit>);
+type MergedCondition = (&'static str, Vec<FileEdit>);
 
 /// Merges an `else` with the `if` inside it, if the cursor is on the line of `else`.
-fn at_else(context: &Context<'_>, chain: &IfStmt) -> Option<Merged> {
+fn at_else(context: &Context<'_>, chain: &IfStmt) -> Option<MergedCondition> {
     let clause = chain.else_clause()?;
     let at = context.range.start();
     let line = end_of_line(context, clause.syntax().first_token()?.text_range().end())?;
@@ -43,7 +43,7 @@ fn at_else(context: &Context<'_>, chain: &IfStmt) -> Option<Merged> {
 }
 
 /// Merges `else` and the `if` inside it to `elseIf`.
-fn in_else(context: &Context<'_>, outer: &IfStmt, clause: &ElseClause) -> Option<Merged> {
+fn in_else(context: &Context<'_>, outer: &IfStmt, clause: &ElseClause) -> Option<MergedCondition> {
     let (inner, keyword) = if_in_else(clause)?;
     let lines = IfLines::of(context, &inner)?;
     let end = IfLines::of(context, outer)?.last.start();
@@ -60,7 +60,7 @@ fn in_else(context: &Context<'_>, outer: &IfStmt, clause: &ElseClause) -> Option
 
 /// Merges an `if` with the only `if` inside it by joining their conditions. `and` evaluates its right side only if the
 /// left side is true, like the nested `if`.
-fn nested(context: &Context<'_>, outer: &IfStmt) -> Option<Merged> {
+fn nested(context: &Context<'_>, outer: &IfStmt) -> Option<MergedCondition> {
     let inner = only_if(outer.block()).filter(|inner| is_simple(inner) && is_simple(outer))?;
     let (whole, part) = (IfLines::of(context, outer)?, IfLines::of(context, &inner)?);
     let condition = whole.condition.syntax().text_range();

@@ -10,7 +10,7 @@ use val3_lang::types::Container;
 
 use super::context::Context;
 use super::{AssistKind, Assists};
-use crate::declare::{self, NewProgram, Variable};
+use crate::declare::{self, NewProgram, NewVariable};
 use crate::edit::SourceChange;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
@@ -51,7 +51,7 @@ fn add(
 ) -> Option<SourceChange> {
     let db = context.db;
     let names = |kind: NameKind| missing.iter().filter(move |(what, _)| *what == kind).map(|(_, name)| name);
-    let data: Vec<Variable> = names(NameKind::Data).filter_map(|name| data(context, interface, name)).collect();
+    let data: Vec<NewVariable> = names(NameKind::Data).filter_map(|name| data(context, interface, name)).collect();
     let programs: Vec<NewProgram> =
         names(NameKind::Program).filter_map(|name| program(context, interface, name)).collect();
     let mut change = match programs.as_slice() {
@@ -64,10 +64,10 @@ fn add(
     Some(change)
 }
 
-fn data(context: &Context<'_>, interface: Project, name: &str) -> Option<Variable> {
+fn data(context: &Context<'_>, interface: Project, name: &str) -> Option<NewVariable> {
     let decl = &items(context.db, interface).data.get(name)?.decl;
     let (type_name, sizes) = (decl.type_name.to_string(), decl.sizes.clone());
-    Some(Variable { name: name.to_owned(), type_name, container: decl.container, sizes })
+    Some(NewVariable { name: name.to_owned(), type_name, container: decl.container, sizes })
 }
 
 /// An empty program with the same parameters.
@@ -79,7 +79,7 @@ fn program(context: &Context<'_>, interface: Project, name: &str) -> Option<NewP
             _ => vec![1],
         };
         let (name, type_name) = (param.name.to_string(), param.type_name.to_string());
-        (Variable { name, type_name, container: param.container, sizes }, param.by_reference)
+        (NewVariable { name, type_name, container: param.container, sizes }, param.by_reference)
     });
     let line_end = context.line_end().trim_start_matches("&#13;");
     Some(NewProgram {

@@ -8,7 +8,7 @@ use val3_syntax::ast::{AstNode, Literal};
 
 use super::context::Context;
 use super::{AssistKind, Assists};
-use crate::declare::{self, Variable, free};
+use crate::declare::{self, NewVariable, free};
 use crate::edit::SourceChange;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
@@ -29,7 +29,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let name = known.clone().unwrap_or_else(|| free(&stem, |name| context.is_taken(name)));
     let edit = match known {
         Some(_) => None,
-        None => Some(declare::data(context.db, context.project, &Variable::single(&name, ty), Some(&value))?),
+        None => Some(declare::data(context.db, context.project, &NewVariable::single(&name, ty), Some(&value))?),
     };
     assists.add("extract-constant", AssistKind::Extract, title, || {
         let is_made_up = edit.is_some() && meaning.is_none();

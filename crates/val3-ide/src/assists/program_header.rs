@@ -1,7 +1,7 @@
 //! Adds a comment about a program and its parameters at the start of the code, in the form that hover displays.
 
 use val3_analysis::db::{Db, File, Project};
-use val3_analysis::effects::{AccessKind, Effects, Root};
+use val3_analysis::effects::{AccessKind, Effects, RootVariable};
 use val3_analysis::items::program;
 use val3_analysis::items::project::signature;
 use val3_analysis::ty::brackets;
@@ -48,7 +48,7 @@ pub(crate) fn header_comments(db: &dyn Db, project: Project, file: File) -> Vec<
 
 /// Direction of a parameter by reference (`in`, `out` or both), as far as the program's code shows it.
 fn direction(effects: &Effects<'_>, name: &str) -> &'static str {
-    let own = effects.all().iter().filter(|access| matches!(&access.root, Root::Param(param) if param == name));
+    let own = effects.all().iter().filter(|access| matches!(&access.root, RootVariable::Param(param) if param == name));
     let kinds: Vec<AccessKind> = own.map(|access| access.kind).collect();
     let reads = kinds.iter().any(|kind| matches!(kind, AccessKind::Read | AccessKind::Reference));
     let writes = kinds.iter().any(|kind| *kind != AccessKind::Read);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
-use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::effects::{Access, AccessKind, RootVariable};
 use val3_analysis::flow::{PointKind, flow};
 use val3_lang::instruction::Family;
 use val3_lang::types::BaseType;
@@ -16,7 +16,7 @@ use super::evaluation::Evaluation;
 pub(super) struct Dependencies<'c, 'db> {
     context: &'c Context<'db>,
     evaluation: &'c Evaluation<'db>,
-    roots: BTreeSet<Root>,
+    roots: BTreeSet<RootVariable>,
 }
 
 impl<'c, 'db> Dependencies<'c, 'db> {
@@ -48,7 +48,7 @@ impl<'c, 'db> Dependencies<'c, 'db> {
     }
 
     /// Whether a task receives the variable by reference and may write it at any time.
-    fn is_lent_to_task(&self, root: &Root) -> bool {
+    fn is_lent_to_task(&self, root: &RootVariable) -> bool {
         let tasks = flow(self.context.db, self.context.file).points();
         let mut tasks = tasks.filter(|(_, point)| matches!(point.kind, PointKind::TaskCreate(_)));
         tasks.any(|(id, _)| {
@@ -102,23 +102,23 @@ impl<'c, 'db> Dependencies<'c, 'db> {
     }
 
     /// Whether both may refer to the same variable: a parameter by reference may refer to any shared variable.
-    fn are_same(&self, left: &Root, right: &Root) -> bool {
-        let is_param = |root: &Root| matches!(root, Root::Param(_));
+    fn are_same(&self, left: &RootVariable, right: &RootVariable) -> bool {
+        let is_param = |root: &RootVariable| matches!(root, RootVariable::Param(_));
         match (left, right) {
             _ if left == right => true,
-            (Root::Item(_, left), Root::Item(_, right)) => left == right,
+            (RootVariable::Item(_, left), RootVariable::Item(_, right)) => left == right,
             _ => (is_param(left) || is_param(right)) && self.is_shared(left) && self.is_shared(right),
         }
     }
 
     /// Whether other programs may write the variable.
-    fn is_shared(&self, root: &Root) -> bool {
+    fn is_shared(&self, root: &RootVariable) -> bool {
         match root {
-            Root::Local(_) => false,
-            Root::Param(name) => {
+            RootVariable::Local(_) => false,
+            RootVariable::Param(name) => {
                 self.context.header().params.iter().any(|param| param.name == *name && param.by_reference)
             }
-            Root::Data(_) | Root::Item(..) => true,
+            RootVariable::Data(_) | RootVariable::Item(..) => true,
         }
     }
 }

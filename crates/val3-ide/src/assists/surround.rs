@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::{AssistKind, Assists};
-use crate::declare::{self, Variable, free};
+use crate::declare::{self, NewVariable, free};
 use crate::edit::{FileEdit, SourceChange};
 
 const GROUP: &str = "Surround";
@@ -25,7 +25,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         Some(with_condition(context, around("while true", "endWhile")))
     });
     assists.add_in(Some(GROUP), "surround-for", kind, "Surround with `for`", || {
-        let counter = Variable::single(&counter(context), "num");
+        let counter = NewVariable::single(&counter(context), "num");
         let local = declare::locals(context.db, context.file, &[&counter])?;
         let block = around(&format!("for {}=0 to 1", counter.name), "endFor");
         let start = block.range.start();

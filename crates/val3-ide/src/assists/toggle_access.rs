@@ -5,7 +5,7 @@ use val3_analysis::db::{Db, Project};
 use val3_analysis::interfaces::{implements, is_public, is_same_item};
 use val3_analysis::items::{data, program};
 use val3_analysis::occurrences::Symbol;
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 use val3_syntax::SyntaxKind;
 use val3_syntax::view::View;
 
@@ -38,7 +38,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 }
 
 /// Reason why the access cannot be changed, in a project that contains the file; `None` if it can.
-fn obstacle(context: &Context<'_>, element: Element<'_>, public: bool) -> Option<String> {
+fn obstacle(context: &Context<'_>, element: XmlElement<'_>, public: bool) -> Option<String> {
     let name = SmolStr::from(element.value("name")?);
     let is_program = matches!(element.name(), "Program" | "program");
     let symbol = |project: Project| match is_program {
@@ -91,9 +91,9 @@ fn stem(db: &dyn Db, project: Project) -> &str {
 }
 
 /// Program whose header contains the range, or data whose start tag contains it.
-fn declaring<'g>(context: &Context<'_>, view: View<'g>) -> Option<Element<'g>> {
+fn declaring<'g>(context: &Context<'_>, view: View<'g>) -> Option<XmlElement<'g>> {
     let at = context.range;
-    let touches = |element: &Element<'_>| element.tag_range().contains_range(at);
+    let touches = |element: &XmlElement<'_>| element.tag_range().contains_range(at);
     let program = program::element(view).filter(|program| touches(program) || is_at_begin(context));
     program.or_else(|| data::elements(view).find(touches))
 }

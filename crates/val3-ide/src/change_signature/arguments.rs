@@ -6,7 +6,7 @@ use val3_syntax::ast::{AstNode as _, Expr};
 use val3_syntax::{SyntaxKind, TextRange, text_at};
 
 use super::calls::Call;
-use super::slots::{Entry, Removal, Slots, TextEdit};
+use super::slots::{ListSlot, Removal, SlotEdit, Slots};
 use super::variables::NewParameter;
 use crate::edit::FileEdit;
 use crate::xml_list::escaped;
@@ -30,15 +30,15 @@ pub(super) fn edits(
 ) -> Result<NewArguments, String> {
     keeps_effects(db, call, wanted)?;
     let places = call.places(db);
-    let order: Vec<Entry> = wanted.iter().map(|new| entry(call, new)).collect();
+    let order: Vec<ListSlot> = wanted.iter().map(|new| entry(call, new)).collect();
     if places.is_empty() {
-        let added: Vec<&str> = order.iter().filter_map(Entry::added).collect();
+        let added: Vec<&str> = order.iter().filter_map(ListSlot::added).collect();
         let text = added.join(call.separator(db));
         let edit = FileEdit { file: call.file, range: TextRange::empty(call.end), text };
         return Ok(NewArguments { edits: vec![edit], removed: Vec::new() });
     }
     let inside = |edit: &&FileEdit| edit.file == call.file && places.iter().any(|it| it.contains_range(edit.range));
-    let inner: Vec<TextEdit> = renames.iter().filter(inside).map(|edit| (edit.range, edit.text.clone())).collect();
+    let inner: Vec<SlotEdit> = renames.iter().filter(inside).map(|edit| (edit.range, edit.text.clone())).collect();
     let slots = Slots {
         text: call.file.text(db),
         entries: &places,
@@ -48,16 +48,16 @@ pub(super) fn edits(
     };
     let edits = slots.edits(&order).into_iter();
     let edits = edits.map(|(range, text)| FileEdit { file: call.file, range, text }).collect();
-    let is_removed = |index: &usize| !order.contains(&Entry::Kept(*index));
+    let is_removed = |index: &usize| !order.contains(&ListSlot::Kept(*index));
     let removed = (0..places.len()).filter(is_removed).filter_map(|index| places.get(index).copied());
     Ok(NewArguments { edits, removed: removed.collect() })
 }
 
-fn entry(call: &Call, new: &NewParameter) -> Entry {
+fn entry(call: &Call, new: &NewParameter) -> ListSlot {
     match new.from {
-        Some(index) => Entry::Kept(index),
-        None if call.is_escaped => Entry::Added(escaped(new.argument.trim())),
-        None => Entry::Added(new.argument.trim().to_owned()),
+        Some(index) => ListSlot::Kept(index),
+        None if call.is_escaped => ListSlot::Added(escaped(new.argument.trim())),
+        None => ListSlot::Added(new.argument.trim().to_owned()),
     }
 }
 

@@ -2,16 +2,16 @@
 
 use val3_analysis::items::program::{LocalDecl, ParamDecl};
 use val3_lang::types::Container;
-use val3_syntax::xml::{Attribute, Element, escaped};
-use val3_syntax::{Part, TextRange, TextSize};
+use val3_syntax::xml::{Attribute, XmlElement, escaped};
+use val3_syntax::{TextRange, TextSize, TextSlice};
 
-use super::slots::TextEdit;
+use super::slots::SlotEdit;
 use super::variables::{NewLocal, NewParameter};
 
 /// Edits that convert the element of `old` to the declaration of `new`.
-pub(super) fn of_parameter(text: &str, element: Element<'_>, old: &ParamDecl, new: &NewParameter) -> Vec<TextEdit> {
+pub(super) fn of_parameter(text: &str, element: XmlElement<'_>, old: &ParamDecl, new: &NewParameter) -> Vec<SlotEdit> {
     let tag = Tag { text, element };
-    let mut edits: Vec<TextEdit> = tag.name_and_type(old.name.as_str(), &old.type_name, &new.name, &new.type_name);
+    let mut edits: Vec<SlotEdit> = tag.name_and_type(old.name.as_str(), &old.type_name, &new.name, &new.type_name);
     if (old.container, old.by_reference) == (new.container, new.by_reference) {
         return edits;
     }
@@ -31,7 +31,7 @@ pub(super) fn of_parameter(text: &str, element: Element<'_>, old: &ParamDecl, ne
 }
 
 /// Like [`of_parameter`], for a local.
-pub(super) fn of_local(text: &str, element: Element<'_>, old: &LocalDecl, new: &NewLocal) -> Vec<TextEdit> {
+pub(super) fn of_local(text: &str, element: XmlElement<'_>, old: &LocalDecl, new: &NewLocal) -> Vec<SlotEdit> {
     let tag = Tag { text, element };
     let mut edits = tag.name_and_type(old.name.as_str(), &old.type_name, &new.name, &new.type_name);
     if old.sizes != new.sizes {
@@ -44,18 +44,18 @@ pub(super) fn of_local(text: &str, element: Element<'_>, old: &LocalDecl, new: &
 /// Start tag of a declaration.
 struct Tag<'a> {
     text: &'a str,
-    element: Element<'a>,
+    element: XmlElement<'a>,
 }
 
 impl Tag<'_> {
-    fn name_and_type(&self, old_name: &str, old_type: &str, name: &str, type_name: &str) -> Vec<TextEdit> {
+    fn name_and_type(&self, old_name: &str, old_type: &str, name: &str, type_name: &str) -> Vec<SlotEdit> {
         let name = (old_name != name).then(|| self.set("name", name)).flatten();
         let ty = (old_type != type_name).then(|| self.set("type", type_name)).flatten();
         name.into_iter().chain(ty).collect()
     }
 
     /// Edit that sets an attribute. A new attribute is appended.
-    fn set(&self, name: &str, value: &str) -> Option<TextEdit> {
+    fn set(&self, name: &str, value: &str) -> Option<SlotEdit> {
         match self.element.attribute(name) {
             Some(attribute) if attribute.text() == value => None,
             Some(attribute) => Some((attribute.range, escaped(value))),
@@ -68,12 +68,12 @@ impl Tag<'_> {
     }
 
     /// Edit that sets passing by value.
-    fn by_value(&self) -> Option<TextEdit> {
+    fn by_value(&self) -> Option<SlotEdit> {
         let passing = self.element.attribute("use")?;
         if self.is_of_controller() { self.set("use", "value") } else { Some(self.without(passing)) }
     }
 
-    fn dimensions(&self, dims: u8) -> Option<TextEdit> {
+    fn dimensions(&self, dims: u8) -> Option<SlotEdit> {
         match self.element.attribute("dimensions") {
             Some(attribute) if dims == 1 && !self.is_of_controller() => Some(self.without(attribute)),
             None if dims == 1 => None,
@@ -89,7 +89,7 @@ impl Tag<'_> {
     }
 
     /// Edit that removes the attribute and the whitespace before it.
-    fn without(&self, attribute: Attribute<'_>) -> TextEdit {
+    fn without(&self, attribute: Attribute<'_>) -> SlotEdit {
         let before = self.text.part(..usize::from(attribute.name_range.start()));
         let start = TextSize::of(before.trim_end());
         (TextRange::new(start, end(attribute)), String::new())

@@ -11,7 +11,7 @@ use val3_analysis::items::program::{self, header};
 use val3_analysis::items::project::{items, program_files};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
-use val3_lang::instruction::Class;
+use val3_lang::instruction::CallClass;
 use val3_syntax::{SyntaxKind, TextRange, TextSize, text_at};
 
 use crate::references::{projects_using, uses};
@@ -158,7 +158,7 @@ impl Call {
             Expr::Call(..) => {
                 let Some(call) = infer(db, self.project, self.file).call(id) else { return true };
                 let forms = call.form.map_or(call.instruction.overloads, std::slice::from_ref);
-                call.instruction.blocking || forms.iter().any(|form| form.class == Class::Modifier)
+                call.instruction.blocking || forms.iter().any(|form| form.class == CallClass::Modifier)
             }
             Expr::Assign(..) | Expr::Missing => true,
             _ => false,

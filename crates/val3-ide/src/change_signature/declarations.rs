@@ -4,13 +4,13 @@ use val3_analysis::db::{Db, File};
 use val3_analysis::items::parse;
 use val3_analysis::items::program::{self, Header, header};
 use val3_lang::types::Container;
-use val3_syntax::xml::{Element, indentation, line_end};
+use val3_syntax::xml::{XmlElement, indentation, line_end};
 use val3_syntax::{TextRange, TextSize, text_at};
 
 use super::attributes;
-use super::slots::{Entry, Removal, Slots, TextEdit};
+use super::slots::{ListSlot, Removal, SlotEdit, Slots};
 use super::variables::{NewLocal, NewParameter, NewVariables};
-use crate::declare::{self, Variable};
+use crate::declare::{self, NewVariable};
 use crate::edit::FileEdit;
 use crate::xml_list::whole_line;
 
@@ -24,20 +24,20 @@ pub(super) fn edits(db: &dyn Db, file: File, wanted: &NewVariables) -> Result<Ve
     let header = header(db, file);
     let is_old = declare::is_old_program(db, file);
     let declarations = Declarations { db, file, text: file.text(db), is_old };
-    let params: Vec<Element<'_>> = program::params(program).collect();
-    let locals: Vec<Element<'_>> = program::locals(program).collect();
+    let params: Vec<XmlElement<'_>> = program::params(program).collect();
+    let locals: Vec<XmlElement<'_>> = program::locals(program).collect();
     let mut edits = declarations.list(program, &params, &parameters(&declarations, &params, header, wanted), true)?;
     edits.extend(declarations.list(program, &locals, &locals_of(&declarations, &locals, header, wanted), false)?);
     Ok(edits.into_iter().map(|(range, text)| FileEdit { file, range, text }).collect())
 }
 
 /// New order of a list, with the edits inside its elements.
-type NewList = (Vec<Entry>, Vec<TextEdit>);
+type NewList = (Vec<ListSlot>, Vec<SlotEdit>);
 
-fn parameters(of: &Declarations<'_>, old: &[Element<'_>], header: &Header, wanted: &NewVariables) -> NewList {
+fn parameters(of: &Declarations<'_>, old: &[XmlElement<'_>], header: &Header, wanted: &NewVariables) -> NewList {
     let entry = |new: &NewParameter| match new.from {
-        Some(index) => Entry::Kept(index),
-        None => Entry::Added(declare::parameter_entry(of.is_old, &variable(new), new.by_reference)),
+        Some(index) => ListSlot::Kept(index),
+        None => ListSlot::Added(declare::parameter_entry(of.is_old, &variable(new), new.by_reference)),
     };
     let inner = wanted.parameters.iter().filter_map(|new| {
         let index = new.from?;
@@ -46,10 +46,10 @@ fn parameters(of: &Declarations<'_>, old: &[Element<'_>], header: &Header, wante
     (wanted.parameters.iter().map(entry).collect(), sorted(inner.flatten()))
 }
 
-fn locals_of(of: &Declarations<'_>, old: &[Element<'_>], header: &Header, wanted: &NewVariables) -> NewList {
+fn locals_of(of: &Declarations<'_>, old: &[XmlElement<'_>], header: &Header, wanted: &NewVariables) -> NewList {
     let entry = |new: &NewLocal| match new.from {
-        Some(index) => Entry::Kept(index),
-        None => Entry::Added(declare::local_entry(of.is_old, &local_variable(new))),
+        Some(index) => ListSlot::Kept(index),
+        None => ListSlot::Added(declare::local_entry(of.is_old, &local_variable(new))),
     };
     let inner = wanted.locals.iter().filter_map(|new| {
         let index = new.from?;
@@ -58,25 +58,25 @@ fn locals_of(of: &Declarations<'_>, old: &[Element<'_>], header: &Header, wanted
     (wanted.locals.iter().map(entry).collect(), sorted(inner.flatten()))
 }
 
-fn sorted(edits: impl Iterator<Item = TextEdit>) -> Vec<TextEdit> {
-    let mut edits: Vec<TextEdit> = edits.collect();
+fn sorted(edits: impl Iterator<Item = SlotEdit>) -> Vec<SlotEdit> {
+    let mut edits: Vec<SlotEdit> = edits.collect();
     edits.sort_by_key(|(range, _)| range.start());
     edits
 }
 
-fn variable(new: &NewParameter) -> Variable {
+fn variable(new: &NewParameter) -> NewVariable {
     // The number of sizes is the number of dimensions; files do not contain the sizes of parameters.
     let sizes = match new.container {
         Container::Element => vec![1],
         Container::Array { dims } => vec![2; usize::from(dims)],
         Container::Collection => Vec::new(),
     };
-    Variable { name: new.name.clone(), type_name: new.type_name.clone(), container: new.container, sizes }
+    NewVariable { name: new.name.clone(), type_name: new.type_name.clone(), container: new.container, sizes }
 }
 
-fn local_variable(new: &NewLocal) -> Variable {
+fn local_variable(new: &NewLocal) -> NewVariable {
     let container = Container::Array { dims: u8::try_from(new.sizes.len()).unwrap_or(1) };
-    Variable { name: new.name.clone(), type_name: new.type_name.clone(), container, sizes: new.sizes.clone() }
+    NewVariable { name: new.name.clone(), type_name: new.type_name.clone(), container, sizes: new.sizes.clone() }
 }
 
 /// The file whose declarations change.
@@ -90,11 +90,11 @@ struct Declarations<'a> {
 impl Declarations<'_> {
     fn list(
         &self,
-        program: Element<'_>,
-        old: &[Element<'_>],
+        program: XmlElement<'_>,
+        old: &[XmlElement<'_>],
         (order, inner): &NewList,
         of_parameters: bool,
-    ) -> Result<Vec<TextEdit>, String> {
+    ) -> Result<Vec<SlotEdit>, String> {
         let Some(first) = old.first() else { return self.first_entries(order, of_parameters) };
         let entries: Vec<TextRange> = old.iter().map(|element| element.view().range()).collect();
         if order.is_empty()
@@ -109,8 +109,8 @@ impl Declarations<'_> {
     }
 
     /// Edits that fill an empty or missing list.
-    fn first_entries(&self, order: &[Entry], of_parameters: bool) -> Result<Vec<TextEdit>, String> {
-        let entries: Vec<String> = order.iter().filter_map(Entry::added).map(str::to_owned).collect();
+    fn first_entries(&self, order: &[ListSlot], of_parameters: bool) -> Result<Vec<SlotEdit>, String> {
+        let entries: Vec<String> = order.iter().filter_map(ListSlot::added).map(str::to_owned).collect();
         if entries.is_empty() {
             return Ok(Vec::new());
         }
@@ -128,7 +128,7 @@ impl Declarations<'_> {
 
     /// Edit for a list that loses all elements. Empty lists are omitted, except in s5 and s6 and if the list was an
     /// empty tag. `None` if the list has other content.
-    fn emptied(&self, program: Element<'_>, entries: &[TextRange]) -> Option<TextEdit> {
+    fn emptied(&self, program: XmlElement<'_>, entries: &[TextRange]) -> Option<SlotEdit> {
         let first = *entries.first()?;
         let list = program.elements().find(|list| list.view().range().contains_range(first))?;
         let (tag, whole) = (list.tag_range(), list.view().range());

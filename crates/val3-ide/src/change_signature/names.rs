@@ -8,13 +8,13 @@ use val3_analysis::items::project::{items, resolve_type};
 use val3_analysis::ty::Base;
 use val3_lang::types::Container;
 
-use super::programs::Program;
+use super::programs::AffectedProgram;
 use super::variables::{NewLocal, NewParameter, NewVariables, has_sizes};
 use crate::declare::is_old_program;
 use crate::rename::{RenameError, takes_no_unknown, variable_name};
 
 /// Checks that the new variables have valid names and types.
-pub(super) fn check(db: &dyn Db, program: &Program) -> Result<(), String> {
+pub(super) fn check(db: &dyn Db, program: &AffectedProgram) -> Result<(), String> {
     let header = header(db, program.file);
     are_different(program)?;
     for new in &program.wanted.parameters {
@@ -30,7 +30,7 @@ pub(super) fn check(db: &dyn Db, program: &Program) -> Result<(), String> {
     Ok(())
 }
 
-fn are_different(program: &Program) -> Result<(), String> {
+fn are_different(program: &AffectedProgram) -> Result<(), String> {
     let mut seen = FxHashSet::default();
     match program.wanted.names().find(|name| !seen.insert(*name)) {
         Some(name) => Err(format!("two variables of the program would be called `{name}`")),
@@ -38,7 +38,7 @@ fn are_different(program: &Program) -> Result<(), String> {
     }
 }
 
-fn name(db: &dyn Db, program: &Program, name: &str, old: Option<&str>) -> Result<(), String> {
+fn name(db: &dyn Db, program: &AffectedProgram, name: &str, old: Option<&str>) -> Result<(), String> {
     if old == Some(name) {
         return Ok(());
     }
@@ -48,7 +48,12 @@ fn name(db: &dyn Db, program: &Program, name: &str, old: Option<&str>) -> Result
     if old.is_some() { takes_no_unknown(db, program.file, name).map_err(reason) } else { Ok(()) }
 }
 
-fn parameter_type(db: &dyn Db, program: &Program, new: &NewParameter, old: Option<&ParamDecl>) -> Result<(), String> {
+fn parameter_type(
+    db: &dyn Db,
+    program: &AffectedProgram,
+    new: &NewParameter,
+    old: Option<&ParamDecl>,
+) -> Result<(), String> {
     if old.is_some_and(|old| !new.is_retyped(old)) {
         return Ok(());
     }
@@ -67,7 +72,7 @@ fn parameter_type(db: &dyn Db, program: &Program, new: &NewParameter, old: Optio
     }
 }
 
-fn local_type(db: &dyn Db, program: &Program, new: &NewLocal, old: Option<&LocalDecl>) -> Result<(), String> {
+fn local_type(db: &dyn Db, program: &AffectedProgram, new: &NewLocal, old: Option<&LocalDecl>) -> Result<(), String> {
     if old.is_some_and(|old| !new.is_retyped(old)) {
         return Ok(());
     }
@@ -87,7 +92,7 @@ fn local_type(db: &dyn Db, program: &Program, new: &NewLocal, old: Option<&Local
     Ok(())
 }
 
-fn is_type(db: &dyn Db, program: &Program, name: &str) -> Result<(), String> {
+fn is_type(db: &dyn Db, program: &AffectedProgram, name: &str) -> Result<(), String> {
     match resolve_type(&items(db, program.project).types, name) {
         None => Err(format!("there is no type `{name}`")),
         Some(Base::Unknown) => Err(format!("the project of the user type `{name}` cannot be found")),
@@ -97,7 +102,7 @@ fn is_type(db: &dyn Db, program: &Program, name: &str) -> Result<(), String> {
 
 /// Checks that all declarations of a program can be read, and if names are removed or changed, also that its code has
 /// no syntax errors.
-pub(super) fn is_readable(db: &dyn Db, program: &Program) -> Result<(), String> {
+pub(super) fn is_readable(db: &dyn Db, program: &AffectedProgram) -> Result<(), String> {
     let header = header(db, program.file);
     let path = program.file.path(db).file_name().unwrap_or("");
     if !header.complete {

@@ -14,7 +14,7 @@ use crate::owner::{owner, projects_of};
 use crate::rename::together;
 
 /// A changed program, with its new variables.
-pub(super) struct Program {
+pub(super) struct AffectedProgram {
     pub(super) project: Project,
     pub(super) file: File,
     pub(super) wanted: NewVariables,
@@ -46,9 +46,9 @@ pub(super) fn programs(
     file: File,
     symbols: &[Symbol],
     wanted: &NewVariables,
-) -> Result<Vec<Program>, String> {
+) -> Result<Vec<AffectedProgram>, String> {
     let project = owner(db, file).ok_or("no project lists the file")?;
-    let mut programs = vec![Program { project, file, wanted: wanted.clone() }];
+    let mut programs = vec![AffectedProgram { project, file, wanted: wanted.clone() }];
     for symbol in symbols {
         let Symbol::Program(_, name) = symbol else { continue };
         let other = of_symbol(db, symbol).filter(|(_, other)| programs.iter().all(|known| known.file != *other));
@@ -57,7 +57,7 @@ pub(super) fn programs(
             format!("`{}` has the program `{name}` for the same interface, and {reason}", folder(db, project))
         })?;
         let wanted = NewVariables { parameters, ..NewVariables::of(header(db, other)) };
-        programs.push(Program { project, file: other, wanted });
+        programs.push(AffectedProgram { project, file: other, wanted });
     }
     Ok(programs)
 }

@@ -5,18 +5,18 @@ use val3_syntax::{TextRange, TextSize, text_at};
 use crate::xml_list::whole_line;
 
 /// Edit in a file.
-pub(super) type TextEdit = (TextRange, String);
+pub(super) type SlotEdit = (TextRange, String);
 
 /// An element of the list after the change.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Entry {
+pub(super) enum ListSlot {
     /// An existing element, by its index.
     Kept(usize),
     /// A new element, as source text.
     Added(String),
 }
 
-impl Entry {
+impl ListSlot {
     /// Text of a new element.
     pub(super) fn added(&self) -> Option<&str> {
         if let Self::Added(text) = self { Some(text) } else { None }
@@ -38,7 +38,7 @@ pub(super) struct Slots<'a> {
     /// Ranges of the elements, in the order of the text.
     pub(super) entries: &'a [TextRange],
     /// Edits inside elements, which move with them.
-    pub(super) inner: &'a [TextEdit],
+    pub(super) inner: &'a [SlotEdit],
     /// Text between an added element and its neighbour.
     pub(super) separator: &'a str,
     pub(super) removal: Removal,
@@ -46,8 +46,8 @@ pub(super) struct Slots<'a> {
 
 impl Slots<'_> {
     /// Edits that produce this order, sorted and without overlap. An empty list has no edits.
-    pub(super) fn edits(&self, order: &[Entry]) -> Vec<TextEdit> {
-        let is_kept = |index: &usize| order.contains(&Entry::Kept(*index));
+    pub(super) fn edits(&self, order: &[ListSlot]) -> Vec<SlotEdit> {
+        let is_kept = |index: &usize| order.contains(&ListSlot::Kept(*index));
         let (kept, mut removed): (Vec<usize>, Vec<usize>) = (0..self.entries.len()).partition(is_kept);
         let mut edits = Vec::new();
         if kept.is_empty() && !order.is_empty() && !removed.is_empty() {
@@ -61,21 +61,21 @@ impl Slots<'_> {
     }
 
     /// Kept elements at their new positions, with the added elements between them.
-    fn placed(&self, order: &[Entry], kept: &[usize]) -> Vec<TextEdit> {
+    fn placed(&self, order: &[ListSlot], kept: &[usize]) -> Vec<SlotEdit> {
         let mut edits = Vec::new();
         let mut slots = kept.iter().copied();
         let mut last: Option<usize> = None;
         for entry in order {
             match (entry, last) {
-                (Entry::Kept(index), _) => {
+                (ListSlot::Kept(index), _) => {
                     let Some(slot) = slots.next() else { break };
                     edits.extend(self.moved(*index, slot));
                     last = Some(slot);
                 }
-                (Entry::Added(new), Some(slot)) => {
+                (ListSlot::Added(new), Some(slot)) => {
                     edits.push((TextRange::empty(self.range(slot).end()), format!("{}{new}", self.separator)));
                 }
-                (Entry::Added(new), None) => {
+                (ListSlot::Added(new), None) => {
                     let Some(first) = kept.first() else { break };
                     edits.push((TextRange::empty(self.range(*first).start()), format!("{new}{}", self.separator)));
                 }
@@ -85,7 +85,7 @@ impl Slots<'_> {
     }
 
     /// Moves the element `index` to the position of the element `slot`.
-    fn moved(&self, index: usize, slot: usize) -> Vec<TextEdit> {
+    fn moved(&self, index: usize, slot: usize) -> Vec<SlotEdit> {
         let from = self.range(index);
         let inner = self.inner.iter().filter(|(range, _)| from.contains_range(*range));
         if index == slot {
@@ -111,8 +111,8 @@ impl Slots<'_> {
         }
     }
 
-    fn joined(&self, order: &[Entry]) -> String {
-        order.iter().filter_map(Entry::added).collect::<Vec<_>>().join(self.separator)
+    fn joined(&self, order: &[ListSlot]) -> String {
+        order.iter().filter_map(ListSlot::added).collect::<Vec<_>>().join(self.separator)
     }
 
     fn range(&self, index: usize) -> TextRange {
@@ -125,9 +125,9 @@ impl Slots<'_> {
 }
 
 /// Sorts the edits by position, and joins adjacent edits.
-fn merged(mut edits: Vec<TextEdit>) -> Vec<TextEdit> {
+fn merged(mut edits: Vec<SlotEdit>) -> Vec<SlotEdit> {
     edits.sort_by_key(|(range, _)| (range.start(), range.end()));
-    let mut merged: Vec<TextEdit> = Vec::new();
+    let mut merged: Vec<SlotEdit> = Vec::new();
     for (range, text) in edits {
         match merged.last_mut() {
             Some((last, so_far)) if last.end() >= range.start() => {
@@ -158,8 +158,8 @@ mod tests {
         let separator = if text.contains(", ") { ", " } else { "," };
         let slots = Slots { text, entries: &entries, inner: &[], separator, removal: Removal::Separator };
         let entry = |letter: char| match letter.to_digit(10) {
-            Some(index) => Entry::Kept(index as usize),
-            None => Entry::Added(letter.to_string()),
+            Some(index) => ListSlot::Kept(index as usize),
+            None => ListSlot::Added(letter.to_string()),
         };
         let mut changed = text.to_owned();
         for (range, new) in slots.edits(&order.chars().map(entry).collect::<Vec<_>>()).into_iter().rev() {

@@ -8,7 +8,7 @@ use val3_analysis::items::project::{fields, items};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::test_applications::sees_private_items;
 use val3_analysis::ty::Base;
-use val3_lang::instruction::{Class, Family, Instruction, Overload, Shape};
+use val3_lang::instruction::{ArgumentForm, CallClass, Family, Instruction, Overload};
 use val3_lang::instructions;
 use val3_lang::keywords::{KEYWORDS, is_task_creation};
 use val3_lang::types::{self, BaseType, Container};
@@ -58,7 +58,7 @@ pub(super) fn statement(found: &mut CompletionList<'_>, blocks: &[Block], part: 
     variables(found, &Expected::anything());
     libraries(found);
     calls(found);
-    instructions_of(found, &[], |form| form.class == Class::Modifier && !form.on_library);
+    instructions_of(found, &[], |form| form.class == CallClass::Modifier && !form.on_library);
     missing::global(found, &Expected::anything());
     missing::libraries(found);
     missing::library_data(found, &Expected::anything());
@@ -78,7 +78,7 @@ fn task_creation(keyword: &str) -> String {
     let params = (1..).zip(forms.first().map_or(&[][..], |form| form.params));
     let places: Vec<String> = params
         .map(|(place, param)| match (param.shape, param.ty) {
-            (Shape::ProgramCall, _) => format!("${{{place}:{}}}(${})", param.name, place + 1),
+            (ArgumentForm::ProgramCall, _) => format!("${{{place}:{}}}(${})", param.name, place + 1),
             (_, Some(BaseType::String)) => format!("\"${{{place}:{}}}\"", param.name),
             _ => format!("${{{place}:{}}}", param.name),
         })
@@ -250,7 +250,7 @@ fn on_library(found: &mut CompletionList<'_>, wanted: &ExpectedItem) {
         let suits = |form: &&Overload| {
             form.on_library
                 && if *wanted == ExpectedItem::Statement {
-                    form.class == Class::Modifier
+                    form.class == CallClass::Modifier
                 } else {
                     form.result.is_some()
                 }

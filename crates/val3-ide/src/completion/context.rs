@@ -12,7 +12,8 @@ use super::postfix::Receiver;
 use super::text_place::{Collection, TextPlace, collection, text_place};
 use crate::FilePosition;
 use crate::line::{
-    Block, CodePart, Expected, LineTokens, Names, code_part, ends_value, expected, inside, open_blocks, takes_program,
+    Block, CodePart, Expected, LineTokens, VisibleNames, code_part, ends_value, expected, inside, open_blocks,
+    takes_program,
 };
 use crate::xml_context::XmlContext;
 
@@ -84,7 +85,7 @@ pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Conte
         return (Context::Comment, typed);
     }
     let Some(line) = LineTokens::around(&root, at.offset) else { return (Context::Nothing, empty) };
-    let names = Names::new(db, project, at.file);
+    let names = VisibleNames::new(db, project, at.file);
     match line.current() {
         Some(token) if token.kind() == NUMBER => (Context::Nothing, empty),
         Some(token) if token.kind() == STRING => string(&names, &line, token, at),
@@ -107,7 +108,7 @@ fn is_in_code(root: &SyntaxNode, offset: TextSize) -> bool {
 }
 
 fn string<'db>(
-    names: &Names<'_>,
+    names: &VisibleNames<'_>,
     line: &LineTokens,
     token: &SyntaxToken,
     at: FilePosition,
@@ -119,7 +120,7 @@ fn string<'db>(
     (text_place(names, line).map_or(Context::Nothing, Context::Text), inside)
 }
 
-fn code<'db>(names: &Names<'_>, line: &LineTokens, statement: impl FnOnce() -> Context<'db>) -> Context<'db> {
+fn code<'db>(names: &VisibleNames<'_>, line: &LineTokens, statement: impl FnOnce() -> Context<'db>) -> Context<'db> {
     let before = line.before();
     let Some((last, head)) = before.split_last() else { return statement() };
     match last.kind() {
@@ -147,7 +148,7 @@ fn code<'db>(names: &Names<'_>, line: &LineTokens, statement: impl FnOnce() -> C
     }
 }
 
-fn wanted(names: &Names<'_>, head: &[SyntaxToken]) -> ExpectedItem {
+fn wanted(names: &VisibleNames<'_>, head: &[SyntaxToken]) -> ExpectedItem {
     if head.is_empty() {
         ExpectedItem::Statement
     } else if takes_program(head) {
@@ -157,7 +158,7 @@ fn wanted(names: &Names<'_>, head: &[SyntaxToken]) -> ExpectedItem {
     }
 }
 
-fn operators(names: &Names<'_>, before: &[SyntaxToken]) -> Option<Operators> {
+fn operators(names: &VisibleNames<'_>, before: &[SyntaxToken]) -> Option<Operators> {
     let has = |kind| before.iter().any(|token| token.kind() == kind);
     let first = before.first().map(SyntaxToken::kind)?;
     if first == FOR_KW {

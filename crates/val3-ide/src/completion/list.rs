@@ -9,12 +9,12 @@ use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_lang::types::{self, Container};
 use val3_syntax::view::View;
-use val3_syntax::{Part, SyntaxKind, TextRange, TextSize};
+use val3_syntax::{SyntaxKind, TextRange, TextSize, TextSlice};
 
 use crate::FilePosition;
 use crate::edit::FileEdit;
 use crate::fuzzy::score;
-use crate::line::Names;
+use crate::line::VisibleNames;
 
 /// A completion.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -120,8 +120,8 @@ impl<'db> CompletionList<'db> {
     }
 
     /// Names visible in the edited program.
-    pub(super) fn names(&self) -> Names<'db> {
-        Names::new(self.db, self.project, self.file)
+    pub(super) fn names(&self) -> VisibleNames<'db> {
+        VisibleNames::new(self.db, self.project, self.file)
     }
 
     /// Adds a completion that inserts its label, if the typed letters match.

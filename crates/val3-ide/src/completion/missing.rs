@@ -11,7 +11,7 @@ use val3_lang::types::{Arm, BaseType};
 
 use super::list::{CompletionKind as Kind, CompletionList};
 use super::names::{data_detail, fit};
-use crate::declare::{self, Variable};
+use crate::declare::{self, NewVariable};
 use crate::fuzzy::score;
 use crate::hover::program_line;
 use crate::line::Expected;
@@ -37,7 +37,7 @@ pub(super) fn global(found: &mut CompletionList<'_>, expected: &Expected) {
     };
     // Position types in data files include the arm kind.
     let type_name = ty.file_name(names.items.arm.unwrap_or(Arm::SixAxis));
-    let Some(edit) = declare::data(db, project, &Variable::single(name, &type_name), None) else { return };
+    let Some(edit) = declare::data(db, project, &NewVariable::single(name, &type_name), None) else { return };
     let added = found.add(name, Kind::Data).scored(MISSING).adding(|| vec![edit]);
     added.detail(|| format!("new global {}", ty.name()));
 }

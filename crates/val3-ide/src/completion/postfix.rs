@@ -8,7 +8,7 @@ use val3_syntax::{SyntaxToken, TextRange};
 
 use super::list::{CompletionKind as Kind, CompletionList};
 use crate::assists::can_be_local;
-use crate::declare::{self, Variable, free};
+use crate::declare::{self, NewVariable, free};
 use crate::edit::FileEdit;
 use crate::line::LineTokens;
 
@@ -94,7 +94,7 @@ fn variable(found: &mut CompletionList<'_>, receiver: &Receiver, ty: BaseType, a
     let names = found.names();
     let name = free(&format!("{}{prefix}Value", options.local_prefix), |name| names.is_declared(name));
     let type_name = ty.file_name(arm.or(names.items.arm).unwrap_or(Arm::SixAxis));
-    let Some(local) = declare::locals(found.db, found.file, &[&Variable::single(&name, &type_name)]) else { return };
+    let Some(local) = declare::locals(found.db, found.file, &[&NewVariable::single(&name, &type_name)]) else { return };
     let line = format!("{name}={value}");
     let snippet = escaped(&line);
     add(found, receiver, Statement { word: "var", plain: line, snippet, declares: Some(local) });

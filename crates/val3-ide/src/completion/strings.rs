@@ -8,7 +8,7 @@ use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_lang::arguments::{BINARY_FORMATS, DATE_KEYS, SERIAL_PARAMETERS, SerialParameter, SerialValue, TextForm};
 use val3_syntax::xml::escaped;
-use val3_syntax::{Part, SyntaxKind, TextRange, TextSize};
+use val3_syntax::{SyntaxKind, TextRange, TextSize, TextSlice};
 
 use super::list::{CompletionKind, CompletionList};
 use super::names::{FITS, data_detail};

@@ -9,7 +9,7 @@ use val3_lang::instructions;
 use val3_lang::types::Container;
 use val3_syntax::SyntaxKind::*;
 
-use crate::line::{CallSite, LineTokens, Names, string_text};
+use crate::line::{CallSite, LineTokens, VisibleNames, string_text};
 
 /// Possible contents of a string.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,7 +42,7 @@ pub(super) struct Collection {
 }
 
 /// Purpose of the string at the cursor; `None` if it is unknown.
-pub(super) fn text_place(names: &Names<'_>, line: &LineTokens) -> Option<TextPlace> {
+pub(super) fn text_place(names: &VisibleNames<'_>, line: &LineTokens) -> Option<TextPlace> {
     if let Some(collection) = collection(names, line) {
         return Some(TextPlace::Key(collection));
     }
@@ -72,7 +72,7 @@ pub(super) fn text_place(names: &Names<'_>, line: &LineTokens) -> Option<TextPla
 }
 
 /// Collection before an opening bracket, for example `dIn[` or `library:dIn[`.
-pub(super) fn collection(names: &Names<'_>, line: &LineTokens) -> Option<Collection> {
+pub(super) fn collection(names: &VisibleNames<'_>, line: &LineTokens) -> Option<Collection> {
     let (_, head) = line.before().split_last().filter(|(bracket, _)| bracket.kind() == L_BRACK)?;
     let (name, before) = head.split_last().filter(|(name, _)| name.kind() == IDENT)?;
     if names.ty(head).container != Container::Collection {

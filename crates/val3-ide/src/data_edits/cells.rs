@@ -4,9 +4,9 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::items::positions::key_of;
 use val3_analysis::ty::Base;
-use val3_data::{Content, SavedData, SavedValue, Shape, is_old_reference, same_text};
+use val3_data::{SavedContainer, SavedContent, SavedData, SavedValue, is_old_reference, same_text};
 use val3_lang::types::{AttributeValue, BaseType, attribute};
-use val3_syntax::Edit;
+use val3_syntax::TextEdit;
 
 use super::edit::{CellEdit, refusal};
 use super::target::{DataFile, check_text};
@@ -14,18 +14,18 @@ use super::{initial, walk};
 use crate::data_tables::{DataProblem, Dialect};
 
 /// Sets the texts of cells.
-pub(super) fn set(file: &DataFile<'_>, cells: &[CellEdit]) -> Result<Vec<Edit>, DataProblem> {
+pub(super) fn set(file: &DataFile<'_>, cells: &[CellEdit]) -> Result<Vec<TextEdit>, DataProblem> {
     let mut by_name: FxHashMap<&str, Vec<&CellEdit>> = FxHashMap::default();
     for cell in cells {
         by_name.entry(&cell.place.name).or_default().push(cell);
     }
     let changed: Result<Vec<SavedData>, DataProblem> =
-        by_name.into_iter().map(|(name, cells)| Variable::read(file, name)?.set(&cells)).collect();
+        by_name.into_iter().map(|(name, cells)| EditedVariable::read(file, name)?.set(&cells)).collect();
     Ok(val3_data::edits(file.text, file.root, &changed?))
 }
 
 /// A variable with changed values.
-struct Variable<'f> {
+struct EditedVariable<'f> {
     file: &'f DataFile<'f>,
     data: SavedData,
     /// Indexes of the values by key.
@@ -36,7 +36,7 @@ struct Variable<'f> {
     written: usize,
 }
 
-impl<'f> Variable<'f> {
+impl<'f> EditedVariable<'f> {
     fn read(file: &'f DataFile<'f>, name: &str) -> Result<Self, DataProblem> {
         let data = val3_data::read(file.element(name)?);
         let values = data.values.iter().enumerate();
@@ -86,8 +86,8 @@ impl<'f> Variable<'f> {
             let Some((value, gone)) = self.data.values.get_mut(*at).zip(is_gone.get_mut(*at)) else { continue };
             initial::complete(value, &initial);
             let is_initial =
-                matches!(&value.content, Content::Fields(fields) if fields.iter().all(|field| field.initial));
-            *gone = is_initial && self.data.shape != Shape::Keys;
+                matches!(&value.content, SavedContent::Fields(fields) if fields.iter().all(|field| field.initial));
+            *gone = is_initial && self.data.shape != SavedContainer::Keys;
         }
         let removes = is_gone.iter().take(self.written).any(|gone| *gone);
         let mut touched = vec![removes; self.data.values.len()];
@@ -103,8 +103,8 @@ impl<'f> Variable<'f> {
 const FATHER: &str = "fatherId";
 
 /// Normalised key, by which a container's values are found.
-fn known_key(shape: &Shape, key: &str) -> String {
-    if *shape == Shape::Keys { key.to_owned() } else { key_of(key) }
+fn known_key(shape: &SavedContainer, key: &str) -> String {
+    if *shape == SavedContainer::Keys { key.to_owned() } else { key_of(key) }
 }
 
 /// Sets a cell in a value with this type, or in a field inside it.
@@ -122,7 +122,7 @@ fn nested(
         value = walk::value(file, found, &step.key, at)?;
     }
     check_column(file, &type_name, cell)?;
-    let Content::Attributes(known) = &value.content else {
+    let SavedContent::Attributes(known) = &value.content else {
         return Err(refusal(format!("a value of `{type_name}` has fields, and no column `{}`", cell.column)));
     };
     let old = known.iter().find(|(name, _)| *name == cell.column).map(|(_, text)| text.as_str());
@@ -163,7 +163,7 @@ fn is_reference(type_name: &str, column: &str) -> bool {
 }
 
 fn set_text(value: &mut SavedValue, column: &str, text: Option<&str>) {
-    let Content::Attributes(known) = &mut value.content else { return };
+    let SavedContent::Attributes(known) = &mut value.content else { return };
     let at = known.iter().position(|(name, _)| name == column);
     match (at.and_then(|at| known.get_mut(at)), text) {
         (Some((_, old)), Some(text)) => text.clone_into(old),

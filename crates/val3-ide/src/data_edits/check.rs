@@ -6,13 +6,13 @@ use rustc_hash::FxHashMap;
 use val3_analysis::db::File;
 use val3_check::fix::TrialWorkspace as _;
 use val3_data::apply;
-use val3_syntax::Edit;
+use val3_syntax::TextEdit;
 
 use crate::assists::FixContext;
 use crate::data_tables::{DataFinding, DataPlace, data_findings};
 use crate::edit::SourceChange;
 use crate::owner::projects_of;
-use crate::trial::Trial;
+use crate::trial::TrialProjects;
 
 /// Findings of a data file after `change` that are not in `before`. Findings in other files are omitted.
 pub fn added_data_findings(
@@ -22,10 +22,10 @@ pub fn added_data_findings(
     before: &[DataFinding],
 ) -> Vec<DataFinding> {
     let db = context.db;
-    let edits = change.edits.iter().map(|edit| Edit { range: edit.range, insert: edit.text.clone() });
+    let edits = change.edits.iter().map(|edit| TextEdit { range: edit.range, insert: edit.text.clone() });
     let text: Arc<str> = apply(file.text(db), &edits.collect::<Vec<_>>()).into();
     let projects = projects_of(db, file).iter().copied();
-    let mut trial = Trial::of(db, context.system, projects, context.check_cancelled);
+    let mut trial = TrialProjects::of(db, context.system, projects, context.check_cancelled);
     trial.set_texts([(file.path(db).as_path(), &text)].into_iter());
     let Some((changed, found)) = trial.data_findings(file.path(db)) else { return Vec::new() };
     let mut known: FxHashMap<Identity, usize> = FxHashMap::default();

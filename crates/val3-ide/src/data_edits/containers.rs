@@ -2,10 +2,10 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::ty::Base;
-use val3_analysis::xml::Element;
-use val3_data::{Content, SavedData, SavedValue, Shape};
+use val3_analysis::xml::XmlElement;
+use val3_data::{SavedContainer, SavedContent, SavedData, SavedValue};
 use val3_lang::types::BaseType;
-use val3_syntax::Edit;
+use val3_syntax::TextEdit;
 
 use super::edit::refusal;
 use super::target::{DataFile, check_text};
@@ -14,10 +14,10 @@ use crate::data_tables::{DataPlace, DataProblem, Dialect};
 use crate::declare::{built_in_father, keys};
 
 /// Changes array sizes.
-pub(super) fn resize(file: &DataFile<'_>, place: &DataPlace, sizes: &[u32]) -> Result<Vec<Edit>, DataProblem> {
+pub(super) fn resize(file: &DataFile<'_>, place: &DataPlace, sizes: &[u32]) -> Result<Vec<TextEdit>, DataProblem> {
     file.check_sizes(sizes)?;
     change(file, place, |data, base| {
-        let Shape::Sizes(old) = &data.shape else {
+        let SavedContainer::Sizes(old) = &data.shape else {
             return Err(refusal(format!("`{}` is a collection: it has keys and no size", data.name)));
         };
         let old = old.clone();
@@ -26,7 +26,7 @@ pub(super) fn resize(file: &DataFile<'_>, place: &DataPlace, sizes: &[u32]) -> R
         }
         let fits = |key: &str| fits(sizes, key);
         data.values.retain(|value| fits(&value.key));
-        data.shape = Shape::Sizes(sizes.to_vec());
+        data.shape = SavedContainer::Sizes(sizes.to_vec());
         add_fathers(file, data, base, &old);
         Ok(())
     })
@@ -54,7 +54,7 @@ fn fits(sizes: &[u32], key: &str) -> bool {
 /// Adds the father to new points, frames and tools. In s5 and s6, the father belongs to the variable.
 fn add_fathers(file: &DataFile<'_>, data: &mut SavedData, base: Base, old: &[u32]) {
     let Some(father) = father(base).filter(|_| file.dialect == Dialect::New) else { return };
-    let Shape::Sizes(sizes) = &data.shape else { return };
+    let SavedContainer::Sizes(sizes) = &data.shape else { return };
     let known: FxHashSet<String> = data.values.iter().map(|value| value.key.clone()).collect();
     let is_new = |key: &String| !known.contains(key) && (old.len() != sizes.len() || !fits(old, key));
     let new = keys(sizes).into_iter().filter(is_new);
@@ -62,25 +62,29 @@ fn add_fathers(file: &DataFile<'_>, data: &mut SavedData, base: Base, old: &[u32
 }
 
 /// Default father of a new point, frame or tool, as file content.
-fn father(base: Base) -> Option<Content> {
+fn father(base: Base) -> Option<SavedContent> {
     let name = built_in_father(base.builtin().map_or("", BaseType::name))?;
-    Some(Content::Attributes(vec![("fatherId".into(), format!("{name}[0]"))]))
+    Some(SavedContent::Attributes(vec![("fatherId".into(), format!("{name}[0]"))]))
 }
 
 /// Adds an element to a collection.
-pub(super) fn add_key(file: &DataFile<'_>, place: &DataPlace, key: &str) -> Result<Vec<Edit>, DataProblem> {
+pub(super) fn add_key(file: &DataFile<'_>, place: &DataPlace, key: &str) -> Result<Vec<TextEdit>, DataProblem> {
     check_key(key)?;
     change(file, place, |data, base| {
         is_collection(data)?;
         is_free(data, key)?;
-        let content = father(base).unwrap_or_else(|| Content::Attributes(Vec::new()));
+        let content = father(base).unwrap_or_else(|| SavedContent::Attributes(Vec::new()));
         data.values.push(SavedValue { key: key.to_owned(), content });
         Ok(())
     })
 }
 
 /// Removes elements from a collection.
-pub(super) fn remove_keys(file: &DataFile<'_>, place: &DataPlace, keys: &[String]) -> Result<Vec<Edit>, DataProblem> {
+pub(super) fn remove_keys(
+    file: &DataFile<'_>,
+    place: &DataPlace,
+    keys: &[String],
+) -> Result<Vec<TextEdit>, DataProblem> {
     change(file, place, |data, _| {
         is_collection(data)?;
         keys.iter().try_for_each(|key| has_key(data, key))?;
@@ -95,7 +99,7 @@ pub(super) fn rename_key(
     place: &DataPlace,
     key: &str,
     new_key: &str,
-) -> Result<Vec<Edit>, DataProblem> {
+) -> Result<Vec<TextEdit>, DataProblem> {
     check_key(new_key)?;
     let element = element_at(file, place)?;
     let data = val3_data::read(element);
@@ -109,7 +113,7 @@ pub(super) fn rename_key(
 }
 
 /// XML element of a variable or of a field inside it.
-fn element_at<'a>(file: &DataFile<'a>, place: &DataPlace) -> Result<Element<'a>, DataProblem> {
+fn element_at<'a>(file: &DataFile<'a>, place: &DataPlace) -> Result<XmlElement<'a>, DataProblem> {
     let mut element = file.element(&place.name)?;
     let mut key = place.key.as_deref().unwrap_or("");
     for step in &place.within {
@@ -128,7 +132,7 @@ fn change(
     file: &DataFile<'_>,
     place: &DataPlace,
     alter: impl FnOnce(&mut SavedData, Base) -> Result<(), DataProblem>,
-) -> Result<Vec<Edit>, DataProblem> {
+) -> Result<Vec<TextEdit>, DataProblem> {
     let mut data = val3_data::read(file.element(&place.name)?);
     let found = walk::container(file, &mut data, place)?;
     alter(found.data, found.base)?;
@@ -148,8 +152,8 @@ fn check_key(key: &str) -> Result<(), DataProblem> {
 
 fn is_collection(data: &SavedData) -> Result<(), DataProblem> {
     match data.shape {
-        Shape::Keys => Ok(()),
-        Shape::Sizes(_) => Err(refusal(format!("`{}` is an array: it has a size and no keys", data.name))),
+        SavedContainer::Keys => Ok(()),
+        SavedContainer::Sizes(_) => Err(refusal(format!("`{}` is an array: it has a size and no keys", data.name))),
     }
 }
 

@@ -2,19 +2,19 @@
 
 use val3_data::{in_style, remove};
 use val3_lang::types::{BaseType, Container};
-use val3_syntax::Edit;
+use val3_syntax::TextEdit;
 
 use super::edit::{NewDatum, refusal};
 use super::target::DataFile;
 use crate::access;
 use crate::data_tables::{DataProblem, Dialect};
-use crate::declare::{Variable, data_lines, data_list};
+use crate::declare::{NewVariable, data_lines, data_list};
 
 /// Declares a variable.
-pub(super) fn add(file: &DataFile<'_>, new: &NewDatum) -> Result<Vec<Edit>, DataProblem> {
+pub(super) fn add(file: &DataFile<'_>, new: &NewDatum) -> Result<Vec<TextEdit>, DataProblem> {
     file.check_new_name(&new.name)?;
     check_type(file, new)?;
-    let variable = Variable {
+    let variable = NewVariable {
         name: new.name.clone(),
         type_name: new.type_name.clone(),
         container: new.container,
@@ -27,7 +27,7 @@ pub(super) fn add(file: &DataFile<'_>, new: &NewDatum) -> Result<Vec<Edit>, Data
     let neighbour = new.after.as_deref().and_then(|name| file.element(name).ok());
     // In s5 and s6, each type has a section.
     let first = lines.first().map_or("", String::as_str);
-    let fits = |element: &val3_analysis::xml::Element<'_>| {
+    let fits = |element: &val3_analysis::xml::XmlElement<'_>| {
         first.trim_start_matches('<').split(' ').next() == Some(element.name())
     };
     if let Some(neighbour) = neighbour.filter(fits) {
@@ -35,7 +35,7 @@ pub(super) fn add(file: &DataFile<'_>, new: &NewDatum) -> Result<Vec<Edit>, Data
     }
     let edit = data_list(file.text, file.root, &variable.type_name, &lines);
     let (range, insert) = edit.ok_or_else(|| refusal("the file has no place for new data"))?;
-    Ok(vec![Edit { range, insert }])
+    Ok(vec![TextEdit { range, insert }])
 }
 
 fn check_type(file: &DataFile<'_>, new: &NewDatum) -> Result<(), DataProblem> {
@@ -58,25 +58,25 @@ fn check_type(file: &DataFile<'_>, new: &NewDatum) -> Result<(), DataProblem> {
 }
 
 /// Declares a copy of a variable.
-pub(super) fn duplicate(file: &DataFile<'_>, name: &str, new_name: &str) -> Result<Vec<Edit>, DataProblem> {
+pub(super) fn duplicate(file: &DataFile<'_>, name: &str, new_name: &str) -> Result<Vec<TextEdit>, DataProblem> {
     let element = file.element(name)?;
     file.check_new_name(new_name)?;
     Ok(val3_data::duplicate(file.text, file.root, element, new_name).into_iter().collect())
 }
 
 /// Removes variables.
-pub(super) fn delete(file: &DataFile<'_>, names: &[String]) -> Result<Vec<Edit>, DataProblem> {
+pub(super) fn delete(file: &DataFile<'_>, names: &[String]) -> Result<Vec<TextEdit>, DataProblem> {
     let elements: Result<Vec<_>, DataProblem> = names.iter().map(|name| file.element(name)).collect();
     Ok(remove(file.text, file.root, &elements?))
 }
 
 /// Changes the access of variables.
-pub(super) fn access(file: &DataFile<'_>, names: &[String], public: bool) -> Result<Vec<Edit>, DataProblem> {
+pub(super) fn access(file: &DataFile<'_>, names: &[String], public: bool) -> Result<Vec<TextEdit>, DataProblem> {
     let elements: Result<Vec<_>, DataProblem> = names.iter().map(|name| file.element(name)).collect();
     let changed = elements?.into_iter().filter(|element| access::is_public(*element) != public);
-    let mut edits: Vec<Edit> = changed
+    let mut edits: Vec<TextEdit> = changed
         .filter_map(|element| access::set(file.text, element, public))
-        .map(|(range, insert)| Edit { range, insert })
+        .map(|(range, insert)| TextEdit { range, insert })
         .collect();
     edits.sort_by_key(|edit| edit.range.start());
     edits.dedup();

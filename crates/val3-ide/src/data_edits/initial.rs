@@ -3,7 +3,7 @@
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::data_files;
 use val3_analysis::items::{data, parse};
-use val3_data::{Content, SavedData, SavedField, SavedValue, Shape, is_same};
+use val3_data::{SavedContainer, SavedContent, SavedData, SavedField, SavedValue, is_same};
 
 use crate::access::is_public;
 
@@ -20,7 +20,7 @@ pub(super) fn fields(db: &dyn Db, owner: Project) -> Vec<SavedField> {
 
 /// Adds the missing fields of a value, and marks fields that have their initial value.
 pub(super) fn complete(value: &mut SavedValue, initial: &[SavedField]) {
-    let Content::Fields(fields) = &mut value.content else { return };
+    let SavedContent::Fields(fields) = &mut value.content else { return };
     for known in initial {
         match fields.iter_mut().find(|field| field.data.name == known.data.name) {
             Some(field) => field.initial = is_same_data(&field.data, &known.data),
@@ -36,21 +36,21 @@ fn is_same_data(one: &SavedData, other: &SavedData) -> bool {
     };
     let keys = |of: &SavedData| of.values.len();
     one.shape == other.shape
-        && (one.shape != Shape::Keys || keys(one) == keys(other))
+        && (one.shape != SavedContainer::Keys || keys(one) == keys(other))
         && has_same(one, other)
         && has_same(other, one)
 }
 
 fn is_same_value(type_name: &str, one: Option<&SavedValue>, other: Option<&SavedValue>) -> bool {
     match (one.map(|value| &value.content), other.map(|value| &value.content)) {
-        (Some(Content::Fields(one)), Some(Content::Fields(other))) => {
+        (Some(SavedContent::Fields(one)), Some(SavedContent::Fields(other))) => {
             one.len() == other.len()
                 && one
                     .iter()
                     .zip(other)
                     .all(|(one, other)| one.data.name == other.data.name && is_same_data(&one.data, &other.data))
         }
-        (Some(Content::Fields(_)), None) | (None, Some(Content::Fields(_))) => false,
+        (Some(SavedContent::Fields(_)), None) | (None, Some(SavedContent::Fields(_))) => false,
         _ => is_same(type_name, one, other),
     }
 }

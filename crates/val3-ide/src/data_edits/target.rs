@@ -9,7 +9,7 @@ use val3_analysis::items::data;
 use val3_analysis::items::project::{Items, items};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
-use val3_analysis::xml::Element;
+use val3_analysis::xml::XmlElement;
 use val3_data::SavedField;
 use val3_syntax::view::View;
 
@@ -28,9 +28,9 @@ pub(super) struct DataFile<'a> {
     pub(super) items: &'a Items,
     pub(super) dialect: Dialect,
     pub(super) text: &'a str,
-    pub(super) root: Element<'a>,
+    pub(super) root: XmlElement<'a>,
     file: File,
-    declared: FxHashMap<String, Vec<Element<'a>>>,
+    declared: FxHashMap<String, Vec<XmlElement<'a>>>,
     initial: RefCell<FxHashMap<Project, Rc<[SavedField]>>>,
 }
 
@@ -38,14 +38,14 @@ impl<'a> DataFile<'a> {
     pub(super) fn new(
         (db, project, file): (&'a dyn Db, Project, File),
         text: &'a str,
-        (view, root): (View<'a>, Element<'a>),
+        (view, root): (View<'a>, XmlElement<'a>),
     ) -> Result<Self, DataProblem> {
         let dialect = match root.name() {
             "Database" => Dialect::New,
             "dataList" => Dialect::Old,
             name => return Err(refusal(format!("the file is no data file: its root is `{name}`"))),
         };
-        let mut declared: FxHashMap<String, Vec<Element<'a>>> = FxHashMap::default();
+        let mut declared: FxHashMap<String, Vec<XmlElement<'a>>> = FxHashMap::default();
         for element in data::elements(view) {
             if let Some(name) = element.value("name") {
                 declared.entry(name.into_owned()).or_default().push(element);
@@ -65,7 +65,7 @@ impl<'a> DataFile<'a> {
     }
 
     /// XML element that declares a variable.
-    pub(super) fn element(&self, name: &str) -> Result<Element<'a>, DataProblem> {
+    pub(super) fn element(&self, name: &str) -> Result<XmlElement<'a>, DataProblem> {
         match self.declared.get(name).map_or(&[][..], Vec::as_slice) {
             [element] => Ok(*element),
             [] => Err(refusal(format!("the file declares no data called `{name}`"))),

@@ -3,7 +3,7 @@
 use val3_analysis::items::positions::key_of;
 use val3_analysis::items::project::{fields, resolve_type};
 use val3_analysis::ty::Base;
-use val3_data::{Content, SavedData, SavedField, SavedValue, Shape};
+use val3_data::{SavedContainer, SavedContent, SavedData, SavedField, SavedValue};
 
 use super::edit::refusal;
 use super::initial;
@@ -11,15 +11,15 @@ use super::target::DataFile;
 use crate::data_tables::{DataPlace, DataProblem, FieldStep};
 
 /// A container within a variable, and its value type.
-pub(super) struct Found<'d> {
+pub(super) struct FoundContainer<'d> {
     pub(super) data: &'d mut SavedData,
     pub(super) base: Base,
 }
 
 /// Container of a variable.
-pub(super) fn variable<'d>(file: &DataFile<'_>, data: &'d mut SavedData) -> Found<'d> {
+pub(super) fn variable<'d>(file: &DataFile<'_>, data: &'d mut SavedData) -> FoundContainer<'d> {
     let base = resolve_type(&file.items.types, &data.type_name).unwrap_or(Base::Unknown);
-    Found { data, base }
+    FoundContainer { data, base }
 }
 
 /// Container at a place without a key: the variable, or the field at the end of the place. Values on this path that the
@@ -28,7 +28,7 @@ pub(super) fn container<'d>(
     file: &DataFile<'_>,
     data: &'d mut SavedData,
     place: &DataPlace,
-) -> Result<Found<'d>, DataProblem> {
+) -> Result<FoundContainer<'d>, DataProblem> {
     let mut found = variable(file, data);
     let mut key = place.key.as_deref().unwrap_or("");
     for step in &place.within {
@@ -39,7 +39,12 @@ pub(super) fn container<'d>(
 }
 
 /// A field's container, in the value with this key.
-fn field<'d>(file: &DataFile<'_>, found: Found<'d>, key: &str, step: &FieldStep) -> Result<Found<'d>, DataProblem> {
+fn field<'d>(
+    file: &DataFile<'_>,
+    found: FoundContainer<'d>,
+    key: &str,
+    step: &FieldStep,
+) -> Result<FoundContainer<'d>, DataProblem> {
     let (base, at) = (found.base, position(found.data, key));
     field_of(file, base, value(file, found, key, at)?, step)
 }
@@ -50,13 +55,13 @@ pub(super) fn field_of<'d>(
     base: Base,
     value: &'d mut SavedValue,
     step: &FieldStep,
-) -> Result<Found<'d>, DataProblem> {
-    let (Base::User(owner), Content::Fields(known)) = (base, &mut value.content) else {
+) -> Result<FoundContainer<'d>, DataProblem> {
+    let (Base::User(owner), SavedContent::Fields(known)) = (base, &mut value.content) else {
         return Err(refusal(format!("there is no field `{}`: the type is no user type of the project", step.name)));
     };
     let base = fields(file.db, owner).get(step.name.as_str()).map_or(Base::Unknown, |field| field.base);
     match known.iter_mut().find(|field| field.data.name == step.name.as_str()) {
-        Some(field) => Ok(Found { data: &mut field.data, base }),
+        Some(field) => Ok(FoundContainer { data: &mut field.data, base }),
         None => Err(refusal(format!("the type has no field `{}`", step.name))),
     }
 }
@@ -64,15 +69,15 @@ pub(super) fn field_of<'d>(
 /// Value with this key, at the index `at` if it exists. A value that an array omits is added with its default.
 pub(super) fn value<'d>(
     file: &DataFile<'_>,
-    found: Found<'d>,
+    found: FoundContainer<'d>,
     key: &str,
     at: Option<usize>,
 ) -> Result<&'d mut SavedValue, DataProblem> {
-    let Found { data, base } = found;
+    let FoundContainer { data, base } = found;
     let initial = file.initial_fields(base);
     if at.is_none() {
         check_key(data, key)?;
-        let key = if data.shape == Shape::Keys { key.to_owned() } else { key_of(key) };
+        let key = if data.shape == SavedContainer::Keys { key.to_owned() } else { key_of(key) };
         data.values.push(SavedValue { key, content: new_content(base, &initial) });
     }
     let at = at.unwrap_or(data.values.len().saturating_sub(1));
@@ -83,17 +88,17 @@ pub(super) fn value<'d>(
 }
 
 /// Content of a new value.
-fn new_content(base: Base, initial: &[SavedField]) -> Content {
+fn new_content(base: Base, initial: &[SavedField]) -> SavedContent {
     match base {
-        Base::User(_) => Content::Fields(initial.to_vec()),
-        _ => Content::Attributes(Vec::new()),
+        Base::User(_) => SavedContent::Fields(initial.to_vec()),
+        _ => SavedContent::Attributes(Vec::new()),
     }
 }
 
 /// Index of the value with this key.
 pub(super) fn position(data: &SavedData, key: &str) -> Option<usize> {
     let indexes = |key: &str| key.split(',').map(str::trim).map(str::to_owned).collect::<Vec<_>>();
-    let is_array = data.shape != Shape::Keys && key.contains([',', ' ']);
+    let is_array = data.shape != SavedContainer::Keys && key.contains([',', ' ']);
     let wanted = if is_array { indexes(key) } else { Vec::new() };
     data.values.iter().position(|value| value.key == key || is_array && indexes(&value.key) == wanted)
 }
@@ -101,7 +106,7 @@ pub(super) fn position(data: &SavedData, key: &str) -> Option<usize> {
 /// Checks that a value may be added under the key: an array may omit values, a collection must contain them.
 fn check_key(data: &SavedData, key: &str) -> Result<(), DataProblem> {
     let name = &data.name;
-    let Shape::Sizes(sizes) = &data.shape else {
+    let SavedContainer::Sizes(sizes) = &data.shape else {
         return Err(refusal(format!("the collection `{name}` has no key `{key}`")));
     };
     let indexes: Option<Vec<u32>> = key.split(',').map(|index| index.trim().parse().ok()).collect();

@@ -2,7 +2,7 @@
 
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::{data, parse};
-use val3_analysis::xml::{Attribute, Element};
+use val3_analysis::xml::{Attribute, XmlElement};
 use val3_check::diagnostic::Diagnostic;
 use val3_lang::types::{BaseType, attributes};
 use val3_syntax::TextRange;
@@ -23,7 +23,7 @@ pub struct DataFinding {
 /// Findings in a data file, each with its place in the tables.
 pub fn data_findings(db: &dyn Db, file: File, findings: impl IntoIterator<Item = Diagnostic>) -> Vec<DataFinding> {
     let parse = parse(db, file);
-    let elements: Vec<Element<'_>> = data::elements(parse.view()).collect();
+    let elements: Vec<XmlElement<'_>> = data::elements(parse.view()).collect();
     let placed = |diagnostic: Diagnostic| {
         let (place, column) = place_of(&elements, diagnostic.place.range);
         DataFinding { place, column, diagnostic }
@@ -31,7 +31,7 @@ pub fn data_findings(db: &dyn Db, file: File, findings: impl IntoIterator<Item =
     findings.into_iter().filter(|found| found.place.file == file).map(placed).collect()
 }
 
-fn place_of(elements: &[Element<'_>], range: TextRange) -> (DataPlace, Option<String>) {
+fn place_of(elements: &[XmlElement<'_>], range: TextRange) -> (DataPlace, Option<String>) {
     let next = elements.partition_point(|element| element.view().range().end() <= range.start());
     let found = elements.get(next).filter(|element| contains(**element, range));
     let Some((found, name)) = found.and_then(|found| Some((*found, found.value("name")?.into_owned()))) else {
@@ -55,12 +55,12 @@ fn place_of(elements: &[Element<'_>], range: TextRange) -> (DataPlace, Option<St
     (place, column(found, at, range))
 }
 
-fn contains(element: Element<'_>, range: TextRange) -> bool {
+fn contains(element: XmlElement<'_>, range: TextRange) -> bool {
     element.view().range().contains_range(range)
 }
 
 /// Column name of the attribute at `range` in an `element` of a variable.
-fn column(variable: Element<'_>, element: Element<'_>, range: TextRange) -> Option<String> {
+fn column(variable: XmlElement<'_>, element: XmlElement<'_>, range: TextRange) -> Option<String> {
     let is_in = |found: &Attribute<'_>| found.name_range.cover(found.range).contains_range(range);
     let found = element.attributes().find(is_in)?.name;
     if element.attribute("fatherIndex").is_some() {

@@ -7,7 +7,7 @@ use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::{DataItem, Items, fields, items, resolve_type};
 use val3_analysis::ty::Base;
 use val3_data::default_of;
-use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, Container, Unit, attributes, field};
+use val3_lang::types::{Arm, AttributeValue, BaseType, Container, NumberUnit, ValueAttribute, attributes, field};
 use val3_lang::{builtins, enumerations};
 
 use super::Dialect;
@@ -157,7 +157,7 @@ impl TypeFinder<'_> {
         attributes(ty, arm).iter().map(|attribute| self.column(ty, arm, attribute)).collect()
     }
 
-    fn column(&self, ty: BaseType, arm: Option<Arm>, attribute: &Attribute) -> DataColumn {
+    fn column(&self, ty: BaseType, arm: Option<Arm>, attribute: &ValueAttribute) -> DataColumn {
         let (kind, choices) = match attribute.value {
             AttributeValue::Truth => (ColumnKind::Truth, Vec::new()),
             AttributeValue::Number => (ColumnKind::Number, Vec::new()),
@@ -206,7 +206,7 @@ fn file_names(choice: BaseType) -> Vec<String> {
 }
 
 /// Name in code: the last part of the field path, or the attribute name for the value itself.
-fn title(attribute: &Attribute) -> &'static str {
+fn title(attribute: &ValueAttribute) -> &'static str {
     match (attribute.value, attribute.field.rsplit('.').next()) {
         (AttributeValue::Father(_), _) => "father",
         (_, None | Some("")) => attribute.name,
@@ -214,10 +214,10 @@ fn title(attribute: &Attribute) -> &'static str {
     }
 }
 
-fn unit(ty: BaseType, arm: Option<Arm>, path: &str) -> Unit {
-    let (mut ty, mut unit) = (ty, Unit::None);
+fn unit(ty: BaseType, arm: Option<Arm>, path: &str) -> NumberUnit {
+    let (mut ty, mut unit) = (ty, NumberUnit::None);
     for name in path.split('.').filter(|name| !name.is_empty()) {
-        let Some(found) = field(ty, arm, name) else { return Unit::None };
+        let Some(found) = field(ty, arm, name) else { return NumberUnit::None };
         (ty, unit) = (found.ty, found.unit);
     }
     unit

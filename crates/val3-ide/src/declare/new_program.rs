@@ -5,7 +5,7 @@ use val3_analysis::db::{Db, Project};
 use val3_analysis::items::declarations;
 use val3_analysis::items::project::folder;
 
-use super::{PARAMETERS, Variable, free, local_entry, parameter_entry, program_entries};
+use super::{NewVariable, PARAMETERS, free, local_entry, parameter_entry, program_entries};
 use crate::edit::SourceChange;
 use crate::xml_list::escaped;
 
@@ -15,8 +15,8 @@ pub(crate) struct NewProgram {
     pub(crate) name: String,
     pub(crate) public: bool,
     /// Parameters, each with whether it is passed by reference.
-    pub(crate) params: Vec<(Variable, bool)>,
-    pub(crate) locals: Vec<Variable>,
+    pub(crate) params: Vec<(NewVariable, bool)>,
+    pub(crate) locals: Vec<NewVariable>,
     /// Lines between `begin` and `end`, unescaped, with indentation.
     pub(crate) code: Vec<String>,
     /// Line end.
@@ -45,7 +45,7 @@ fn new_program(new: &NewProgram) -> String {
     ];
     if !new.params.is_empty() {
         lines.push(format!("    <Parameters{PARAMETERS}>"));
-        let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(false, variable, *by_reference);
+        let entry = |(variable, by_reference): &(NewVariable, bool)| parameter_entry(false, variable, *by_reference);
         lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
         lines.push("    </Parameters>".to_owned());
     }
@@ -78,7 +78,7 @@ fn old_program(new: &NewProgram) -> String {
         "    <description></description>".to_owned(),
         "    <paramSection>".to_owned(),
     ];
-    let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(true, variable, *by_reference);
+    let entry = |(variable, by_reference): &(NewVariable, bool)| parameter_entry(true, variable, *by_reference);
     lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
     lines.extend(["    </paramSection>", "    <localSection>"].map(str::to_owned));
     lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(true, local))));

@@ -1,9 +1,9 @@
 //! Data in the dialect of s5 and s6, in which all values are explicit and the element names depend on the type.
 
-use val3_analysis::xml::{self, Element};
-use val3_lang::types::{self, Arm, Attribute, BaseType, Container, DefaultValue};
+use val3_analysis::xml::{self, XmlElement};
+use val3_lang::types::{self, Arm, BaseType, Container, DefaultValue, ValueAttribute};
 
-use super::{Variable, built_in_father};
+use super::{NewVariable, built_in_father};
 use crate::xml_list::escaped;
 
 /// Sections of a data file, in their order.
@@ -30,7 +30,7 @@ pub(crate) const SECTIONS: [&str; 19] = [
 ];
 
 /// Elements of a structured type's values.
-struct Layout {
+struct ValueLayout {
     /// Element of the father.
     father: Option<&'static str>,
     /// Element around one value.
@@ -54,11 +54,11 @@ pub(super) fn type_name(type_name: &str) -> &str {
 
 /// Whether this dialect can represent data of the type.
 pub(crate) fn can_declare(type_name: &str) -> bool {
-    lines(&Variable::single("name", type_name), None, false).is_some()
+    lines(&NewVariable::single("name", type_name), None, false).is_some()
 }
 
 /// Lines of a declaration; `None` if this dialect cannot represent it.
-pub(super) fn lines(variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
+pub(super) fn lines(variable: &NewVariable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
     let (name, ty) = (&variable.name, type_name(&variable.type_name));
     let [size] = variable.sizes.as_slice() else { return None };
     if variable.container == Container::Collection {
@@ -75,32 +75,32 @@ pub(super) fn lines(variable: &Variable, value: Option<&str>, public: bool) -> O
 }
 
 /// Calls `read` with a sample variable of this type: as a tree, and as text.
-pub(crate) fn with_model<T>(ty: &str, read: impl FnOnce(Element<'_>, &str) -> T) -> Option<T> {
-    let text = lines(&Variable::single("name", ty), None, false)?.join("\n");
+pub(crate) fn with_model<T>(ty: &str, read: impl FnOnce(XmlElement<'_>, &str) -> T) -> Option<T> {
+    let text = lines(&NewVariable::single("name", ty), None, false)?.join("\n");
     let parse = val3_syntax::parse(&text);
     let root = xml::root(parse.view())?;
     Some(read(root, &text))
 }
 
 /// Elements in the part `name` of such a declaration, each with its text.
-pub(crate) fn parts<'g, 't>(root: Element<'g>, name: &str, text: &'t str) -> Vec<(&'g str, &'t str)> {
-    let written = |part: Element<'g>| {
+pub(crate) fn parts<'g, 't>(root: XmlElement<'g>, name: &str, text: &'t str) -> Vec<(&'g str, &'t str)> {
+    let written = |part: XmlElement<'g>| {
         let range = std::ops::Range::<usize>::from(part.view().range());
         Some((part.name(), text.get(range)?))
     };
-    part(root, name).into_iter().flat_map(Element::elements).filter_map(written).collect()
+    part(root, name).into_iter().flat_map(XmlElement::elements).filter_map(written).collect()
 }
 
 /// Attributes in the part `name` of such a declaration, with their defaults.
 pub(crate) fn attributes(ty: &str, name: &str) -> Vec<(String, String)> {
-    let read = |root: Element<'_>, _: &str| {
-        let attributes = part(root, name).into_iter().flat_map(Element::attributes);
+    let read = |root: XmlElement<'_>, _: &str| {
+        let attributes = part(root, name).into_iter().flat_map(XmlElement::attributes);
         attributes.map(|found| (found.name.to_owned(), found.text().into_owned())).collect()
     };
     with_model(ty, read).unwrap_or_default()
 }
 
-fn part<'g>(element: Element<'g>, name: &str) -> Option<Element<'g>> {
+fn part<'g>(element: XmlElement<'g>, name: &str) -> Option<XmlElement<'g>> {
     if element.name() == name {
         return Some(element);
     }
@@ -123,7 +123,7 @@ fn simple(ty: &str, size: u32, value: Option<&str>) -> Option<Vec<String>> {
 
 /// Lines of a structured type's values, with the defaults of all fields.
 fn structured(type_name: &str, size: u32) -> Option<Vec<String>> {
-    let Layout { father, value, parts, rest } = layout(type_name)?;
+    let ValueLayout { father, value, parts, rest } = layout(type_name)?;
     let (_, arm) = BaseType::from_file_name(type_name)?;
     let mut lines = Vec::new();
     if let Some((element, name)) = father.zip(built_in_father(type_name)) {
@@ -144,7 +144,7 @@ fn defaults(ty: BaseType, arm: Option<Arm>) -> String {
 }
 
 /// An attribute with its default; `None` for links and fathers, which have other elements.
-fn default(attribute: &Attribute) -> Option<String> {
+fn default(attribute: &ValueAttribute) -> Option<String> {
     let name = attribute.name;
     match attribute.default {
         DefaultValue::Number(number) => Some(format!("{name}=\"{number}\"")),
@@ -153,19 +153,22 @@ fn default(attribute: &Attribute) -> Option<String> {
     }
 }
 
-fn layout(type_name: &str) -> Option<Layout> {
+fn layout(type_name: &str) -> Option<ValueLayout> {
     use BaseType::{Config, Joint, Mdesc, Trsf};
-    let of = |value, parts| Layout { father: None, value, parts, rest: &[] };
+    let of = |value, parts| ValueLayout { father: None, value, parts, rest: &[] };
     Some(match type_name {
         "trsf" => of("valueTrsf", &[("trsfValue", Trsf)]),
-        "frame" => Layout { father: Some("fFather"), ..of("valueFrame", &[("tfValue", Trsf)]) },
-        "tool" => Layout { father: Some("tFather"), rest: &[VALVE], ..of("valueTool", &[("ttValue", Trsf)]) },
+        "frame" => ValueLayout { father: Some("fFather"), ..of("valueFrame", &[("tfValue", Trsf)]) },
+        "tool" => ValueLayout { father: Some("tFather"), rest: &[VALVE], ..of("valueTool", &[("ttValue", Trsf)]) },
         "joint" => of("valueJoint", &[("jointValue", Joint)]),
         "jointRs" => of("valueJointRs", &[("jointRsValue", Joint)]),
-        "point" => Layout { father: Some("pFather"), ..of("valuePoint", &[("tpValue", Trsf), ("cpValue", Config)]) },
-        "pointRs" => {
-            Layout { father: Some("pRsFather"), ..of("valuePointRs", &[("tpRsValue", Trsf), ("cpRsValue", Config)]) }
+        "point" => {
+            ValueLayout { father: Some("pFather"), ..of("valuePoint", &[("tpValue", Trsf), ("cpValue", Config)]) }
         }
+        "pointRs" => ValueLayout {
+            father: Some("pRsFather"),
+            ..of("valuePointRs", &[("tpRsValue", Trsf), ("cpRsValue", Config)])
+        },
         "mdesc" => of("valueMdesc", &[("mdescValue", Mdesc)]),
         _ => return None,
     })

@@ -2,7 +2,7 @@ use expect_test::{Expect, expect};
 use val3_analysis::db::{Db, Project};
 use val3_lang::types::Container;
 
-use super::{FileEdit, Variable, data, library, public_data};
+use super::{FileEdit, NewVariable, data, library, public_data};
 use crate::assists::shown;
 use crate::edit::SourceChange;
 use crate::testing::MarkedListing;
@@ -16,8 +16,8 @@ fn check(listing: &str, declare: impl Fn(&dyn Db, Project) -> Option<FileEdit>, 
     expected.assert_eq(&change);
 }
 
-fn several(name: &str, type_name: &str, container: Container, sizes: &[u32]) -> Variable {
-    Variable { name: name.to_owned(), type_name: type_name.to_owned(), container, sizes: sizes.to_vec() }
+fn several(name: &str, type_name: &str, container: Container, sizes: &[u32]) -> NewVariable {
+    NewVariable { name: name.to_owned(), type_name: type_name.to_owned(), container, sizes: sizes.to_vec() }
 }
 
 const NEW: &str = "c$0ls()\n=== main/main.dtx\n<Database>\n  <Datas>\n  </Datas>\n</Database>\n";
@@ -26,7 +26,7 @@ const OLD: &str = "c$0ls()\n=== main/main.dtx\n<dataList>\n  <numSection>\n    <
 
 #[test]
 fn data_are_declared_with_and_without_a_value() {
-    let number = Variable::single("nB", "num");
+    let number = NewVariable::single("nB", "num");
     check(
         NEW,
         |db, project| data(db, project, &number, Some("1")),
@@ -47,7 +47,7 @@ fn data_are_declared_with_and_without_a_value() {
     );
     check(
         "c$0ls()\n=== main/main.dtx\n<Database><Datas/></Database>\n",
-        |db, project| data(db, project, &Variable::single("sA", "string"), Some("<a> & \"b\"")),
+        |db, project| data(db, project, &NewVariable::single("sA", "string"), Some("<a> & \"b\"")),
         expect![[r#"
             usrapp/main/main.dtx
             -<Database><Datas/></Database>
@@ -60,7 +60,7 @@ fn data_are_declared_with_and_without_a_value() {
 fn data_of_s6_are_declared() {
     check(
         OLD,
-        |db, project| data(db, project, &Variable::single("nB", "num"), Some("1")),
+        |db, project| data(db, project, &NewVariable::single("nB", "num"), Some("1")),
         expect![[r#"
             usrapp/main/main.dtx
             +    <num name="nB" public="false" >
@@ -85,7 +85,7 @@ fn data_of_s6_are_declared() {
     // A missing section is inserted at its position in the order.
     check(
         OLD,
-        |db, project| data(db, project, &Variable::single("bA", "bool"), None),
+        |db, project| data(db, project, &NewVariable::single("bA", "bool"), None),
         expect![[r#"
         usrapp/main/main.dtx
         +  <boolSection>
@@ -265,7 +265,7 @@ fn structured_data_of_s6_are_declared() {
 #[test]
 fn public_data_of_an_interface_are_declared() {
     let variables = [
-        Variable::single("pA", "pointRx"),
+        NewVariable::single("pA", "pointRx"),
         several("nA", "num", Container::Array { dims: 2 }, &[2, 3]),
         several("dIn", "dio", Container::Collection, &[]),
     ];

@@ -6,7 +6,7 @@ use val3_analysis::interfaces::{LoadedPath, uses};
 use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::items::parse;
 use val3_analysis::items::project::{find_project, folder, program_files};
-use val3_analysis::paths::{self, Roots, Target, path_key};
+use val3_analysis::paths::{self, ResolvedPath, Roots, path_key};
 
 use val3_analysis::xml;
 use val3_syntax::TextRange;
@@ -41,8 +41,7 @@ fn of_project(db: &dyn Db, project: Project, moved: &impl Fn(&Utf8Path) -> Utf8P
         let to = moved(from);
         let stays = to == *from && new_folder == own;
         let roots = project.roots(db);
-        let still =
-            matches!(paths::project(&new_folder, roots, reference), Target::Path(path) if paths::is_same(&path, &to));
+        let still = matches!(paths::project(&new_folder, roots, reference), ResolvedPath::Path(path) if paths::is_same(&path, &to));
         (!stays && !still).then(|| rewritten(&new_folder, roots, reference, &to)).flatten()
     };
     let whole = references(db, project).into_iter().filter_map(|(place, old)| Some((place, written(&old)?)));
@@ -71,11 +70,13 @@ fn written_beginning(
     let (start, name) = old.split_at(old.rfind(['/', '\\'])? + 1);
     let roots = project.roots(db);
     let any = format!("{start}{ANY_PROJECT}");
-    let Target::Path(probe) = paths::project(folder(db, project), roots, &any) else { return None };
+    let ResolvedPath::Path(probe) = paths::project(folder(db, project), roots, &any) else { return None };
     let from = as_stored(db, probe.parent()?);
     let to = moved(&from).join(ANY_PROJECT);
     let stays = to.parent() == Some(&*from) && new_folder == folder(db, project);
-    if stays || matches!(paths::project(new_folder, roots, &any), Target::Path(path) if paths::is_same(&path, &to)) {
+    if stays
+        || matches!(paths::project(new_folder, roots, &any), ResolvedPath::Path(path) if paths::is_same(&path, &to))
+    {
         return None;
     }
     let new = rewritten(new_folder, roots, &any, &to)?;
@@ -135,7 +136,7 @@ fn rewritten(folder: &Utf8Path, roots: &Roots, old: &str, to: &Utf8Path) -> Opti
         let path = relative(folder, to)?;
         if path.starts_with("../") { path } else { format!("./{path}") }
     } else {
-        let Target::Path(probe) = paths::project(folder, roots, &format!("{root}x.pjx")) else { return None };
+        let ResolvedPath::Path(probe) = paths::project(folder, roots, &format!("{root}x.pjx")) else { return None };
         relative(probe.parent()?, to).filter(|path| !path.starts_with("../"))?
     };
     let has_manifest = rest.to_lowercase().ends_with(".pjx");

@@ -3,9 +3,9 @@
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::project::items;
 use val3_analysis::items::{data, parse};
-use val3_analysis::xml::{Attribute, Element};
+use val3_analysis::xml::{Attribute, XmlElement};
 use val3_lang::enumerations::find_in_file;
-use val3_lang::types::{Arm, AttributeValue, BaseType, Unit, attribute, field};
+use val3_lang::types::{Arm, AttributeValue, BaseType, NumberUnit, attribute, field};
 use val3_syntax::TextRange;
 
 use super::text::Hover;
@@ -30,7 +30,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<H
     Some(Hover { range: found.name_range.cover(found.range), markdown })
 }
 
-fn type_of(element: Element<'_>) -> Option<(BaseType, Option<Arm>)> {
+fn type_of(element: XmlElement<'_>) -> Option<(BaseType, Option<Arm>)> {
     BaseType::from_file_name(&element.value("type")?)
 }
 
@@ -52,7 +52,7 @@ pub(super) fn field_page(db: &dyn Db, project: Project, ty: BaseType, arm: Optio
 }
 
 /// Documentation and unit of a type's field such as `trsf.x`.
-pub(super) fn field_at(ty: BaseType, arm: Option<Arm>, path: &str) -> Option<(&'static str, Unit)> {
+pub(super) fn field_at(ty: BaseType, arm: Option<Arm>, path: &str) -> Option<(&'static str, NumberUnit)> {
     let (first, rest) = path.split_once('.').unwrap_or((path, ""));
     let found = field(ty, arm, first)?;
     if rest.is_empty() { Some((found.doc, found.unit)) } else { field_at(found.ty, arm, rest) }

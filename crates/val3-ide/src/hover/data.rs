@@ -5,7 +5,7 @@ use val3_analysis::db::{Db, Project};
 use val3_analysis::items::data;
 use val3_analysis::items::parse;
 use val3_analysis::items::project::{DataItem, items};
-use val3_analysis::xml::{Attribute, Element};
+use val3_analysis::xml::{Attribute, XmlElement};
 use val3_lang::types::{Arm, BaseType, attribute};
 
 use super::attributes::field_at;
@@ -40,7 +40,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String>
 }
 
 /// Calls `read` with the element that declares the data.
-fn with_element<T>(db: &dyn Db, item: &DataItem, name: &str, read: impl FnOnce(Element<'_>) -> T) -> Option<T> {
+fn with_element<T>(db: &dyn Db, item: &DataItem, name: &str, read: impl FnOnce(XmlElement<'_>) -> T) -> Option<T> {
     let parse = parse(db, item.file);
     let mut elements = data::elements(parse.view());
     elements.find(|element| element.value("name").as_deref() == Some(name)).map(read)
@@ -50,8 +50,9 @@ fn with_element<T>(db: &dyn Db, item: &DataItem, name: &str, read: impl FnOnce(E
 fn values(db: &dyn Db, project: Project, item: &DataItem, name: &str) -> Vec<String> {
     let single = item.decl.sizes == [1];
     let line = ValueText { db, project, ty: item.base.builtin().map(|ty| (ty, items(db, project).arm)) };
-    let read = |element: Element<'_>| {
-        let values: Vec<Element<'_>> = element.elements().filter(|value| !value.name().ends_with("Father")).collect();
+    let read = |element: XmlElement<'_>| {
+        let values: Vec<XmlElement<'_>> =
+            element.elements().filter(|value| !value.name().ends_with("Father")).collect();
         let mut lines: Vec<String> = values.iter().take(SHOWN).filter_map(|value| line.value(*value, single)).collect();
         if values.len() > SHOWN {
             lines.push(format!("… {} more", values.len() - SHOWN));
@@ -63,7 +64,7 @@ fn values(db: &dyn Db, project: Project, item: &DataItem, name: &str) -> Vec<Str
 
 /// Keys of the values in a data file, in file order.
 pub(crate) fn keys_of(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
-    let keys = |element: Element<'_>| {
+    let keys = |element: XmlElement<'_>| {
         element.elements().filter_map(|value| value.value("key")).map(|key| key.into_owned()).collect()
     };
     let item = items(db, project).data.get(name);
@@ -78,7 +79,7 @@ struct ValueText<'db> {
 }
 
 impl ValueText<'_> {
-    fn value(&self, value: Element<'_>, single: bool) -> Option<String> {
+    fn value(&self, value: XmlElement<'_>, single: bool) -> Option<String> {
         let mut shown: Vec<String> = value.attributes().filter_map(|found| self.attribute(found)).collect();
         // In s5 and s6, the numbers and the fields of user types are one level deeper.
         for part in value.elements() {
@@ -95,7 +96,7 @@ impl ValueText<'_> {
     }
 
     /// A field, for example `nHeight=4` or `pPick=(x=1 y=2)`.
-    fn field(&self, name: &str, value: Element<'_>) -> Option<String> {
+    fn field(&self, name: &str, value: XmlElement<'_>) -> Option<String> {
         let attributes: Vec<String> = value.attributes().filter_map(|found| self.attribute(found)).collect();
         match attributes.as_slice() {
             [] => None,

@@ -7,7 +7,7 @@ use val3_lang::instruction::{Family, Instruction};
 use val3_lang::instructions::{HELP, IS_KEY_PRESSED, READ_KEYS, TASK_STATUS};
 use val3_lang::keys::KEYS;
 use val3_lang::library_errors::LIBRARY_ERRORS;
-use val3_lang::runtime_errors::{RUNTIME_ERRORS, TaskState};
+use val3_lang::runtime_errors::{RUNTIME_ERRORS, TaskStatusCode};
 use val3_lang::types::BaseType;
 
 use super::text::Hover;
@@ -52,9 +52,9 @@ fn meaning(origin: &'static Instruction, number: f64) -> Option<String> {
 
 fn task_state(number: f64) -> Option<String> {
     let states = [
-        (TaskState::Absent, "there is no task of this name"),
-        (TaskState::Halted, "the task is halted"),
-        (TaskState::Running, "the task runs or waits"),
+        (TaskStatusCode::Absent, "there is no task of this name"),
+        (TaskStatusCode::Halted, "the task is halted"),
+        (TaskStatusCode::Running, "the task runs or waits"),
     ];
     let (state, about) = states.into_iter().find(|(state, _)| f64::from(state.number()) == number)?;
     Some(fenced(&format!("{} {about}", state.number())) + "\nstate of a task")

@@ -4,7 +4,7 @@ use val3_analysis::body::{Body, Expr, ExprId, body};
 use val3_analysis::changes::is_changed;
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::parse;
-use val3_analysis::items::positions::{Position, each};
+use val3_analysis::items::positions::{TaughtPosition, each};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::placement::{Placement, joints, placement, position};
@@ -94,7 +94,7 @@ fn of_placement(
     db: &dyn Db,
     owner: Project,
     path: &str,
-    value: &Position,
+    value: &TaughtPosition,
     placed: &Placement,
     arm: Option<&Arm>,
 ) -> String {
@@ -112,7 +112,7 @@ fn reached(
     db: &dyn Db,
     owner: Project,
     path: &str,
-    value: &Position,
+    value: &TaughtPosition,
     point: &IsometryMatrix3<f64>,
     arm: &Arm,
 ) -> String {

@@ -8,7 +8,7 @@ use val3_analysis::items::data::data;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{find_file, find_project, items};
 use val3_lang::file_pages;
-use val3_lang::files::{self, Attribute, FileKind, Presence};
+use val3_lang::files::{self, AttributePage, FileKind, Presence};
 use val3_lang::instruction::Family;
 use val3_lang::instructions;
 use val3_lang::types::{self, Arm, AttributeValue, BaseType};
@@ -72,7 +72,7 @@ fn element(file: FileKind, name: &str) -> Option<String> {
     Some(text)
 }
 
-fn presence(attribute: &Attribute) -> String {
+fn presence(attribute: &AttributePage) -> String {
     match attribute.presence {
         Presence::Required => "required".to_owned(),
         Presence::Expected(default) => format!("always written, `{default}` by default"),

@@ -1,14 +1,14 @@
 //! Expected type of the value that starts with the next token.
 
-use val3_analysis::items::project::Param;
+use val3_analysis::items::project::SignatureParam;
 use val3_analysis::ty::{Base, Ty};
-use val3_lang::instruction::Shape;
+use val3_lang::instruction::ArgumentForm;
 use val3_lang::types::{BaseType, Container, fields};
 use val3_syntax::SyntaxKind::{self, *};
-use val3_syntax::{Part, SyntaxToken};
+use val3_syntax::{SyntaxToken, TextSlice};
 
 use super::call::CallSite;
-use super::{Names, open_bracket, pieces};
+use super::{VisibleNames, open_bracket, pieces};
 
 /// Expected value at a position.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -52,7 +52,7 @@ impl Expected {
 }
 
 /// Expected value after these tokens of a line.
-pub(crate) fn expected(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
+pub(crate) fn expected(names: &VisibleNames<'_>, before: &[SyntaxToken]) -> Expected {
     let Some((last, head)) = before.split_last() else { return Expected::anything() };
     match last.kind() {
         IF_KW | ELSE_IF_KW | WHILE_KW | UNTIL_KW | AND_KW | OR_KW | XOR_KW | BANG => Expected::of(BaseType::Bool),
@@ -80,7 +80,7 @@ pub(crate) fn ends_value(tokens: &[SyntaxToken]) -> bool {
 }
 
 /// Selector type in the `switch` that contains a `case`.
-fn selector(names: &Names<'_>, case: &SyntaxToken) -> Expected {
+fn selector(names: &VisibleNames<'_>, case: &SyntaxToken) -> Expected {
     let Some(switch) = case.parent_ancestors().find(|node| node.kind() == SWITCH_STMT) else {
         return Expected::anything();
     };
@@ -91,7 +91,7 @@ fn selector(names: &Names<'_>, case: &SyntaxToken) -> Expected {
 }
 
 /// Expected value after an opening bracket or a comma.
-fn within_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
+fn within_brackets(names: &VisibleNames<'_>, before: &[SyntaxToken]) -> Expected {
     let Some(open) = open_bracket(before) else { return without_brackets(names, before) };
     let (head, inside) = (before.part(..open), before.part(open + 1..));
     let index = pieces(inside).len().saturating_sub(1);
@@ -107,7 +107,7 @@ fn within_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
 }
 
 /// Expected argument of `taskCreate`, or value of `case`.
-fn without_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
+fn without_brackets(names: &VisibleNames<'_>, before: &[SyntaxToken]) -> Expected {
     let Some((first, rest)) = before.split_first() else { return Expected::anything() };
     match (first.kind(), pieces(rest).len()) {
         (CASE_KW, _) => selector(names, first),
@@ -118,13 +118,13 @@ fn without_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
 }
 
 /// Expected value at an index of a `{…}`.
-fn literal_field(names: &Names<'_>, whole: Option<Base>, index: usize) -> Expected {
+fn literal_field(names: &VisibleNames<'_>, whole: Option<Base>, index: usize) -> Expected {
     let Some(Base::Builtin(ty, arm)) = whole else { return Expected::anything() };
     fields(ty, arm.or(names.items.arm)).get(index).map_or(Expected::anything(), |field| Expected::of(field.ty))
 }
 
 /// Expected argument at an index: of every form that fits the preceding arguments.
-fn argument(names: &Names<'_>, call: &CallSite<'_>, index: usize) -> Expected {
+fn argument(names: &VisibleNames<'_>, call: &CallSite<'_>, index: usize) -> Expected {
     let is_program = call.callee.is_program || val3_lang::instructions::find(&call.callee.name).is_none();
     if is_program {
         let param = names.signature(&call.callee).and_then(|signature| signature.params.get(index));
@@ -138,10 +138,10 @@ fn argument(names: &Names<'_>, call: &CallSite<'_>, index: usize) -> Expected {
         bases.clear();
     }
     bases.dedup();
-    let is_value = |shape| matches!(shape, Shape::Value | Shape::ProgramCall);
+    let is_value = |shape| matches!(shape, ArgumentForm::Value | ArgumentForm::ProgramCall);
     Expected { bases, variable: !params.is_empty() && !params.iter().any(|param| is_value(param.shape)) }
 }
 
-fn program_parameter(param: &Param) -> Expected {
+fn program_parameter(param: &SignatureParam) -> Expected {
     if param.by_reference { Expected::variable(param.base) } else { Expected::value(param.base) }
 }

@@ -4,24 +4,24 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, Signature, fields, items, resolve_type, signature};
 use val3_analysis::ty::{Base, Ty};
-use val3_lang::instruction::{Overload, Param};
+use val3_lang::instruction::{InstructionParam, Overload};
 use val3_lang::types::{BaseType, Container, field};
 use val3_lang::{builtins, enumerations, instructions};
 use val3_syntax::SyntaxKind::*;
-use val3_syntax::{Part, SyntaxToken};
+use val3_syntax::{SyntaxToken, TextSlice};
 
 use super::call::{CallSite, Callee};
 use super::open_bracket;
 
 /// Names visible in a program.
-pub(crate) struct Names<'db> {
+pub(crate) struct VisibleNames<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
     pub(crate) items: &'db Items,
     pub(crate) header: &'db Header,
 }
 
-impl<'db> Names<'db> {
+impl<'db> VisibleNames<'db> {
     /// Names visible in the program in `file`, resolved in `project`.
     pub(crate) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
         Self { db, project, items: items(db, project), header: header(db, file) }
@@ -110,7 +110,8 @@ impl<'db> Names<'db> {
     pub(crate) fn forms(&self, call: &CallSite<'_>, index: usize) -> Vec<&'static Overload> {
         let Some(instruction) = instructions::find(&call.callee.name) else { return Vec::new() };
         let types: Vec<Ty> = call.arguments.iter().take(index).map(|argument| self.ty(argument)).collect();
-        let agrees = |(param, ty): (&Param, &Ty)| param.ty.is_none_or(|wanted| ty.base.same_as(Base::of(wanted)));
+        let agrees =
+            |(param, ty): (&InstructionParam, &Ty)| param.ty.is_none_or(|wanted| ty.base.same_as(Base::of(wanted)));
         let has_room = |form: &&Overload| index == usize::MAX || form.params.len() > index;
         let placed = |form: &&Overload| form.on_library == call.callee.library.is_some();
         let forms = || instruction.overloads.iter().filter(placed).filter(has_room);

@@ -35,12 +35,12 @@ pub fn project_kinds(db: &dyn Db) -> FxHashMap<Project, ProjectKind> {
 }
 
 /// Other projects that a project uses.
-struct Uses {
+struct ProjectUses {
     libraries: FxHashSet<Project>,
     types: FxHashSet<Project>,
 }
 
-impl Uses {
+impl ProjectUses {
     fn of(db: &dyn Db, project: Project) -> Self {
         let items = items(db, project);
         let declared = items.libraries.values().filter_map(|library| library.interface);
@@ -59,14 +59,15 @@ impl Uses {
 
 /// Uses of all projects that are not tests.
 struct Graph {
-    direct: FxHashMap<Project, Uses>,
+    direct: FxHashMap<Project, ProjectUses>,
     /// Projects that each project uses, directly or indirectly.
     all: FxHashMap<Project, FxHashSet<Project>>,
 }
 
 impl Graph {
     fn of<'a>(db: &dyn Db, projects: impl Iterator<Item = &'a Project>) -> Self {
-        let direct: FxHashMap<Project, Uses> = projects.map(|project| (*project, Uses::of(db, *project))).collect();
+        let direct: FxHashMap<Project, ProjectUses> =
+            projects.map(|project| (*project, ProjectUses::of(db, *project))).collect();
         let all = direct.keys().map(|project| (*project, reachable(&direct, *project))).collect();
         Self { direct, all }
     }
@@ -85,11 +86,11 @@ impl Graph {
     }
 }
 
-fn reachable(direct: &FxHashMap<Project, Uses>, from: Project) -> FxHashSet<Project> {
+fn reachable(direct: &FxHashMap<Project, ProjectUses>, from: Project) -> FxHashSet<Project> {
     let mut found = FxHashSet::default();
     let mut next = vec![from];
     while let Some(project) = next.pop() {
-        let used = direct.get(&project).into_iter().flat_map(Uses::all);
+        let used = direct.get(&project).into_iter().flat_map(ProjectUses::all);
         next.extend(used.filter(|other| found.insert(*other)));
     }
     found

@@ -8,9 +8,9 @@ use val3_analysis::items::project::items;
 use val3_analysis::items::{data, parse};
 use val3_analysis::occurrences::{Occurrence, Symbol, occurrences};
 use val3_analysis::pages::{escaped, is_bindings, unescaped};
-use val3_analysis::xml::{Attribute, Element};
+use val3_analysis::xml::{Attribute, XmlElement};
 use val3_lang::types::Container;
-use val3_syntax::{Part, TextRange, TextSize, decode_entities};
+use val3_syntax::{TextRange, TextSize, TextSlice, decode_entities};
 
 use super::RenameError;
 use crate::FilePosition;
@@ -23,7 +23,7 @@ use crate::references::uses;
 const JSON_QUOTE: &str = "\\\"";
 
 /// A key of a collection and its range.
-pub(super) struct Key {
+pub(super) struct KeyRange {
     project: Project,
     data: SmolStr,
     pub(super) key: String,
@@ -50,32 +50,32 @@ pub(crate) enum Index {
 }
 
 /// Key of a collection at a position, in code or in a data file.
-pub(super) fn key_at(db: &dyn Db, at: FilePosition) -> Option<Key> {
+pub(super) fn key_at(db: &dyn Db, at: FilePosition) -> Option<KeyRange> {
     let project = owner(db, at.file)?;
     key_in_data(db, project, at).or_else(|| key_after_name(db, project, at))
 }
 
-fn key_in_data(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
+fn key_in_data(db: &dyn Db, project: Project, at: FilePosition) -> Option<KeyRange> {
     let parse = parse(db, at.file);
-    let holds = |element: &Element<'_>| element.view().range().contains_inclusive(at.offset);
+    let holds = |element: &XmlElement<'_>| element.view().range().contains_inclusive(at.offset);
     let element = data::elements(parse.view()).find(holds)?;
     let decl = data::declaration(element).filter(|decl| decl.container == Container::Collection)?;
     let found = key_attributes(element).find(|found| found.range.contains_inclusive(at.offset))?;
-    Some(Key { project, data: decl.name, key: found.text().into_owned(), range: found.range })
+    Some(KeyRange { project, data: decl.name, key: found.text().into_owned(), range: found.range })
 }
 
-fn key_attributes<'g>(element: Element<'g>) -> impl Iterator<Item = Attribute<'g>> {
+fn key_attributes<'g>(element: XmlElement<'g>) -> impl Iterator<Item = Attribute<'g>> {
     element.elements().filter_map(|value| value.attribute("key"))
 }
 
-fn key_after_name(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
+fn key_after_name(db: &dyn Db, project: Project, at: FilePosition) -> Option<KeyRange> {
     let text: &str = at.file.text(db);
     // The last name before the cursor.
     let before = occurrences(db, project, at.file).iter().rev().find(|found| found.range.end() <= at.offset)?;
     let (owner, name) = collection(db, before)?;
     match index(text, before.range.end()) {
         Index::Literal { text, range, is_key: true, .. } if range.contains_inclusive(at.offset) => {
-            Some(Key { project: owner, data: name.clone(), key: text, range })
+            Some(KeyRange { project: owner, data: name.clone(), key: text, range })
         }
         _ => None,
     }
@@ -133,7 +133,7 @@ pub(crate) fn spelt_keys(db: &dyn Db, project: Project, name: &str) -> Vec<Strin
 }
 
 /// Renames a key to `new_key` at all literal uses.
-pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceChange, RenameError> {
+pub(super) fn rename(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<SourceChange, RenameError> {
     check(db, found, new_key)?;
     let mut change = SourceChange::default();
     let mut edit = |file: File, range| {
@@ -153,7 +153,7 @@ pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceCh
     }
     if let Some(item) = items(db, found.project).data.get(&found.data) {
         let parse = parse(db, item.file);
-        let is_it = |element: &Element<'_>| element.value("name").as_deref() == Some(&*found.data);
+        let is_it = |element: &XmlElement<'_>| element.value("name").as_deref() == Some(&*found.data);
         let element = data::elements(parse.view()).find(is_it);
         let keys = element.into_iter().flat_map(key_attributes);
         keys.filter(|key| key.text() == found.key).for_each(|key| edit(item.file, key.range));
@@ -163,7 +163,7 @@ pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceCh
     Ok(change)
 }
 
-fn check(db: &dyn Db, found: &Key, new_key: &str) -> Result<(), RenameError> {
+fn check(db: &dyn Db, found: &KeyRange, new_key: &str) -> Result<(), RenameError> {
     if new_key.is_empty() || new_key.contains(['"', '\'', '&', '<', '>', ']', '\r', '\n']) {
         return Err(RenameError(format!(
             "`{new_key}` is no key: some text without quotes, brackets, `&`, `<` and `>`"

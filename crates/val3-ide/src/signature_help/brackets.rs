@@ -5,18 +5,18 @@ use val3_lang::types::{Arm, BaseType, Container, Field, fields};
 use val3_syntax::SyntaxKind::{COLON, DOT, IDENT};
 use val3_syntax::SyntaxToken;
 
-use super::{Form, SignatureHelp, places};
+use super::{CallForm, SignatureHelp, places};
 use crate::hover::{field_line, keys_of};
-use crate::line::{Bracket, LineTokens, Names, expected};
+use crate::line::{Bracket, LineTokens, VisibleNames, expected};
 use crate::markdown::code;
 
 /// Limit of displayed keys.
 const SHOWN: usize = 10;
 
 /// Help for the bracket around the cursor; `None` for a call.
-pub(super) fn help(names: &Names<'_>, line: &LineTokens) -> Option<SignatureHelp> {
+pub(super) fn help(names: &VisibleNames<'_>, line: &LineTokens) -> Option<SignatureHelp> {
     let (bracket, active_parameter) = Bracket::around(line)?;
-    let forms: Vec<Form> = match bracket {
+    let forms: Vec<CallForm> = match bracket {
         Bracket::Literal(head) => {
             let expected = expected(names, head).bases.into_iter();
             expected.filter_map(|base| literal(names, base, active_parameter)).collect()
@@ -27,7 +27,7 @@ pub(super) fn help(names: &Names<'_>, line: &LineTokens) -> Option<SignatureHelp
 }
 
 /// Help for a literal, for example `mdesc {num accel, num vel, …}`.
-fn literal(names: &Names<'_>, base: Base, active: usize) -> Option<Form> {
+fn literal(names: &VisibleNames<'_>, base: Base, active: usize) -> Option<CallForm> {
     let Base::Builtin(ty, arm) = base else { return None };
     let arm: Option<Arm> = arm.or(names.items.arm);
     let fields = fields(ty, arm);
@@ -37,15 +37,15 @@ fn literal(names: &Names<'_>, base: Base, active: usize) -> Option<Form> {
     let shown: Vec<String> = fields.iter().map(|field| format!("{} {}", field.ty.name(), field.name)).collect();
     let line = format!("{} {{{}}}", ty.name(), shown.join(", "));
     let documentation = fields.get(active).map(|field| page(names, ty, field)).unwrap_or_default();
-    Some(Form { parameters: places(&line, shown.into_iter()), documentation, line })
+    Some(CallForm { parameters: places(&line, shown.into_iter()), documentation, line })
 }
 
-fn page(names: &Names<'_>, ty: BaseType, field: &Field) -> String {
+fn page(names: &VisibleNames<'_>, ty: BaseType, field: &Field) -> String {
     format!("`{}.{}`: {}", ty.name(), field.name, field_line(names.db, names.project, field))
 }
 
 /// Help for an index, for example `num nGrid[0..2, 0..3]` or `dio dIn[key]`.
-fn index(names: &Names<'_>, head: &[SyntaxToken]) -> Option<Form> {
+fn index(names: &VisibleNames<'_>, head: &[SyntaxToken]) -> Option<CallForm> {
     let ty = names.ty(head);
     let name = head.last().filter(|last| last.kind() == IDENT)?.text();
     let type_name = ty.base.display(names.db);
@@ -65,11 +65,11 @@ fn index(names: &Names<'_>, head: &[SyntaxToken]) -> Option<Form> {
         at = end + 2;
         place
     });
-    Some(Form { parameters: parameters.collect(), documentation, line })
+    Some(CallForm { parameters: parameters.collect(), documentation, line })
 }
 
 /// Index ranges, by dimension.
-fn dimensions(names: &Names<'_>, head: &[SyntaxToken], dims: u8) -> Vec<String> {
+fn dimensions(names: &VisibleNames<'_>, head: &[SyntaxToken], dims: u8) -> Vec<String> {
     match names.sizes(head).filter(|sizes| sizes.len() == usize::from(dims)) {
         Some(sizes) => sizes.iter().map(|size| format!("0..{}", size.saturating_sub(1))).collect(),
         None if dims == 1 => vec!["index".to_owned()],
@@ -78,7 +78,7 @@ fn dimensions(names: &Names<'_>, head: &[SyntaxToken], dims: u8) -> Vec<String> 
 }
 
 /// Keys of a collection in the project or in a library.
-fn keys(names: &Names<'_>, head: &[SyntaxToken], name: &str) -> String {
+fn keys(names: &VisibleNames<'_>, head: &[SyntaxToken], name: &str) -> String {
     let before = head.split_last().map_or(&[][..], |(_, before)| before);
     let project = match before.split_last() {
         Some((colon, library)) if colon.kind() == COLON => {

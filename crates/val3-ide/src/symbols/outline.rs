@@ -6,7 +6,7 @@ use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::items::program::Header;
 use val3_analysis::items::{data, parse, program};
 use val3_analysis::ty::brackets;
-use val3_analysis::xml::{self, Attribute, Element};
+use val3_analysis::xml::{self, Attribute, XmlElement};
 use val3_lang::types::Container;
 
 use super::{OutlineItem, SymbolKind};
@@ -27,7 +27,7 @@ pub fn outline(db: &dyn Db, file: File) -> Vec<OutlineItem> {
     }
 }
 
-fn item(element: Element<'_>, name: Attribute<'_>, detail: String, kind: SymbolKind) -> OutlineItem {
+fn item(element: XmlElement<'_>, name: Attribute<'_>, detail: String, kind: SymbolKind) -> OutlineItem {
     OutlineItem {
         name: name.text().into(),
         detail,
@@ -38,7 +38,7 @@ fn item(element: Element<'_>, name: Attribute<'_>, detail: String, kind: SymbolK
     }
 }
 
-fn project(root: Element<'_>) -> Vec<OutlineItem> {
+fn project(root: XmlElement<'_>) -> Vec<OutlineItem> {
     let spelling = spelling(root);
     let list = |(list, entry), name: &'static str, detail: &'static str, kind| {
         entries(root, (list, entry)).filter_map(move |element| {
@@ -55,7 +55,7 @@ fn project(root: Element<'_>) -> Vec<OutlineItem> {
     items
 }
 
-fn datum(element: Element<'_>) -> Option<OutlineItem> {
+fn datum(element: XmlElement<'_>) -> Option<OutlineItem> {
     let decl = data::declaration(element)?;
     Some(item(element, element.attribute("name")?, datum_detail(&decl), SymbolKind::Data))
 }
@@ -66,7 +66,7 @@ pub(crate) fn datum_detail(decl: &DataDecl) -> String {
     format!("{access}{}{}", decl.type_name, shape(&decl.sizes, decl.container))
 }
 
-fn program_item(element: Element<'_>, header: &Header) -> Option<OutlineItem> {
+fn program_item(element: XmlElement<'_>, header: &Header) -> Option<OutlineItem> {
     let params = program::params(element).filter_map(|param| {
         let name = param.attribute("name")?;
         let decl = header.params.iter().find(|decl| decl.name == *name.text())?;

@@ -11,13 +11,13 @@ use crate::navigate::declaration;
 
 /// Names that match `query`, the most probable first; at most `limit`.
 pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<WorkspaceSymbol> {
-    let mut found: Vec<Candidate> = Vec::new();
+    let mut found: Vec<SymbolCandidate> = Vec::new();
     let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
     projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
     for project in projects {
         for (kind, symbol, name) in names(db, project) {
             if let Some(score) = score(query, &name) {
-                found.push(Candidate { score, name, kind, symbol, project });
+                found.push(SymbolCandidate { score, name, kind, symbol, project });
             }
         }
     }
@@ -27,7 +27,7 @@ pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<Workspac
     found.into_iter().filter_map(|candidate| candidate.placed(db)).take(limit).collect()
 }
 
-struct Candidate {
+struct SymbolCandidate {
     score: i32,
     name: String,
     kind: SymbolKind,
@@ -36,7 +36,7 @@ struct Candidate {
     project: Project,
 }
 
-impl Candidate {
+impl SymbolCandidate {
     fn placed(self, db: &dyn Db) -> Option<WorkspaceSymbol> {
         let place = place(db, &self.symbol, self.project)?;
         let container = self.project.manifest(db).path(db).file_stem().unwrap_or("").to_owned();

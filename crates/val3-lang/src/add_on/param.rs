@@ -3,7 +3,7 @@
 use quick_xml::events::BytesStart;
 
 use super::{AddOnParam, TableErrorKind};
-use crate::{instruction::Shape, types::BaseType};
+use crate::{instruction::ArgumentForm, types::BaseType};
 
 /// Parses a `Param` element; `position` counts from 1.
 pub(super) fn param(element: &BytesStart<'_>, position: usize) -> Result<AddOnParam, TableErrorKind> {
@@ -12,19 +12,19 @@ pub(super) fn param(element: &BytesStart<'_>, position: usize) -> Result<AddOnPa
     Ok(AddOnParam { name, ty, shape: shape(element)? })
 }
 
-fn shape(element: &BytesStart<'_>) -> Result<Shape, TableErrorKind> {
+fn shape(element: &BytesStart<'_>) -> Result<ArgumentForm, TableErrorKind> {
     let says = |name| attribute(element, name).map(|value| value == "true");
     let takes_any_container = says("collectionName")? && attribute(element, "arrayDim")? == "0";
     Ok(if says("array")? && !takes_any_container {
-        Shape::Array { dims: dimensions(attribute(element, "arrayDim")?)? }
+        ArgumentForm::Array { dims: dimensions(attribute(element, "arrayDim")?)? }
     } else if says("dictionary")? {
-        Shape::Collection
+        ArgumentForm::Collection
     } else if says("collectionName")? || says("subCollection")? {
-        Shape::Whole
+        ArgumentForm::Whole
     } else if says("dataRef")? {
-        Shape::Reference
+        ArgumentForm::Reference
     } else {
-        Shape::Value
+        ArgumentForm::Value
     })
 }
 

@@ -6,7 +6,7 @@ use quick_xml::{
 };
 
 use super::{AddOnOverload, AddOnParam, AddOnTable, TableError, TableErrorKind, param::param};
-use crate::{instruction::Class, types::BaseType};
+use crate::{instruction::CallClass, types::BaseType};
 
 /// Parses an add-on's table.
 ///
@@ -121,7 +121,7 @@ impl Parser {
             on_library: draft.on_library,
             params: draft.params,
             result: result(&draft.result)?,
-            class: if draft.modifies { Class::Modifier } else { Class::Function },
+            class: if draft.modifies { CallClass::Modifier } else { CallClass::Function },
         };
         self.table.add(draft.name, overload);
         Ok(())
@@ -148,7 +148,7 @@ fn result(name: &str) -> Result<Option<BaseType>, TableErrorKind> {
 #[cfg(test)]
 mod tests {
     use super::{AddOnTable, TableErrorKind, parse_table};
-    use crate::instruction::{Class, Shape};
+    use crate::instruction::{ArgumentForm, CallClass};
 
     const TABLE: &str = "\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\" ?>
 <Language xmlns=\"http://www.staubli.com/robotics/VAL3/1\" >
@@ -190,8 +190,9 @@ mod tests {
         let follow = table.find("$follow").cloned();
         let signatures = follow.as_ref().map(|follow| follow.signatures()).unwrap_or_default();
         assert_eq!(signatures, ["num $follow(joint j1, num& n2[,], T& x3, num n4)", "void library:$follow()"]);
-        let classes: Vec<Class> = follow.iter().flat_map(|follow| &follow.overloads).map(|form| form.class).collect();
-        assert_eq!(classes, [Class::Modifier, Class::Function]);
+        let classes: Vec<CallClass> =
+            follow.iter().flat_map(|follow| &follow.overloads).map(|form| form.class).collect();
+        assert_eq!(classes, [CallClass::Modifier, CallClass::Function]);
     }
 
     #[test]
@@ -214,7 +215,7 @@ mod tests {
         let param = "<Param type=\"num\" dataRef=\"true\" collectionName=\"true\" array=\"true\" arrayDim=\"0\"/>";
         let table = parse_table(&with_function(&format!("<Name>$x</Name><Return>bool</Return>{param}"))).unwrap();
         let shapes = table.find("$x").into_iter().flat_map(|found| &found.overloads).flat_map(|form| &form.params);
-        assert_eq!(shapes.map(|param| param.shape).collect::<Vec<_>>(), [Shape::Whole]);
+        assert_eq!(shapes.map(|param| param.shape).collect::<Vec<_>>(), [ArgumentForm::Whole]);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use Bound::{Excluded, Included, Unbounded};
 
 /// Valid numbers for an argument.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
+pub struct ArgumentRange {
     /// Minimum.
     pub low: Bound<f64>,
     /// Maximum.
@@ -30,7 +30,7 @@ pub enum OutOfRange {
     Instead(&'static str),
 }
 
-impl Range {
+impl ArgumentRange {
     /// Whether the number is valid.
     #[must_use]
     pub fn takes(&self, number: f64) -> bool {
@@ -46,8 +46,8 @@ impl Range {
 
 /// Range of the parameter `parameter` of `instruction`; `None` if all numbers are valid.
 #[must_use]
-pub fn range(instruction: &str, parameter: &str) -> Option<&'static Range> {
-    let is_meant = |row: &&(&str, &str, Range)| row.0 == instruction && row.1 == parameter;
+pub fn range(instruction: &str, parameter: &str) -> Option<&'static ArgumentRange> {
+    let is_meant = |row: &&(&str, &str, ArgumentRange)| row.0 == instruction && row.1 == parameter;
     RANGES.iter().find(is_meant).map(|(_, _, range)| range)
 }
 
@@ -56,7 +56,7 @@ pub const DIMENSION: &str = "nDimension";
 
 /// Dimensions of a container; `None` for a container without dimensions.
 #[must_use]
-pub fn dimensions(container: Container) -> Option<&'static Range> {
+pub fn dimensions(container: Container) -> Option<&'static ArgumentRange> {
     match container {
         Container::Array { dims } => DIMENSIONS.get(usize::from(dims).checked_sub(1)?),
         Container::Element | Container::Collection => None,
@@ -68,7 +68,7 @@ pub fn dimensions(container: Container) -> Option<&'static Range> {
 /// Up to s7, the base must be positive. From s8 on, a negative base is valid with a whole exponent, and 0 with a
 /// positive exponent.
 #[must_use]
-pub fn power_base(version: Version, base: f64, exponent: Option<f64>) -> Option<&'static Range> {
+pub fn power_base(version: Version, base: f64, exponent: Option<f64>) -> Option<&'static ArgumentRange> {
     if !version.raises_negative_numbers() {
         return Some(&POSITIVE);
     }
@@ -96,35 +96,35 @@ pub fn counts_seconds(parameter: &str) -> bool {
 const INVALID_NUMBER: OutOfRange = OutOfRange::Fails(11);
 const INVALID_PARAMETER: OutOfRange = OutOfRange::Fails(70);
 /// Range of bit fields: whole numbers of 32 bits (3.3.1).
-const BIT_FIELD: Range =
+const BIT_FIELD: ArgumentRange =
     between(Included(0.0), Included(4_294_967_295.0), OutOfRange::Instead(BIT_FIELD_ROUNDING)).rounded();
 const BIT_FIELD_ROUNDING: &str = "the number is forced into a bit field of 32 bits";
 const NO_WAIT: OutOfRange = OutOfRange::Instead("the task does not wait");
-const COLUMN: Range =
+const COLUMN: ArgumentRange =
     between(Included(0.0), Included(39.0), OutOfRange::Instead("the column is taken modulo 40")).rounded();
-const LINE: Range =
+const LINE: ArgumentRange =
     between(Included(0.0), Included(13.0), OutOfRange::Instead("the line is taken modulo 14")).rounded();
-const COUNT: Range = between(Included(0.0), Unbounded, INVALID_PARAMETER).rounded();
-const SINE: Range = between(Included(-1.0), Included(1.0), INVALID_NUMBER);
-const NOT_NEGATIVE: Range = between(Included(0.0), Unbounded, INVALID_NUMBER);
-const POSITIVE: Range = between(Excluded(0.0), Unbounded, INVALID_NUMBER);
-const PART_OF_PATH: Range = between(Excluded(-1.0), Excluded(2.0), INVALID_PARAMETER);
-const FORCE: Range = between(Included(-1000.0), Included(1000.0), INVALID_PARAMETER);
+const COUNT: ArgumentRange = between(Included(0.0), Unbounded, INVALID_PARAMETER).rounded();
+const SINE: ArgumentRange = between(Included(-1.0), Included(1.0), INVALID_NUMBER);
+const NOT_NEGATIVE: ArgumentRange = between(Included(0.0), Unbounded, INVALID_NUMBER);
+const POSITIVE: ArgumentRange = between(Excluded(0.0), Unbounded, INVALID_NUMBER);
+const PART_OF_PATH: ArgumentRange = between(Excluded(-1.0), Excluded(2.0), INVALID_PARAMETER);
+const FORCE: ArgumentRange = between(Included(-1000.0), Included(1000.0), INVALID_PARAMETER);
 
 /// Valid dimensions, by the number of dimensions.
-static DIMENSIONS: [Range; 3] = [
+static DIMENSIONS: [ArgumentRange; 3] = [
     between(Included(1.0), Included(1.0), INVALID_PARAMETER).rounded(),
     between(Included(1.0), Included(2.0), INVALID_PARAMETER).rounded(),
     between(Included(1.0), Included(3.0), INVALID_PARAMETER).rounded(),
 ];
 
-const fn between(low: Bound<f64>, high: Bound<f64>, beyond: OutOfRange) -> Range {
-    Range { low, high, beyond, is_rounded: false }
+const fn between(low: Bound<f64>, high: Bound<f64>, beyond: OutOfRange) -> ArgumentRange {
+    ArgumentRange { low, high, beyond, is_rounded: false }
 }
 
 /// Instruction, parameter and range, in the order of the manual's sections.
 #[rustfmt::skip]
-static RANGES: [(&str, &str, Range); 43] = [
+static RANGES: [(&str, &str, ArgumentRange); 43] = [
     ("size", DIMENSION, between(Included(1.0), Included(3.0), OutOfRange::Instead("the result is 0")).rounded()),
     ("resize", DIMENSION, between(Included(1.0), Included(3.0), INVALID_PARAMETER).rounded()),
     ("resize", "nSize", between(Included(1.0), Unbounded, INVALID_PARAMETER).rounded()),

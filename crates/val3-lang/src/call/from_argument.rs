@@ -7,7 +7,7 @@ use val3_geometry::Trsf;
 use super::{Argument, Call};
 use crate::enumerations;
 use crate::fault::{Fault, Result};
-use crate::memory::{Link, Memory, Place, Slot, View};
+use crate::memory::{LinkPlace, Memory, Place, Slot, View};
 use crate::types::BaseType;
 use crate::values::{ConfigValue, MdescValue, Text};
 
@@ -297,15 +297,15 @@ impl StoredValue for IoRef {
     #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         let port = match memory.link(at, 0)? {
-            Link::Port(port) => Some(port),
-            Link::None | Link::Data(_) => None,
+            LinkPlace::Port(port) => Some(port),
+            LinkPlace::None | LinkPlace::Data(_) => None,
         };
         Ok(Self { place: at, port })
     }
 
     #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
-        memory.set_link(at, 0, self.port.map_or(Link::None, Link::Port))
+        memory.set_link(at, 0, self.port.map_or(LinkPlace::None, LinkPlace::Port))
     }
 }
 

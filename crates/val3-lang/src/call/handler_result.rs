@@ -4,7 +4,7 @@ use val3_geometry::Trsf;
 
 use super::{Call, Flow, StoredValue};
 use crate::fault::Result;
-use crate::memory::{Link, Place};
+use crate::memory::{LinkPlace, Place};
 use crate::values::{ConfigValue, Text};
 
 /// Instruction value.
@@ -30,7 +30,7 @@ pub struct PointValue {
     /// Arm configuration.
     pub config: ConfigValue,
     /// Father of the point.
-    pub frame: Link,
+    pub frame: LinkPlace,
 }
 
 impl StoredValue for PointValue {

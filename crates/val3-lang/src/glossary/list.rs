@@ -1,12 +1,12 @@
 //! List of pages: file name in the folder of the kind, words that find the page, and manual section.
 
-use super::{Entry, EntryKind};
+use super::{EntryKind, GlossaryPage};
 
 macro_rules! entries {
     ($($kind:ident $folder:literal { $($stem:literal [$($name:literal),+] $section:literal;)+ })+) => {
         /// All pages, by kind.
-        pub static ENTRIES: &[Entry] = &[$($(
-            Entry {
+        pub static ENTRIES: &[GlossaryPage] = &[$($(
+            GlossaryPage {
                 kind: EntryKind::$kind,
                 names: &[$($name),+],
                 stem: $stem,

@@ -1,6 +1,6 @@
 //! Instructions without side effects, which a debugger may call to show an expression.
 
-use super::{Class, Instruction, Overload, Param, Shape};
+use super::{ArgumentForm, CallClass, Instruction, InstructionParam, Overload};
 use crate::types::BaseType;
 
 /// Functions with side effects: each call of `$fileOpen` opens a file.
@@ -10,17 +10,17 @@ impl Instruction {
     /// Whether a call of this form has side effects: it acts, waits, or writes to a variable.
     #[must_use]
     pub fn has_effects(&self, form: &Overload) -> bool {
-        let writes = || form.params.iter().any(Param::is_written);
-        form.class == Class::Modifier || self.blocking || ACTING.contains(&self.name) || writes()
+        let writes = || form.params.iter().any(InstructionParam::is_written);
+        form.class == CallClass::Modifier || self.blocking || ACTING.contains(&self.name) || writes()
     }
 }
 
-impl Param {
+impl InstructionParam {
     /// Whether the instruction writes the parameter. Functions receive frames and tools by reference because of their
     /// fathers, and containers because they are passed completely.
     fn is_written(&self) -> bool {
         let is_scalar = matches!(self.ty, Some(BaseType::Num | BaseType::Bool | BaseType::String));
-        self.shape == Shape::Reference && is_scalar
+        self.shape == ArgumentForm::Reference && is_scalar
     }
 }
 

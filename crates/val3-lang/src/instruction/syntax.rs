@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Write};
 
-use super::{Overload, Param, Shape};
+use super::{ArgumentForm, InstructionParam, Overload};
 use crate::{keywords, types::BaseType};
 
 impl Overload {
@@ -42,13 +42,13 @@ impl Overload {
 }
 
 /// Formats a parameter as in a syntax line: `num& nData[]`, `T variable`, `program(...)`.
-impl Display for Param {
+impl Display for InstructionParam {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.shape.write_param(f, self.ty, self.name)
     }
 }
 
-impl Shape {
+impl ArgumentForm {
     /// Whether the argument is passed by reference (2.6).
     #[must_use]
     pub fn is_by_reference(self) -> bool {

@@ -4,7 +4,7 @@ use std::ops::Bound;
 
 use super::shape::KEY_BYTES;
 use super::store::number_within;
-use super::{Lanes, Memory, Owner, Place, Shape, Slot, Store, StoreId, Subscript, View};
+use super::{ContainerShape, Lanes, Memory, Owner, Place, Slot, Store, StoreId, Subscript, View};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
 use crate::values::numbers::round;
@@ -27,7 +27,7 @@ impl Memory {
     /// 20 if the container does not exist.
     pub fn dimension(&self, view: View, dimension: f64) -> Result<u32> {
         let dimension = round(dimension);
-        let Shape::Array { dims, sizes } = self.store(view.store)?.shape else {
+        let ContainerShape::Array { dims, sizes } = self.store(view.store)?.shape else {
             return Ok(if dimension == 1.0 { self.len(view)? } else { 0 });
         };
         let found = sizes.iter().take(usize::from(dims)).zip(1u8..).find(|(_, number)| f64::from(*number) == dimension);
@@ -69,12 +69,14 @@ impl Memory {
     /// array.
     pub fn insert_at(&mut self, view: View, index: f64, limit: Option<u32>) -> Result<()> {
         let store = self.growing(view.store, limit)?;
-        let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
+        let ContainerShape::Array { dims: 1, sizes: [size, ..] } = store.shape else {
+            return Err(Fault::INVALID_PARAMETER);
+        };
         let number = number_within(view, size + 1, index)?;
         let parts = self.parts_of_new_value(view.store)?;
         let store = self.store_mut(view.store)?;
         let (before, kind) = (store.kind.size * number, store.kind.clone());
-        store.shape = Shape::array(size + 1);
+        store.shape = ContainerShape::array(size + 1);
         splice(&mut store.nums, before.num, &kind.default.nums);
         splice(&mut store.texts, before.text, &kind.default.texts);
         splice(&mut store.links, before.link, &kind.default.links);
@@ -88,7 +90,7 @@ impl Memory {
     /// 40 beyond `limit` elements or without memory, 70 for an array or an empty key.
     pub fn insert_key(&mut self, id: StoreId, key: Text, limit: Option<u32>) -> Result<bool> {
         let store = self.store(id)?;
-        let Shape::Collection(keys) = &store.shape else { return Err(Fault::INVALID_PARAMETER) };
+        let ContainerShape::Collection(keys) = &store.shape else { return Err(Fault::INVALID_PARAMETER) };
         if keys.contains_key(&key) {
             return Ok(false);
         }
@@ -108,7 +110,7 @@ impl Memory {
                 self.store(id)?.shape.len()
             }
         };
-        if let Shape::Collection(keys) = &mut self.store_mut(id)?.shape {
+        if let ContainerShape::Collection(keys) = &mut self.store_mut(id)?.shape {
             keys.insert(key, number);
         }
         self.stores.room.take(KEY_BYTES)?;
@@ -121,9 +123,11 @@ impl Memory {
     /// 40 beyond `limit` elements or without memory, 70 for a local or multidimensional array.
     pub fn append(&mut self, id: StoreId, limit: Option<u32>) -> Result<()> {
         let store = self.growing(id, limit)?;
-        let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
+        let ContainerShape::Array { dims: 1, sizes: [size, ..] } = store.shape else {
+            return Err(Fault::INVALID_PARAMETER);
+        };
         self.push(id)?;
-        self.store_mut(id)?.shape = Shape::array(size + 1);
+        self.store_mut(id)?.shape = ContainerShape::array(size + 1);
         Ok(())
     }
 
@@ -133,7 +137,9 @@ impl Memory {
     /// 20 and 21 for an invalid index, 70 for the last element, and for a local or multidimensional array.
     pub fn delete_at(&mut self, view: View, index: f64) -> Result<()> {
         let store = self.changing(view.store)?;
-        let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
+        let ContainerShape::Array { dims: 1, sizes: [size, ..] } = store.shape else {
+            return Err(Fault::INVALID_PARAMETER);
+        };
         let number = store.number1(view, index)?;
         if size == 1 {
             return Err(Fault::INVALID_PARAMETER);
@@ -143,7 +149,7 @@ impl Memory {
         cut(&mut store.texts, at.text, one.text);
         cut(&mut store.links, at.link, one.link);
         let parts = cut(&mut store.parts, at.part, one.part);
-        store.shape = Shape::array(size - 1);
+        store.shape = ContainerShape::array(size - 1);
         self.stores.room.give_back(one.bytes());
         parts.into_iter().for_each(|part| self.remove(part));
         Ok(())
@@ -155,7 +161,7 @@ impl Memory {
     /// 20 if the key does not exist, 70 for an array.
     pub fn delete_key(&mut self, id: StoreId, key: &Text) -> Result<()> {
         let store = self.changing(id)?;
-        let Shape::Collection(keys) = &mut store.shape else { return Err(Fault::INVALID_PARAMETER) };
+        let ContainerShape::Collection(keys) = &mut store.shape else { return Err(Fault::INVALID_PARAMETER) };
         let number = keys.remove(key).ok_or(Fault::INDEX_TOO_LARGE)?;
         store.gaps.push(number);
         self.stores.room.give_back(KEY_BYTES);
@@ -170,7 +176,7 @@ impl Memory {
     /// below 1.
     pub fn resize(&mut self, view: View, dimension: f64, size: f64, limit: Option<u32>) -> Result<()> {
         let store = self.changing(view.store)?;
-        let Shape::Array { dims, sizes: old } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
+        let ContainerShape::Array { dims, sizes: old } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
         let (dimension, size) = (round(dimension), round(size));
         let which = (0..usize::from(dims)).zip(1u8..).find(|(_, number)| f64::from(*number) == dimension);
         let (Some((which, _)), true) = (which, size >= 1.0) else { return Err(Fault::INVALID_PARAMETER) };
@@ -191,7 +197,7 @@ impl Memory {
     fn rearrange(&mut self, id: StoreId, old: [u32; 3], new: [u32; 3], dims: u8) -> Result<()> {
         let store = self.store(id)?;
         let (kind, owner, before) = (store.kind.clone(), store.owner, store.bytes());
-        let shape = Shape::Array { dims, sizes: new };
+        let shape = ContainerShape::Array { dims, sizes: new };
         let after = shape.bytes(kind.size);
         self.stores.room.check(after.saturating_sub(before))?;
         let kept: u32 = old.iter().zip(new).map(|(old, new)| new.min(*old)).product();
@@ -214,8 +220,8 @@ impl Memory {
     /// 70 for an array.
     pub fn key_from(&self, id: StoreId, from: Bound<&Text>) -> Result<Option<Text>> {
         match &self.store(id)?.shape {
-            Shape::Collection(keys) => Ok(keys.range((from, Bound::Unbounded)).next().map(|(key, _)| *key)),
-            Shape::Array { .. } => Err(Fault::INVALID_PARAMETER),
+            ContainerShape::Collection(keys) => Ok(keys.range((from, Bound::Unbounded)).next().map(|(key, _)| *key)),
+            ContainerShape::Array { .. } => Err(Fault::INVALID_PARAMETER),
         }
     }
 
@@ -225,8 +231,8 @@ impl Memory {
     /// 70 for an array.
     pub fn key_up_to(&self, id: StoreId, to: Bound<&Text>) -> Result<Option<Text>> {
         match &self.store(id)?.shape {
-            Shape::Collection(keys) => Ok(keys.range((Bound::Unbounded, to)).next_back().map(|(key, _)| *key)),
-            Shape::Array { .. } => Err(Fault::INVALID_PARAMETER),
+            ContainerShape::Collection(keys) => Ok(keys.range((Bound::Unbounded, to)).next_back().map(|(key, _)| *key)),
+            ContainerShape::Array { .. } => Err(Fault::INVALID_PARAMETER),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Creates containers, and copies values.
 
-use super::{Element, Kind, Lanes, Memory, Owner, PartInit, Place, Shape, Store, StoreId};
+use super::{ContainerShape, ElementType, Lanes, Memory, Owner, PartInit, Place, Store, StoreId, ValueType};
 use crate::fault::{Fault, Result};
 
 impl Memory {
@@ -69,11 +69,11 @@ impl Memory {
     /// Creates the inner containers of user type values. `None` means the type's default value.
     pub(super) fn create_parts<'v>(
         &mut self,
-        kind: &Kind,
-        values: impl IntoIterator<Item = Option<&'v Element>>,
+        kind: &ValueType,
+        values: impl IntoIterator<Item = Option<&'v ElementType>>,
         owner: Owner,
     ) -> Result<Vec<StoreId>> {
-        let parts = |value: Option<&'v Element>| value.map(|value| &value.parts).filter(|parts| !parts.is_empty());
+        let parts = |value: Option<&'v ElementType>| value.map(|value| &value.parts).filter(|parts| !parts.is_empty());
         let parts = values.into_iter().flat_map(|value| parts(value).unwrap_or(&kind.default.parts));
         self.create_all(parts, |memory, part| memory.create_as(part, owner, true))
     }
@@ -83,7 +83,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 if one of the values does not exist, 82 and 165 if `to` may not have a link, 40 without memory.
-    pub fn copy(&mut self, kind: &Kind, from: Place, to: Place) -> Result<()> {
+    pub fn copy(&mut self, kind: &ValueType, from: Place, to: Place) -> Result<()> {
         let Lanes { num, text, link, part } = kind.size;
         // Links first, because they can be rejected.
         (0..link).try_for_each(|lane| self.link(from, lane).and_then(|value| self.set_link(to, lane, value)))?;
@@ -144,7 +144,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 if one of the values does not exist.
-    pub fn equal(&self, kind: &Kind, a: Place, b: Place) -> Result<bool> {
+    pub fn equal(&self, kind: &ValueType, a: Place, b: Place) -> Result<bool> {
         let Lanes { num, text, part, .. } = kind.size;
         for lane in 0..num {
             if self.num(a, lane)? != self.num(b, lane)? {
@@ -168,10 +168,10 @@ impl Memory {
     fn equal_stores(&self, a: StoreId, b: StoreId) -> Result<bool> {
         let (left, right) = (self.store(a)?, self.store(b)?);
         let numbers: Vec<(u32, u32)> = match (&left.shape, &right.shape) {
-            (Shape::Array { sizes, .. }, Shape::Array { sizes: others, .. }) if sizes == others => {
+            (ContainerShape::Array { sizes, .. }, ContainerShape::Array { sizes: others, .. }) if sizes == others => {
                 (0..left.shape.len()).map(|number| (number, number)).collect()
             }
-            (Shape::Collection(keys), Shape::Collection(others)) if keys.keys().eq(others.keys()) => {
+            (ContainerShape::Collection(keys), ContainerShape::Collection(others)) if keys.keys().eq(others.keys()) => {
                 keys.values().copied().zip(others.values().copied()).collect()
             }
             _ => return Ok(false),
@@ -206,7 +206,7 @@ impl Memory {
 }
 
 /// Writes a value's numbers, strings and links.
-fn write_lanes(store: &mut Store, number: u32, value: &Element) {
+fn write_lanes(store: &mut Store, number: u32, value: &ElementType) {
     let at = store.kind.size * number;
     write(&mut store.nums, at.num, &value.nums);
     write(&mut store.texts, at.text, &value.texts);

@@ -1,6 +1,6 @@
 //! Values as text for `?`, `val3 eval` and debuggers.
 
-use super::{Kind, KindBase, Memory, Place, View, field_offset};
+use super::{KindBase, Memory, Place, ValueType, View, field_offset};
 use crate::enumerations;
 use crate::fault::Result;
 use crate::types::{Arm, BaseType, fields};
@@ -12,7 +12,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 if it does not exist.
-    pub fn shown(&self, kind: &Kind, at: Place) -> Result<String> {
+    pub fn shown(&self, kind: &ValueType, at: Place) -> Result<String> {
         match &kind.base {
             KindBase::Builtin(base, arm) => self.shown_builtin((*base, *arm), at),
             KindBase::User(_) => {

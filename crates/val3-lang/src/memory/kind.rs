@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use super::{Lanes, Link, Shape};
+use super::{ContainerShape, Lanes, LinkPlace};
 use crate::types::{Arm, BaseType, DefaultValue, Field, fields};
 use crate::values::Text;
 use crate::{enumerations, types};
 
 /// A run-time type.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Kind {
+pub struct ValueType {
     /// Built-in or user type.
     pub base: KindBase,
     /// Lanes per value.
@@ -17,7 +17,7 @@ pub struct Kind {
     /// Fields of a user type, ordered like the parts.
     pub fields: Vec<FieldKind>,
     /// Default value for `insert`, `append`, `resize` and new locals.
-    pub default: Element,
+    pub default: ElementType,
 }
 
 /// Built-in or user type.
@@ -40,9 +40,9 @@ pub struct FieldKind {
 
 impl FieldKind {
     fn suits(&self, other: &Self) -> bool {
-        let dims = |shape: &Shape| match shape {
-            Shape::Array { dims, .. } => Some(*dims),
-            Shape::Collection(_) => None,
+        let dims = |shape: &ContainerShape| match shape {
+            ContainerShape::Array { dims, .. } => Some(*dims),
+            ContainerShape::Collection(_) => None,
         };
         self.name == other.name
             && dims(&self.init.shape) == dims(&other.init.shape)
@@ -54,27 +54,27 @@ impl FieldKind {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PartInit {
     /// Type of the values.
-    pub kind: Arc<Kind>,
+    pub kind: Arc<ValueType>,
     /// Sizes, or keys in the order of the values.
-    pub shape: Shape,
+    pub shape: ContainerShape,
     /// Values; missing values have the default of the type.
-    pub values: Vec<Option<Element>>,
+    pub values: Vec<Option<ElementType>>,
 }
 
 /// A value outside of a container.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Element {
+pub struct ElementType {
     /// Numbers.
     pub nums: Vec<f64>,
     /// Strings.
     pub texts: Vec<Text>,
     /// Links.
-    pub links: Vec<Link>,
+    pub links: Vec<LinkPlace>,
     /// Inner containers, if the value has a user type and differs from the default.
     pub parts: Vec<PartInit>,
 }
 
-impl Kind {
+impl ValueType {
     /// Creates a built-in type.
     #[must_use]
     pub fn builtin(base: BaseType, arm: Option<Arm>) -> Self {
@@ -87,7 +87,7 @@ impl Kind {
     pub fn user(name: String, fields: Vec<FieldKind>) -> Self {
         let parts: Vec<PartInit> = fields.iter().map(|field| field.init.clone()).collect();
         let size = Lanes { part: u32::try_from(fields.len()).unwrap_or(u32::MAX), ..Lanes::default() };
-        Self { base: KindBase::User(name), size, fields, default: Element { parts, ..Element::default() } }
+        Self { base: KindBase::User(name), size, fields, default: ElementType { parts, ..ElementType::default() } }
     }
 
     /// Whether a value of one type can be copied to a value of the other: both are the same built-in type, or user
@@ -161,15 +161,15 @@ pub fn path_offset(base: BaseType, arm: Option<Arm>, path: &str) -> Option<Lanes
     found.map(|(_, offset)| offset)
 }
 
-fn default_of(base: BaseType, arm: Option<Arm>) -> Element {
+fn default_of(base: BaseType, arm: Option<Arm>) -> ElementType {
     let size = lanes(base);
     let mut nums = Vec::new();
     numbers(base, arm, &mut nums);
     nums.resize(size.num as usize, 0.0);
-    Element {
+    ElementType {
         nums,
         texts: vec![Text::default(); size.text as usize],
-        links: vec![Link::None; size.link as usize],
+        links: vec![LinkPlace::None; size.link as usize],
         parts: Vec::new(),
     }
 }
@@ -199,13 +199,13 @@ pub fn enumerator(name: &str) -> f64 {
 mod tests {
     use std::sync::Arc;
 
-    use super::{BaseType, FieldKind, Kind, PartInit, enumerator, field_offset};
-    use crate::memory::{Lanes, Shape};
+    use super::{BaseType, FieldKind, PartInit, ValueType, enumerator, field_offset};
+    use crate::memory::{ContainerShape, Lanes};
     use crate::types::Arm;
 
     #[test]
     fn defaults_are_those_of_the_manual() {
-        let default = |base| Kind::builtin(base, None).default.nums;
+        let default = |base| ValueType::builtin(base, None).default.nums;
         assert_eq!(default(BaseType::Mdesc), [100.0, 100.0, 100.0, 9999.0, 9999.0, enumerator("joint"), 50.0, 50.0]);
         assert_eq!(default(BaseType::Point).len(), 9);
         assert_eq!(default(BaseType::Num), [0.0]);
@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn each_lane_has_a_default() {
         for base in BaseType::DECLARABLE {
-            let kind = Kind::builtin(base, None);
+            let kind = ValueType::builtin(base, None);
             assert_eq!(kind.default.nums.len(), kind.size.num as usize, "{base:?}");
         }
     }
@@ -232,16 +232,16 @@ mod tests {
     #[test]
     fn values_with_the_same_layout_can_be_copied() {
         let user = |name: &str, field: &str, base, size| {
-            let init = PartInit { kind: Arc::new(Kind::builtin(base, None)), shape: size, values: Vec::new() };
-            Kind::user(name.to_owned(), vec![FieldKind { name: field.to_owned(), init }])
+            let init = PartInit { kind: Arc::new(ValueType::builtin(base, None)), shape: size, values: Vec::new() };
+            ValueType::user(name.to_owned(), vec![FieldKind { name: field.to_owned(), init }])
         };
-        let part = user("Part", "nCount", BaseType::Num, Shape::array(1));
-        assert!(part.suits(&user("bolt", "nCount", BaseType::Num, Shape::array(5))));
-        assert!(!part.suits(&user("Part", "nOther", BaseType::Num, Shape::array(1))));
-        assert!(!part.suits(&user("Part", "nCount", BaseType::Bool, Shape::array(1))));
-        assert!(!part.suits(&user("Part", "nCount", BaseType::Num, Shape::Collection(Default::default()))));
-        assert!(!part.suits(&Kind::builtin(BaseType::Num, None)));
-        let joint = |arm| Kind::builtin(BaseType::Joint, arm);
+        let part = user("Part", "nCount", BaseType::Num, ContainerShape::array(1));
+        assert!(part.suits(&user("bolt", "nCount", BaseType::Num, ContainerShape::array(5))));
+        assert!(!part.suits(&user("Part", "nOther", BaseType::Num, ContainerShape::array(1))));
+        assert!(!part.suits(&user("Part", "nCount", BaseType::Bool, ContainerShape::array(1))));
+        assert!(!part.suits(&user("Part", "nCount", BaseType::Num, ContainerShape::Collection(Default::default()))));
+        assert!(!part.suits(&ValueType::builtin(BaseType::Num, None)));
+        let joint = |arm| ValueType::builtin(BaseType::Joint, arm);
         assert!(joint(None).suits(&joint(Some(Arm::Scara))));
         assert!(!joint(Some(Arm::SixAxis)).suits(&joint(Some(Arm::Scara))));
     }

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul};
 
-use super::{Link, StoreId, bytes_of};
+use super::{LinkPlace, StoreId, bytes_of};
 use crate::values::Text;
 
 /// Lane counts by sort, or lane offsets by sort.
@@ -24,7 +24,7 @@ impl Lanes {
     pub fn bytes(self) -> u64 {
         bytes_of::<f64>(self.num as usize)
             + bytes_of::<Text>(self.text as usize)
-            + bytes_of::<Link>(self.link as usize)
+            + bytes_of::<LinkPlace>(self.link as usize)
             + bytes_of::<StoreId>(self.part as usize)
     }
 

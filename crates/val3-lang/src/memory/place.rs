@@ -109,7 +109,7 @@ pub enum Subscript<I, K> {
 
 /// Link target of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Link {
+pub enum LinkPlace {
     /// No target.
     #[default]
     None,

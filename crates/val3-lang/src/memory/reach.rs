@@ -1,6 +1,6 @@
 //! Checks whether data may refer to other data (errors 82 and 165).
 
-use super::{Link, Memory, Owner, Place, StoreId};
+use super::{LinkPlace, Memory, Owner, Place, StoreId};
 use crate::fault::{Fault, Result};
 use crate::runtime_errors::{GLOBAL_REFERS_TO_LOCAL, REFERENCE_OUT_OF_REACH};
 
@@ -46,7 +46,7 @@ impl Memory {
     /// 82 if it must not refer to it.
     #[inline]
     pub fn check_reference(&self, at: Place, reference: Place) -> Result<()> {
-        self.check_link(self.owner(at.store), Link::Data(reference))
+        self.check_link(self.owner(at.store), LinkPlace::Data(reference))
     }
 
     /// Checks that an owner's value may have this link.
@@ -55,8 +55,8 @@ impl Memory {
     /// 165 if the value would outlive the target. 82 if the target belongs to a library that the owner does not
     /// declare, or is private in that library.
     #[inline]
-    pub(super) fn check_link(&self, owner: Owner, link: Link) -> Result<()> {
-        let Link::Data(reference) = link else { return Ok(()) };
+    pub(super) fn check_link(&self, owner: Owner, link: LinkPlace) -> Result<()> {
+        let LinkPlace::Data(reference) = link else { return Ok(()) };
         match (owner, self.owner(reference.store)) {
             (Owner::Program, _) => Ok(()),
             (_, Owner::Program) => Err(Fault(GLOBAL_REFERS_TO_LOCAL)),
@@ -77,8 +77,8 @@ impl Memory {
         if self.stack.links.len() > end as usize {
             let ends = |place: &Place| place.store == StoreId::STACK && place.link >= end;
             let kept = self.stack.links.iter_mut().take(end as usize);
-            let dangling = kept.filter(|link| matches!(link, Link::Data(place) if ends(place)));
-            dangling.for_each(|link| *link = Link::None);
+            let dangling = kept.filter(|link| matches!(link, LinkPlace::Data(place) if ends(place)));
+            dangling.for_each(|link| *link = LinkPlace::None);
         }
     }
 
@@ -93,24 +93,27 @@ impl Memory {
 mod tests {
     use std::sync::Arc;
 
-    use super::{Fault, Link, Memory, Owner};
-    use crate::memory::{FieldKind, Kind, PartInit, Place, Shape, View};
+    use super::{Fault, LinkPlace, Memory, Owner};
+    use crate::memory::{ContainerShape, FieldKind, PartInit, Place, ValueType, View};
     use crate::types::BaseType;
 
-    fn init(kind: Kind, shape: Shape) -> PartInit {
+    fn init(kind: ValueType, shape: ContainerShape) -> PartInit {
         PartInit { kind: Arc::new(kind), shape, values: Vec::new() }
     }
 
     /// A user type with one field, an array of two frames.
     fn station() -> PartInit {
-        let row = init(Kind::builtin(BaseType::Frame, None), Shape::array(2));
-        init(Kind::user("Station".to_owned(), vec![FieldKind { name: "row".to_owned(), init: row }]), Shape::ELEMENT)
+        let row = init(ValueType::builtin(BaseType::Frame, None), ContainerShape::array(2));
+        init(
+            ValueType::user("Station".to_owned(), vec![FieldKind { name: "row".to_owned(), init: row }]),
+            ContainerShape::ELEMENT,
+        )
     }
 
     #[test]
     fn references_to_libraries() {
         let mut memory = Memory::new();
-        let frame = init(Kind::builtin(BaseType::Frame, None), Shape::ELEMENT);
+        let frame = init(ValueType::builtin(BaseType::Frame, None), ContainerShape::ELEMENT);
         let mut create = |owner| Place::first(memory.create_for(owner, &frame).unwrap());
         let of = |number, public| Owner::Project { number, public };
         let own = create(Owner::APPLICATION);
@@ -128,7 +131,7 @@ mod tests {
             (local, private, Ok(())),
             (own, Place::first(Memory::WORLD), Ok(())),
         ] {
-            assert_eq!(memory.set_link(from, 0, Link::Data(to)), expected, "{from:?} {to:?}");
+            assert_eq!(memory.set_link(from, 0, LinkPlace::Data(to)), expected, "{from:?} {to:?}");
         }
         memory.declare_libraries(2, Vec::new());
         assert_eq!(memory.check_reference(user, public), Err(Fault(82)));
@@ -140,9 +143,9 @@ mod tests {
         let (global, local) = (memory.create(&station()).unwrap(), memory.create_local(&station()).unwrap());
         let first = |memory: &Memory, store| Place::first(memory.part(Place::first(store), 0).unwrap());
         let (global, local) = (first(&memory, global), first(&memory, local));
-        assert_eq!(memory.set_link(global, 0, Link::Data(local)), Err(Fault(165)));
-        assert_eq!(memory.set_link(local, 0, Link::Data(global)), Ok(()));
-        assert_eq!(memory.set_link(local, 0, Link::Data(local)), Ok(()));
+        assert_eq!(memory.set_link(global, 0, LinkPlace::Data(local)), Err(Fault(165)));
+        assert_eq!(memory.set_link(local, 0, LinkPlace::Data(global)), Ok(()));
+        assert_eq!(memory.set_link(local, 0, LinkPlace::Data(local)), Ok(()));
     }
 
     #[test]
@@ -154,21 +157,21 @@ mod tests {
         assert_eq!(memory.append(local, None), Err(Fault::INVALID_PARAMETER));
         let grown = memory.element(View::whole(row), 2).unwrap();
         let other = Place::first(memory.part(Place::first(global), 0).unwrap());
-        assert_eq!(memory.set_link(other, 0, Link::Data(grown)), Err(Fault(165)));
+        assert_eq!(memory.set_link(other, 0, LinkPlace::Data(grown)), Err(Fault(165)));
     }
 
     #[test]
     fn a_copy_lives_as_long_as_its_container() {
         let mut memory = Memory::new();
-        let stations = PartInit { shape: Shape::array(2), ..station() };
-        let kind = Kind::user("Line".to_owned(), vec![FieldKind { name: "all".to_owned(), init: stations }]);
-        let line = init(kind.clone(), Shape::ELEMENT);
+        let stations = PartInit { shape: ContainerShape::array(2), ..station() };
+        let kind = ValueType::user("Line".to_owned(), vec![FieldKind { name: "all".to_owned(), init: stations }]);
+        let line = init(kind.clone(), ContainerShape::ELEMENT);
         let (global, local) =
             (Place::first(memory.create(&line).unwrap()), Place::first(memory.create_local(&line).unwrap()));
         memory.copy(&kind, global, local).unwrap();
         let copied = memory.part(Place::first(memory.part(local, 0).unwrap()), 0).unwrap();
         assert!(memory.is_local(copied));
-        memory.set_link(Place::first(copied), 0, Link::Data(Place::first(copied))).unwrap();
+        memory.set_link(Place::first(copied), 0, LinkPlace::Data(Place::first(copied))).unwrap();
         assert_eq!(memory.copy(&kind, local, global), Err(Fault(165)));
     }
 }

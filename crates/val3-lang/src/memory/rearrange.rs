@@ -1,6 +1,6 @@
 //! Array elements after a change of the dimensions (2.5.5).
 
-use super::{Lanes, Shape, Store, StoreId};
+use super::{ContainerShape, Lanes, Store, StoreId};
 
 impl Store {
     /// Moves the elements from an array of size `old` to an array of size `new`. New elements get their inner
@@ -8,7 +8,7 @@ impl Store {
     pub(super) fn rearrange(
         &mut self,
         (old, new): ([u32; 3], [u32; 3]),
-        shape: Shape,
+        shape: ContainerShape,
         fresh: Vec<StoreId>,
     ) -> Vec<StoreId> {
         let size = self.kind.size;

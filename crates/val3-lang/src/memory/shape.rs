@@ -7,7 +7,7 @@ use crate::values::Text;
 
 /// Access to the elements of a container.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Shape {
+pub enum ContainerShape {
     /// By 1 to 3 indexes; missing dimensions have size 1.
     Array {
         /// Number of dimensions.
@@ -19,7 +19,7 @@ pub enum Shape {
     Collection(BTreeMap<Text, u32>),
 }
 
-impl Shape {
+impl ContainerShape {
     /// A single value.
     pub const ELEMENT: Self = Self::Array { dims: 1, sizes: [1, 1, 1] };
 

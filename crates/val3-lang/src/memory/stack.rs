@@ -1,6 +1,6 @@
 //! Stack of a task: the consecutive frames of the programs in execution.
 
-use super::{Lanes, Link, Place, StoreId, View, bytes_of};
+use super::{Lanes, LinkPlace, Place, StoreId, View, bytes_of};
 use crate::values::Text;
 
 /// Lanes of all frames.
@@ -11,7 +11,7 @@ pub struct Stack {
     /// Strings.
     pub texts: Vec<Text>,
     /// Links.
-    pub links: Vec<Link>,
+    pub links: Vec<LinkPlace>,
     /// Local arrays, and fields of local values of user types.
     pub parts: Vec<StoreId>,
     /// Parameters by reference, and addresses computed by the code.

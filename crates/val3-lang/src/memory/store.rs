@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{Element, Kind, Lanes, Link, Owner, PartInit, Place, Shape, StoreId, View, bytes_of};
+use super::{
+    ContainerShape, ElementType, Lanes, LinkPlace, Owner, PartInit, Place, StoreId, ValueType, View, bytes_of,
+};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
 use crate::values::numbers::BELOW_HALF;
@@ -18,9 +20,9 @@ const STORE_BYTES: u64 = bytes_of::<Store>(1);
 pub struct Store {
     pub(super) generation: u32,
     /// Type of the values.
-    pub kind: Arc<Kind>,
+    pub kind: Arc<ValueType>,
     /// Layout.
-    pub shape: Shape,
+    pub shape: ContainerShape,
     /// Owner, which determines what may refer to the container. A local container cannot grow or shrink (2.5.4).
     pub owner: Owner,
     /// Whether it is a field of a user type's value. Such a container can grow and shrink even if it is local (7.3).
@@ -31,7 +33,7 @@ pub struct Store {
     /// Strings.
     pub texts: Vec<Text>,
     /// Links.
-    pub links: Vec<Link>,
+    pub links: Vec<LinkPlace>,
     /// Inner containers.
     pub parts: Vec<StoreId>,
 }
@@ -39,7 +41,7 @@ pub struct Store {
 impl Store {
     /// Creates a container with default values of a built-in type. For user types, use
     /// [`Memory::create`](super::Memory::create).
-    pub(super) fn filled(kind: Arc<Kind>, shape: Shape) -> Self {
+    pub(super) fn filled(kind: Arc<ValueType>, shape: ContainerShape) -> Self {
         let count = shape.len() as usize;
         Self {
             generation: 0,
@@ -60,7 +62,7 @@ impl Store {
         let Self { nums, texts, links, parts, .. } = self;
         let lanes = bytes_of::<f64>(nums.len())
             + bytes_of::<Text>(texts.len())
-            + bytes_of::<Link>(links.len())
+            + bytes_of::<LinkPlace>(links.len())
             + bytes_of::<StoreId>(parts.len());
         STORE_BYTES + self.shape.key_bytes() + lanes
     }
@@ -78,7 +80,7 @@ impl Store {
     /// Copies the values of another array with the same type and sizes in place. Returns `false` for other containers.
     pub(super) fn overwrite(&mut self, from: &Self) -> bool {
         let alike = match (&self.shape, &from.shape) {
-            (Shape::Array { sizes, .. }, Shape::Array { sizes: others, .. }) => sizes == others,
+            (ContainerShape::Array { sizes, .. }, ContainerShape::Array { sizes: others, .. }) => sizes == others,
             _ => false,
         };
         let alike = alike && from.parts.is_empty() && self.kind.size == from.kind.size;
@@ -93,7 +95,7 @@ impl Store {
     /// Removes the container. Its new generation invalidates all references. Returns the inner containers.
     pub(super) fn empty(&mut self) -> Vec<StoreId> {
         self.generation += 1;
-        self.shape = Shape::array(0);
+        self.shape = ContainerShape::array(0);
         self.owner = Owner::Controller;
         self.gaps = Vec::new();
         (self.nums, self.texts, self.links) = (Vec::new(), Vec::new(), Vec::new());
@@ -114,7 +116,7 @@ impl Store {
     #[inline]
     pub fn number1(&self, view: View, index: f64) -> Result<u32> {
         match self.shape {
-            Shape::Array { dims: 1, sizes: [size, ..] } => {
+            ContainerShape::Array { dims: 1, sizes: [size, ..] } => {
                 within(index, size.saturating_sub(view.start)).map(|at| at + view.start)
             }
             _ => Err(Fault::INDEX_TOO_LARGE),
@@ -128,7 +130,9 @@ impl Store {
     #[inline]
     pub fn number2(&self, [i, j]: [f64; 2]) -> Result<u32> {
         match self.shape {
-            Shape::Array { dims: 2, sizes: [rows, columns, _] } => Ok(within(i, rows)? * columns + within(j, columns)?),
+            ContainerShape::Array { dims: 2, sizes: [rows, columns, _] } => {
+                Ok(within(i, rows)? * columns + within(j, columns)?)
+            }
             _ => Err(Fault::INDEX_TOO_LARGE),
         }
     }
@@ -138,7 +142,7 @@ impl Store {
     #[inline(always)]
     pub(super) fn lane1(&self, view: View, index: f64) -> Option<usize> {
         match self.shape {
-            Shape::Array { dims: 1, .. } => Some(view.start as usize + rounded(index)? as usize),
+            ContainerShape::Array { dims: 1, .. } => Some(view.start as usize + rounded(index)? as usize),
             _ => None,
         }
     }
@@ -147,7 +151,7 @@ impl Store {
     #[inline(always)]
     pub(super) fn lane2(&self, [i, j]: [f64; 2]) -> Option<usize> {
         match self.shape {
-            Shape::Array { dims: 2, sizes: [_, columns, _] } => {
+            ContainerShape::Array { dims: 2, sizes: [_, columns, _] } => {
                 let (i, j) = (rounded(i)?, rounded(j)?);
                 (j < columns).then_some(i as usize * columns as usize + j as usize)
             }
@@ -161,7 +165,9 @@ impl Store {
     /// 21 below zero, 20 beyond the size.
     pub fn number3(&self, [i, j, k]: [f64; 3]) -> Result<u32> {
         match self.shape {
-            Shape::Array { dims: 3, sizes: [x, y, z] } => Ok((within(i, x)? * y + within(j, y)?) * z + within(k, z)?),
+            ContainerShape::Array { dims: 3, sizes: [x, y, z] } => {
+                Ok((within(i, x)? * y + within(j, y)?) * z + within(k, z)?)
+            }
             _ => Err(Fault::INDEX_TOO_LARGE),
         }
     }
@@ -172,8 +178,8 @@ impl Store {
     /// 20 if the key does not exist.
     pub fn number_of(&self, key: &Text) -> Result<u32> {
         match &self.shape {
-            Shape::Collection(keys) => keys.get(key).copied().ok_or(Fault::INDEX_TOO_LARGE),
-            Shape::Array { .. } => Err(Fault::INDEX_TOO_LARGE),
+            ContainerShape::Collection(keys) => keys.get(key).copied().ok_or(Fault::INDEX_TOO_LARGE),
+            ContainerShape::Array { .. } => Err(Fault::INDEX_TOO_LARGE),
         }
     }
 
@@ -185,14 +191,14 @@ impl Store {
 
     /// Appends the lanes of a default value. For a user type, the inner containers are not appended.
     pub(super) fn push_default(&mut self) {
-        let Element { nums, texts, links, .. } = &self.kind.default;
+        let ElementType { nums, texts, links, .. } = &self.kind.default;
         self.nums.extend_from_slice(nums);
         self.texts.extend_from_slice(texts);
         self.links.extend_from_slice(links);
     }
 }
 
-impl Shape {
+impl ContainerShape {
     /// Size of a container with this layout and values of this size, in bytes, without inner containers.
     #[must_use]
     pub fn bytes(&self, size: Lanes) -> u64 {
@@ -209,7 +215,7 @@ impl PartInit {
         let (count, written) =
             written.fold((0u64, 0u64), |(count, bytes), value| (count + 1, bytes.saturating_add(sum(&value.parts))));
         let others = u64::from(self.shape.len()).saturating_sub(count).saturating_mul(sum(&self.kind.default.parts));
-        let kept = bytes_of::<Option<Element>>(self.values.len());
+        let kept = bytes_of::<Option<ElementType>>(self.values.len());
         [written, others, kept].into_iter().fold(self.shape.bytes(self.kind.size), u64::saturating_add)
     }
 }

@@ -204,13 +204,13 @@ mod tests {
     use std::sync::Arc;
 
     use super::{Store, Stores};
-    use crate::memory::{Kind, Shape};
+    use crate::memory::{ContainerShape, ValueType};
     use crate::types::BaseType;
 
     #[test]
     fn a_copy_of_a_later_container_is_found() {
         let mut stores = Stores::default();
-        let store = Store::filled(Arc::new(Kind::builtin(BaseType::Num, None)), Shape::ELEMENT);
+        let store = Store::filled(Arc::new(ValueType::builtin(BaseType::Num, None)), ContainerShape::ELEMENT);
         let first = stores.add(store.clone()).unwrap();
         stores.remove(first);
         let second = stores.add(store).unwrap();

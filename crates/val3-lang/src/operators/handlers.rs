@@ -9,7 +9,7 @@ use crate::call::{
     Argument, Call, Flow, FrameRef, FromArgument, HandlerResult, InstructionFn, IoRef, PointRef, ToolRef,
 };
 use crate::fault::{Fault, Result};
-use crate::memory::{Kind, Lanes, Memory, Place};
+use crate::memory::{Lanes, Memory, Place, ValueType};
 use crate::types::{Arm, BaseType};
 use crate::values::printed;
 
@@ -101,7 +101,7 @@ fn printed_line(call: &mut Call<'_>, arm: Option<Arm>) -> Result<Flow> {
             let input = <IoRef as crate::call::StoredValue>::read(call.memory, place)?;
             printed::bool(call.ports.read_digital(input.port)?).to_owned()
         }
-        Argument::Value(place, base) => call.memory.shown(&Kind::builtin(base, arm), place)?,
+        Argument::Value(place, base) => call.memory.shown(&ValueType::builtin(base, arm), place)?,
         Argument::UserValue(place) => {
             let kind = call.memory.store(place.store)?.kind.clone();
             call.memory.shown(&kind, place)?

@@ -14,7 +14,7 @@ pub struct IoDescription {
 }
 
 /// Inputs, outputs and serial lines of the controller.
-pub trait Io {
+pub trait IoPort {
     /// The state of a digital input or output.
     ///
     /// # Errors

@@ -5,7 +5,7 @@
 use crate::values::Text;
 
 /// The media of the controller.
-pub trait Media {
+pub trait MediaPort {
     /// `libDelete`: its code.
     fn delete_library(&mut self, from: &str, path: &str) -> u16;
 

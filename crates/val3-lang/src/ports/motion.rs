@@ -26,7 +26,7 @@ pub struct MoveRequest {
 }
 
 /// The arm.
-pub trait Motion {
+pub trait MotionPort {
     /// Its model.
     fn arm(&mut self) -> &Arm;
 

@@ -31,7 +31,7 @@ pub struct InputResult {
     /// The code of the key that ended it: the result of `get`.
     pub key: u16,
     /// The new value of the variable.
-    pub entry: Entry,
+    pub entry: OperatorInput,
 }
 
 impl InputResult {
@@ -44,7 +44,7 @@ impl InputResult {
 
 /// The input of the operator.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Entry {
+pub enum OperatorInput {
     /// The variable keeps its value: Esc, or no variable, or a text that is no number.
     Unchanged,
     /// The text accepted with Return or a menu key.

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 use val3_geometry::{IsometryMatrix3, Trsf};
 
-use super::{FLANGE, Root, WORLD, frame_of, reference};
+use super::{ChainRoot, FLANGE, WORLD, frame_of, reference};
 use crate::call::{FrameRef, PointRef, StoredValue, ToolRef};
 use crate::fault::Result;
 use crate::memory::{Memory, Place};
@@ -50,7 +50,7 @@ impl<'m> Poses<'m> {
     }
 
     /// Pose of a frame or tool whose chain ends at `root`.
-    fn pose(&mut self, start: Place, root: &Root) -> Result<IsometryMatrix3<f64>> {
+    fn pose(&mut self, start: Place, root: &ChainRoot) -> Result<IsometryMatrix3<f64>> {
         let mut open = Vec::new();
         let mut at = start;
         let mut pose = loop {
@@ -83,7 +83,7 @@ mod tests {
 
     use super::super::{of_frame, of_point, of_tool};
     use super::*;
-    use crate::memory::Link;
+    use crate::memory::LinkPlace;
     use crate::testing::Bench;
 
     #[test]
@@ -145,7 +145,7 @@ mod tests {
             (0..COUNT).map(|number| store.place(row, number)).collect()
         };
         for pair in places.windows(2) {
-            bench.memory.set_link(pair[1], 0, Link::Data(pair[0])).unwrap();
+            bench.memory.set_link(pair[1], 0, LinkPlace::Data(pair[0])).unwrap();
         }
         bench.memory.set_num(places[0], 0, 1.0).unwrap();
         let mut poses = Poses::new(&bench.memory);
@@ -153,7 +153,7 @@ mod tests {
             assert_eq!(poses.of_frame(FrameRef(*place)).map(|pose| pose.x), Ok(1.0));
         }
         // Makes the chain circular.
-        bench.memory.set_link(places[0], 0, Link::Data(places[99_999])).unwrap();
+        bench.memory.set_link(places[0], 0, LinkPlace::Data(places[99_999])).unwrap();
         let mut poses = Poses::new(&bench.memory);
         for place in places {
             assert!(poses.of_frame(FrameRef(place)).is_err());

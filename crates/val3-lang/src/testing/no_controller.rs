@@ -8,14 +8,14 @@ use super::outside::NoController;
 use crate::fault::Result;
 use crate::memory::Place;
 use crate::ports::{
-    InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, MoveRequest, Outgoing, Reply, Robot, Screen,
-    Serial, Time,
+    InputKind, InputResult, IoDescription, IoPort, LineValue, MediaPort, MotionPort, MoveRequest, Outgoing, Reply,
+    Robot, Screen, Serial, Time,
 };
 use crate::types::BaseType;
 use crate::values::date::DateTime;
 use crate::values::{MdescValue, Text};
 
-impl Io for NoController {
+impl IoPort for NoController {
     fn read_digital(&mut self, _: Option<u32>) -> Result<bool> {
         unreachable!()
     }
@@ -222,7 +222,7 @@ impl Robot for NoController {
 }
 
 /// A TX2-90 at rest.
-impl Motion for NoController {
+impl MotionPort for NoController {
     fn arm(&mut self) -> &Arm {
         &self.arm
     }
@@ -330,7 +330,7 @@ impl Motion for NoController {
     }
 }
 
-impl Media for NoController {
+impl MediaPort for NoController {
     fn delete_library(&mut self, _: &str, _: &str) -> u16 {
         unreachable!()
     }

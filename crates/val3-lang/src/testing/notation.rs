@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use crate::memory::{Kind, PartInit, Shape, Subscript};
+use crate::memory::{ContainerShape, PartInit, Subscript, ValueType};
 use crate::types::BaseType;
 use crate::values::Text;
 
 /// A declaration: `num nGrid[4,6]`.
-pub(super) struct Variable<'t> {
+pub(super) struct NotedVariable<'t> {
     pub(super) name: &'t str,
     pub(super) base: BaseType,
-    pub(super) shape: Shape,
+    pub(super) shape: ContainerShape,
 }
 
 /// A call, or the assignment of a call: `pNear=appro(pPick,{0,0,-100,0,0,0})`.
@@ -31,23 +31,23 @@ pub(super) enum WrittenArgument<'t> {
     Name(&'t str, WrittenSubscript),
 }
 
-impl<'t> Variable<'t> {
+impl<'t> NotedVariable<'t> {
     pub(super) fn parse(text: &'t str) -> Self {
         let (base, name) = text.split_once(' ').unwrap();
         let base = BaseType::DECLARABLE.into_iter().find(|found| found.name() == base).unwrap();
         let (name, at) = indexed(name);
         let shape = match at {
-            Subscript::Whole => Shape::ELEMENT,
-            Subscript::Key(_) => Shape::Collection(BTreeMap::new()),
-            Subscript::One(size) => Shape::array(size as u32),
-            Subscript::Two([x, y]) => Shape::Array { dims: 2, sizes: [x as u32, y as u32, 1] },
-            Subscript::Three(sizes) => Shape::Array { dims: 3, sizes: sizes.map(|size| size as u32) },
+            Subscript::Whole => ContainerShape::ELEMENT,
+            Subscript::Key(_) => ContainerShape::Collection(BTreeMap::new()),
+            Subscript::One(size) => ContainerShape::array(size as u32),
+            Subscript::Two([x, y]) => ContainerShape::Array { dims: 2, sizes: [x as u32, y as u32, 1] },
+            Subscript::Three(sizes) => ContainerShape::Array { dims: 3, sizes: sizes.map(|size| size as u32) },
         };
         Self { name, base, shape }
     }
 
     pub(super) fn init(&self) -> PartInit {
-        PartInit { kind: Kind::builtin(self.base, None).into(), shape: self.shape.clone(), values: Vec::new() }
+        PartInit { kind: ValueType::builtin(self.base, None).into(), shape: self.shape.clone(), values: Vec::new() }
     }
 }
 

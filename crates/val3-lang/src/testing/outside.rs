@@ -6,8 +6,8 @@ use val3_kinematics::Arm;
 
 use crate::fault::{Fault, Result};
 use crate::memory::View;
-use crate::ports::{CodePlace, MoveRequest, Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
-use crate::runtime_errors::{NO_TASK, TaskState};
+use crate::ports::{CodePlace, MoveRequest, Origin, Ports, RuntimeRequest, TaskChange, TaskNumber, Tasks};
+use crate::runtime_errors::{NO_TASK, TaskStatusCode};
 use crate::types::BaseType;
 
 /// Ports with only an arm; the tested handlers require nothing else.
@@ -36,30 +36,30 @@ impl Ports for NoController {
 /// Tasks by name, and data for `getData`.
 #[derive(Debug, Default)]
 pub(crate) struct TaskList {
-    pub(crate) states: BTreeMap<String, TaskState>,
+    pub(crate) states: BTreeMap<String, TaskStatusCode>,
     pub(crate) data: BTreeMap<String, View>,
     /// Library identifiers.
     pub(crate) libraries: Vec<&'static str>,
 }
 
 impl TaskList {
-    fn state(&mut self, name: &str) -> Result<&mut TaskState> {
+    fn state(&mut self, name: &str) -> Result<&mut TaskStatusCode> {
         self.states.get_mut(name).ok_or(Fault(NO_TASK))
     }
 }
 
 impl Tasks for TaskList {
     fn status(&self, name: &str) -> i16 {
-        self.states.get(name).map_or(TaskState::Absent, |state| *state).number()
+        self.states.get(name).map_or(TaskStatusCode::Absent, |state| *state).number()
     }
 
     fn suspend(&mut self, name: &str) -> Result<()> {
-        *self.state(name)? = TaskState::Halted;
+        *self.state(name)? = TaskStatusCode::Halted;
         Ok(())
     }
 
     fn resume(&mut self, name: &str, _: f64) -> Result<()> {
-        *self.state(name)? = TaskState::Running;
+        *self.state(name)? = TaskStatusCode::Running;
         Ok(())
     }
 
@@ -72,7 +72,7 @@ impl Tasks for TaskList {
         self.data.get(name).copied().ok_or(if is_known { -1 } else { -2 })
     }
 
-    fn request(&mut self, _: Request) {}
+    fn request(&mut self, _: RuntimeRequest) {}
 
     fn path(&self, _: Option<u16>) -> String {
         String::new()

@@ -7,7 +7,7 @@ use super::{Arm, BaseType, DefaultValue};
 
 /// An attribute of a `Value` element.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Attribute {
+pub struct ValueAttribute {
     /// Name in the file: `tmax`, `ioLink`.
     pub name: &'static str,
     /// Field that the attribute sets, as written in code after the variable: `tvel`, `trsf.x`. Empty if the attribute
@@ -36,7 +36,7 @@ pub enum AttributeValue {
     Father(BaseType),
 }
 
-impl Attribute {
+impl ValueAttribute {
     /// Name in files of s5 and s6.
     #[must_use]
     pub fn old_name(&self) -> &'static str {
@@ -72,71 +72,72 @@ impl Attribute {
 macro_rules! place {
     ($prefix:literal $(, $rest:expr)*) => {
         [
-            Attribute::number("x", concat!($prefix, "x"), 0.0),
-            Attribute::number("y", concat!($prefix, "y"), 0.0),
-            Attribute::number("z", concat!($prefix, "z"), 0.0),
-            Attribute::number("rx", concat!($prefix, "rx"), 0.0),
-            Attribute::number("ry", concat!($prefix, "ry"), 0.0),
-            Attribute::number("rz", concat!($prefix, "rz"), 0.0),
+            ValueAttribute::number("x", concat!($prefix, "x"), 0.0),
+            ValueAttribute::number("y", concat!($prefix, "y"), 0.0),
+            ValueAttribute::number("z", concat!($prefix, "z"), 0.0),
+            ValueAttribute::number("rx", concat!($prefix, "rx"), 0.0),
+            ValueAttribute::number("ry", concat!($prefix, "ry"), 0.0),
+            ValueAttribute::number("rz", concat!($prefix, "rz"), 0.0),
             $($rest),*
         ]
     };
 }
 
-static BOOL: [Attribute; 1] = [Attribute::itself(AttributeValue::Truth, DefaultValue::False)];
-static NUM: [Attribute; 1] = [Attribute::itself(AttributeValue::Number, DefaultValue::Number(0.0))];
-static STRING: [Attribute; 1] = [Attribute::itself(AttributeValue::Text, DefaultValue::EmptyText)];
-static LINKABLE: [Attribute; 1] = [Attribute::link("link", "")];
-static TRSF: [Attribute; 6] = place!("");
-static FRAME: [Attribute; 7] = place!("trsf.", Attribute::father(BaseType::Frame));
-static TOOL: [Attribute; 10] = place!(
+static BOOL: [ValueAttribute; 1] = [ValueAttribute::itself(AttributeValue::Truth, DefaultValue::False)];
+static NUM: [ValueAttribute; 1] = [ValueAttribute::itself(AttributeValue::Number, DefaultValue::Number(0.0))];
+static STRING: [ValueAttribute; 1] = [ValueAttribute::itself(AttributeValue::Text, DefaultValue::EmptyText)];
+static LINKABLE: [ValueAttribute; 1] = [ValueAttribute::link("link", "")];
+static TRSF: [ValueAttribute; 6] = place!("");
+static FRAME: [ValueAttribute; 7] = place!("trsf.", ValueAttribute::father(BaseType::Frame));
+static TOOL: [ValueAttribute; 10] = place!(
     "trsf.",
-    Attribute::father(BaseType::Tool),
-    Attribute::link("ioLink", "gripper"),
-    Attribute::number("ioOpen", "otime", 0.0),
-    Attribute::number("ioClose", "ctime", 0.0)
+    ValueAttribute::father(BaseType::Tool),
+    ValueAttribute::link("ioLink", "gripper"),
+    ValueAttribute::number("ioOpen", "otime", 0.0),
+    ValueAttribute::number("ioClose", "ctime", 0.0)
 );
-static POINT_SIX_AXIS: [Attribute; 10] = place!(
+static POINT_SIX_AXIS: [ValueAttribute; 10] = place!(
     "trsf.",
-    Attribute::choice("shoulder", "config.shoulder", BaseType::Shoulder, "ssame"),
-    Attribute::choice("elbow", "config.elbow", BaseType::Elbow, "esame"),
-    Attribute::choice("wrist", "config.wrist", BaseType::Wrist, "wsame"),
-    Attribute::father(BaseType::Frame)
+    ValueAttribute::choice("shoulder", "config.shoulder", BaseType::Shoulder, "ssame"),
+    ValueAttribute::choice("elbow", "config.elbow", BaseType::Elbow, "esame"),
+    ValueAttribute::choice("wrist", "config.wrist", BaseType::Wrist, "wsame"),
+    ValueAttribute::father(BaseType::Frame)
 );
-static POINT_SCARA: [Attribute; 8] = place!(
+static POINT_SCARA: [ValueAttribute; 8] = place!(
     "trsf.",
-    Attribute::choice("shoulder", "config.shoulder", BaseType::Shoulder, "ssame"),
-    Attribute::father(BaseType::Frame)
+    ValueAttribute::choice("shoulder", "config.shoulder", BaseType::Shoulder, "ssame"),
+    ValueAttribute::father(BaseType::Frame)
 );
-static JOINT_SIX_AXIS: [Attribute; 6] = [
-    Attribute::number("j1", "j1", 0.0),
-    Attribute::number("j2", "j2", 0.0),
-    Attribute::number("j3", "j3", 0.0),
-    Attribute::number("j4", "j4", 0.0),
-    Attribute::number("j5", "j5", 0.0),
-    Attribute::number("j6", "j6", 0.0),
+static JOINT_SIX_AXIS: [ValueAttribute; 6] = [
+    ValueAttribute::number("j1", "j1", 0.0),
+    ValueAttribute::number("j2", "j2", 0.0),
+    ValueAttribute::number("j3", "j3", 0.0),
+    ValueAttribute::number("j4", "j4", 0.0),
+    ValueAttribute::number("j5", "j5", 0.0),
+    ValueAttribute::number("j6", "j6", 0.0),
 ];
-static JOINT_SCARA: [Attribute; 4] = [
-    Attribute::number("j1", "j1", 0.0),
-    Attribute::number("j2", "j2", 0.0),
-    Attribute::number("j3", "j3", 0.0),
-    Attribute::number("j4", "j4", 0.0),
+static JOINT_SCARA: [ValueAttribute; 4] = [
+    ValueAttribute::number("j1", "j1", 0.0),
+    ValueAttribute::number("j2", "j2", 0.0),
+    ValueAttribute::number("j3", "j3", 0.0),
+    ValueAttribute::number("j4", "j4", 0.0),
 ];
-static CONFIG_SIX_AXIS: [Attribute; 3] = [
-    Attribute::choice("shoulder", "shoulder", BaseType::Shoulder, "ssame"),
-    Attribute::choice("elbow", "elbow", BaseType::Elbow, "esame"),
-    Attribute::choice("wrist", "wrist", BaseType::Wrist, "wsame"),
+static CONFIG_SIX_AXIS: [ValueAttribute; 3] = [
+    ValueAttribute::choice("shoulder", "shoulder", BaseType::Shoulder, "ssame"),
+    ValueAttribute::choice("elbow", "elbow", BaseType::Elbow, "esame"),
+    ValueAttribute::choice("wrist", "wrist", BaseType::Wrist, "wsame"),
 ];
-static CONFIG_SCARA: [Attribute; 1] = [Attribute::choice("shoulder", "shoulder", BaseType::Shoulder, "ssame")];
-static MDESC: [Attribute; 8] = [
-    Attribute::number("accel", "accel", 100.0),
-    Attribute::number("vel", "vel", 100.0),
-    Attribute::number("decel", "decel", 100.0),
-    Attribute::number("tmax", "tvel", 99999.0),
-    Attribute::number("rmax", "rvel", 99999.0),
-    Attribute::choice("blend", "blend", BaseType::Blend, "joint"),
-    Attribute::number("leave", "leave", 50.0),
-    Attribute::number("reach", "reach", 50.0),
+static CONFIG_SCARA: [ValueAttribute; 1] =
+    [ValueAttribute::choice("shoulder", "shoulder", BaseType::Shoulder, "ssame")];
+static MDESC: [ValueAttribute; 8] = [
+    ValueAttribute::number("accel", "accel", 100.0),
+    ValueAttribute::number("vel", "vel", 100.0),
+    ValueAttribute::number("decel", "decel", 100.0),
+    ValueAttribute::number("tmax", "tvel", 99999.0),
+    ValueAttribute::number("rmax", "rvel", 99999.0),
+    ValueAttribute::choice("blend", "blend", BaseType::Blend, "joint"),
+    ValueAttribute::number("leave", "leave", 50.0),
+    ValueAttribute::number("reach", "reach", 50.0),
 ];
 
 /// Attributes of a value of this type, in the order in which files write them.
@@ -144,7 +145,7 @@ static MDESC: [Attribute; 8] = [
 /// Empty for `screen`, which has no value in files, and for the field types. An unknown arm or an arm of another kind
 /// counts as six-axis.
 #[must_use]
-pub fn attributes(ty: BaseType, arm: Option<Arm>) -> &'static [Attribute] {
+pub fn attributes(ty: BaseType, arm: Option<Arm>) -> &'static [ValueAttribute] {
     let scara = arm == Some(Arm::Scara);
     match ty {
         BaseType::Bool => &BOOL,
@@ -167,20 +168,20 @@ pub fn attributes(ty: BaseType, arm: Option<Arm>) -> &'static [Attribute] {
 
 /// Finds an attribute of a value of this type by name.
 #[must_use]
-pub fn attribute(ty: BaseType, arm: Option<Arm>, name: &str) -> Option<&'static Attribute> {
+pub fn attribute(ty: BaseType, arm: Option<Arm>, name: &str) -> Option<&'static ValueAttribute> {
     attributes(ty, arm).iter().find(|attribute| attribute.name == name)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Arm, Attribute, AttributeValue, BaseType, attribute, attributes};
+    use super::{Arm, AttributeValue, BaseType, ValueAttribute, attribute, attributes};
     use crate::types::field;
 
     fn type_of(ty: BaseType, arm: Option<Arm>, path: &str) -> Option<BaseType> {
         path.split('.').try_fold(ty, |ty, name| field(ty, arm, name).map(|field| field.ty))
     }
 
-    fn suits(attribute: &Attribute, ty: BaseType) -> bool {
+    fn suits(attribute: &ValueAttribute, ty: BaseType) -> bool {
         match attribute.value {
             AttributeValue::Number => ty == BaseType::Num,
             AttributeValue::Choice(choice) => ty == choice,

@@ -10,7 +10,7 @@ pub struct Field {
     /// Type.
     pub ty: BaseType,
     /// Unit of the numbers.
-    pub unit: Unit,
+    pub unit: NumberUnit,
     /// Value in a variable that the program creates. The default in files may differ:
     /// [`Attribute::default`](super::Attribute::default).
     pub default: DefaultValue,
@@ -20,7 +20,7 @@ pub struct Field {
 
 /// The unit of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Unit {
+pub enum NumberUnit {
     /// No number, or a number without a unit.
     None,
     /// Millimetres or inches, depending on the application's length unit (2.1.4.1).
@@ -54,29 +54,35 @@ pub enum DefaultValue {
     OfFields,
 }
 
-const fn field_of(name: &'static str, ty: BaseType, unit: Unit, default: DefaultValue, doc: &'static str) -> Field {
+const fn field_of(
+    name: &'static str,
+    ty: BaseType,
+    unit: NumberUnit,
+    default: DefaultValue,
+    doc: &'static str,
+) -> Field {
     Field { name, ty, unit, default, doc }
 }
 
-const fn number(name: &'static str, unit: Unit, default: f64, doc: &'static str) -> Field {
+const fn number(name: &'static str, unit: NumberUnit, default: f64, doc: &'static str) -> Field {
     field_of(name, BaseType::Num, unit, DefaultValue::Number(default), doc)
 }
 
 const fn choice(name: &'static str, ty: BaseType, default: &'static str, doc: &'static str) -> Field {
-    field_of(name, ty, Unit::None, DefaultValue::Enumerator(default), doc)
+    field_of(name, ty, NumberUnit::None, DefaultValue::Enumerator(default), doc)
 }
 
 const fn part(name: &'static str, ty: BaseType, doc: &'static str) -> Field {
-    field_of(name, ty, Unit::None, DefaultValue::OfFields, doc)
+    field_of(name, ty, NumberUnit::None, DefaultValue::OfFields, doc)
 }
 
 static TRSF: [Field; 6] = [
-    number("x", Unit::Length, 0.0, "Translation along x."),
-    number("y", Unit::Length, 0.0, "Translation along y."),
-    number("z", Unit::Length, 0.0, "Translation along z."),
-    number("rx", Unit::Degrees, 0.0, "First rotation, about x."),
-    number("ry", Unit::Degrees, 0.0, "Second rotation, about the y axis that the first one gives."),
-    number("rz", Unit::Degrees, 0.0, "Third rotation, about the z axis that the first two give."),
+    number("x", NumberUnit::Length, 0.0, "Translation along x."),
+    number("y", NumberUnit::Length, 0.0, "Translation along y."),
+    number("z", NumberUnit::Length, 0.0, "Translation along z."),
+    number("rx", NumberUnit::Degrees, 0.0, "First rotation, about x."),
+    number("ry", NumberUnit::Degrees, 0.0, "Second rotation, about the y axis that the first one gives."),
+    number("rz", NumberUnit::Degrees, 0.0, "Third rotation, about the z axis that the first two give."),
 ];
 
 static FRAME: [Field; 1] = [part("trsf", BaseType::Trsf, "Position in the reference frame.")];
@@ -86,12 +92,12 @@ static TOOL: [Field; 4] = [
     field_of(
         "gripper",
         BaseType::Dio,
-        Unit::None,
+        NumberUnit::None,
         DefaultValue::Unlinked,
         "Output that opens and closes the tool; `valve1` unless another one is linked.",
     ),
-    number("otime", Unit::Seconds, 0.0, "Time the tool takes to open."),
-    number("ctime", Unit::Seconds, 0.0, "Time the tool takes to close."),
+    number("otime", NumberUnit::Seconds, 0.0, "Time the tool takes to open."),
+    number("ctime", NumberUnit::Seconds, 0.0, "Time the tool takes to close."),
 ];
 
 static POINT: [Field; 2] = [
@@ -100,19 +106,19 @@ static POINT: [Field; 2] = [
 ];
 
 static JOINT_SIX_AXIS: [Field; 6] = [
-    number("j1", Unit::Degrees, 0.0, "Position of axis 1."),
-    number("j2", Unit::Degrees, 0.0, "Position of axis 2."),
-    number("j3", Unit::Degrees, 0.0, "Position of axis 3."),
-    number("j4", Unit::Degrees, 0.0, "Position of axis 4."),
-    number("j5", Unit::Degrees, 0.0, "Position of axis 5."),
-    number("j6", Unit::Degrees, 0.0, "Position of axis 6."),
+    number("j1", NumberUnit::Degrees, 0.0, "Position of axis 1."),
+    number("j2", NumberUnit::Degrees, 0.0, "Position of axis 2."),
+    number("j3", NumberUnit::Degrees, 0.0, "Position of axis 3."),
+    number("j4", NumberUnit::Degrees, 0.0, "Position of axis 4."),
+    number("j5", NumberUnit::Degrees, 0.0, "Position of axis 5."),
+    number("j6", NumberUnit::Degrees, 0.0, "Position of axis 6."),
 ];
 
 static JOINT_SCARA: [Field; 4] = [
-    number("j1", Unit::Degrees, 0.0, "Position of axis 1."),
-    number("j2", Unit::Degrees, 0.0, "Position of axis 2."),
-    number("j3", Unit::Length, 0.0, "Position of axis 3, the linear one."),
-    number("j4", Unit::Degrees, 0.0, "Position of axis 4."),
+    number("j1", NumberUnit::Degrees, 0.0, "Position of axis 1."),
+    number("j2", NumberUnit::Degrees, 0.0, "Position of axis 2."),
+    number("j3", NumberUnit::Length, 0.0, "Position of axis 3, the linear one."),
+    number("j4", NumberUnit::Degrees, 0.0, "Position of axis 4."),
 ];
 
 static CONFIG_SIX_AXIS: [Field; 3] = [
@@ -124,14 +130,14 @@ static CONFIG_SIX_AXIS: [Field; 3] = [
 static CONFIG_SCARA: [Field; 1] = [choice("shoulder", BaseType::Shoulder, "ssame", "Side on which the arm stands.")];
 
 static MDESC: [Field; 8] = [
-    number("accel", Unit::Percent, 100.0, "Highest joint acceleration."),
-    number("vel", Unit::Percent, 100.0, "Highest joint speed."),
-    number("decel", Unit::Percent, 100.0, "Highest joint deceleration."),
-    number("tvel", Unit::LengthPerSecond, 9999.0, "Highest speed of the tool centre point."),
-    number("rvel", Unit::DegreesPerSecond, 9999.0, "Highest turning speed of the tool centre point."),
+    number("accel", NumberUnit::Percent, 100.0, "Highest joint acceleration."),
+    number("vel", NumberUnit::Percent, 100.0, "Highest joint speed."),
+    number("decel", NumberUnit::Percent, 100.0, "Highest joint deceleration."),
+    number("tvel", NumberUnit::LengthPerSecond, 9999.0, "Highest speed of the tool centre point."),
+    number("rvel", NumberUnit::DegreesPerSecond, 9999.0, "Highest turning speed of the tool centre point."),
     choice("blend", BaseType::Blend, "joint", "How the path is rounded at the target."),
-    number("leave", Unit::Length, 50.0, "Distance before the target at which blending starts."),
-    number("reach", Unit::Length, 50.0, "Distance behind the target at which blending ends."),
+    number("leave", NumberUnit::Length, 50.0, "Distance before the target at which blending starts."),
+    number("reach", NumberUnit::Length, 50.0, "Distance behind the target at which blending ends."),
 ];
 
 /// Fields of a type, in the order of a `{…}` value; empty for a type without fields.

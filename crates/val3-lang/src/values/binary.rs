@@ -8,9 +8,9 @@ use crate::fault::{Fault, Result};
 
 /// Binary format of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Format {
+pub struct BinaryFormat {
     encoding: Encoding,
-    order: Order,
+    order: ByteOrder,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,7 +26,7 @@ enum Encoding {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Order {
+enum ByteOrder {
     LowFirst,
     HighFirst,
 }
@@ -36,7 +36,7 @@ enum Order {
 /// # Errors
 /// 70, without writing: `size` is negative or exceeds the numbers, the format is unknown, or `bytes` is too small.
 pub fn to_binary(values: &[f64], size: f64, format: &str, bytes: &mut [f64]) -> Result<f64> {
-    let format = Format::parse(format)?;
+    let format = BinaryFormat::parse(format)?;
     let values = values.get(..count(size)?).ok_or(Fault::INVALID_PARAMETER)?;
     let encoded = bytes.get_mut(..values.len() * format.width()).ok_or(Fault::INVALID_PARAMETER)?;
     for (value, bytes) in values.iter().zip(encoded.chunks_exact_mut(format.width())) {
@@ -56,7 +56,7 @@ pub fn to_binary(values: &[f64], size: f64, format: &str, bytes: &mut [f64]) -> 
 /// # Errors
 /// 70, without writing: `size` is negative or exceeds the bytes, the format is unknown, or `values` is too small.
 pub fn from_binary(bytes: &[f64], size: f64, format: &str, values: &mut [f64]) -> Result<f64> {
-    let format = Format::parse(format)?;
+    let format = BinaryFormat::parse(format)?;
     let bytes = bytes.get(..count(size)?).ok_or(Fault::INVALID_PARAMETER)?.chunks_exact(format.width());
     let values = values.get_mut(..bytes.len()).ok_or(Fault::INVALID_PARAMETER)?;
     for (decoded, (bytes, value)) in bytes.zip(values.iter_mut()).enumerate() {
@@ -68,14 +68,14 @@ pub fn from_binary(bytes: &[f64], size: f64, format: &str, values: &mut [f64]) -
     Ok(values.len() as f64)
 }
 
-impl Format {
+impl BinaryFormat {
     /// Parses the name of a format.
     ///
     /// # Errors
     /// 70: none of the 14 formats has the name.
     pub fn parse(name: &str) -> Result<Self> {
+        use ByteOrder::{HighFirst, LowFirst};
         use Encoding::{Double, Signed, Single, Unsigned};
-        use Order::{HighFirst, LowFirst};
         let (encoding, order) = match name {
             "-1" => (Signed(1), LowFirst),
             "1" => (Unsigned(1), LowFirst),
@@ -136,8 +136,8 @@ impl Format {
     /// Index of byte `at` in little-endian order.
     fn place(self, at: usize, width: usize) -> usize {
         match self.order {
-            Order::LowFirst => at,
-            Order::HighFirst => width - 1 - at,
+            ByteOrder::LowFirst => at,
+            ByteOrder::HighFirst => width - 1 - at,
         }
     }
 

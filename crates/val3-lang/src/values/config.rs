@@ -1,6 +1,6 @@
 //! Arm configurations (9.7) as program values.
 
-use val3_kinematics::{Arm, Configuration, Elbow, Request, RequestedConfiguration, Shoulder, Wrist};
+use val3_kinematics::{Arm, Configuration, ConfigurationRequest, Elbow, RequestedConfiguration, Shoulder, Wrist};
 
 /// A configuration: shoulder, elbow, wrist, each as an enumerator index.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,18 +36,18 @@ impl ConfigValue {
     }
 }
 
-fn request<T>(place: f64, [first, second]: [T; 2]) -> Request<T> {
+fn request<T>(place: f64, [first, second]: [T; 2]) -> ConfigurationRequest<T> {
     match place {
-        FIRST => Request::Exactly(first),
-        SECOND => Request::Exactly(second),
-        SAME => Request::Same,
-        _ => Request::Free,
+        FIRST => ConfigurationRequest::Exactly(first),
+        SECOND => ConfigurationRequest::Exactly(second),
+        SAME => ConfigurationRequest::Same,
+        _ => ConfigurationRequest::Free,
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use val3_kinematics::{Request, Shoulder, Wrist};
+    use val3_kinematics::{ConfigurationRequest, Shoulder, Wrist};
 
     use super::ConfigValue;
     use crate::enumerations::values;
@@ -61,8 +61,11 @@ mod tests {
         assert_eq!(places(BaseType::Elbow, ["esame", "efree", "epositive", "enegative"]), [0.0, 1.0, 2.0, 3.0]);
         assert_eq!(places(BaseType::Wrist, ["wsame", "wfree", "wpositive", "wnegative"]), [0.0, 1.0, 2.0, 3.0]);
         let requested = ConfigValue([3.0, 0.0, 2.0]).requested();
-        assert_eq!(requested.shoulder, Request::Exactly(Shoulder::Righty));
-        assert_eq!((requested.elbow, requested.wrist), (Request::Same, Request::Exactly(Wrist::Positive)));
-        assert_eq!(ConfigValue([1.0; 3]).requested().shoulder, Request::Free);
+        assert_eq!(requested.shoulder, ConfigurationRequest::Exactly(Shoulder::Righty));
+        assert_eq!(
+            (requested.elbow, requested.wrist),
+            (ConfigurationRequest::Same, ConfigurationRequest::Exactly(Wrist::Positive))
+        );
+        assert_eq!(ConfigValue([1.0; 3]).requested().shoulder, ConfigurationRequest::Free);
     }
 }

@@ -4,7 +4,7 @@ use super::Text;
 
 /// Result of `toNum`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reading {
+pub struct NumberReading {
     /// Number at the start of the string, if there is one: `bReport`, and the new value of `nValue`.
     pub value: Option<f64>,
     /// Remaining string from the next number on; the entire string if it does not start with a number.
@@ -27,12 +27,12 @@ pub fn literal(text: &str) -> Option<f64> {
 /// Blanks before the first number are skipped, so that strings from `toString` can be read. Numbers are written as in
 /// code, with an optional `+` or `-`. A number that is out of range does not count as a number.
 #[must_use]
-pub fn to_num(text: &Text) -> Reading {
+pub fn to_num(text: &Text) -> NumberReading {
     let start = text.trim_start_matches([' ', '\t']);
     let found = length(start).and_then(|len| start.split_at_checked(len));
     match found.and_then(|(number, behind)| Some((value(number)?, behind))) {
-        Some((value, behind)) => Reading { value: Some(value), rest: Text::from(from_next_number(behind)) },
-        None => Reading { value: None, rest: *text },
+        Some((value, behind)) => NumberReading { value: Some(value), rest: Text::from(from_next_number(behind)) },
+        None => NumberReading { value: None, rest: *text },
     }
 }
 

@@ -26,7 +26,7 @@ const EXACT: f64 = 9_007_199_254_740_992.0;
 /// 70: the format starts with neither a digit nor a point, or a size or precision exceeds the 128 characters of a
 /// string.
 pub fn to_string(format: &str, value: f64) -> Result<Text> {
-    let Format { size, precision, .. } = Format::parse(format).ok_or(Fault::INVALID_PARAMETER)?;
+    let NumberFormat { size, precision, .. } = NumberFormat::parse(format).ok_or(Fault::INVALID_PARAMETER)?;
     let number = fixed(value, precision);
     let kept = without_final_zeros(&number);
     let dropped = number.len() - kept.len();
@@ -40,16 +40,16 @@ pub fn to_string(format: &str, value: f64) -> Result<Text> {
 /// End of a `toString` format that the instruction ignores: `,` in `".2,"`. `None` for an invalid format.
 #[must_use]
 pub fn ignored(format: &str) -> Option<&str> {
-    Format::parse(format).map(|format| format.ignored)
+    NumberFormat::parse(format).map(|format| format.ignored)
 }
 
-struct Format<'t> {
+struct NumberFormat<'t> {
     size: usize,
     precision: usize,
     ignored: &'t str,
 }
 
-impl<'t> Format<'t> {
+impl<'t> NumberFormat<'t> {
     fn parse(text: &'t str) -> Option<Self> {
         if !text.is_empty() && !text.starts_with(|first: char| first.is_ascii_digit() || first == '.') {
             return None;

@@ -1,7 +1,7 @@
 //! Markdown text for clients with and without Markdown support.
 
 use tower_lsp::lsp_types::{Documentation, MarkupContent, MarkupKind};
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
 use crate::session::TextFormat;
 

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use tower_lsp::lsp_types::*;
 use val3_ide::{TokenKind, TokenModifier};
-use val3_lines::Unit;
+use val3_lines::ColumnUnit;
 
 use super::{code_action, execute_command, file_operations, text_document_content};
 use crate::session::Session;
@@ -133,11 +133,11 @@ fn inlay_hints() -> InlayHintServerCapabilities {
     })
 }
 
-fn position_encoding(encoding: Unit) -> PositionEncodingKind {
+fn position_encoding(encoding: ColumnUnit) -> PositionEncodingKind {
     match encoding {
-        Unit::Utf8 => PositionEncodingKind::UTF8,
-        Unit::Utf16 => PositionEncodingKind::UTF16,
-        Unit::Utf32 => PositionEncodingKind::UTF32,
+        ColumnUnit::Utf8 => PositionEncodingKind::UTF8,
+        ColumnUnit::Utf16 => PositionEncodingKind::UTF16,
+        ColumnUnit::Utf32 => PositionEncodingKind::UTF32,
     }
 }
 

@@ -17,9 +17,9 @@ use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// Request for the tables of a data file, or for the changes since an earlier response.
-pub(crate) enum Data {}
+pub(crate) enum DataRequest {}
 
-impl Request for Data {
+impl Request for DataRequest {
     type Params = DataParams;
     type Result = Option<DataResult>;
     const METHOD: &'static str = "val3/data";

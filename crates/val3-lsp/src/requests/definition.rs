@@ -2,7 +2,7 @@
 
 use tower_lsp::lsp_types::{GotoDefinitionParams, GotoDefinitionResponse};
 use val3_analysis::db::Db;
-use val3_ide::{FilePosition, Target};
+use val3_ide::{FilePosition, NavigationTarget};
 
 use crate::convert::targets;
 use crate::snapshot::{Refusal, Snapshot};
@@ -28,7 +28,7 @@ pub(crate) fn implementation(snapshot: &Snapshot, params: &GotoDefinitionParams)
 fn jump(
     snapshot: &Snapshot,
     params: &GotoDefinitionParams,
-    find: fn(&dyn Db, FilePosition) -> Vec<Target>,
+    find: fn(&dyn Db, FilePosition) -> Vec<NavigationTarget>,
 ) -> DefinitionResult {
     let at = snapshot.position(&params.text_document_position_params)?;
     Ok(Some(targets(snapshot, at.file, &find(snapshot.db(), at))))

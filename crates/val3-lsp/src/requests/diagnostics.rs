@@ -8,9 +8,9 @@ use tower_lsp::lsp_types::*;
 use val3_analysis::paths::is_same;
 
 use crate::convert::{configuration_fault, configuration_faults, diagnostics};
-use crate::documents::Report;
-use crate::job::Part;
-use crate::progress::Progress;
+use crate::documents::SentFindings;
+use crate::job::JobPart;
+use crate::progress::WorkProgress;
 use crate::server_state::TREES;
 use crate::snapshot::{Refusal, Snapshot};
 use crate::uri;
@@ -26,7 +26,7 @@ pub(crate) fn document(
     let items = findings(snapshot, uri);
     let result_id = id(&items);
     if let Some(document) = snapshot.documents.get(uri) {
-        snapshot.documents.keep_report(uri, Report { version: document.version, id: result_id.clone() });
+        snapshot.documents.keep_report(uri, SentFindings { version: document.version, id: result_id.clone() });
     }
     let report = match params.previous_result_id.as_ref() == Some(&result_id) {
         true => DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
@@ -76,16 +76,16 @@ const TREES_OF_PART: usize = 512;
 
 /// Progress report of the check, shown by the client until the last part is computed.
 #[derive(Default)]
-pub(crate) struct PullProgress(Option<Progress>);
+pub(crate) struct PullProgress(Option<WorkProgress>);
 
 pub(crate) fn workspace(
     snapshot: &Snapshot,
     params: &WorkspaceDiagnosticParams,
     progress: &mut PullProgress,
-) -> Part<WorkspaceDiagnosticReportResult> {
+) -> JobPart<WorkspaceDiagnosticReportResult> {
     (snapshot.pulls_configurations)();
     if !check(snapshot, params, progress) {
-        return Part::More;
+        return JobPart::More;
     }
     // A token is valid until the response.
     progress.0 = None;
@@ -110,7 +110,7 @@ pub(crate) fn workspace(
         let known = known.get(&uri).is_some_and(|known| *known == id);
         report(snapshot, uri, items, id, known)
     });
-    Part::Last(WorkspaceDiagnosticReportResult::Report(WorkspaceDiagnosticReport { items: items.collect() }))
+    JobPart::Last(WorkspaceDiagnosticReportResult::Report(WorkspaceDiagnosticReport { items: items.collect() }))
 }
 
 /// Checks unchecked projects until data should be freed. Returns whether all projects are checked.
@@ -118,7 +118,7 @@ fn check(snapshot: &Snapshot, params: &WorkspaceDiagnosticParams, progress: &mut
     let Some(settings) = snapshot.settings else { return true };
     if progress.0.is_none() {
         let token = params.work_done_progress_params.work_done_token.clone().or_else(|| snapshot.first_pull.take());
-        progress.0 = token.map(|token| Progress::begin(snapshot.outbox.clone(), token, "checking the projects"));
+        progress.0 = token.map(|token| WorkProgress::begin(snapshot.outbox.clone(), token, "checking the projects"));
     }
     // The number of added trees measures the work only after the trees of earlier requests are freed.
     snapshot.db().trees().keep_latest(TREES);

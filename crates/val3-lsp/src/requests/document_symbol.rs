@@ -6,7 +6,7 @@ use tower_lsp::lsp_types::{
 use val3_ide::OutlineItem;
 
 use crate::convert::symbol_kind;
-use crate::lines::Lines;
+use crate::lines::PositionConverter;
 use crate::snapshot::{Refusal, Snapshot};
 
 pub(crate) fn document_symbol(
@@ -26,7 +26,7 @@ pub(crate) fn document_symbol(
 }
 
 #[allow(deprecated, reason = "the type has a field that is no longer used")]
-fn nested(item: &OutlineItem, lines: &Lines<'_>) -> DocumentSymbol {
+fn nested(item: &OutlineItem, lines: &PositionConverter<'_>) -> DocumentSymbol {
     let children: Vec<_> = item.children.iter().map(|child| nested(child, lines)).collect();
     DocumentSymbol {
         name: name(item),
@@ -45,7 +45,7 @@ fn flatten(
     item: &OutlineItem,
     container: Option<&str>,
     uri: &Url,
-    lines: &Lines<'_>,
+    lines: &PositionConverter<'_>,
     flat: &mut Vec<SymbolInformation>,
 ) {
     flat.push(SymbolInformation {

@@ -5,7 +5,7 @@
 
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::File;
-use val3_config::Format;
+use val3_config::CodeLayout;
 use val3_ide::FileEdit;
 
 use crate::convert::edits;
@@ -31,9 +31,9 @@ pub(crate) fn on_type(snapshot: &Snapshot, params: &DocumentOnTypeFormattingPara
     answer(snapshot, at.file, &val3_ide::format_on_type(snapshot.db(), at, typed, &style(snapshot, at.file)?))
 }
 
-fn style(snapshot: &Snapshot, file: File) -> Result<val3_ide::Style, Refusal> {
+fn style(snapshot: &Snapshot, file: File) -> Result<val3_ide::CodeStyle, Refusal> {
     let config = val3_ide::owner(snapshot.db(), file).and_then(|project| project.config(snapshot.db()));
-    let usual = Format::default();
+    let usual = CodeLayout::default();
     let format = config.map_or(&usual, |config| &config.format);
     let style = val3_ide::style(&overlay::files(&snapshot.documents, &[]), format, file.path(snapshot.db()));
     style.map_err(|error| Refusal::Because(error.to_string()))

@@ -12,7 +12,7 @@ use crate::snapshot::{Refusal, Snapshot};
 
 /// Position of a hint in the file. A client that shows a code view displays the hint at another position.
 #[derive(Serialize, Deserialize)]
-struct Origin {
+struct HintOrigin {
     uri: Url,
     position: Position,
 }
@@ -51,7 +51,7 @@ fn hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Result<Vec<InlayHint>,
 
 fn origin(snapshot: &Snapshot, found: &val3_ide::InlayHint, uri: &Url, position: Position) -> Option<Value> {
     let leads_on = snapshot.session.client.resolves_hints && found.symbol.is_some();
-    leads_on.then(|| serde_json::to_value(Origin { uri: uri.clone(), position }).ok())?
+    leads_on.then(|| serde_json::to_value(HintOrigin { uri: uri.clone(), position }).ok())?
 }
 
 /// Label of a hint. Only label parts can have a location, which is resolved later.
@@ -65,7 +65,7 @@ fn label(snapshot: &Snapshot, value: String) -> InlayHintLabel {
 /// Adds the location of the declaration from which the hint is derived. A stale hint keeps its label.
 pub(crate) fn resolve(snapshot: &Snapshot, hint: &InlayHint) -> Result<InlayHint, Refusal> {
     let mut hint = hint.clone();
-    let origin = hint.data.clone().and_then(|data| serde_json::from_value::<Origin>(data).ok());
+    let origin = hint.data.clone().and_then(|data| serde_json::from_value::<HintOrigin>(data).ok());
     if let (Some(origin), InlayHintLabel::LabelParts(parts)) = (origin, &mut hint.label) {
         let at = snapshot.position_in(&origin.uri, origin.position)?;
         let settings = snapshot.session.options.inlay_hints.settings();

@@ -35,13 +35,13 @@ pub(crate) struct LibrariesParams {
 pub(crate) struct LibraryList {
     /// Whether the dialect of the project has user types.
     has_types: bool,
-    candidates: Vec<Candidate>,
+    candidates: Vec<LibraryCandidate>,
 }
 
 /// A project that can be added.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(crate) struct Candidate {
+pub(crate) struct LibraryCandidate {
     uri: Url,
     /// `application`, `tests`, `library` or `type`.
     kind: String,
@@ -76,14 +76,14 @@ impl Request for AddLibrary {
 pub(crate) struct AddLibraryParams {
     /// The `.pjx`, or another file of the project.
     uri: Url,
-    kind: Kind,
+    kind: LibraryKind,
     name: String,
     path: String,
 }
 
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-enum Kind {
+enum LibraryKind {
     Library,
     Type,
 }
@@ -99,11 +99,11 @@ pub(crate) fn libraries(snapshot: &Snapshot, params: &LibrariesParams) -> Result
     })
 }
 
-fn candidate(snapshot: &Snapshot, kind: ProjectKind, found: ReferenceCandidate) -> Candidate {
+fn candidate(snapshot: &Snapshot, kind: ProjectKind, found: ReferenceCandidate) -> LibraryCandidate {
     let present = |kind| -> Vec<String> {
         found.present.iter().filter(|(of, _)| *of == kind).map(|(_, name)| name.clone()).collect()
     };
-    Candidate {
+    LibraryCandidate {
         uri: snapshot.uri(found.project.manifest(snapshot.db())),
         kind: kind_name(kind).to_owned(),
         libraries: present(ReferenceKind::Library),
@@ -121,8 +121,8 @@ fn candidate(snapshot: &Snapshot, kind: ProjectKind, found: ReferenceCandidate) 
 pub(crate) fn add_library(snapshot: &Snapshot, params: &AddLibraryParams) -> Result<WorkspaceEdit, Refusal> {
     let project = project(snapshot, &params.uri)?;
     let kind = match params.kind {
-        Kind::Library => ReferenceKind::Library,
-        Kind::Type => ReferenceKind::Type,
+        LibraryKind::Library => ReferenceKind::Library,
+        LibraryKind::Type => ReferenceKind::Type,
     };
     let change = add_reference(snapshot.db(), project, kind, &params.name, &params.path)
         .map_err(|AddReferenceError(reason)| Refusal::Because(reason))?;

@@ -7,9 +7,9 @@ use val3_check::topics;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// The request.
-pub(crate) enum Page {}
+pub(crate) enum DocPage {}
 
-impl Request for Page {
+impl Request for DocPage {
     type Params = PageParams;
     type Result = Option<PageResult>;
     const METHOD: &'static str = "val3/page";

@@ -5,7 +5,7 @@ use std::hash::{Hash as _, Hasher as _};
 use rustc_hash::FxHasher;
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::File;
-use val3_syntax::{Part, TextRange};
+use val3_syntax::{TextRange, TextSlice};
 
 use crate::snapshot::{Refusal, Snapshot};
 

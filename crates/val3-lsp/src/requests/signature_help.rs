@@ -1,7 +1,7 @@
 //! `textDocument/signatureHelp`
 
 use tower_lsp::lsp_types::*;
-use val3_ide::Form;
+use val3_ide::CallForm;
 
 use crate::convert::documentation;
 use crate::session::TextFormat;
@@ -19,7 +19,7 @@ pub(crate) fn signature_help(
     Ok(Some(SignatureHelp { signatures, active_signature: u32::try_from(help.active_form).ok(), active_parameter }))
 }
 
-fn signature(form: &Form, active_parameter: Option<u32>, format: TextFormat) -> SignatureInformation {
+fn signature(form: &CallForm, active_parameter: Option<u32>, format: TextFormat) -> SignatureInformation {
     let parameter = |(from, to): &(u32, u32)| ParameterInformation {
         label: ParameterLabel::LabelOffsets([utf16(&form.line, *from), utf16(&form.line, *to)]),
         documentation: None,

@@ -18,7 +18,7 @@ pub(crate) enum TextDocumentContent {}
 
 impl Request for TextDocumentContent {
     type Params = TextDocumentContentParams;
-    type Result = Content;
+    type Result = DocumentContent;
     const METHOD: &'static str = "workspace/textDocumentContent";
 }
 
@@ -39,17 +39,17 @@ pub(crate) struct TextDocumentContentParams {
 
 /// Content of the document.
 #[derive(Debug, Serialize, Deserialize)]
-pub(crate) struct Content {
+pub(crate) struct DocumentContent {
     text: String,
 }
 
 pub(crate) fn text_document_content(
     snapshot: &Snapshot,
     params: &TextDocumentContentParams,
-) -> Result<Content, Refusal> {
+) -> Result<DocumentContent, Refusal> {
     let text = text(snapshot, &params.uri)?;
     snapshot.documents.display_cache().keep_text(params.uri.clone(), Fingerprint::of(&text));
-    Ok(Content { text })
+    Ok(DocumentContent { text })
 }
 
 /// Fingerprint of the current content; `None` if it no longer exists.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{Range, Url};
 use val3_analysis::db::File;
-use val3_ide::{Variable, Variables};
+use val3_ide::{ProgramVariable, Variables};
 use val3_lang::types::Container;
 
 use crate::snapshot::{Refusal, Snapshot};
@@ -35,7 +35,7 @@ pub(crate) struct VariablesResult {
     /// Document version on which they are based; `null` for a file that is not open.
     version: Option<i32>,
     program: String,
-    parameters: Vec<Parameter>,
+    parameters: Vec<WireParameter>,
     locals: Vec<Local>,
     /// Names of the types that variables may have.
     types: Vec<String>,
@@ -46,7 +46,7 @@ pub(crate) struct VariablesResult {
 }
 
 #[derive(Debug, Serialize, Deserialize)]
-struct Parameter {
+struct WireParameter {
     name: String,
     r#type: String,
     container: ContainerKind,
@@ -95,8 +95,8 @@ pub(crate) fn variables(snapshot: &Snapshot, params: &VariablesParams) -> Result
 }
 
 fn described(snapshot: &Snapshot, file: File, found: Variables) -> VariablesResult {
-    let range = |variable: &Variable| snapshot.range(file, variable.range);
-    let parameter = |it: Variable| Parameter {
+    let range = |variable: &ProgramVariable| snapshot.range(file, variable.range);
+    let parameter = |it: ProgramVariable| WireParameter {
         range: range(&it),
         name: it.name.to_string(),
         r#type: it.type_name.to_string(),
@@ -105,7 +105,7 @@ fn described(snapshot: &Snapshot, file: File, found: Variables) -> VariablesResu
         passing: if it.by_reference { Passing::Reference } else { Passing::Value },
         uses: it.uses,
     };
-    let local = |it: Variable| Local {
+    let local = |it: ProgramVariable| Local {
         range: range(&it),
         name: it.name.to_string(),
         r#type: it.type_name.to_string(),

@@ -29,10 +29,10 @@ pub(crate) struct TreeProject {
     kind: String,
     /// Whether the project's dialect has user types.
     has_types: bool,
-    programs: Vec<Item<Program>>,
-    data: Vec<Item<Data>>,
-    libraries: Vec<Item<Reference>>,
-    types: Vec<Item<Reference>>,
+    programs: Vec<Item<ProgramNode>>,
+    data: Vec<Item<DataNode>>,
+    libraries: Vec<Item<ReferenceNode>>,
+    types: Vec<Item<ReferenceNode>>,
 }
 
 /// An item of a project.
@@ -51,7 +51,7 @@ pub(crate) struct Item<T> {
 
 /// A program.
 #[derive(Debug, Serialize, Deserialize)]
-pub(crate) struct Program {
+pub(crate) struct ProgramNode {
     public: bool,
     /// Whether the program can be started without a caller.
     runs: bool,
@@ -60,7 +60,7 @@ pub(crate) struct Program {
 /// Global data.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(crate) struct Data {
+pub(crate) struct DataNode {
     public: bool,
     /// Type name as spelled in the file, for example `pointRx`.
     #[serde(rename = "type")]
@@ -74,7 +74,7 @@ pub(crate) struct Data {
 
 /// A library identifier or a user type.
 #[derive(Debug, Serialize, Deserialize)]
-pub(crate) struct Reference {
+pub(crate) struct ReferenceNode {
     /// The `.pjx` to which it resolves; `null` if unresolved.
     project: Option<Url>,
     /// The `.pjx` files of the libraries that programs load under this identifier.
@@ -95,7 +95,7 @@ fn tree(snapshot: &Snapshot, project: Project, kind: ProjectKind) -> TreeProject
         uri: snapshot.uri(project.manifest(snapshot.db())),
         kind: kind_name(kind).to_owned(),
         has_types: content.has_types,
-        programs: items(snapshot, content.programs, |TreeProgram { public, runs }| Program { public, runs }),
+        programs: items(snapshot, content.programs, |TreeProgram { public, runs }| ProgramNode { public, runs }),
         data: items(snapshot, content.data, data),
         libraries: items(snapshot, content.libraries, |found| reference(snapshot, found)),
         types: items(snapshot, content.types, |found| reference(snapshot, found)),
@@ -133,8 +133,8 @@ fn items<F, T>(snapshot: &Snapshot, found: Vec<TreeItem<F>>, what: impl Fn(F) ->
     items
 }
 
-fn data(TreeData { decl, value }: TreeData) -> Data {
-    Data {
+fn data(TreeData { decl, value }: TreeData) -> DataNode {
+    DataNode {
         public: decl.public,
         type_name: decl.type_name.to_string(),
         is_collection: decl.container == Container::Collection,
@@ -143,7 +143,7 @@ fn data(TreeData { decl, value }: TreeData) -> Data {
     }
 }
 
-fn reference(snapshot: &Snapshot, found: TreeReference) -> Reference {
+fn reference(snapshot: &Snapshot, found: TreeReference) -> ReferenceNode {
     let uri = |project: Project| snapshot.uri(project.manifest(snapshot.db()));
-    Reference { project: found.project.map(uri), loaded: found.loaded.into_iter().map(uri).collect() }
+    ReferenceNode { project: found.project.map(uri), loaded: found.loaded.into_iter().map(uri).collect() }
 }

@@ -9,7 +9,7 @@ use tower_lsp::jsonrpc::Error;
 use val3_analysis::db::Db as _;
 
 use super::{ServerState, TREES};
-use crate::inbox::Message;
+use crate::inbox::MainLoopAction;
 use crate::job::{Job, OnEdit};
 use crate::panics::{self, contained};
 use crate::reply::Reply;
@@ -19,7 +19,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 impl ServerState {
     /// Processes messages until the inbox is closed.
-    pub(crate) fn run(mut self, inbox: &Receiver<Message>) {
+    pub(crate) fn run(mut self, inbox: &Receiver<MainLoopAction>) {
         loop {
             let message = match inbox.try_recv() {
                 Ok(message) => message,
@@ -39,7 +39,7 @@ impl ServerState {
 
     /// Executes deferred work and waits for a message. The first scan starts only after the client has responded to the
     /// progress request. `None` if the inbox is closed.
-    fn next(&mut self, inbox: &Receiver<Message>) -> Option<Message> {
+    fn next(&mut self, inbox: &Receiver<MainLoopAction>) -> Option<MainLoopAction> {
         if !self.is_ready {
             return inbox.recv().ok();
         }

@@ -4,7 +4,7 @@ use tower_lsp::lsp_types::notification::LogTrace;
 use tower_lsp::lsp_types::{LogTraceParams, MessageType};
 
 use super::ServerState;
-use crate::session::Trace;
+use crate::session::TraceLevel;
 
 impl ServerState {
     /// Reports an internal error to the user, once. The server continues.
@@ -28,7 +28,7 @@ impl ServerState {
 
     /// Reports the computed request to a client with tracing enabled.
     pub(super) fn trace(&mut self, method: &str) {
-        if self.session.trace == Trace::On {
+        if self.session.trace == TraceLevel::On {
             self.outbox.notify::<LogTrace>(LogTraceParams { message: format!("computes {method}"), verbose: None });
         }
     }

@@ -4,7 +4,7 @@ use tower_lsp::lsp_types::request::WorkDoneProgressCreate;
 use tower_lsp::lsp_types::{ProgressToken, WorkDoneProgressCreateParams};
 
 use super::ServerState;
-use crate::progress::{Progress, ScanProgress};
+use crate::progress::{ScanProgress, WorkProgress};
 
 const SCAN: &str = "val3/scan";
 const PULL: &str = "val3/pull";
@@ -19,7 +19,7 @@ impl ServerState {
         self.progress = ScanProgress::Asked;
         self.create_progress(SCAN, |server, token| match (&server.progress, token) {
             (ScanProgress::Asked, Some(token)) => {
-                let shown = Progress::begin(server.outbox.clone(), token, "reading the projects");
+                let shown = WorkProgress::begin(server.outbox.clone(), token, "reading the projects");
                 server.progress = ScanProgress::Shown(shown);
             }
             _ => server.progress = ScanProgress::Over,

@@ -11,7 +11,7 @@ use tower_lsp::lsp_types::request::{CodeLensRefresh, InlayHintRefreshRequest, Wo
 
 use super::ServerState;
 use crate::display_cache::{DisplayedDocument, Fingerprint};
-use crate::documents::Report;
+use crate::documents::SentFindings;
 use crate::panics::contained;
 use crate::pool::Priority;
 use crate::requests::code_lens::{current_lenses, current_uses};
@@ -22,7 +22,7 @@ use crate::snapshot::Snapshot;
 
 /// Current values that differ from the client's cached values.
 struct StaleContents {
-    reports: Vec<(Url, Report)>,
+    reports: Vec<(Url, SentFindings)>,
     shown: Vec<(Url, DisplayedDocument, Parts)>,
     texts: Vec<(Url, Fingerprint)>,
 }
@@ -85,14 +85,14 @@ fn stale(snapshot: &Snapshot, has_findings: bool) -> StaleContents {
 }
 
 /// Stale findings.
-fn stale_reports(snapshot: &Snapshot) -> Vec<(Url, Report)> {
+fn stale_reports(snapshot: &Snapshot) -> Vec<(Url, SentFindings)> {
     let known = snapshot.documents.reports().into_iter().filter(|(uri, known)| is_shown(snapshot, uri, known.version));
     let now = known.map(|(uri, known)| {
         let id = current_report(snapshot, &uri);
         (uri, known, id)
     });
     let others = now.filter(|(_, known, id)| known.id != *id);
-    others.map(|(uri, known, id)| (uri, Report { version: known.version, id })).collect()
+    others.map(|(uri, known, id)| (uri, SentFindings { version: known.version, id })).collect()
 }
 
 /// Stale texts. A text whose file was removed is unchanged.

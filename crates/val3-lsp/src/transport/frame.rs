@@ -9,7 +9,7 @@ const BODY_LIMIT: usize = 256 << 20;
 
 /// Framing error.
 #[derive(Debug, PartialEq, Eq)]
-pub(crate) enum FrameError {
+pub(crate) enum FramingError {
     /// The header has no length; another frame may follow.
     Head,
     /// The length is no number, so the start of the next frame is unknown.
@@ -27,14 +27,14 @@ pub(crate) fn frame(message: &[u8]) -> Vec<u8> {
 
 /// Reads one message; `None` at the end of the input. Letter case, other headers and bytes before `Content-Length` are
 /// ignored.
-pub(crate) fn read_message(input: &mut impl BufRead) -> io::Result<Option<Result<Vec<u8>, FrameError>>> {
+pub(crate) fn read_message(input: &mut impl BufRead) -> io::Result<Option<Result<Vec<u8>, FramingError>>> {
     let mut length = None;
     let mut seen = 0;
     loop {
         let mut line = Vec::new();
         let limit = u64::try_from(HEAD_LIMIT - seen).unwrap_or(0);
         if input.by_ref().take(limit).read_until(b'\n', &mut line)? == 0 {
-            return Ok((seen >= HEAD_LIMIT).then_some(Err(FrameError::Size)));
+            return Ok((seen >= HEAD_LIMIT).then_some(Err(FramingError::Size)));
         }
         seen += line.len();
         let line = String::from_utf8_lossy(&line);
@@ -45,9 +45,9 @@ pub(crate) fn read_message(input: &mut impl BufRead) -> io::Result<Option<Result
         }
     }
     match length {
-        None => Ok(Some(Err(FrameError::Head))),
-        Some(None) => Ok(Some(Err(FrameError::Length))),
-        Some(Some(length)) if length > BODY_LIMIT => Ok(Some(Err(FrameError::Size))),
+        None => Ok(Some(Err(FramingError::Head))),
+        Some(None) => Ok(Some(Err(FramingError::Length))),
+        Some(Some(length)) if length > BODY_LIMIT => Ok(Some(Err(FramingError::Size))),
         Some(Some(length)) => {
             let mut body = vec![0; length];
             match input.read_exact(&mut body) {
@@ -75,7 +75,7 @@ fn length_in(line: &str) -> Option<Option<usize>> {
 mod tests {
     use super::*;
 
-    fn messages(mut input: &[u8]) -> Vec<Result<Vec<u8>, FrameError>> {
+    fn messages(mut input: &[u8]) -> Vec<Result<Vec<u8>, FramingError>> {
         std::iter::from_fn(|| read_message(&mut input).unwrap()).take(9).collect()
     }
 
@@ -85,14 +85,14 @@ mod tests {
         let foreign = b"content-type: application/vscode-jsonrpc; charset=utf8\r\ncontent-length:2\n\n{}";
         assert_eq!(messages(foreign), [Ok(b"{}".to_vec())]);
         let garbage = b"hello\r\n\r\n\0\xffContent-Length: 2\r\n\r\n{}";
-        assert_eq!(messages(garbage), [Err(FrameError::Head), Ok(b"{}".to_vec())]);
+        assert_eq!(messages(garbage), [Err(FramingError::Head), Ok(b"{}".to_vec())]);
     }
 
     #[test]
     fn a_length_that_is_no_number_is_an_error() {
         for length in ["-1", "x", "", "1.5", "2 bytes"] {
             let message = format!("Content-Length: {length}\r\n\r\n{{}}");
-            assert_eq!(messages(message.as_bytes()).first(), Some(&Err(FrameError::Length)), "{length}");
+            assert_eq!(messages(message.as_bytes()).first(), Some(&Err(FramingError::Length)), "{length}");
         }
     }
 
@@ -105,9 +105,9 @@ mod tests {
 
     #[test]
     fn messages_that_are_too_large_are_refused() {
-        assert_eq!(messages(b"Content-Length: 99999999999\r\n\r\n").first(), Some(&Err(FrameError::Size)));
+        assert_eq!(messages(b"Content-Length: 99999999999\r\n\r\n").first(), Some(&Err(FramingError::Size)));
         let digits = format!("Content-Length: {}\r\n\r\n", "9".repeat(50));
-        assert_eq!(messages(digits.as_bytes()).first(), Some(&Err(FrameError::Size)));
-        assert_eq!(messages(&vec![b'x'; HEAD_LIMIT + 10]).first(), Some(&Err(FrameError::Size)));
+        assert_eq!(messages(digits.as_bytes()).first(), Some(&Err(FramingError::Size)));
+        assert_eq!(messages(&vec![b'x'; HEAD_LIMIT + 10]).first(), Some(&Err(FramingError::Size)));
     }
 }

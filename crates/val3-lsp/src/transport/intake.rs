@@ -12,9 +12,9 @@ use serde::de::IgnoredAny;
 use serde_json::{Value, json};
 use tokio::io::{AsyncRead, ReadBuf};
 use tower_lsp::jsonrpc::Id;
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
-use super::frame::{FrameError, frame, read_message};
+use super::frame::{FramingError, frame, read_message};
 use super::pump::Pump;
 
 /// Input stream of tower-lsp: framed messages.
@@ -80,15 +80,15 @@ pub(crate) fn read(
     loop {
         let message = match read_message(&mut input) {
             Ok(Some(Ok(message))) => message,
-            Ok(Some(Err(FrameError::Head))) => {
+            Ok(Some(Err(FramingError::Head))) => {
                 refuse(pump, -32700, "a message begins with `Content-Length`");
                 continue;
             }
-            Ok(Some(Err(FrameError::Length))) => {
+            Ok(Some(Err(FramingError::Length))) => {
                 refuse(pump, -32700, "the value of `Content-Length` is not a number");
                 return;
             }
-            Ok(Some(Err(FrameError::Size))) => {
+            Ok(Some(Err(FramingError::Size))) => {
                 refuse(pump, -32700, "the message is too large");
                 return;
             }

@@ -6,7 +6,7 @@ use camino::Utf8PathBuf;
 use serde_json::{Value, json};
 use val3_analysis::load::load;
 use val3_analysis::system::Disk;
-use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_check::settings::{RuleSelection, WorkspaceSettings};
 use val3_check::{Checked, check_unit, finish, units};
 
 use crate::cell::{Cell, place};
@@ -25,7 +25,7 @@ fn example(name: &str) -> String {
 fn checked(folder: &str) -> Vec<Found> {
     let workspace = load(&Disk, &[Utf8PathBuf::from(folder)]).unwrap();
     let db = &workspace.db;
-    let settings = WorkspaceSettings::new(db, &workspace.projects, &Selection::default()).unwrap();
+    let settings = WorkspaceSettings::new(db, &workspace.projects, &RuleSelection::default()).unwrap();
     let units = units(db, &workspace.projects);
     let sum: Checked = units.iter().map(|unit| check_unit(db, *unit, &settings)).sum();
     let found = finish(db, &units, &settings, sum).findings.into_iter().map(|found| {

@@ -3,7 +3,7 @@
 use val3_kinematics::Arm;
 use val3_lang::ports::MoveRequest;
 use val3_lang::values::MdescValue;
-use val3_motion::{Blend, DegreesPerSecond, Limits, Millimetres, MillimetresPerSecond, Move};
+use val3_motion::{Blend, DegreesPerSecond, Millimetres, MillimetresPerSecond, Move, SpeedLimits};
 
 /// Converts a request to the move with this id.
 pub(super) fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {
@@ -14,11 +14,11 @@ pub(super) fn to_move(arm: &Arm, request: &MoveRequest, id: f64) -> Move {
 }
 
 /// Limits of a descriptor, whose percentages refer to the nominal values of the arm (10.3.4).
-pub(super) fn limits(arm: &Arm, descriptor: &MdescValue) -> Limits {
+pub(super) fn limits(arm: &Arm, descriptor: &MdescValue) -> SpeedLimits {
     let share = |per_cent: f64, nominal: fn(&Arm, usize) -> f64| {
         std::array::from_fn(|axis| per_cent / 100.0 * nominal(arm, axis))
     };
-    Limits {
+    SpeedLimits {
         speed: share(descriptor.vel, Arm::nominal_speed),
         acceleration: share(descriptor.accel, Arm::nominal_acceleration),
         deceleration: share(descriptor.decel, Arm::nominal_deceleration),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use val3_lang::ports::Ports as _;
 
-use super::{Controller, Phase};
+use super::{Controller, RunPhase};
 use crate::screen::HtmlCallback;
 
 impl Controller {
@@ -14,7 +14,7 @@ impl Controller {
     /// # Errors
     /// No page is shown, the element has no program, or the task cannot start.
     pub fn click(&mut self, element: &str) -> Result<(), String> {
-        if self.phase != Phase::Running {
+        if self.phase != RunPhase::Running {
             return Err("the application is stopped, and a click executes nothing".to_owned());
         }
         let Some(page) = self.devices.state.pendant.shown_html() else {

@@ -4,7 +4,7 @@ use val3_geometry::IsometryMatrix3;
 use val3_kinematics::Joints;
 use val3_lang::ports::CodePlace;
 use val3_lang::values::MdescValue;
-use val3_motion::{Corner, Millimetres, MotionMode, MoveStage, PathPiece, PathShape, QueuedMove};
+use val3_motion::{BlendCorner, Millimetres, MotionMode, MoveStage, PathPiece, PathShape, QueuedMove};
 
 use super::Controller;
 use crate::arm::{ArmHold, MoveOrigin, RobotArm};
@@ -137,7 +137,7 @@ impl Controller {
 
     fn recorded_move(&self, queued: &QueuedMove, origin: Option<&MoveOrigin>) -> RecordedMove {
         let motion = self.devices.state.arm.motion();
-        let point = |corner: Option<Corner>, place: Option<(Joints, IsometryMatrix3<f64>)>| {
+        let point = |corner: Option<BlendCorner>, place: Option<(Joints, IsometryMatrix3<f64>)>| {
             let ((joints, pose), distance) = (place?, corner?.distance);
             Some(BlendPoint { distance, joints, pose })
         };

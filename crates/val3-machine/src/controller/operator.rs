@@ -8,7 +8,7 @@ use crate::event::EventKind;
 
 /// Action of the operator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Operation {
+pub enum OperatorAction {
     /// Taps a key of the pendant.
     Tap(u16),
     /// Shows the next user page.
@@ -19,7 +19,7 @@ pub enum Operation {
     Stop,
 }
 
-impl Operation {
+impl OperatorAction {
     /// Returns the action as in the record of a run. Scripts have no key for another page.
     fn keys(self) -> Map<String, Value> {
         let (key, value): (&str, Value) = match self {
@@ -35,14 +35,14 @@ impl Operation {
 /// Actions of the operator with the times of the next cycles, so that a restored controller repeats the actions.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Operations {
-    recorded: Vec<(Time, Operation)>,
+    recorded: Vec<(Time, OperatorAction)>,
     /// The number of actions that have taken effect.
     done: usize,
 }
 
 impl Operations {
     /// Returns the next action that is due.
-    fn take_due(&mut self, now: Time) -> Option<Operation> {
+    fn take_due(&mut self, now: Time) -> Option<OperatorAction> {
         let (_, operation) = self.recorded.get(self.done).filter(|(time, _)| *time <= now)?;
         self.done += 1;
         Some(*operation)
@@ -60,7 +60,7 @@ impl Operations {
 
 impl Controller {
     /// Adds an action of the operator before the next cycle.
-    pub fn operate(&mut self, operation: Operation) {
+    pub fn operate(&mut self, operation: OperatorAction) {
         let time = if self.schedule.is_within_cycle() { self.schedule.cycle_end() } else { self.schedule.now };
         self.operations.recorded.push((time, operation));
     }
@@ -70,10 +70,10 @@ impl Controller {
             self.devices.record_outside(now, EventKind::Act { keys: operation.keys() });
             let pendant = &mut self.devices.state.pendant;
             match operation {
-                Operation::Tap(code) => pendant.tap(code, now),
-                Operation::NextPage => pendant.show_next(),
-                Operation::PreviousPage => pendant.show_previous(),
-                Operation::Stop => self.stop(),
+                OperatorAction::Tap(code) => pendant.tap(code, now),
+                OperatorAction::NextPage => pendant.show_next(),
+                OperatorAction::PreviousPage => pendant.show_previous(),
+                OperatorAction::Stop => self.stop(),
             }
         }
     }

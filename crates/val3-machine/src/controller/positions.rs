@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use val3_bytecode::{Op, Operation};
+use val3_bytecode::{Op, Opcode};
 use val3_lang::call::Wait;
 use val3_lang::fault::Fault;
 use val3_lang::instruction::{Family, Instruction};
@@ -210,7 +210,7 @@ impl Controller {
         let image = &self.vm.space.instance(frame.instance)?.image;
         let program = image.programs.get(usize::from(frame.program))?;
         let line = program.line_of(task.thread.next);
-        let asks = |(number, step): (u32, &Operation)| match step.op {
+        let asks = |(number, step): (u32, &Opcode)| match step.op {
             Op::Instruction { site } if program.line_of(number) == line => {
                 let site = program.instructions.get(site as usize);
                 site.and_then(|site| instructions::find(site.callee.name())).is_some_and(motion::needs_arm)

@@ -4,19 +4,19 @@ use val3_lang::ports::TaskNumber;
 use val3_vm::{Schedule, Vm};
 
 use super::operator::Operations;
-use super::{Controller, Phase};
-use crate::devices::{LinesState, MediaState, State};
+use super::{Controller, RunPhase};
+use crate::devices::{DeviceState, LinesState, MediaState};
 use crate::script::Script;
 
 /// State of a controller at one time.
 #[derive(Debug, Clone)]
 pub struct Snapshot {
     vm: Vm,
-    state: State,
+    state: DeviceState,
     lines: LinesState,
     media: MediaState,
     schedule: Schedule,
-    phase: Phase,
+    phase: RunPhase,
     lead: Option<TaskNumber>,
     stopped: bool,
     script: Script,

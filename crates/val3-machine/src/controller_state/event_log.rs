@@ -1,6 +1,6 @@
 //! Event log of the controller, and the rate limit for programs (`logMsg`, 4.3).
 
-use super::severity::Severity;
+use super::severity::MessageSeverity;
 
 /// Size of the date, the time and the mark of a message, in bytes.
 const STAMP: u64 = 32;
@@ -17,7 +17,7 @@ pub struct LogEntry {
     /// Time of logging, in nanoseconds.
     pub at: u64,
     /// Kind of the message.
-    pub severity: Severity,
+    pub severity: MessageSeverity,
     /// Text of the message.
     pub text: String,
     /// Whether the message is from a program, not from the controller.
@@ -46,7 +46,7 @@ pub struct EventLog {
 
 impl EventLog {
     /// `logMsg`: returns `false` if the message was lost because too many bytes wait to be written.
-    pub fn log(&mut self, text: &str, severity: Severity, now: u64) -> bool {
+    pub fn log(&mut self, text: &str, severity: MessageSeverity, now: u64) -> bool {
         self.write_out(now);
         let size = text.len() as u64 + STAMP;
         let fits = self.waiting + size <= CAPACITY;
@@ -58,7 +58,7 @@ impl EventLog {
     }
 
     /// Adds a message of the controller itself, which is never lost.
-    pub fn report(&mut self, text: &str, severity: Severity, now: u64) {
+    pub fn report(&mut self, text: &str, severity: MessageSeverity, now: u64) {
         self.entries.push(LogEntry { at: now, severity, text: text.to_owned(), from_program: false });
     }
 
@@ -83,11 +83,11 @@ mod tests {
     #[test]
     fn a_message_is_marked_as_one_of_the_user() {
         let mut log = EventLog::default();
-        assert!(log.log("gripper lost a part", Severity::Warning, 5));
-        log.report("power refused", Severity::Information, 6);
+        assert!(log.log("gripper lost a part", MessageSeverity::Warning, 5));
+        log.report("power refused", MessageSeverity::Information, 6);
         let entries = log.take_entries();
         assert_eq!(entries[0].line(), "USR gripper lost a part");
-        assert_eq!((entries[0].at, entries[0].severity), (5, Severity::Warning));
+        assert_eq!((entries[0].at, entries[0].severity), (5, MessageSeverity::Warning));
         assert_eq!(entries[1].line(), "power refused");
         assert!(log.take_entries().is_empty());
     }
@@ -96,25 +96,25 @@ mod tests {
     fn too_many_at_once_are_lost_and_can_be_logged_later() {
         let mut log = EventLog::default();
         let long = "x".repeat(128);
-        let taken = (0..1000).take_while(|_| log.log(&long, Severity::Information, 0)).count();
+        let taken = (0..1000).take_while(|_| log.log(&long, MessageSeverity::Information, 0)).count();
         assert_eq!(taken, 51);
-        assert!(!log.log(&long, Severity::Information, 4 * MILLISECOND - 1));
-        assert!(log.log(&long, Severity::Information, 5 * MILLISECOND));
+        assert!(!log.log(&long, MessageSeverity::Information, 4 * MILLISECOND - 1));
+        assert!(log.log(&long, MessageSeverity::Information, 5 * MILLISECOND));
     }
 
     #[test]
     fn a_short_message_still_fits_where_a_long_one_is_lost() {
         let mut log = EventLog::default();
-        while log.log(&"x".repeat(128), Severity::Information, 0) {}
-        assert!(!log.log(&"x".repeat(128), Severity::Information, 0));
-        assert!(log.log("", Severity::Information, 0));
+        while log.log(&"x".repeat(128), MessageSeverity::Information, 0) {}
+        assert!(!log.log(&"x".repeat(128), MessageSeverity::Information, 0));
+        assert!(log.log("", MessageSeverity::Information, 0));
     }
 
     #[test]
     fn the_budget_for_messages_is_limited() {
         let mut log = EventLog::default();
         let an_hour = 3_600_000 * MILLISECOND;
-        let taken = (0..1000).take_while(|_| log.log(&"x".repeat(128), Severity::Information, an_hour)).count();
+        let taken = (0..1000).take_while(|_| log.log(&"x".repeat(128), MessageSeverity::Information, an_hour)).count();
         assert_eq!(taken, 51);
     }
 }

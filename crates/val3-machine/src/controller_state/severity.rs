@@ -2,7 +2,7 @@
 
 /// Severity of a message in `logMsg` and `popUpMsg` (s8); the default is information.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Severity {
+pub enum MessageSeverity {
     /// 1.
     #[default]
     Information,
@@ -12,7 +12,7 @@ pub enum Severity {
     Error,
 }
 
-impl Severity {
+impl MessageSeverity {
     /// Returns the severity with this number; any number except 2 and 3 is an information.
     #[must_use]
     pub fn from_number(number: f64) -> Self {
@@ -44,13 +44,13 @@ impl Severity {
 
 #[cfg(test)]
 mod tests {
-    use super::Severity;
+    use super::MessageSeverity;
 
     #[test]
     fn numbers_and_severities_are_converted_both_ways() {
         for number in [1, 2, 3] {
-            assert_eq!(Severity::from_number(f64::from(number)).number(), number);
+            assert_eq!(MessageSeverity::from_number(f64::from(number)).number(), number);
         }
-        assert_eq!(Severity::from_number(7.0), Severity::Information);
+        assert_eq!(MessageSeverity::from_number(7.0), MessageSeverity::Information);
     }
 }

@@ -49,13 +49,13 @@ const AT_FIRST: [(Component, &str); 7] = [
 
 /// Versions and licences that were set, initially with the licences that the manual names.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Versions {
+pub struct ControllerVersions {
     parts: Vec<(Component, String)>,
     licences: BTreeMap<String, Licence>,
     oem: BTreeMap<String, OemLicence>,
 }
 
-impl Default for Versions {
+impl Default for ControllerVersions {
     fn default() -> Self {
         let licences = LICENCES.map(|name| (name.to_owned(), Licence::Enabled)).into();
         let parts = AT_FIRST.map(|(part, version)| (part, version.to_owned())).to_vec();
@@ -63,7 +63,7 @@ impl Default for Versions {
     }
 }
 
-impl Versions {
+impl ControllerVersions {
     /// Sets the version of a component, as `getVersion` returns it: for the language `s7.11.3 - Jan 01 2024 -
     /// 00:00:00`.
     pub fn set(&mut self, part: Component, version: &str) {
@@ -117,7 +117,7 @@ mod tests {
 
     #[test]
     fn the_components_of_the_manual() {
-        let mut versions = Versions::default();
+        let mut versions = ControllerVersions::default();
         let parts = [
             ("VAL 3", Component::Val3, "s7.0 - Jun 18 2010 - 16:01:17"),
             ("ArmType", Component::ArmType, "rs60-S1-D20-L200"),
@@ -132,14 +132,14 @@ mod tests {
             versions.set(part, version);
             assert_eq!(versions.version(name), version);
         }
-        assert_eq!(Versions::default().version("Starc"), "");
+        assert_eq!(ControllerVersions::default().version("Starc"), "");
         versions.set(Component::Tuning, "R4");
         assert_eq!(versions.version("Tuning"), "R4");
     }
 
     #[test]
     fn a_licence_is_missing_a_demo_or_enabled() {
-        let mut versions = Versions::default();
+        let mut versions = ControllerVersions::default();
         assert_eq!(versions.version("compliance"), "enabled");
         versions.set_licence("compliance", Some(Licence::Demo));
         assert_eq!(versions.version("compliance"), "demo");
@@ -150,7 +150,7 @@ mod tests {
 
     #[test]
     fn every_result_of_a_licence_of_a_machine_builder() {
-        let mut versions = Versions::default();
+        let mut versions = ControllerVersions::default();
         versions.set_oem_licence("palletiser", "secret", Licence::Enabled);
         versions.set_oem_licence("vision", "secret", Licence::Demo);
         assert_eq!(versions.oem_licence("palletiser", "secret"), "enabled");

@@ -1,7 +1,7 @@
 //! Blend distances, with the lines that shorten them.
 
 use val3_lang::ports::CodePlace;
-use val3_motion::{Corner, Millimetres, MoveEvent, QueuedMove, Shortening};
+use val3_motion::{BlendCorner, Millimetres, MoveEvent, QueuedMove, Shortening};
 
 use super::Devices;
 use crate::arm::MoveOrigin;
@@ -21,7 +21,7 @@ impl Devices {
 
     fn blend_ends(
         &self,
-        [leave, reach]: [Option<Corner>; 2],
+        [leave, reach]: [Option<BlendCorner>; 2],
         cancelled: Option<[Millimetres; 2]>,
         origin: Option<&MoveOrigin>,
     ) -> BlendEnds {
@@ -39,7 +39,7 @@ impl Devices {
         }
     }
 
-    fn blend_distance(&self, end: &Corner) -> BlendDistance {
+    fn blend_distance(&self, end: &BlendCorner) -> BlendDistance {
         let cut = end.shortening.map(|shortening| {
             let reason = match shortening {
                 Shortening::SharedWithPrevious(_) => CutReason::SharedWithPrevious,

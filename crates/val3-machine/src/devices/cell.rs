@@ -4,9 +4,9 @@ use val3_kinematics::{Arm, Violation};
 use val3_lang::components::Component;
 use val3_motion::MillimetresPerSecond;
 use val3_syntax::arm_file::ArmFile;
-use val3_syntax::xml::{self, Element};
+use val3_syntax::xml::{self, XmlElement};
 
-use super::state::State;
+use super::state::DeviceState;
 
 /// Entries that `getVersion` returns, by their names in the files.
 const PARTS: [(&str, Component); 2] = [("tuning", Component::Tuning), ("mount", Component::Mounting)];
@@ -16,11 +16,11 @@ const PARTS: [(&str, Component); 2] = [("tuning", Component::Tuning), ("mount", 
 pub(super) struct CellFile {
     arm: ArmFile,
     /// Languages, versions and speeds, in the order of the file.
-    settings: Vec<Setting>,
+    settings: Vec<CellSetting>,
 }
 
 #[derive(Debug)]
-enum Setting {
+enum CellSetting {
     Language(String),
     Version(Component, String),
     ManualSpeed(String),
@@ -30,24 +30,24 @@ impl CellFile {
     /// Reads a file. Entries of other parts are ignored.
     pub(super) fn read(file: &str) -> Self {
         let parse = val3_syntax::parse(file);
-        let entries = xml::root(parse.view()).into_iter().flat_map(Element::elements);
+        let entries = xml::root(parse.view()).into_iter().flat_map(XmlElement::elements);
         Self { arm: ArmFile::read(file), settings: entries.filter_map(setting).collect() }
     }
 
     /// Applies the settings, and returns warnings about settings without effect.
-    pub(super) fn apply(&self, state: &mut State) -> Vec<String> {
+    pub(super) fn apply(&self, state: &mut DeviceState) -> Vec<String> {
         if let Some(arm) = self.arm.model.as_ref().filter(|_| !state.arm.is_chosen()) {
             self.set_arm(arm, state);
         }
         let mut warnings = Vec::new();
         for setting in &self.settings {
             match setting {
-                Setting::Language(language) => {
+                CellSetting::Language(language) => {
                     state.languages.install(language);
                     state.languages.change(language);
                 }
-                Setting::Version(part, version) => state.versions.set(*part, version),
-                Setting::ManualSpeed(speed) => match manual_speed(speed) {
+                CellSetting::Version(part, version) => state.versions.set(*part, version),
+                CellSetting::ManualSpeed(speed) => match manual_speed(speed) {
                     Some(speed) => state.robot.set_manual_speed(speed),
                     None => warnings.push(no_speed(speed)),
                 },
@@ -59,7 +59,7 @@ impl CellFile {
     }
 
     /// Sets the named arm. If it is unknown, the default arm stays.
-    fn set_arm(&self, name: &str, state: &mut State) {
+    fn set_arm(&self, name: &str, state: &mut DeviceState) {
         match Arm::by_settings(name, self.arm.length_axis3.as_deref()) {
             Ok(model) => state.set_arm(model, name),
             Err(_) => state.arm.miss(name),
@@ -82,14 +82,14 @@ fn no_speed(text: &str) -> String {
     format!("cell.cfx: maxManuCartSpeed is `{text}`, not a speed above 0 in mm/s; it is not used")
 }
 
-fn setting(entry: Element<'_>) -> Option<Setting> {
+fn setting(entry: XmlElement<'_>) -> Option<CellSetting> {
     let (name, value) = (entry.value("name")?, entry.value("value")?.trim().to_owned());
     if value.is_empty() {
         return None;
     }
     match &*name {
-        "language" => Some(Setting::Language(value)),
-        "maxManuCartSpeed" => Some(Setting::ManualSpeed(value)),
-        _ => PARTS.iter().find(|(known, _)| *known == name).map(|(_, part)| Setting::Version(*part, value)),
+        "language" => Some(CellSetting::Language(value)),
+        "maxManuCartSpeed" => Some(CellSetting::ManualSpeed(value)),
+        _ => PARTS.iter().find(|(known, _)| *known == name).map(|(_, part)| CellSetting::Version(*part, value)),
     }
 }

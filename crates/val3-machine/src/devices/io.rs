@@ -1,14 +1,14 @@
 //! Access of instructions to inputs and outputs (3.5, 3.6, 8.1).
 
 use val3_lang::fault::{Fault, Result};
-use val3_lang::ports::{Io, IoDescription};
+use val3_lang::ports::{IoDescription, IoPort};
 use val3_lang::types::BaseType;
 use val3_lang::values::Text;
 
 use super::Devices;
 use crate::io::{IoError, LinkId};
 
-impl Io for Devices {
+impl IoPort for Devices {
     fn read_digital(&mut self, port: Option<u32>) -> Result<bool> {
         self.note_read(link(port));
         self.state.io.read_digital(link(port)).map_err(fault)

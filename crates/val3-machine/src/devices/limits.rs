@@ -2,7 +2,7 @@
 
 /// Maximum amounts of data that the devices store for programs, in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Limits {
+pub struct DeviceLimits {
     /// Events in a cycle. The cycle is then suspended, so that the caller can take the events.
     pub recorded: usize,
     /// Data that all tasks together have to send over lines. Beyond this limit, sending raises error 40.
@@ -14,7 +14,7 @@ pub struct Limits {
     pub changed: u64,
 }
 
-impl Default for Limits {
+impl Default for DeviceLimits {
     fn default() -> Self {
         Self { recorded: 64 << 20, pending: 64 << 20, saved: 64 << 20, changed: 256 << 20 }
     }

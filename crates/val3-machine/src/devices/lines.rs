@@ -11,13 +11,13 @@ use val3_lang::runtime_errors::UNLINKED;
 use crate::event::EventKind;
 use crate::inputs::Inputs;
 use crate::sio::{
-    Attempt, ByteStream, Channel, ChannelConfig, ChannelState, Entry, LineKind, NetworkAccess, Recorder, RecorderState,
-    Replay, ScriptedPeer, Sending, SettingRefusal, SocketGuard,
+    Attempt, ByteStream, Channel, ChannelConfig, ChannelState, LineKind, LineRecorder, NetworkAccess, RecordedReply,
+    RecorderState, Replay, ScriptedPeer, Sending, SettingRefusal, SocketGuard,
 };
 
 /// All lines that are configured or linked by variables.
 #[derive(Default)]
-pub struct Lines {
+pub struct ChannelTable {
     pub(super) lines: Vec<NamedLine>,
     /// The bytes that tasks are sending.
     sending: BTreeMap<TaskNumber, Sending>,
@@ -28,14 +28,14 @@ pub struct Lines {
     /// Output of the cycle over lines whose other end is a script, by link.
     pub(super) output: BTreeMap<String, Vec<u8>>,
     /// Recorded results by link, which lines return instead of external results.
-    replay: Option<BTreeMap<String, Vec<Entry>>>,
+    replay: Option<BTreeMap<String, Vec<RecordedReply>>>,
     pub(super) inputs: Inputs,
     /// Whether the current instruction has used a link that is not configured.
     is_missing: bool,
 }
 
 /// Results with the link of the line. Each recorder shares the list.
-type Answers = Rc<RefCell<Vec<(String, Entry)>>>;
+type Answers = Rc<RefCell<Vec<(String, RecordedReply)>>>;
 
 /// Line with its link.
 pub(super) struct NamedLine {
@@ -71,12 +71,12 @@ pub(super) struct RecordedChannel {
 pub struct LinesState {
     lines: Vec<(Option<(ChannelState, RecorderState)>, bool)>,
     sending: BTreeMap<TaskNumber, Sending>,
-    answers: Option<Vec<(String, Entry)>>,
+    answers: Option<Vec<(String, RecordedReply)>>,
     had_peer: bool,
     output: BTreeMap<String, Vec<u8>>,
 }
 
-impl Lines {
+impl ChannelTable {
     /// Creates an empty list of lines, whose calls will pass through this recorder.
     pub(super) fn new(inputs: Inputs) -> Self {
         Self { inputs, ..Self::default() }
@@ -176,12 +176,12 @@ impl Lines {
 
     /// Replays recorded results, by link, on lines that are configured from now on. A line without entries stays
     /// silent.
-    pub fn replay(&mut self, entries: BTreeMap<String, Vec<Entry>>) {
+    pub fn replay(&mut self, entries: BTreeMap<String, Vec<RecordedReply>>) {
         self.replay = Some(entries);
     }
 
     /// Results of recorded lines since the last call.
-    pub(super) fn take_answers(&mut self) -> Vec<(String, Entry)> {
+    pub(super) fn take_answers(&mut self) -> Vec<(String, RecordedReply)> {
         self.answers.as_ref().map(|answers| std::mem::take(&mut *answers.borrow_mut())).unwrap_or_default()
     }
 
@@ -208,7 +208,7 @@ impl Lines {
         line: Box<dyn ByteStream>,
     ) -> Result<RecordedChannel, SettingRefusal> {
         let (answers, link) = (self.answers.clone(), config.link.clone());
-        let recorder = Recorder::new(line, self.inputs.clone(), move |entry| {
+        let recorder = LineRecorder::new(line, self.inputs.clone(), move |entry| {
             if let Some(answers) = &answers {
                 answers.borrow_mut().push((link.clone(), entry));
             }

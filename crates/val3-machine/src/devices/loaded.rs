@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use val3_bytecode::{DataDef, Image, Program};
-use val3_lang::memory::{Place, Shape, StoreId};
+use val3_lang::memory::{ContainerShape, Place, StoreId};
 use val3_lang::ports::CodePlace;
 
 use crate::files::LibraryFiles;
@@ -86,15 +86,15 @@ impl LoadedInstance {
 fn named(data: &DataDef, number: u32) -> String {
     let name = &data.name;
     match &data.init.shape {
-        Shape::Array { dims, sizes } if data.init.shape.len() > 1 => {
+        ContainerShape::Array { dims, sizes } if data.init.shape.len() > 1 => {
             let [_, rows, columns] = *sizes;
             let indexes = [number / (rows * columns), number / columns % rows, number % columns];
             let indexes: Vec<String> = indexes.iter().take(usize::from(*dims)).map(u32::to_string).collect();
             format!("{name}[{}]", indexes.join(","))
         }
-        Shape::Array { .. } if number == 0 => name.clone(),
-        Shape::Array { .. } => format!("{name}[{number}]"),
-        Shape::Collection(keys) => {
+        ContainerShape::Array { .. } if number == 0 => name.clone(),
+        ContainerShape::Array { .. } => format!("{name}[{number}]"),
+        ContainerShape::Collection(keys) => {
             let key = keys.iter().find(|(_, at)| **at == number).map(|(key, _)| key);
             key.map_or_else(|| name.clone(), |key| format!("{name}[\"{key}\"]"))
         }

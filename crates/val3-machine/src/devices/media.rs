@@ -1,11 +1,11 @@
 //! Access of instructions to files on the media.
 
-use val3_lang::ports::Media;
+use val3_lang::ports::MediaPort;
 use val3_lang::values::Text;
 
 use super::Devices;
 use super::outside::controller_path;
-use crate::controller_state::Severity;
+use crate::controller_state::MessageSeverity;
 use crate::event::EventKind;
 use crate::files::{self, FileFault, LibraryPath, OpenMode, list};
 use crate::sio::byte_of;
@@ -19,13 +19,13 @@ impl Devices {
             let text = format!(
                 "the files that the program has changed in this debugged run take more than {limit} MB: nothing more is written"
             );
-            self.report_here(&text, Severity::Error);
+            self.report_here(&text, MessageSeverity::Error);
         }
         result
     }
 }
 
-impl Media for Devices {
+impl MediaPort for Devices {
     fn delete_library(&mut self, from: &str, path: &str) -> u16 {
         self.state.access_time.access(0);
         let library = controller_path(from, path).and_then(|path| LibraryPath::new(&path));

@@ -5,7 +5,7 @@ use val3_kinematics::{Arm, Dh, Joints};
 use val3_lang::components::{ABSOLUTE_ROBOT, ALTER, COMPLIANCE, CONTINUOUS_AXIS};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::motion::AXIS_SPEED;
-use val3_lang::ports::{CodePlace, Motion, MoveRequest, Time};
+use val3_lang::ports::{CodePlace, MotionPort, MoveRequest, Time};
 use val3_lang::runtime_errors::{IMPOSSIBLE_MOVE, INVALID_PARAMETER, MOTION_FAULT, NO_LICENCE, UNLINKED};
 use val3_lang::values::MdescValue;
 use val3_motion::{AlterReference, Manner, MoveEventKind, PathFault};
@@ -13,7 +13,7 @@ use val3_motion::{AlterReference, Manner, MoveEventKind, PathFault};
 use super::Devices;
 use crate::arm::{Latch, MoveError, MoveOrigin};
 use crate::blend_ends::BlendEnds;
-use crate::controller_state::Severity;
+use crate::controller_state::MessageSeverity;
 use crate::event::EventKind;
 use crate::io::LinkId;
 
@@ -23,7 +23,7 @@ const NO_ALTER: i8 = -2;
 /// The inputs that have a position latch (9.2.3).
 const FAST_INPUTS: [&str; 2] = ["fIn0", "fIn1"];
 
-impl Motion for Devices {
+impl MotionPort for Devices {
     fn arm(&mut self) -> &Arm {
         if let Some(text) = self.state.arm.take_notice() {
             self.record(EventKind::Notice { text });
@@ -35,7 +35,7 @@ impl Motion for Devices {
         self.check_licence(ABSOLUTE_ROBOT)?;
         let changed = self.state.arm.set_dh(dh);
         if let Err(error) = &changed {
-            self.report_here(&format!("setDH: {error}"), Severity::Warning);
+            self.report_here(&format!("setDH: {error}"), MessageSeverity::Warning);
         }
         Ok(changed.is_ok())
     }
@@ -188,7 +188,7 @@ impl Devices {
             MoveError::Earlier(cause) => (format!("a move recorded before cannot be done: {cause}"), MOTION_FAULT),
             MoveError::Refused(cause) => (format!("{instruction}: {cause}"), IMPOSSIBLE_MOVE),
         };
-        self.report_here(&text, Severity::Error);
+        self.report_here(&text, MessageSeverity::Error);
         self.record_motion_here("error", instruction);
         Fault(code)
     }
@@ -201,7 +201,7 @@ impl Devices {
             let text = format!(
                 "{instruction} at {program}:{line}: with {AXIS_SPEED} = {vel} {excess}; use {AXIS_SPEED} = {most} at most"
             );
-            self.report_here(&text, Severity::Warning);
+            self.report_here(&text, MessageSeverity::Warning);
         }
     }
 
@@ -255,7 +255,7 @@ impl Devices {
     fn report_path_fault(&mut self, now: Time, fault: &PathFault, origin: &MoveOrigin, message: &str) {
         let (instruction, text) = (origin.instruction, fault.to_string());
         let (program, line, file) = self.place(origin.at);
-        self.report(&format!("{message} ({instruction}, {program}:{line}): {text}"), Severity::Error, now);
+        self.report(&format!("{message} ({instruction}, {program}:{line}): {text}"), MessageSeverity::Error, now);
         let queued = self.state.arm.moves().find(|(queued, _)| queued.serial == fault.serial);
         let id = queued.map_or_else(|| self.state.arm.move_id(), |(queued, _)| queued.id);
         self.record_outside(now, EventKind::Fault { id, instruction, text, program, line, file });

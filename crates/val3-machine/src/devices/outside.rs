@@ -22,12 +22,12 @@ pub trait Libraries {
 /// Media and libraries outside. While external input is recorded, an overlay covers the media: changes are state, and
 /// each result of the disk below passes through the recorder, as do results for libraries.
 pub(super) struct Outside {
-    media: Media,
+    media: OutsideMedia,
     inputs: Inputs,
 }
 
 /// The media and libraries outside.
-pub(super) struct Media {
+pub(super) struct OutsideMedia {
     /// The media that paths name.
     pub(super) roots: Roots,
     /// The files that programs have open.
@@ -52,13 +52,13 @@ impl MediaState {
 
 impl Outside {
     pub(super) fn new(roots: Roots, libraries: Box<dyn Libraries>, inputs: Inputs) -> Self {
-        Self { media: Media { roots, files: OpenFiles::default(), libraries }, inputs }
+        Self { media: OutsideMedia { roots, files: OpenFiles::default(), libraries }, inputs }
     }
 
     /// Returns the file changes of programs. From the first call on, they stay in memory, limited to this number of
     /// bytes.
     pub(super) fn state(&mut self, limit: u64) -> MediaState {
-        let Media { roots, files, .. } = &mut self.media;
+        let OutsideMedia { roots, files, .. } = &mut self.media;
         if roots.cover(&self.inputs, limit) {
             files.follow(roots);
         }
@@ -77,7 +77,7 @@ impl Outside {
 
     /// Uncovers the media: changes go to the media again.
     pub(super) fn uncover(&mut self) {
-        let Media { roots, files, .. } = &mut self.media;
+        let OutsideMedia { roots, files, .. } = &mut self.media;
         roots.uncover();
         files.follow(roots);
     }
@@ -88,7 +88,7 @@ impl Outside {
     }
 
     /// Reads or changes something on the media.
-    pub(super) fn ask<T>(&mut self, question: impl FnOnce(&mut Media) -> T) -> T {
+    pub(super) fn ask<T>(&mut self, question: impl FnOnce(&mut OutsideMedia) -> T) -> T {
         question(&mut self.media)
     }
 

@@ -6,14 +6,14 @@ use val3_lang::values::date::DateTime;
 
 use super::Devices;
 use super::part_events::logged;
-use crate::controller_state::Severity;
+use crate::controller_state::MessageSeverity;
 
 impl Robot for Devices {
     fn enable_power(&mut self) {
         let now = self.now();
         let request = self.state.robot.enable_power(now);
         if let Some(refusal) = request.refusal() {
-            self.report_here(refusal, Severity::Warning);
+            self.report_here(refusal, MessageSeverity::Warning);
         }
     }
 
@@ -67,7 +67,7 @@ impl Robot for Devices {
     }
 
     fn log(&mut self, text: &str, level: f64) -> bool {
-        let written = self.state.log.log(text, Severity::from_number(level), self.now());
+        let written = self.state.log.log(text, MessageSeverity::from_number(level), self.now());
         let entries = logged(&mut self.state.log);
         self.record_all(entries);
         written

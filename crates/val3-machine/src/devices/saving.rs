@@ -10,14 +10,14 @@ mod values;
 use val3_vm::{InstanceId, Space};
 
 use super::access_time::AccessTime;
-use super::lines::Lines;
+use super::lines::ChannelTable;
 use super::loaded::LoadedProjects;
 use super::outside::{Outside, controller_path};
 use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
 use crate::io::IoTable;
 pub use chosen::SavedValues;
 pub(super) use chosen::save;
-use links::Links;
+use links::LoadedLinks;
 use values::Saver;
 
 /// Returns the size of the global data of an application or library, in bytes.
@@ -33,7 +33,7 @@ pub(super) struct Saving<'s> {
     pub(super) from: InstanceId,
     pub(super) saved: InstanceId,
     pub(super) io: &'s IoTable,
-    pub(super) lines: &'s Lines,
+    pub(super) lines: &'s ChannelTable,
     /// Maximum size of the global data, in bytes.
     pub(super) limit: u64,
 }
@@ -76,7 +76,7 @@ impl<'s> Saving<'s> {
     fn saver(&self) -> Option<Saver<'s>> {
         let (space, saved) = (self.space, self.saved);
         let instance = space.instance(saved)?;
-        let links = Links::new(space, (saved, instance), (self.io, self.lines));
+        let links = LoadedLinks::new(space, (saved, instance), (self.io, self.lines));
         Some(Saver { memory: &space.memory, instance, links })
     }
 }

@@ -5,7 +5,7 @@ use val3_lang::memory::Place;
 use val3_lang::ports::{InputKind, InputResult, Screen};
 
 use super::Devices;
-use crate::controller_state::Severity;
+use crate::controller_state::MessageSeverity;
 use crate::event::EventKind;
 use crate::screen::{PageId, TextMode, display_columns};
 
@@ -52,7 +52,7 @@ impl Screen for Devices {
     }
 
     fn pop_up(&mut self, text: &str, level: f64) {
-        self.on_pendant(|pendant| pendant.show_pop_up(text, Severity::from_number(level)));
+        self.on_pendant(|pendant| pendant.show_pop_up(text, MessageSeverity::from_number(level)));
     }
 
     fn begin_reading(&mut self, page: u32, asked: InputKind) {

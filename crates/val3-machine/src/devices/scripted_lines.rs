@@ -1,9 +1,9 @@
 //! Serial lines and sockets whose other end is a script.
 
-use super::Lines;
+use super::ChannelTable;
 use crate::sio::{ChannelConfig, LineKind, ScriptedLine};
 
-impl Lines {
+impl ChannelTable {
     /// Connects the script as the other end of a line, in place of the outside. The line keeps its kind and its
     /// parameters.
     pub fn connect_script(&mut self, link: &str) {
@@ -83,7 +83,7 @@ mod tests {
 
     const HOST: &str = r"Socket\host";
 
-    fn read(lines: &mut Lines) -> Option<String> {
+    fn read(lines: &mut ChannelTable) -> Option<String> {
         match lines.channel_of("socket\\HOST").unwrap().read_text(0.0) {
             Attempt::Done(text) => Some(text.unwrap()),
             Attempt::Wait => None,
@@ -93,7 +93,7 @@ mod tests {
     #[test]
     fn input_of_a_script_arrives_once_even_after_a_snapshot_is_restored() {
         let inputs = Inputs::default();
-        let mut lines = Lines::new(inputs.clone());
+        let mut lines = ChannelTable::new(inputs.clone());
         assert!(lines.receive_from_script(HOST, b"a\r").is_err(), "no line waits for the text");
         lines.connect_script(HOST);
         let (mark, state) = (inputs.mark(), lines.state());
@@ -107,9 +107,9 @@ mod tests {
 
     #[test]
     fn a_line_keeps_its_kind_and_its_parameters() {
-        let mut lines = Lines::new(Inputs::default());
+        let mut lines = ChannelTable::new(Inputs::default());
         lines.connect_script(r"Serial\1");
-        lines.channel_of(r"Serial\1").unwrap().set(&crate::sio::Setting::EndOfString(b'!')).unwrap();
+        lines.channel_of(r"Serial\1").unwrap().set(&crate::sio::LineSetting::EndOfString(b'!')).unwrap();
         lines.connect_script(r"Serial\1");
         lines.receive_from_script(r"Serial\1", b"a!").unwrap();
         let channel = lines.channel_of(r"Serial\1").unwrap();

@@ -9,13 +9,13 @@ use super::loaded::LoadedProjects;
 use super::questions::Questions;
 use super::record::Record;
 use crate::arm::{ArmHold, RobotArm};
-use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
+use crate::controller_state::{Calendar, ControllerVersions, Cs9, EventLog, Languages, Profiles, Robot};
 use crate::io::{IoTable, LinkId};
 use crate::screen::Pendant;
 
 /// The state of the devices.
 #[derive(Debug, Clone, Default)]
-pub struct State {
+pub struct DeviceState {
     /// Digital and analog inputs and outputs.
     pub io: IoTable,
     /// The pendant.
@@ -31,7 +31,7 @@ pub struct State {
     /// Languages.
     pub languages: Languages,
     /// Versions and licences.
-    pub versions: Versions,
+    pub versions: ControllerVersions,
     /// Date and time.
     pub calendar: Calendar,
     /// Additional features of CS9 controllers.
@@ -48,7 +48,7 @@ pub struct State {
     pub(super) lacks: bool,
 }
 
-impl State {
+impl DeviceState {
     /// Sets the arm, with the name that `getVersion` returns.
     pub fn set_arm(&mut self, model: Arm, name: &str) {
         self.versions.set(Component::ArmType, name);

@@ -14,8 +14,8 @@ use val3_vm::{Host, InstanceId, LibraryOp, LibraryRequest, LoadedLibrary, Space}
 use super::Devices;
 use super::outside::LoadFault;
 use super::saving::Saving;
-use super::state::State;
-use crate::controller_state::Severity;
+use super::state::DeviceState;
+use crate::controller_state::MessageSeverity;
 use crate::event::EventKind;
 use crate::files::FileFault;
 
@@ -80,7 +80,7 @@ impl Host for Devices {
     }
 
     fn no_memory_for(&mut self, path: &str) {
-        self.report(&format!("`{path}`: no memory is left for the library"), Severity::Error, self.now());
+        self.report(&format!("`{path}`: no memory is left for the library"), MessageSeverity::Error, self.now());
     }
 
     fn load(&mut self, from: &str, library: LibraryRequest<'_>) -> Result<LoadedLibrary, u16> {
@@ -92,14 +92,14 @@ impl Host for Devices {
             }
             Err(LoadFault::File(fault)) => Err(fault.code()),
             Err(LoadFault::Program(reason)) => {
-                self.report_here(&reason, Severity::Error);
+                self.report_here(&reason, MessageSeverity::Error);
                 Err(FileFault::CannotLoad.code())
             }
         }
     }
 
     fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16 {
-        let State { io, loaded, access_time, .. } = &mut self.state;
+        let DeviceState { io, loaded, access_time, .. } = &mut self.state;
         let saving = Saving { space, from, saved, io, lines: &self.lines, limit: self.limits.saved };
         let code = saving.save(to, loaded, access_time, &mut self.outside).err().map_or(0, FileFault::code);
         self.reported(code)

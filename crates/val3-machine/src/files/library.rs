@@ -253,7 +253,7 @@ fn files_of(manifest: &MountedPath<'_>) -> Result<Vec<LibraryFile>, FileFault> {
 fn named_files(text: &str) -> Vec<String> {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view());
-    let entries = root.into_iter().flat_map(xml::Element::elements).flat_map(xml::Element::elements);
+    let entries = root.into_iter().flat_map(xml::XmlElement::elements).flat_map(xml::XmlElement::elements);
     let of_files =
         entries.filter(|entry| ["program", "data"].iter().any(|name| entry.name().eq_ignore_ascii_case(name)));
     of_files.filter_map(|entry| entry.value("file").map(|file| file.trim().to_owned())).collect()

@@ -34,7 +34,7 @@ pub enum OpenMode {
 
 #[derive(Debug)]
 enum OpenFile {
-    Reading(Reading),
+    Reading(FileReading),
     Writing(Writing),
 }
 
@@ -46,7 +46,7 @@ struct Writing {
 }
 
 #[derive(Debug)]
-struct Reading {
+struct FileReading {
     file: InFile,
     /// Bytes that were inspected but not read.
     ahead: VecDeque<u8>,
@@ -78,7 +78,7 @@ impl OpenFiles {
         }
         let open = match mode {
             OpenMode::Read => {
-                OpenFile::Reading(Reading { file: place.volume.open(&place.path)?, ahead: VecDeque::new() })
+                OpenFile::Reading(FileReading { file: place.volume.open(&place.path)?, ahead: VecDeque::new() })
             }
             OpenMode::Write | OpenMode::Append => OpenFile::Writing(Writing {
                 file: place.volume.write(&place.path, mode)?,
@@ -142,7 +142,7 @@ impl OpenFiles {
         Self { files: std::array::from_fn(|number| self.files.get(number)?.as_ref()?.copy()) }
     }
 
-    fn reading(&mut self, number: usize) -> Option<&mut Reading> {
+    fn reading(&mut self, number: usize) -> Option<&mut FileReading> {
         match self.files.get_mut(number)? {
             Some(OpenFile::Reading(reading)) => Some(reading),
             _ => None,
@@ -162,7 +162,9 @@ impl OpenFile {
     /// medium fails or no longer has the file.
     fn following(self, roots: &Roots) -> Option<Self> {
         match self {
-            Self::Reading(Reading { file, ahead }) => Some(Self::Reading(Reading { file: file.into_memory(), ahead })),
+            Self::Reading(FileReading { file, ahead }) => {
+                Some(Self::Reading(FileReading { file: file.into_memory(), ahead }))
+            }
             Self::Writing(Writing { mut file, volume, path }) => {
                 file.flush().ok()?;
                 let medium = roots.volume(volume)?;
@@ -175,8 +177,8 @@ impl OpenFile {
 
     fn copy(&self) -> Option<Self> {
         match self {
-            Self::Reading(Reading { file, ahead }) => {
-                Some(Self::Reading(Reading { file: file.copy()?, ahead: ahead.clone() }))
+            Self::Reading(FileReading { file, ahead }) => {
+                Some(Self::Reading(FileReading { file: file.copy()?, ahead: ahead.clone() }))
             }
             Self::Writing(Writing { file, volume, path }) => {
                 Some(Self::Writing(Writing { file: file.copy()?, volume: *volume, path: path.clone() }))
@@ -185,7 +187,7 @@ impl OpenFile {
     }
 }
 
-impl Reading {
+impl FileReading {
     /// Returns the next byte; `None` at the end, or if the medium fails.
     fn byte(&mut self) -> Option<u8> {
         self.ahead.pop_front().or_else(|| self.file.byte())

@@ -14,13 +14,13 @@ use camino::{Utf8Path, Utf8PathBuf};
 
 use super::volume::DiskState;
 
-pub(super) use content::{Content, Reader};
+pub(super) use content::{ContentReader, FileContent};
 
 /// Changed files and folders.
 #[derive(Debug, Clone)]
 pub struct Overlay {
-    entries: Arc<BTreeMap<Place, Entry>>,
-    contents: Arc<BTreeMap<FileId, Content>>,
+    entries: Arc<BTreeMap<OverlayPath, OverlayNode>>,
+    contents: Arc<BTreeMap<FileId, FileContent>>,
     next: FileId,
     /// Size of all contents, in bytes.
     bytes: u64,
@@ -33,22 +33,22 @@ pub struct Overlay {
 }
 
 /// Location of a file or folder: volume number, and path in the volume.
-pub(super) type Place = (usize, Utf8PathBuf);
+pub(super) type OverlayPath = (usize, Utf8PathBuf);
 
 /// A file with its content, independent of its name.
 pub(super) type FileId = u32;
 
 /// A file or folder that was changed.
 #[derive(Debug, Clone)]
-struct Entry {
+struct OverlayNode {
     /// Entry on the disk before the first change.
     disk: DiskState,
-    now: Node,
+    now: OverlayItem,
 }
 
 /// A file or folder for the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Node {
+pub(super) enum OverlayItem {
     /// Deleted.
     Missing,
     Folder,
@@ -87,7 +87,7 @@ impl Overlay {
     }
 
     /// Returns the entry at a path; `None` if it is unchanged on the disk.
-    pub(super) fn node(&self, volume: usize, path: &Utf8Path) -> Option<Node> {
+    pub(super) fn node(&self, volume: usize, path: &Utf8Path) -> Option<OverlayItem> {
         let mut place = (volume, path.to_owned());
         if let Some(entry) = self.entries.get(&place) {
             return Some(entry.now);
@@ -95,8 +95,8 @@ impl Overlay {
         while place.1.pop() {
             if let Some(entry) = self.entries.get(&place) {
                 // A new folder, a deleted folder and a file contain no other entries.
-                let is_on_disk = entry.now == Node::Folder && entry.disk == DiskState::Folder;
-                return (!is_on_disk).then_some(Node::Missing);
+                let is_on_disk = entry.now == OverlayItem::Folder && entry.disk == DiskState::Folder;
+                return (!is_on_disk).then_some(OverlayItem::Missing);
             }
         }
         None
@@ -105,7 +105,7 @@ impl Overlay {
     /// Whether a parent of the path is a file.
     pub(super) fn is_in_file(&self, volume: usize, path: &Utf8Path) -> bool {
         let mut around = path.ancestors().skip(1).filter_map(|around| self.entries.get(&(volume, around.to_owned())));
-        around.next().is_some_and(|entry| matches!(entry.now, Node::File(_)))
+        around.next().is_some_and(|entry| matches!(entry.now, OverlayItem::File(_)))
     }
 
     /// Names in a folder that differ from the disk, each with whether it exists.
@@ -117,18 +117,18 @@ impl Overlay {
         let below = self.entries.range((volume, folder.to_owned())..);
         let below = below.take_while(move |((number, path), _)| *number == volume && path.starts_with(folder));
         let inside = below.filter(move |((_, path), _)| path.parent() == Some(folder));
-        inside.filter_map(|((_, path), entry)| Some((path.file_name()?, entry.now != Node::Missing)))
+        inside.filter_map(|((_, path), entry)| Some((path.file_name()?, entry.now != OverlayItem::Missing)))
     }
 
     /// Sets the entry at a path. `disk` returns the entry on the disk.
-    pub(super) fn set(&mut self, place: Place, node: Node, disk: impl FnOnce() -> DiskState) {
+    pub(super) fn set(&mut self, place: OverlayPath, node: OverlayItem, disk: impl FnOnce() -> DiskState) {
         let entry = Arc::make_mut(&mut self.entries).entry(place);
-        let entry = entry.or_insert_with(|| Entry { disk: disk(), now: Node::Missing });
+        let entry = entry.or_insert_with(|| OverlayNode { disk: disk(), now: OverlayItem::Missing });
         entry.now = node;
     }
 
     /// Adds a content as a file.
-    pub(super) fn add(&mut self, content: Content) -> io::Result<FileId> {
+    pub(super) fn add(&mut self, content: FileContent) -> io::Result<FileId> {
         self.take_room(content.bytes())?;
         let id = self.next;
         self.next += 1;
@@ -137,7 +137,7 @@ impl Overlay {
     }
 
     /// The content of a file.
-    pub(super) fn content(&self, file: FileId) -> Content {
+    pub(super) fn content(&self, file: FileId) -> FileContent {
         self.contents.get(&file).cloned().unwrap_or_default()
     }
 

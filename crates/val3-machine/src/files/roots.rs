@@ -17,13 +17,13 @@ use crate::inputs::Inputs;
 /// The mounted media: `Disk`, `USB0`, `Floppy`, and any other name from outside.
 #[derive(Debug, Default)]
 pub struct Roots {
-    media: Vec<Medium>,
+    media: Vec<MountedMedium>,
     /// Changes of programs until they are written.
     overlay: SharedOverlay,
 }
 
 #[derive(Debug)]
-struct Medium {
+struct MountedMedium {
     name: String,
     /// The folder that no path can leave.
     volume: Volume,
@@ -86,7 +86,7 @@ impl Roots {
         self.media.retain(|medium| !medium.name.eq_ignore_ascii_case(name));
         let number = self.media.last().map_or(0, |last| last.volume.number + 1);
         let volume = Volume { dir, number, overlay: SharedOverlay::clone(&self.overlay), inputs: Inputs::default() };
-        self.media.push(Medium { name: name.to_owned(), volume, start });
+        self.media.push(MountedMedium { name: name.to_owned(), volume, start });
         Ok(())
     }
 
@@ -166,7 +166,7 @@ impl Roots {
 
     /// Whether the path is the start folder of a medium, or a parent of it.
     pub(super) fn is_base(&self, place: &MountedPath<'_>) -> bool {
-        let start = |medium: &Medium| medium.start.iter().collect::<Utf8PathBuf>();
+        let start = |medium: &MountedMedium| medium.start.iter().collect::<Utf8PathBuf>();
         self.media.iter().any(|medium| {
             std::ptr::eq(place.volume, &raw const medium.volume) && start(medium).starts_with(&place.path)
         })

@@ -14,7 +14,7 @@ use camino::Utf8Path;
 use cap_std::fs_utf8::Dir;
 use cap_std::time::SystemTime;
 
-use super::overlay::{Content, Node, Overlay};
+use super::overlay::{FileContent, Overlay, OverlayItem};
 use super::{EntryKind, FileFault};
 use crate::inputs::{Answer, Inputs};
 
@@ -48,7 +48,7 @@ impl Answer for DiskState {}
 
 impl Answer for EntryKind {}
 
-impl Answer for Content {
+impl Answer for FileContent {
     fn held_bytes(&self) -> usize {
         usize::try_from(self.bytes()).unwrap_or(usize::MAX)
     }
@@ -58,10 +58,10 @@ impl Volume {
     /// The kind of entry at a path.
     pub(super) fn kind(&self, path: &Utf8Path) -> Result<EntryKind, FileFault> {
         match self.node(path) {
-            Some(Node::Missing) if self.is_in_file(path) => Err(FileFault::BadPath),
-            Some(Node::Missing) => Ok(EntryKind::Missing),
-            Some(Node::Folder) => Ok(EntryKind::Folder),
-            Some(Node::File(_)) => Ok(EntryKind::File),
+            Some(OverlayItem::Missing) if self.is_in_file(path) => Err(FileFault::BadPath),
+            Some(OverlayItem::Missing) => Ok(EntryKind::Missing),
+            Some(OverlayItem::Folder) => Ok(EntryKind::Folder),
+            Some(OverlayItem::File(_)) => Ok(EntryKind::File),
             None => self.inputs.ask_usual(&Ok(EntryKind::Folder), || self.kind_on_disk(path)),
         }
     }
@@ -112,17 +112,17 @@ impl Volume {
     }
 
     /// The content of a file.
-    fn content(&self, path: &Utf8Path) -> io::Result<Content> {
+    fn content(&self, path: &Utf8Path) -> io::Result<FileContent> {
         match self.node(path) {
-            Some(Node::File(file)) => Ok(self.in_overlay(|overlay| overlay.content(file)).unwrap_or_default()),
-            Some(Node::Missing) => Err(io::ErrorKind::NotFound.into()),
-            Some(Node::Folder) => Err(io::ErrorKind::IsADirectory.into()),
+            Some(OverlayItem::File(file)) => Ok(self.in_overlay(|overlay| overlay.content(file)).unwrap_or_default()),
+            Some(OverlayItem::Missing) => Err(io::ErrorKind::NotFound.into()),
+            Some(OverlayItem::Folder) => Err(io::ErrorKind::IsADirectory.into()),
             None => self.ask(|dir| read(dir, path)),
         }
     }
 
     /// Entry of the overlay at a path; `None` if it is unchanged on the disk.
-    fn node(&self, path: &Utf8Path) -> Option<Node> {
+    fn node(&self, path: &Utf8Path) -> Option<OverlayItem> {
         self.overlay.borrow().as_ref()?.node(self.number, path)
     }
 
@@ -155,10 +155,10 @@ impl DiskState {
 }
 
 /// Reads a file on the disk, unless it exceeds the size that a controller can store.
-fn read(dir: &Dir, path: &Utf8Path) -> io::Result<Content> {
+fn read(dir: &Dir, path: &Utf8Path) -> io::Result<FileContent> {
     match dir.metadata(relative(path))?.len() > LARGEST {
         true => Err(io::ErrorKind::Other.into()),
-        false => Ok(Content::new(dir.read(relative(path))?)),
+        false => Ok(FileContent::new(dir.read(relative(path))?)),
     }
 }
 

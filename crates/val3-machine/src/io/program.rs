@@ -1,11 +1,11 @@
 //! Access of programs to inputs and outputs (3.5.3, 3.6.2).
 
-use super::signal::{Direction, Format, Kind};
+use super::signal::{Direction, SignalKind, SignalRange};
 use super::status::{IoError, IoStatus, SignalFault};
 use super::table::{Channel, IoTable, LinkId, SignalId};
 
 /// Any `aio` variable.
-const ANALOG: Kind = Kind::Analog(Format::Float);
+const ANALOG: SignalKind = SignalKind::Analog(SignalRange::Float);
 
 impl IoTable {
     /// Reads a `dio` variable.
@@ -13,7 +13,7 @@ impl IoTable {
     /// # Errors
     /// 123 not linked, 125 its device has failed.
     pub fn read_digital(&self, link: LinkId) -> Result<bool, IoError> {
-        self.read(link, Kind::Digital).map(|value| value != 0.0)
+        self.read(link, SignalKind::Digital).map(|value| value != 0.0)
     }
 
     /// `aioGet`.
@@ -29,7 +29,7 @@ impl IoTable {
     /// # Errors
     /// 122 an input, 123 not linked, 124 an output of the system, 125 its device has failed.
     pub fn write_digital(&mut self, link: LinkId, value: bool) -> Result<(), IoError> {
-        self.write(link, Kind::Digital, f64::from(u8::from(value))).map(|_| ())
+        self.write(link, SignalKind::Digital, f64::from(u8::from(value))).map(|_| ())
     }
 
     /// `aioSet`: writes an analog output and returns the resulting value: rounded and limited to its range, or the
@@ -48,7 +48,7 @@ impl IoTable {
     pub fn read_bits(&self, links: &[LinkId]) -> Result<f64, IoError> {
         let mut number = 0.0;
         for link in links.iter().rev() {
-            number = number * 2.0 + self.read(*link, Kind::Digital)?;
+            number = number * 2.0 + self.read(*link, SignalKind::Digital)?;
         }
         Ok(number)
     }
@@ -62,12 +62,12 @@ impl IoTable {
     /// failed.
     pub fn write_bits(&mut self, links: &[LinkId], value: f64) -> Result<f64, IoError> {
         for link in links {
-            self.writable(*link, Kind::Digital)?;
+            self.writable(*link, SignalKind::Digital)?;
         }
         let mut rest = value.trunc();
         for link in links {
             let bit = rest.rem_euclid(2.0);
-            self.write(*link, Kind::Digital, bit)?;
+            self.write(*link, SignalKind::Digital, bit)?;
             rest = (rest - bit) / 2.0;
         }
         self.read_bits(links)
@@ -76,7 +76,7 @@ impl IoTable {
     /// `ioStatus` of a `dio` variable.
     #[must_use]
     pub fn digital_status(&self, link: LinkId) -> IoStatus {
-        self.status(link, Kind::Digital)
+        self.status(link, SignalKind::Digital)
     }
 
     /// `ioStatus` of an `aio` variable.
@@ -92,7 +92,7 @@ impl IoTable {
         self.signal_of(link).map_or("", |signal| signal.description.as_str())
     }
 
-    fn status(&self, link: LinkId, kind: Kind) -> IoStatus {
+    fn status(&self, link: LinkId, kind: SignalKind) -> IoStatus {
         if link == LinkId::NONE {
             return IoStatus::Unlinked;
         }
@@ -111,7 +111,7 @@ impl IoTable {
         }
     }
 
-    fn read(&self, link: LinkId, kind: Kind) -> Result<f64, IoError> {
+    fn read(&self, link: LinkId, kind: SignalKind) -> Result<f64, IoError> {
         let channel = self.target(link, kind).and_then(|id| self.channel(id)).ok_or(IoError::Unlinked)?;
         match self.fault_of(channel) {
             Some(SignalFault::Absent) => Err(IoError::Unlinked),
@@ -120,7 +120,7 @@ impl IoTable {
         }
     }
 
-    fn write(&mut self, link: LinkId, kind: Kind, value: f64) -> Result<f64, IoError> {
+    fn write(&mut self, link: LinkId, kind: SignalKind, value: f64) -> Result<f64, IoError> {
         let id = self.writable(link, kind)?;
         let channel = self.channel_mut(id).ok_or(IoError::Unlinked)?;
         if channel.lock.is_none() {
@@ -131,7 +131,7 @@ impl IoTable {
         Ok(image)
     }
 
-    fn writable(&self, link: LinkId, kind: Kind) -> Result<SignalId, IoError> {
+    fn writable(&self, link: LinkId, kind: SignalKind) -> Result<SignalId, IoError> {
         let id = self.target(link, kind).ok_or(IoError::Unlinked)?;
         let channel = self.channel(id).ok_or(IoError::Unlinked)?;
         match self.fault_of(channel) {

@@ -13,7 +13,7 @@ pub enum Direction {
 
 /// Value range of analog signals.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Format {
+pub enum SignalRange {
     /// Any number.
     Float,
     /// Whole numbers from `lowest` to `highest`.
@@ -25,7 +25,7 @@ pub enum Format {
     },
 }
 
-impl Format {
+impl SignalRange {
     /// Rounds and limits a written value to the value of the signal.
     #[must_use]
     pub fn fit(self, value: f64) -> f64 {
@@ -38,14 +38,14 @@ impl Format {
 
 /// Type of variable that can be linked to a signal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Kind {
+pub enum SignalKind {
     /// `dio`: 0 or 1.
     Digital,
     /// `aio`.
-    Analog(Format),
+    Analog(SignalRange),
 }
 
-impl Kind {
+impl SignalKind {
     /// Whether a variable of the kind `other` can be linked to a signal of this kind; the format does not matter.
     #[must_use]
     pub fn suits(self, other: Self) -> bool {
@@ -70,7 +70,7 @@ pub struct Signal {
     /// Free text, which `ioStatus` returns.
     pub description: String,
     /// Type and value range.
-    pub kind: Kind,
+    pub kind: SignalKind,
     /// Whether programs may write the signal.
     pub direction: Direction,
     /// Whether the output is reserved for the system: writing it is run-time error 124.
@@ -89,25 +89,25 @@ impl Signal {
         Self {
             path: path.to_owned(),
             description: String::new(),
-            kind: if digital { Kind::Digital } else { Kind::Analog(format(address)) },
+            kind: if digital { SignalKind::Digital } else { SignalKind::Analog(format(address)) },
             direction: if is_input(path) { Direction::Input } else { Direction::Output },
             protected: false,
         }
     }
 }
 
-fn format(address: &str) -> Format {
+fn format(address: &str) -> SignalRange {
     let letters = address.strip_prefix("%I").or_else(|| address.strip_prefix("%Q")).unwrap_or_default();
     match letters.trim_end_matches(|character: char| character.is_ascii_digit()) {
         "B" => whole(8),
         "W" => whole(16),
         "DW" => whole(32),
-        _ => Format::Float,
+        _ => SignalRange::Float,
     }
 }
 
-fn whole(bits: i32) -> Format {
-    Format::Whole { lowest: -(2_f64.powi(bits - 1)), highest: 2_f64.powi(bits) - 1.0 }
+fn whole(bits: i32) -> SignalRange {
+    SignalRange::Whole { lowest: -(2_f64.powi(bits - 1)), highest: 2_f64.powi(bits) - 1.0 }
 }
 
 #[cfg(test)]
@@ -126,18 +126,18 @@ mod tests {
     #[test]
     fn the_address_tells_whole_numbers() {
         let kind = |path| Signal::from_path(path, false).kind;
-        let range = |lowest, highest| Kind::Analog(Format::Whole { lowest, highest });
+        let range = |lowest, highest| SignalKind::Analog(SignalRange::Whole { lowest, highest });
         assert_eq!(kind("Board\\%IB56"), range(-128.0, 255.0));
         assert_eq!(kind("Board\\%QW40"), range(-32_768.0, 65_535.0));
         assert_eq!(kind("Board\\%IDW8"), range(-2_147_483_648.0, 4_294_967_295.0));
         for path in ["Board\\%QF8", "ModbusSrv-0\\Modbus-Word\\Weight", "W4"] {
-            assert_eq!(kind(path), Kind::Analog(Format::Float));
+            assert_eq!(kind(path), SignalKind::Analog(SignalRange::Float));
         }
     }
 
     #[test]
     fn whole_numbers_are_rounded_and_limited() {
-        let byte = Format::Whole { lowest: 0.0, highest: 255.0 };
+        let byte = SignalRange::Whole { lowest: 0.0, highest: 255.0 };
         assert_eq!([12.3, 12.5, -3.0, 300.0].map(|value| byte.fit(value)), [12.0, 13.0, 0.0, 255.0]);
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::bus::DeviceFault;
-use super::signal::{Direction, Kind, Signal};
+use super::signal::{Direction, Signal, SignalKind};
 use super::status::SignalFault;
 
 /// A signal of the table.
@@ -58,7 +58,7 @@ pub(super) struct Channel {
 
 /// Text of a link and the signal that it resolves to.
 #[derive(Debug, Clone)]
-struct Link {
+struct LinkText {
     text: String,
     target: Option<SignalId>,
 }
@@ -68,7 +68,7 @@ struct Link {
 #[derive(Debug, Clone, Default)]
 pub struct IoTable {
     pub(super) channels: Vec<Channel>,
-    links: Vec<Link>,
+    links: Vec<LinkText>,
     by_text: BTreeMap<String, LinkId>,
     by_path: BTreeMap<String, SignalId>,
     /// Signal paths by the names in the cell's configuration.
@@ -130,7 +130,7 @@ impl IoTable {
         if let Some(known) = self.by_text.get(text) {
             return *known;
         }
-        self.links.push(Link { text: text.to_owned(), target: self.find(text) });
+        self.links.push(LinkText { text: text.to_owned(), target: self.find(text) });
         let id = LinkId(u32::try_from(self.links.len()).unwrap_or(u32::MAX));
         self.by_text.insert(text.to_owned(), id);
         id
@@ -182,7 +182,7 @@ impl IoTable {
     }
 
     /// Signal that the link resolves to, if it suits a variable of this kind.
-    pub(super) fn target(&self, link: LinkId, kind: Kind) -> Option<SignalId> {
+    pub(super) fn target(&self, link: LinkId, kind: SignalKind) -> Option<SignalId> {
         let id = self.target_of(link)?;
         self.channel(id).filter(|channel| channel.signal.kind.suits(kind)).map(|_| id)
     }
@@ -241,7 +241,7 @@ impl IoTable {
         path.split_once('\\').is_some_and(|(device, _)| self.devices.contains(device))
     }
 
-    fn known_link(&self, link: LinkId) -> Option<&Link> {
+    fn known_link(&self, link: LinkId) -> Option<&LinkText> {
         self.links.get((link.0 as usize).checked_sub(1)?)
     }
 

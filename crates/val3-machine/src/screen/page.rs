@@ -1,6 +1,6 @@
 //! User page: 14 lines of 40 columns, a cursor and a title (4.1).
 
-use super::row::{Cell, Row};
+use super::row::{ScreenCell, ScreenRow};
 use super::text_mode::TextMode;
 use super::width::columns_of;
 
@@ -12,7 +12,7 @@ pub const ROWS: usize = 14;
 
 /// Position on a page; (0,0) is the upper left corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Position {
+pub struct CursorCell {
     /// Column, 0 to 39. After writing the last column, the cursor is at 40, and only the next character goes to the
     /// next line. A menu of 40 columns therefore fits the last line, and `putln` of a full line adds no empty line.
     pub column: usize,
@@ -22,17 +22,17 @@ pub struct Position {
 
 /// Content of a `screen` variable: text, cursor, text mode and title.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Page {
-    rows: [Row; ROWS],
-    cursor: Position,
+pub struct PageContent {
+    rows: [ScreenRow; ROWS],
+    cursor: CursorCell,
     mode: TextMode,
     title: String,
 }
 
-impl Page {
+impl PageContent {
     /// Position of the next character.
     #[must_use]
-    pub fn cursor(&self) -> Position {
+    pub fn cursor(&self) -> CursorCell {
         self.cursor
     }
 
@@ -50,12 +50,12 @@ impl Page {
 
     /// The 14 lines as text, without the blanks at their ends.
     pub fn lines(&self) -> impl Iterator<Item = String> {
-        self.rows.iter().map(Row::text)
+        self.rows.iter().map(ScreenRow::text)
     }
 
     /// The 14 lines as cells. A line ends after the last written cell; the rest is [`Cell::BLANK`].
-    pub fn cells(&self) -> impl Iterator<Item = &[Cell]> {
-        self.rows.iter().map(Row::cells)
+    pub fn cells(&self) -> impl Iterator<Item = &[ScreenCell]> {
+        self.rows.iter().map(ScreenRow::cells)
     }
 
     /// Changes the title; the cursor stays (`title`).
@@ -72,18 +72,18 @@ impl Page {
     ///
     /// Numbers are rounded like an index; a negative number counts from the other edge.
     pub(super) fn go_to(&mut self, x: f64, y: f64) {
-        self.cursor = Position { column: wrapped(x, COLUMNS), row: wrapped(y, ROWS) };
+        self.cursor = CursorCell { column: wrapped(x, COLUMNS), row: wrapped(y, ROWS) };
     }
 
     /// Clears the page and moves the cursor to the corner (`cls`). Title and text mode stay.
     pub(super) fn clear(&mut self) {
         self.rows = Default::default();
-        self.cursor = Position::default();
+        self.cursor = CursorCell::default();
     }
 
     /// Writes `text` at the cursor, with line breaks at the right edge and scrolling at the end of the page (`put`).
     /// Returns the start position.
-    pub(super) fn put(&mut self, text: &str) -> Position {
+    pub(super) fn put(&mut self, text: &str) -> CursorCell {
         if let Some(first) = text.chars().next() {
             self.make_room(columns_of(first));
         }
@@ -105,19 +105,19 @@ impl Page {
         } else {
             self.rows.rotate_left(1);
             if let Some(last) = self.rows.last_mut() {
-                *last = Row::default();
+                *last = ScreenRow::default();
             }
         }
     }
 
     /// Writes `text` at `start` and in the lines below; the part beyond the page is not shown. The cursor stays and
     /// nothing scrolls.
-    pub(super) fn write_over(&mut self, start: Position, text: &str) {
+    pub(super) fn write_over(&mut self, start: CursorCell, text: &str) {
         let mut at = start;
         for character in text.chars() {
             let columns = columns_of(character);
             if at.column + columns > COLUMNS {
-                at = Position { column: 0, row: at.row + 1 };
+                at = CursorCell { column: 0, row: at.row + 1 };
             }
             let mode = self.mode;
             at = self.write(at, character, columns, mode);
@@ -131,13 +131,13 @@ impl Page {
         }
     }
 
-    fn write(&mut self, at: Position, character: char, columns: usize, mode: TextMode) -> Position {
+    fn write(&mut self, at: CursorCell, character: char, columns: usize, mode: TextMode) -> CursorCell {
         match self.rows.get_mut(at.row) {
             Some(row) if columns == 0 => row.combine(at.column, character),
             Some(row) => row.write(at.column, character, columns, mode),
             None => {}
         }
-        Position { column: at.column + columns, ..at }
+        CursorCell { column: at.column + columns, ..at }
     }
 }
 

@@ -14,17 +14,17 @@ use val3_lang::ports::{InputKind, InputResult};
 
 use super::ids::{PageId, ReadingId};
 use super::keyboard::Keyboard;
-use super::page::Page;
+use super::page::PageContent;
 use super::text_mode::TextMode;
-use super::user_page::{Echo, UserPage};
-use crate::controller_state::Severity;
+use super::user_page::{Echo, UserScreen};
+use crate::controller_state::MessageSeverity;
 
 /// Pendant: pages, keys, pop-up.
 ///
 /// It always shows a user page, initially the default page: the other pages of a real pendant do not exist here.
 #[derive(Debug, Clone)]
 pub struct Pendant {
-    pages: BTreeMap<PageId, UserPage>,
+    pages: BTreeMap<PageId, UserScreen>,
     next_page: u32,
     next_reading: u64,
     shown: PageId,
@@ -44,7 +44,7 @@ pub struct Pendant {
 impl Default for Pendant {
     fn default() -> Self {
         Self {
-            pages: BTreeMap::from([(PageId::DEFAULT, UserPage::default())]),
+            pages: BTreeMap::from([(PageId::DEFAULT, UserScreen::default())]),
             next_page: 1,
             next_reading: 0,
             shown: PageId::DEFAULT,
@@ -68,7 +68,7 @@ impl Pendant {
     pub fn create(&mut self, name: &str) -> PageId {
         let id = PageId::from_number(self.next_page);
         self.next_page += 1;
-        self.pages.insert(id, UserPage::new(name));
+        self.pages.insert(id, UserScreen::new(name));
         id
     }
 
@@ -86,7 +86,7 @@ impl Pendant {
 
     /// Text, cursor and title of a page.
     #[must_use]
-    pub fn page(&self, page: PageId) -> Option<&Page> {
+    pub fn page(&self, page: PageId) -> Option<&PageContent> {
         self.pages.get(&page).map(|user| &user.page)
     }
 
@@ -186,7 +186,7 @@ impl Pendant {
     }
 
     /// `popUpMsg`: shows a message until the operator confirms it. A newer message replaces an unconfirmed one.
-    pub fn show_pop_up(&mut self, text: &str, severity: Severity) {
+    pub fn show_pop_up(&mut self, text: &str, severity: MessageSeverity) {
         let pop_up = PopUp { text: text.to_owned(), severity };
         self.events.push(ScreenEvent::PopUp(pop_up.clone()));
         self.pop_up = Some(pop_up);

@@ -1,13 +1,13 @@
 //! Input for a waiting `get`, and its end (4.3).
 
 use val3_lang::keys;
-use val3_lang::ports::{Entry, InputKind, InputResult};
+use val3_lang::ports::{InputKind, InputResult, OperatorInput};
 
 use super::line_editor::LineEditor;
 
 /// Waiting `get`.
 #[derive(Debug, Clone)]
-pub(super) struct Reading {
+pub(super) struct ScreenReading {
     asked: InputKind,
     editor: Option<LineEditor>,
 }
@@ -23,7 +23,7 @@ pub(super) enum KeyEffect {
     Ended(InputResult),
 }
 
-impl Reading {
+impl ScreenReading {
     pub(super) fn new(asked: InputKind) -> Self {
         let editor = match &asked {
             InputKind::Key | InputKind::Confirmation => None,
@@ -41,12 +41,12 @@ impl Reading {
     /// Processes a key of the operator.
     pub(super) fn press(&mut self, key: u16) -> KeyEffect {
         if self.asked == InputKind::Key {
-            return KeyEffect::Ended(InputResult { key, entry: Entry::Unchanged });
+            return KeyEffect::Ended(InputResult { key, entry: OperatorInput::Unchanged });
         }
         match key {
             keys::ESC => {
                 *self = Self::new(self.asked.clone());
-                KeyEffect::Ended(InputResult { key, entry: Entry::Unchanged })
+                KeyEffect::Ended(InputResult { key, entry: OperatorInput::Unchanged })
             }
             _ if key == keys::RETURN || keys::is_menu(key) => {
                 KeyEffect::Ended(InputResult { key, entry: self.entry() })
@@ -67,15 +67,15 @@ impl Reading {
 
     /// Accepted value. An unedited number keeps its hidden digits; a text that is no number, such as an empty entry,
     /// does not change the variable.
-    fn entry(&self) -> Entry {
+    fn entry(&self) -> OperatorInput {
         let text = self.shown().unwrap_or_default();
         match &self.asked {
-            InputKind::Key | InputKind::Confirmation => Entry::Unchanged,
-            InputKind::Text(_) => Entry::Text(text),
-            InputKind::Number { value, shown } if *shown == text => Entry::Number(*value),
+            InputKind::Key | InputKind::Confirmation => OperatorInput::Unchanged,
+            InputKind::Text(_) => OperatorInput::Text(text),
+            InputKind::Number { value, shown } if *shown == text => OperatorInput::Number(*value),
             InputKind::Number { .. } => match text.parse::<f64>() {
-                Ok(number) if number.is_finite() => Entry::Number(number),
-                _ => Entry::Unchanged,
+                Ok(number) if number.is_finite() => OperatorInput::Number(number),
+                _ => OperatorInput::Unchanged,
             },
         }
     }
@@ -95,7 +95,7 @@ mod tests {
 
     /// Returns the text at the end and the result of the `get`, if the last key has ended it.
     fn read(asked: InputKind, codes: &[u16]) -> (Option<String>, Option<InputResult>) {
-        let mut reading = Reading::new(asked);
+        let mut reading = ScreenReading::new(asked);
         let mut answer = None;
         for code in codes {
             assert_eq!(answer, None, "it ended before {code}");
@@ -106,14 +106,14 @@ mod tests {
         (reading.shown(), answer)
     }
 
-    fn answer(key: u16, entry: Entry) -> Option<InputResult> {
+    fn answer(key: u16, entry: OperatorInput) -> Option<InputResult> {
         Some(InputResult { key, entry })
     }
 
     #[test]
     fn any_key_ends_a_get_without_a_variable() {
         for key in [97, 255, 263, 270, 278, 283] {
-            assert_eq!(read(InputKind::Key, &[key]), (None, answer(key, Entry::Unchanged)));
+            assert_eq!(read(InputKind::Key, &[key]), (None, answer(key, OperatorInput::Unchanged)));
         }
     }
 
@@ -128,14 +128,14 @@ mod tests {
     fn return_and_the_menu_keys_accept_a_text() {
         for key in [270, 271, 278] {
             let (shown, ended) = read(InputKind::Text("ab".to_owned()), &[99, key]);
-            assert_eq!((shown.as_deref(), ended), (Some("abc"), answer(key, Entry::Text("abc".to_owned()))));
+            assert_eq!((shown.as_deref(), ended), (Some("abc"), answer(key, OperatorInput::Text("abc".to_owned()))));
         }
     }
 
     #[test]
     fn esc_leaves_the_variable() {
         let (shown, ended) = read(InputKind::Text("ab".to_owned()), &[99, 255]);
-        assert_eq!((shown.as_deref(), ended), (Some("ab"), answer(255, Entry::Unchanged)));
+        assert_eq!((shown.as_deref(), ended), (Some("ab"), answer(255, OperatorInput::Unchanged)));
     }
 
     #[test]
@@ -145,27 +145,27 @@ mod tests {
 
     #[test]
     fn a_number_is_edited_as_text() {
-        assert_eq!(read(number(1.0, "1"), &[50, 46, 53, 270]).1, answer(270, Entry::Number(12.5)));
-        assert_eq!(read(number(0.0, "0"), &[53, 270]).1, answer(270, Entry::Number(5.0)));
-        assert_eq!(read(number(0.0, "0"), &[45, 46, 53, 270]).1, answer(270, Entry::Number(-0.5)));
-        assert_eq!(read(number(0.0, "0"), &[263, 48, 270]).1, answer(270, Entry::Number(0.0)));
-        assert_eq!(read(number(5.0, "5"), &[265, 45, 270]).1, answer(270, Entry::Number(-5.0)));
+        assert_eq!(read(number(1.0, "1"), &[50, 46, 53, 270]).1, answer(270, OperatorInput::Number(12.5)));
+        assert_eq!(read(number(0.0, "0"), &[53, 270]).1, answer(270, OperatorInput::Number(5.0)));
+        assert_eq!(read(number(0.0, "0"), &[45, 46, 53, 270]).1, answer(270, OperatorInput::Number(-0.5)));
+        assert_eq!(read(number(0.0, "0"), &[263, 48, 270]).1, answer(270, OperatorInput::Number(0.0)));
+        assert_eq!(read(number(5.0, "5"), &[265, 45, 270]).1, answer(270, OperatorInput::Number(-5.0)));
     }
 
     #[test]
     fn a_number_takes_no_letters() {
-        assert_eq!(read(number(1.0, "1"), &[97, 32, 50, 270]).1, answer(270, Entry::Number(12.0)));
+        assert_eq!(read(number(1.0, "1"), &[97, 32, 50, 270]).1, answer(270, OperatorInput::Number(12.0)));
     }
 
     #[test]
     fn an_entry_that_is_no_number_leaves_the_variable() {
-        assert_eq!(read(number(1.0, "1"), &[263, 270]).1, answer(270, Entry::Unchanged));
-        assert_eq!(read(number(1.0, "1"), &[45, 270]).1, answer(270, Entry::Unchanged));
-        assert_eq!(read(number(1.0, "1"), &[101, 57, 57, 57, 270]).1, answer(270, Entry::Unchanged));
+        assert_eq!(read(number(1.0, "1"), &[263, 270]).1, answer(270, OperatorInput::Unchanged));
+        assert_eq!(read(number(1.0, "1"), &[45, 270]).1, answer(270, OperatorInput::Unchanged));
+        assert_eq!(read(number(1.0, "1"), &[101, 57, 57, 57, 270]).1, answer(270, OperatorInput::Unchanged));
     }
 
     #[test]
     fn an_untouched_number_keeps_all_its_digits() {
-        assert_eq!(read(number(1.000_04, "1"), &[270]).1, answer(270, Entry::Number(1.000_04)));
+        assert_eq!(read(number(1.000_04, "1"), &[270]).1, answer(270, OperatorInput::Number(1.000_04)));
     }
 }

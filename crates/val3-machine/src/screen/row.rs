@@ -10,14 +10,14 @@ const LONGEST_CELL: usize = 16;
 
 /// Content of a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Cell {
+pub struct ScreenCell {
     /// The character with its combining marks; empty for the right half of a wide character.
     pub text: SmolStr,
     /// Appearance.
     pub mode: TextMode,
 }
 
-impl Cell {
+impl ScreenCell {
     /// Content of an unwritten column.
     pub const BLANK: Self = Self { text: SmolStr::new_inline(" "), mode: TextMode::Standard };
 
@@ -33,13 +33,13 @@ impl Cell {
 
 /// Line of a page; it has no cells until it is written.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) struct Row {
-    cells: Vec<Cell>,
+pub(super) struct ScreenRow {
+    cells: Vec<ScreenCell>,
 }
 
-impl Row {
+impl ScreenRow {
     /// Cells up to the last cell that was ever written; the following cells are blank.
-    pub(super) fn cells(&self) -> &[Cell] {
+    pub(super) fn cells(&self) -> &[ScreenCell] {
         &self.cells
     }
 
@@ -52,14 +52,14 @@ impl Row {
     /// Writes a character with `columns` columns at `column`. The rest of a wide character that it cuts becomes blank.
     pub(super) fn write(&mut self, column: usize, character: char, columns: usize, mode: TextMode) {
         if self.cells.len() < column + columns {
-            self.cells.resize(COLUMNS.max(column + columns), Cell::BLANK);
+            self.cells.resize(COLUMNS.max(column + columns), ScreenCell::BLANK);
         }
         self.split(column);
         self.split(column + columns);
         let mut encoded = [0; 4];
         let shown = if character.is_control() { ' ' } else { character };
         let text = SmolStr::new(shown.encode_utf8(&mut encoded));
-        let written = [Cell { text, mode }, Cell::right_half(mode)];
+        let written = [ScreenCell { text, mode }, ScreenCell::right_half(mode)];
         for (cell, new) in self.cells.iter_mut().skip(column).zip(written.into_iter().take(columns)) {
             *cell = new;
         }
@@ -75,11 +75,11 @@ impl Row {
 
     /// Blanks the wide character that covers the boundary before `column`.
     fn split(&mut self, column: usize) {
-        if !self.cells.get(column).is_some_and(Cell::is_right_half) {
+        if !self.cells.get(column).is_some_and(ScreenCell::is_right_half) {
             return;
         }
         for cell in self.cells.iter_mut().skip(column.saturating_sub(1)).take(2) {
-            *cell = Cell { mode: cell.mode, ..Cell::BLANK };
+            *cell = ScreenCell { mode: cell.mode, ..ScreenCell::BLANK };
         }
     }
 }

@@ -5,15 +5,15 @@ use std::collections::VecDeque;
 use val3_lang::ports::{InputKind, InputResult};
 
 use super::ids::ReadingId;
-use super::page::{Page, Position};
-use super::reading::{KeyEffect, Reading};
+use super::page::{CursorCell, PageContent};
+use super::reading::{KeyEffect, ScreenReading};
 use super::width::display_columns;
 
 /// Page, the keys that it has received, and the `get` instructions that wait for a key.
 #[derive(Debug, Clone, Default)]
-pub(super) struct UserPage {
+pub(super) struct UserScreen {
     pub(super) name: String,
-    pub(super) page: Page,
+    pub(super) page: PageContent,
     pub(super) last_key: Option<u16>,
     readings: VecDeque<Pending>,
 }
@@ -22,16 +22,16 @@ pub(super) struct UserPage {
 #[derive(Debug, Clone)]
 struct Pending {
     id: ReadingId,
-    reading: Reading,
-    at: Position,
+    reading: ScreenReading,
+    at: CursorCell,
     /// Maximum width of its text so far, in columns: when the text becomes shorter, the rest is blanked.
     widest: usize,
 }
 
 /// Text that a `get` writes on its page.
-pub(super) type Echo = (Position, String);
+pub(super) type Echo = (CursorCell, String);
 
-impl UserPage {
+impl UserScreen {
     pub(super) fn new(name: &str) -> Self {
         Self { name: name.to_owned(), ..Self::default() }
     }
@@ -42,7 +42,7 @@ impl UserPage {
 
     /// Begins a `get` at the cursor, which shows its text there.
     pub(super) fn begin(&mut self, id: ReadingId, asked: InputKind) -> Option<Echo> {
-        let mut pending = Pending { id, reading: Reading::new(asked), at: self.page.cursor(), widest: 0 };
+        let mut pending = Pending { id, reading: ScreenReading::new(asked), at: self.page.cursor(), widest: 0 };
         let echo = pending.show(&mut self.page);
         self.readings.push_back(pending);
         echo
@@ -72,7 +72,7 @@ impl UserPage {
 
 impl Pending {
     /// Writes the text at the start position of the `get`; the cursor of the page stays.
-    fn show(&mut self, page: &mut Page) -> Option<Echo> {
+    fn show(&mut self, page: &mut PageContent) -> Option<Echo> {
         let text = self.reading.shown()?;
         let columns = display_columns(&text);
         self.widest = self.widest.max(columns);

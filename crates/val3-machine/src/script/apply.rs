@@ -10,12 +10,12 @@ use val3_motion::ExternalForce;
 use val3_vm::Instance;
 
 use super::reaction::Reaction;
-use super::values::{FaultEntry, Force, Locks, Value};
-use super::{Action, Entry, Misfit, Pending, Script};
+use super::values::{FaultEntry, Force, Locks, ScriptValue};
+use super::{Misfit, Pending, Script, ScriptAction, ScriptEntry};
 use crate::arm::RobotArm;
 use crate::controller::Controller;
-use crate::controller_state::Severity;
-use crate::devices::State;
+use crate::controller_state::MessageSeverity;
+use crate::devices::DeviceState;
 use crate::event::EventKind;
 use crate::io::{IoTable, SignalFault, SignalId};
 
@@ -53,7 +53,7 @@ impl Controller {
         while let Some(Pending { place, entry, .. }) = self.script.take_due(now) {
             for problem in self.apply(&entry, now) {
                 let text = format!("script, {place}: {problem}");
-                self.devices.report(&text, Severity::Error, now);
+                self.devices.report(&text, MessageSeverity::Error, now);
                 self.script.problems.push(text);
             }
         }
@@ -69,7 +69,7 @@ impl Controller {
     /// Reports reactions whose signals, variables or lines do not exist, at the end of a run.
     pub fn report_unmet_reactions(&mut self) {
         for fault in self.unmet_reactions(&self.script) {
-            self.devices.report(&format!("script, {fault}"), Severity::Error, self.now());
+            self.devices.report(&format!("script, {fault}"), MessageSeverity::Error, self.now());
         }
     }
 
@@ -77,7 +77,7 @@ impl Controller {
     ///
     /// # Errors
     /// The problems. The action has no effect if a variable or signal does not exist.
-    pub fn act(&mut self, Action(entry): &Action) -> Result<(), Vec<String>> {
+    pub fn act(&mut self, ScriptAction(entry): &ScriptAction) -> Result<(), Vec<String>> {
         let faults = self.entry_faults(entry, &|_| false, false);
         let problems = match faults.is_empty() {
             true => self.apply(entry, self.now()),
@@ -87,7 +87,7 @@ impl Controller {
     }
 
     /// Applies an entry, and returns the problems with it.
-    fn apply(&mut self, entry: &Entry, now: Time) -> Vec<String> {
+    fn apply(&mut self, entry: &ScriptEntry, now: Time) -> Vec<String> {
         self.devices.record_outside(now, EventKind::Act { keys: entry.keys() });
         let mut problems = self.unknown_names(entry);
         problems.extend(entry.apply_io(&mut self.devices.state.io));
@@ -117,13 +117,13 @@ impl Controller {
     }
 
     /// Sets a global variable.
-    fn set(&mut self, name: &str, value: &Value) -> Result<(), String> {
+    fn set(&mut self, name: &str, value: &ScriptValue) -> Result<(), String> {
         let (place, base) = self.variable(name).ok_or_else(|| format!("there is no variable `{name}`"))?;
         let memory = &mut self.vm.space.memory;
         let set = match (value, base) {
-            (Value::Num(number), BaseType::Num) => number.write(memory, place),
-            (Value::Bool(truth), BaseType::Bool) => truth.write(memory, place),
-            (Value::Text(text), BaseType::String) => Text::from(text.as_str()).write(memory, place),
+            (ScriptValue::Num(number), BaseType::Num) => number.write(memory, place),
+            (ScriptValue::Bool(truth), BaseType::Bool) => truth.write(memory, place),
+            (ScriptValue::Text(text), BaseType::String) => Text::from(text.as_str()).write(memory, place),
             _ => return Err(format!("`{name}` is of type {} and does not take this value", base.name())),
         };
         set.map_err(|fault| format!("`{name}`: error {}", fault.0))
@@ -163,7 +163,7 @@ pub(super) fn no_fault(link: &str, code: i32) -> String {
     format!("`{link}` fails with -2 or -3 and works again with 0, not with {code}")
 }
 
-impl Entry {
+impl ScriptEntry {
     /// Changes the signals that exist, and returns the problem with a fault.
     fn apply_io(&self, io: &mut IoTable) -> Option<String> {
         for (link, level) in &self.io {
@@ -189,7 +189,7 @@ impl Entry {
         self.fault.as_ref().and_then(|fault| fail(io, fault).err())
     }
 
-    fn apply_robot(&self, state: &mut State, now: Time) {
+    fn apply_robot(&self, state: &mut DeviceState, now: Time) {
         match self.estop {
             Some(true) => state.robot.press_emergency_stop(),
             Some(false) => state.robot.release_emergency_stop(),

@@ -13,7 +13,7 @@ use std::fmt;
 use serde::ser::SerializeMap as _;
 use serde::{Deserialize, Serialize, Serializer};
 use val3_lang::arguments::BINARY_FORMATS;
-use val3_lang::values::binary::Format;
+use val3_lang::values::binary::BinaryFormat;
 
 /// Bytes that a line receives or sends.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -28,17 +28,17 @@ pub struct LineBytes(Vec<u8>);
                  list of these, one after the other"
 )]
 enum Pieces {
-    One(Piece),
-    Several(Vec<Piece>),
+    One(BytePattern),
+    Several(Vec<BytePattern>),
 }
 
 #[derive(Deserialize)]
 #[serde(untagged)]
-enum Piece {
+enum BytePattern {
     Text(String),
     Hex(Hex),
     Bytes(Bytes),
-    Values(Values),
+    Values(ByteValues),
 }
 
 #[derive(Deserialize)]
@@ -55,7 +55,7 @@ struct Bytes {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Values {
+struct ByteValues {
     values: Vec<f64>,
     format: String,
 }
@@ -68,18 +68,18 @@ impl TryFrom<Pieces> for LineBytes {
             Pieces::One(piece) => vec![piece],
             Pieces::Several(pieces) => pieces,
         };
-        let bytes: Result<Vec<Vec<u8>>, String> = pieces.into_iter().map(Piece::bytes).collect();
+        let bytes: Result<Vec<Vec<u8>>, String> = pieces.into_iter().map(BytePattern::bytes).collect();
         Ok(Self(bytes?.concat()))
     }
 }
 
-impl Piece {
+impl BytePattern {
     fn bytes(self) -> Result<Vec<u8>, String> {
         match self {
             Self::Text(text) => Ok(text.into_bytes()),
             Self::Hex(Hex { hex }) => of_hex(&hex),
             Self::Bytes(Bytes { bytes }) => encoded(&bytes, "1"),
-            Self::Values(Values { values, format }) => encoded(&values, &format),
+            Self::Values(ByteValues { values, format }) => encoded(&values, &format),
         }
     }
 }
@@ -100,7 +100,7 @@ fn of_hex(text: &str) -> Result<Vec<u8>, String> {
 /// Numbers in a format of `toBinary`.
 fn encoded(values: &[f64], name: &str) -> Result<Vec<u8>, String> {
     let known = || format!("`{name}` is no format of `toBinary`: write one of {}", BINARY_FORMATS.join(", "));
-    let format = Format::parse(name).map_err(|_| known())?;
+    let format = BinaryFormat::parse(name).map_err(|_| known())?;
     match values.iter().find(|value| !format.holds(**value)) {
         Some(value) if name == "1" => Err(format!("{value} is no byte: write a whole number from 0 to 255")),
         Some(value) => Err(format!("the format `{name}` does not hold {value}")),
@@ -177,10 +177,12 @@ mod tests {
 
     fn parse(value: &str) -> Result<LineBytes, String> {
         #[derive(Deserialize)]
-        struct File {
+        struct ByteFile {
             b: LineBytes,
         }
-        toml::from_str::<File>(&format!("b = {value}")).map(|file| file.b).map_err(|error| error.message().to_owned())
+        toml::from_str::<ByteFile>(&format!("b = {value}"))
+            .map(|file| file.b)
+            .map_err(|error| error.message().to_owned())
     }
 
     #[track_caller]

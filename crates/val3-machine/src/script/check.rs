@@ -3,14 +3,14 @@
 use std::fmt;
 
 use val3_lang::instructions::LIB_LOAD;
-use val3_lang::memory::Shape;
+use val3_lang::memory::ContainerShape;
 use val3_lang::suggest::{proposals, question};
 use val3_lang::types::BaseType;
 use val3_vm::{Instance, InstanceId};
 
 use super::data_path::{Located, Lost, root};
-use super::values::{FaultEntry, Locks, Value};
-use super::{Entry, Pending, Script, ScriptPlace};
+use super::values::{FaultEntry, Locks, ScriptValue};
+use super::{Pending, Script, ScriptEntry, ScriptPlace};
 use crate::controller::Controller;
 use crate::io::NoSignal;
 use crate::io::SignalFault;
@@ -70,7 +70,7 @@ impl Controller {
     }
 
     /// Problems with an entry's signals and lines that do not exist now.
-    pub(super) fn unknown_names(&self, entry: &Entry) -> Vec<String> {
+    pub(super) fn unknown_names(&self, entry: &ScriptEntry) -> Vec<String> {
         let signals = entry.signals().filter_map(|path| self.check_signal(path, false).err());
         let lines = entry.receive.keys().filter_map(|link| self.unknown_line(link, false));
         signals.chain(lines).map(|misfit| misfit.with_proposals()).collect()
@@ -88,9 +88,14 @@ impl Controller {
     }
 
     /// Faults of an entry. `may_come` states whether devices that do not exist yet may be added by a library.
-    pub(super) fn entry_faults(&self, entry: &Entry, is_resized: &dyn Fn(&str) -> bool, may_come: bool) -> Vec<Misfit> {
+    pub(super) fn entry_faults(
+        &self,
+        entry: &ScriptEntry,
+        is_resized: &dyn Fn(&str) -> bool,
+        may_come: bool,
+    ) -> Vec<Misfit> {
         let check_set =
-            |(name, value): (&String, &Value)| self.check_variable(name, is_resized, |base| value.suits(base));
+            |(name, value): (&String, &ScriptValue)| self.check_variable(name, is_resized, |base| value.suits(base));
         let variables = entry.set.iter().filter_map(|set| check_set(set).err());
         let signals = entry.signals().filter_map(|path| self.check_signal(path, may_come).err());
         let failing = entry.fault.iter().filter_map(|fault| self.check_fault(fault, may_come).err());
@@ -144,8 +149,8 @@ impl Controller {
             return Err(format!("`{of}` is of type {ty} and does not take this value").into());
         }
         let may_exist = match &found.shape {
-            Shape::Collection(_) => index.is_some(),
-            Shape::Array { .. } => is_resized(variable) && index.is_some_and(is_index),
+            ContainerShape::Collection(_) => index.is_some(),
+            ContainerShape::Array { .. } => is_resized(variable) && index.is_some_and(is_index),
         };
         if may_exist || found.number_of_text(index.unwrap_or("0")).is_some() {
             return Ok(());
@@ -249,7 +254,7 @@ impl Misfit {
     }
 }
 
-impl Entry {
+impl ScriptEntry {
     /// Paths of all signals that have to exist.
     fn signals(&self) -> impl Iterator<Item = &str> {
         let (held, locked) = match &self.lock {
@@ -262,7 +267,7 @@ impl Entry {
     }
 }
 
-impl Value {
+impl ScriptValue {
     /// Whether a variable of this type accepts the value.
     pub(super) fn suits(&self, base: BaseType) -> bool {
         matches!(

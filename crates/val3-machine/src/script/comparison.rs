@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Deserialize;
 use val3_lang::types::BaseType;
 
-use super::values::{Level, Value};
+use super::values::{ScriptLevel, ScriptValue};
 
 /// The value that a variable must have.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -15,9 +15,9 @@ use super::values::{Level, Value};
 )]
 pub enum Comparison {
     /// This value.
-    Is(Value),
+    Is(ScriptValue),
     /// A number in a range.
-    Within(Range),
+    Within(ComparedRange),
 }
 
 /// The value that a signal must have.
@@ -28,15 +28,15 @@ pub enum Comparison {
 )]
 pub enum LevelComparison {
     /// This value.
-    Is(Level),
+    Is(ScriptLevel),
     /// A number in a range.
-    Within(Range),
+    Within(ComparedRange),
 }
 
 /// A range of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(try_from = "Limits")]
-pub enum Range {
+#[serde(try_from = "RangeLimits")]
+pub enum ComparedRange {
     /// Numbers between two limits, of which one may be missing.
     Between {
         /// The number is greater.
@@ -56,17 +56,17 @@ pub enum Range {
 /// Content of a range in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Limits {
+struct RangeLimits {
     above: Option<f64>,
     below: Option<f64>,
     is: Option<f64>,
     within: Option<f64>,
 }
 
-impl TryFrom<Limits> for Range {
+impl TryFrom<RangeLimits> for ComparedRange {
     type Error = &'static str;
 
-    fn try_from(Limits { above, below, is, within }: Limits) -> Result<Self, Self::Error> {
+    fn try_from(RangeLimits { above, below, is, within }: RangeLimits) -> Result<Self, Self::Error> {
         match (is, within) {
             (None, None) if above.is_some() || below.is_some() => Ok(Self::Between { above, below }),
             (Some(is), Some(within @ 0.0..)) if above.is_none() && below.is_none() => Ok(Self::Near { is, within }),
@@ -75,7 +75,7 @@ impl TryFrom<Limits> for Range {
     }
 }
 
-impl Range {
+impl ComparedRange {
     fn contains(&self, number: f64) -> bool {
         match self {
             Self::Between { above, below } => {
@@ -86,7 +86,7 @@ impl Range {
     }
 }
 
-impl fmt::Display for Range {
+impl fmt::Display for ComparedRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Between { above, below } => {
@@ -102,8 +102,8 @@ impl fmt::Display for Range {
 impl From<LevelComparison> for Comparison {
     fn from(comparison: LevelComparison) -> Self {
         match comparison {
-            LevelComparison::Is(Level::Digital(value)) => Self::Is(Value::Bool(value)),
-            LevelComparison::Is(Level::Analog(value)) => Self::Is(Value::Num(value)),
+            LevelComparison::Is(ScriptLevel::Digital(value)) => Self::Is(ScriptValue::Bool(value)),
+            LevelComparison::Is(ScriptLevel::Analog(value)) => Self::Is(ScriptValue::Num(value)),
             LevelComparison::Within(range) => Self::Within(range),
         }
     }
@@ -119,10 +119,10 @@ impl Comparison {
     }
 
     /// Whether the comparison accepts a value.
-    pub(super) fn accepts(&self, actual: &Value) -> bool {
+    pub(super) fn accepts(&self, actual: &ScriptValue) -> bool {
         match (self, actual) {
             (Self::Is(expected), _) => expected == actual,
-            (Self::Within(range), Value::Num(number)) => range.contains(*number),
+            (Self::Within(range), ScriptValue::Num(number)) => range.contains(*number),
             (Self::Within(_), _) => false,
         }
     }

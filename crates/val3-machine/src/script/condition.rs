@@ -23,7 +23,7 @@ pub use evaluation::Mismatch;
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(try_from = "Tables")]
 pub struct Condition {
-    parts: Vec<Part>,
+    parts: Vec<ConditionPart>,
 }
 
 /// Content of a condition in a file.
@@ -57,7 +57,7 @@ impl fmt::Display for Condition {
 
 /// A signal or variable with the value that it must have.
 #[derive(Debug, Clone, PartialEq)]
-struct Part {
+struct ConditionPart {
     subject: Subject,
     comparison: Comparison,
 }
@@ -86,8 +86,8 @@ impl Condition {
         let signal = |(path, level): (_, LevelComparison)| (Subject::Signal(path), level.into());
         let signals = io.into_iter().map(signal);
         let variables = data.into_iter().map(|(name, comparison)| (Subject::Variable(name), comparison));
-        let parts: Vec<Part> =
-            signals.chain(variables).map(|(subject, comparison)| Part { subject, comparison }).collect();
+        let parts: Vec<ConditionPart> =
+            signals.chain(variables).map(|(subject, comparison)| ConditionPart { subject, comparison }).collect();
         match parts.is_empty() {
             true => Err("a condition needs a signal in `io` or a variable in `data`".to_owned()),
             false => Ok(Self { parts }),

@@ -1,7 +1,7 @@
 //! Data paths in scripts and expectations: `nCount`, `nCounts[2]`, `part:sNames["a"]`, `tState.nDone[1]`,
 //! `pPick[3].trsf.x`.
 
-use val3_lang::memory::{Kind, KindBase, Lanes, Place, StoreId, field_offset};
+use val3_lang::memory::{KindBase, Lanes, Place, StoreId, ValueType, field_offset};
 use val3_lang::types::{self, BaseType};
 
 use crate::controller::Controller;
@@ -69,7 +69,7 @@ impl Controller {
 }
 
 /// Returns the type of a built-in type's field, and the lanes before it.
-fn built_in_field<'p>(kind: &Kind, path: &'p str) -> Result<(BaseType, Lanes), Lost<'p>> {
+fn built_in_field<'p>(kind: &ValueType, path: &'p str) -> Result<(BaseType, Lanes), Lost<'p>> {
     let KindBase::Builtin(base, arm) = kind.base else { return Err(Lost::Field(path, Vec::new())) };
     let step = |(base, offset), name: &'p str| {
         let known = || types::fields(base, arm).iter().map(|field| field.name.to_owned()).collect();

@@ -10,7 +10,8 @@ use val3_lang::ports::Time;
 
 use super::bytes::LineBytes;
 use super::values::{
-    FaultEntry, Force, Key, Keys, Level, Links, Locks, Mode, Percent, Position, SafetyFault, Seconds, Value,
+    FaultEntry, Force, JointPosition, Keys, Locks, Mode, PendantKey, Percent, SafetyFault, ScriptLevel, ScriptValue,
+    Seconds, SignalPaths,
 };
 
 /// An entry that will be applied.
@@ -18,7 +19,7 @@ use super::values::{
 pub(super) struct Pending {
     pub(super) time: Time,
     pub(super) place: ScriptPlace,
-    pub(super) entry: Arc<Entry>,
+    pub(super) entry: Arc<ScriptEntry>,
 }
 
 /// A table of a script.
@@ -44,16 +45,16 @@ impl fmt::Display for ScriptPlace {
 
 /// An `[[at]]`.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Entry")]
+#[serde(try_from = "ScriptEntry")]
 pub struct TimedEntry {
     pub(super) t: Seconds,
-    pub(super) entry: Entry,
+    pub(super) entry: ScriptEntry,
 }
 
-impl TryFrom<Entry> for TimedEntry {
+impl TryFrom<ScriptEntry> for TimedEntry {
     type Error = &'static str;
 
-    fn try_from(entry: Entry) -> Result<Self, Self::Error> {
+    fn try_from(entry: ScriptEntry) -> Result<Self, Self::Error> {
         match (entry.t, entry.after) {
             (Some(t), None) => Ok(Self { t, entry }),
             (None, None) => Err("`[[at]]` has no time: write `t`, in seconds since the start"),
@@ -65,7 +66,7 @@ impl TryFrom<Entry> for TimedEntry {
 /// The events at one time.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Entry {
+pub(crate) struct ScriptEntry {
     /// Time in an `[[at]]`.
     #[serde(skip_serializing)]
     pub(super) t: Option<Seconds>,
@@ -74,13 +75,13 @@ pub(crate) struct Entry {
     pub(super) after: Option<Seconds>,
     /// Inputs and outputs that get a value from the hardware.
     #[serde(default)]
-    pub(super) io: BTreeMap<String, Level>,
+    pub(super) io: BTreeMap<String, ScriptLevel>,
     /// Inputs and outputs that the operator locks.
     #[serde(default)]
     pub(super) lock: Locks,
     /// Inputs and outputs that the operator unlocks.
     #[serde(default)]
-    pub(super) unlock: Links,
+    pub(super) unlock: SignalPaths,
     /// Inputs and outputs that the controller simulates, or no longer.
     #[serde(default)]
     pub(super) simulate: BTreeMap<String, bool>,
@@ -91,7 +92,7 @@ pub(crate) struct Entry {
     pub(super) fault: Option<FaultEntry>,
     /// Global data of the application and its libraries.
     #[serde(default)]
-    pub(super) set: BTreeMap<String, Value>,
+    pub(super) set: BTreeMap<String, ScriptValue>,
     pub(super) power: Option<bool>,
     pub(super) estop: Option<bool>,
     pub(super) safety_fault: Option<SafetyFault>,
@@ -102,9 +103,9 @@ pub(crate) struct Entry {
     #[serde(rename = "move")]
     pub(super) lets_move: Option<bool>,
     /// Joint position that the arm gets immediately; its recorded moves are discarded.
-    pub(super) joints: Option<Position>,
+    pub(super) joints: Option<JointPosition>,
     /// A joint position to which the operator moves the arm by hand.
-    pub(super) jog: Option<Position>,
+    pub(super) jog: Option<JointPosition>,
     /// Force on the arm, until the next force.
     pub(super) force: Option<Force>,
     /// Whether the operator requests the return of the arm to its path.
@@ -113,7 +114,7 @@ pub(crate) struct Entry {
     /// Element of the displayed HTML page on which the operator clicks.
     pub(super) click: Option<String>,
     /// Key that is tapped immediately.
-    pub(super) key: Option<Key>,
+    pub(super) key: Option<PendantKey>,
     /// Keys that are tapped as the program requests them.
     pub(super) keys: Option<Keys>,
     /// Whether the operator stops the application.
@@ -126,9 +127,9 @@ pub(crate) struct Entry {
 
 /// Immediate action of the cell or the operator. It has the keys of an `[[at]]`, without `t`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Action(pub(crate) Entry);
+pub struct ScriptAction(pub(crate) ScriptEntry);
 
-impl Entry {
+impl ScriptEntry {
     /// Returns the keys with their values, without the time.
     pub(super) fn keys(&self) -> Map<String, Json> {
         let is_empty = |value: &Json| match value {
@@ -145,11 +146,11 @@ impl Entry {
     }
 }
 
-impl Action {
+impl ScriptAction {
     /// Action of typing these keys as the program requests them.
     #[must_use]
     pub fn typing(codes: Vec<u16>) -> Self {
-        Self(Entry { keys: Some(Keys(codes)), ..Entry::default() })
+        Self(ScriptEntry { keys: Some(Keys(codes)), ..ScriptEntry::default() })
     }
 
     /// Parses an action.
@@ -157,7 +158,7 @@ impl Action {
     /// # Errors
     /// A key is unknown, or its value is invalid.
     pub fn from_json(keys: Map<String, Json>) -> serde_json::Result<Self> {
-        let entry: Entry = serde_json::from_value(Json::Object(keys))?;
+        let entry: ScriptEntry = serde_json::from_value(Json::Object(keys))?;
         match (entry.t, entry.after) {
             (None, None) => Ok(Self(entry)),
             _ => Err(serde::de::Error::custom("an action happens at once: it has neither `t` nor `after`")),

@@ -8,38 +8,38 @@ use val3_lang::ports::Time;
 
 use super::comparison::{Comparison, LevelComparison};
 use super::condition::Condition;
-use super::entry::{Entry, Pending, ScriptPlace};
+use super::entry::{Pending, ScriptEntry, ScriptPlace};
 use super::sent::SentText;
-use super::values::Times;
+use super::values::OccurrenceLimit;
 
 /// A `[[when]]`.
 #[derive(Debug, PartialEq, Deserialize)]
-#[serde(try_from = "Table")]
-pub struct Rule {
+#[serde(try_from = "ReactionTable")]
+pub struct ReactionRule {
     /// Without parts if the reaction depends only on the sent text.
     condition: Condition,
     sent: Option<SentText>,
     then: Vec<DelayedEntry>,
-    times: Option<Times>,
+    times: Option<OccurrenceLimit>,
 }
 
 /// Content of a rule in a file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Table {
+struct ReactionTable {
     #[serde(default)]
     io: BTreeMap<String, LevelComparison>,
     #[serde(default)]
     data: BTreeMap<String, Comparison>,
     sent: Option<SentText>,
     then: Vec<DelayedEntry>,
-    times: Option<Times>,
+    times: Option<OccurrenceLimit>,
 }
 
-impl TryFrom<Table> for Rule {
+impl TryFrom<ReactionTable> for ReactionRule {
     type Error = String;
 
-    fn try_from(Table { io, data, sent, then, times }: Table) -> Result<Self, String> {
+    fn try_from(ReactionTable { io, data, sent, then, times }: ReactionTable) -> Result<Self, String> {
         if then.is_empty() {
             return Err(
                 "`then` is empty: write the entries that happen, such as { after = 0.5, key = \"F1\" }".to_owned()
@@ -53,16 +53,16 @@ impl TryFrom<Table> for Rule {
 
 /// An entry of `then`.
 #[derive(Debug, PartialEq, Deserialize)]
-#[serde(try_from = "Entry")]
+#[serde(try_from = "ScriptEntry")]
 struct DelayedEntry {
     delay: Time,
-    entry: Arc<Entry>,
+    entry: Arc<ScriptEntry>,
 }
 
-impl TryFrom<Entry> for DelayedEntry {
+impl TryFrom<ScriptEntry> for DelayedEntry {
     type Error = &'static str;
 
-    fn try_from(entry: Entry) -> Result<Self, Self::Error> {
+    fn try_from(entry: ScriptEntry) -> Result<Self, Self::Error> {
         match (entry.t, entry.after) {
             (None, after) => Ok(Self { delay: after.map_or(0, |after| after.time()), entry: Arc::new(entry) }),
             (Some(_), _) => {
@@ -75,7 +75,7 @@ impl TryFrom<Entry> for DelayedEntry {
 /// A rule and its state.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Reaction {
-    rule: Arc<Rule>,
+    rule: Arc<ReactionRule>,
     /// Line in the file.
     line: usize,
     /// Whether the condition was true at the last evaluation.
@@ -85,7 +85,7 @@ pub(super) struct Reaction {
 }
 
 impl Reaction {
-    pub(super) fn new(line: usize, rule: Rule) -> Self {
+    pub(super) fn new(line: usize, rule: ReactionRule) -> Self {
         Self { rule: Arc::new(rule), line, held: false, count: 0 }
     }
 
@@ -102,7 +102,7 @@ impl Reaction {
         self.rule.sent.as_ref()
     }
 
-    pub(super) fn entries(&self) -> impl Iterator<Item = &Entry> {
+    pub(super) fn entries(&self) -> impl Iterator<Item = &ScriptEntry> {
         self.rule.then.iter().map(|delayed| delayed.entry.as_ref())
     }
 

@@ -270,7 +270,8 @@ fn faults_of_reactions_are_shown_with_their_position() {
 
 #[test]
 fn an_action_happens_at_once() {
-    let action = |keys: &str| Action::from_json(serde_json::from_str(keys).unwrap()).map_err(|error| error.to_string());
+    let action =
+        |keys: &str| ScriptAction::from_json(serde_json::from_str(keys).unwrap()).map_err(|error| error.to_string());
     assert!(action(r#"{ "key": 97 }"#).is_ok());
     for time in ["t", "after"] {
         let refused = action(&format!(r#"{{ "key": 97, "{time}": 1 }}"#)).unwrap_err();

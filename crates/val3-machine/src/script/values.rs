@@ -54,14 +54,14 @@ impl Seconds {
 /// The value of an input or output.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "an input or output is true, false or a number")]
-pub enum Level {
+pub enum ScriptLevel {
     /// Value of a digital signal.
     Digital(bool),
     /// Value of an analog signal.
     Analog(f64),
 }
 
-impl Level {
+impl ScriptLevel {
     pub(super) fn number(self) -> f64 {
         match self {
             Self::Digital(value) => f64::from(u8::from(value)),
@@ -91,7 +91,7 @@ impl SafetyFault {
 /// The value of a variable or signal.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "a variable is set to true, false, a number or a text")]
-pub enum Value {
+pub enum ScriptValue {
     /// A `bool`, or a digital signal's value.
     Bool(bool),
     /// A `num`, or an analog signal's value.
@@ -100,7 +100,7 @@ pub enum Value {
     Text(String),
 }
 
-impl fmt::Display for Value {
+impl fmt::Display for ScriptValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Bool(value) => value.fmt(f),
@@ -113,9 +113,9 @@ impl fmt::Display for Value {
 /// Maximum number of occurrences.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(try_from = "Amount")]
-pub(super) struct Times(u64);
+pub(super) struct OccurrenceLimit(u64);
 
-impl TryFrom<Amount> for Times {
+impl TryFrom<Amount> for OccurrenceLimit {
     type Error = String;
 
     fn try_from(Amount::Number(times): Amount) -> Result<Self, String> {
@@ -126,7 +126,7 @@ impl TryFrom<Amount> for Times {
     }
 }
 
-impl Times {
+impl OccurrenceLimit {
     pub(super) fn number(self) -> u64 {
         self.0
     }
@@ -135,18 +135,18 @@ impl Times {
 /// Inputs and outputs by their paths.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "write the path of an input or output, or a list of such paths")]
-pub(super) enum Links {
+pub(super) enum SignalPaths {
     One(String),
     Several(Vec<String>),
 }
 
-impl Default for Links {
+impl Default for SignalPaths {
     fn default() -> Self {
         Self::Several(Vec::new())
     }
 }
 
-impl Links {
+impl SignalPaths {
     pub(super) fn all(&self) -> &[String] {
         match self {
             Self::One(link) => std::slice::from_ref(link),
@@ -162,8 +162,8 @@ impl Links {
     expecting = "write the path of an input or output, a list of such paths, or a table of paths and values"
 )]
 pub(super) enum Locks {
-    AsIs(Links),
-    At(BTreeMap<String, Level>),
+    AsIs(SignalPaths),
+    At(BTreeMap<String, ScriptLevel>),
 }
 
 impl Default for Locks {
@@ -205,9 +205,9 @@ pub(super) enum Force {
 /// Joint position: one number for each axis; omitted numbers are 0.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(try_from = "Vec<f64>")]
-pub(super) struct Position(pub(super) [f64; 6]);
+pub(super) struct JointPosition(pub(super) [f64; 6]);
 
-impl TryFrom<Vec<f64>> for Position {
+impl TryFrom<Vec<f64>> for JointPosition {
     type Error = String;
 
     fn try_from(axes: Vec<f64>) -> Result<Self, String> {
@@ -254,9 +254,9 @@ impl Serialize for Mode {
 /// A key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(try_from = "NumberOrName")]
-pub(super) struct Key(pub(super) u16);
+pub(super) struct PendantKey(pub(super) u16);
 
-impl TryFrom<NumberOrName> for Key {
+impl TryFrom<NumberOrName> for PendantKey {
     type Error = String;
 
     fn try_from(spelled: NumberOrName) -> Result<Self, String> {

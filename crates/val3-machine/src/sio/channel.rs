@@ -8,7 +8,7 @@ mod input;
 use val3_lang::arguments::SerialFault;
 
 use super::setting::SettingFault;
-use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal, SettingValue};
+use super::{ByteStream, Connection, LineKind, LineSetting, Received, SendResult, SettingRefusal, SettingValue};
 use input::Input;
 
 /// Result of a call by a waiting instruction.
@@ -246,7 +246,7 @@ impl Channel {
 
     /// `sioCtrl`: sets a parameter and returns the instruction's result, 0 or negative.
     pub fn control(&mut self, name: &str, value: SettingValue<'_>) -> i8 {
-        match Setting::read(name, value, self.kind()) {
+        match LineSetting::read(name, value, self.kind()) {
             Ok(setting) => self.set(&setting).map_or_else(refused, |()| 0),
             Err(SettingFault::Argument(fault)) => fault.result(),
             Err(SettingFault::Kind) => OTHER_KIND,
@@ -257,10 +257,10 @@ impl Channel {
     ///
     /// # Errors
     /// If the line does not support the value, or cannot change it while it is connected.
-    pub fn set(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
+    pub fn set(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal> {
         match setting {
-            Setting::EndOfString(byte) => self.state.end_of_string = *byte,
-            Setting::Timeout(seconds) => self.state.timeout = *seconds,
+            LineSetting::EndOfString(byte) => self.state.end_of_string = *byte,
+            LineSetting::Timeout(seconds) => self.state.timeout = *seconds,
             _ => return self.line.apply(setting),
         }
         Ok(())

@@ -3,12 +3,12 @@
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::rc::Rc;
 
-use val3_syntax::xml::{self, Element};
+use val3_syntax::xml::{self, XmlElement};
 
 use super::guarded::{GuardedSocket, SocketGuard};
 use super::{
-    ByteStream, Channel, LineKind, NetworkAccess, Setting, SettingRefusal, SettingValue, TcpClient, TcpServer, UdpLine,
-    setting::SettingFault,
+    ByteStream, Channel, LineKind, LineSetting, NetworkAccess, SettingRefusal, SettingValue, TcpClient, TcpServer,
+    UdpLine, setting::SettingFault,
 };
 
 /// Configuration of a channel.
@@ -19,7 +19,7 @@ pub struct ChannelConfig {
     /// The kind of channel.
     pub kind: LineKind,
     /// Parameters, as a program could set them.
-    pub settings: Vec<Setting>,
+    pub settings: Vec<LineSetting>,
 }
 
 /// Reads the channels of a configuration file. A channel without a name is skipped, and so is a parameter that its
@@ -28,11 +28,11 @@ pub struct ChannelConfig {
 pub fn channels(text: &str) -> Vec<ChannelConfig> {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view());
-    root.into_iter().flat_map(Element::elements).filter_map(channel).collect()
+    root.into_iter().flat_map(XmlElement::elements).filter_map(channel).collect()
 }
 
 /// `<socketSrv><String name="name" value="Motion" /><Num name="portNumber" value="11000" /></socketSrv>`.
-fn channel(element: Element<'_>) -> Option<ChannelConfig> {
+fn channel(element: XmlElement<'_>) -> Option<ChannelConfig> {
     let element_name = element.name().to_ascii_lowercase();
     let (kind, device) = match element_name.as_str() {
         "serialport" => (LineKind::Serial, "Serial"),
@@ -48,13 +48,13 @@ fn channel(element: Element<'_>) -> Option<ChannelConfig> {
 }
 
 /// Parses an entry's parameter.
-fn setting(key: &str, value: &str, kind: LineKind) -> Option<Setting> {
+fn setting(key: &str, value: &str, kind: LineKind) -> Option<LineSetting> {
     let key = key.to_ascii_lowercase();
     let name = NAMES.iter().find(|(known, _)| *known == key).map_or(key.as_str(), |(_, name)| name);
     let number = value.parse().ok().map(SettingValue::Num);
     let truth = value.to_ascii_lowercase().parse().ok().map(SettingValue::Bool);
     let candidates = [number, truth, Some(SettingValue::Text(value))];
-    let mut read = candidates.into_iter().flatten().map(|value| Setting::read(name, value, kind));
+    let mut read = candidates.into_iter().flatten().map(|value| LineSetting::read(name, value, kind));
     read.find_map(Result::<_, SettingFault>::ok)
 }
 
@@ -85,12 +85,12 @@ impl ChannelConfig {
     /// Inserts the settings of another configuration of the same channel, except port and target, before the existing
     /// settings, which take precedence. If the kinds differ, only timeout and end of string are inserted.
     pub fn take_over(&mut self, other: &Self) {
-        let stays = |setting: &&Setting| match setting {
-            Setting::Port(_) | Setting::Target(_) => false,
-            Setting::Timeout(_) | Setting::EndOfString(_) => true,
+        let stays = |setting: &&LineSetting| match setting {
+            LineSetting::Port(_) | LineSetting::Target(_) => false,
+            LineSetting::Timeout(_) | LineSetting::EndOfString(_) => true,
             _ => self.kind == other.kind,
         };
-        let taken: Vec<Setting> = other.settings.iter().filter(stays).cloned().collect();
+        let taken: Vec<LineSetting> = other.settings.iter().filter(stays).cloned().collect();
         self.settings.splice(0..0, taken);
     }
 
@@ -108,7 +108,7 @@ impl ChannelConfig {
     #[must_use]
     pub fn port(&self) -> Option<u16> {
         self.settings.iter().find_map(|setting| match setting {
-            Setting::Port(port) => Some(*port),
+            LineSetting::Port(port) => Some(*port),
             _ => None,
         })
     }
@@ -117,7 +117,7 @@ impl ChannelConfig {
     #[must_use]
     pub fn target(&self) -> Option<IpAddr> {
         self.settings.iter().find_map(|setting| match setting {
-            Setting::Target(target) => Some(*target),
+            LineSetting::Target(target) => Some(*target),
             _ => None,
         })
     }
@@ -157,7 +157,12 @@ mod tests {
             (r"Socket\host", LineKind::Client),
         ];
         assert_eq!(links, expected);
-        let motion = [Setting::Port(11000), Setting::Timeout(-1.0), Setting::EndOfString(13), Setting::Nagle(false)];
+        let motion = [
+            LineSetting::Port(11000),
+            LineSetting::Timeout(-1.0),
+            LineSetting::EndOfString(13),
+            LineSetting::Nagle(false),
+        ];
         assert_eq!(found[1].settings, motion);
         assert_eq!((found[2].port(), found[2].target()), (Some(2000), "192.168.0.254".parse().ok()));
         assert_eq!(found[0].settings.len(), 2);
@@ -166,14 +171,15 @@ mod tests {
     #[test]
     fn another_connection_keeps_the_other_parameters() {
         let found = channels(FILE);
-        let own = vec![Setting::Port(7)];
+        let own = vec![LineSetting::Port(7)];
         let mut server =
             ChannelConfig { link: r"Socket\Motion".to_owned(), kind: LineKind::Server, settings: own.clone() };
         let mut client = ChannelConfig { kind: LineKind::Client, ..server.clone() };
         client.take_over(&found[0]);
         assert_eq!(client.settings, own, "what a serial line has alone");
         server.take_over(&found[1]);
-        let kept = [Setting::Timeout(-1.0), Setting::EndOfString(13), Setting::Nagle(false), Setting::Port(7)];
+        let kept =
+            [LineSetting::Timeout(-1.0), LineSetting::EndOfString(13), LineSetting::Nagle(false), LineSetting::Port(7)];
         assert_eq!(server.settings, kept);
     }
 

@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 use std::rc::Rc;
 
 use super::{
-    ByteStream, ChannelConfig, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal,
+    ByteStream, ChannelConfig, Connection, LineKind, LineSetting, NetworkAccess, Received, SendResult, SettingRefusal,
 };
 
 /// Socket that is about to be opened.
@@ -70,11 +70,11 @@ impl<L: ByteStream> ByteStream for GuardedSocket<L> {
         self.socket.shut_down();
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
+    fn apply(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal> {
         self.socket.apply(setting)?;
         match setting {
-            Setting::Port(port) => self.named.set_port(*port),
-            Setting::Target(target) => self.named.set_ip(*target),
+            LineSetting::Port(port) => self.named.set_port(*port),
+            LineSetting::Target(target) => self.named.set_ip(*target),
             _ => {}
         }
         Ok(())
@@ -103,12 +103,12 @@ mod tests {
     #[test]
     fn a_guard_is_asked_for_the_port_that_counts() {
         let guard = Rc::new(Even::default());
-        let settings = vec![Setting::Port(7), Setting::Target([10, 9, 8, 7].into())];
+        let settings = vec![LineSetting::Port(7), LineSetting::Target([10, 9, 8, 7].into())];
         let config = ChannelConfig { link: r"Socket\host".to_owned(), kind: LineKind::Client, settings };
         let mut channel: Channel =
             config.channel(config.guarded(NetworkAccess::Loopback, guard.clone()).unwrap()).unwrap();
         channel.attend();
-        channel.set(&Setting::Port(9)).unwrap();
+        channel.set(&LineSetting::Port(9)).unwrap();
         channel.attend();
         assert_eq!(*guard.0.borrow(), [r"Socket\host Client 127.0.0.1:7", r"Socket\host Client 127.0.0.1:9"]);
     }
@@ -125,7 +125,7 @@ mod tests {
                 false
             }
         }
-        let settings = vec![Setting::Port(port)];
+        let settings = vec![LineSetting::Port(port)];
         for kind in [LineKind::Client, LineKind::Server, LineKind::Udp] {
             let config = ChannelConfig { link: r"Socket\host".to_owned(), kind, settings: settings.clone() };
             let mut line = config.guarded(NetworkAccess::Loopback, Rc::new(Never)).unwrap();

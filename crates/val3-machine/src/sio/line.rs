@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Setting;
+use super::LineSetting;
 
 /// Kind of a line, which determines its parameters (3.7.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -87,7 +87,7 @@ pub trait ByteStream {
     ///
     /// # Errors
     /// If the line does not support the value, or cannot change it while it is connected.
-    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal>;
+    fn apply(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal>;
 }
 
 impl<L: ByteStream + ?Sized> ByteStream for Box<L> {
@@ -115,7 +115,7 @@ impl<L: ByteStream + ?Sized> ByteStream for Box<L> {
         (**self).shut_down();
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
+    fn apply(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal> {
         (**self).apply(setting)
     }
 }

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
+use super::{ByteStream, Connection, LineKind, LineSetting, Received, SendResult, SettingRefusal};
 
 /// Controller's end of the line.
 #[derive(Debug)]
@@ -28,7 +28,7 @@ struct Wire {
     to_peer: Vec<u8>,
     /// Number of bytes that the peer still accepts.
     window: Option<usize>,
-    settings: Vec<Setting>,
+    settings: Vec<LineSetting>,
 }
 
 impl MemoryLine {
@@ -81,9 +81,10 @@ impl ByteStream for MemoryLine {
         self.close();
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
+    fn apply(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal> {
         let mut wire = self.wire.borrow_mut();
-        if wire.connected && matches!(setting, Setting::Port(_) | Setting::Target(_) | Setting::Clients(_)) {
+        if wire.connected && matches!(setting, LineSetting::Port(_) | LineSetting::Target(_) | LineSetting::Clients(_))
+        {
             return Err(SettingRefusal::Busy);
         }
         wire.settings.push(*setting);
@@ -122,7 +123,7 @@ impl Peer {
 
     /// The parameters that the controller has set.
     #[must_use]
-    pub fn settings(&self) -> Vec<Setting> {
+    pub fn settings(&self) -> Vec<LineSetting> {
         self.wire.borrow().settings.clone()
     }
 

@@ -10,12 +10,12 @@ use std::rc::Rc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
+use super::{ByteStream, Connection, LineKind, LineSetting, Received, SendResult, SettingRefusal};
 use crate::inputs::{Answer, Inputs};
 
 /// Unusual result of a line.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Entry {
+pub struct RecordedReply {
     /// The number of the call, from 0.
     pub call: u64,
     /// Result of the call.
@@ -59,14 +59,14 @@ impl Answer for Received {
 }
 
 /// Line whose calls pass through a recorder of external input. Unusual results are passed to `tell`.
-pub struct Recorder<L, F> {
+pub struct LineRecorder<L, F> {
     line: L,
     inputs: Inputs,
     tell: F,
     state: Rc<Cell<RecorderState>>,
 }
 
-impl<L: ByteStream, F: FnMut(Entry)> Recorder<L, F> {
+impl<L: ByteStream, F: FnMut(RecordedReply)> LineRecorder<L, F> {
     /// Records `line` from its first call on.
     pub fn new(line: L, inputs: Inputs, tell: F) -> Self {
         let state = RecorderState { call: 0, connection: Connection::Closed };
@@ -83,13 +83,13 @@ impl<L: ByteStream, F: FnMut(Entry)> Recorder<L, F> {
     fn ended(&mut self, answer: Option<LineAnswer>) {
         let RecorderState { call, connection } = self.state.get();
         if let Some(answer) = answer {
-            (self.tell)(Entry { call, answer });
+            (self.tell)(RecordedReply { call, answer });
         }
         self.state.set(RecorderState { call: call + 1, connection });
     }
 }
 
-impl<L: ByteStream, F: FnMut(Entry)> ByteStream for Recorder<L, F> {
+impl<L: ByteStream, F: FnMut(RecordedReply)> ByteStream for LineRecorder<L, F> {
     fn kind(&self) -> LineKind {
         self.line.kind()
     }
@@ -126,7 +126,7 @@ impl<L: ByteStream, F: FnMut(Entry)> ByteStream for Recorder<L, F> {
         self.ended(None);
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
+    fn apply(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal> {
         let applied = self.inputs.ask_usual(&Ok(()), || self.line.apply(setting));
         self.ended(applied.err().map(LineAnswer::Refused));
         applied
@@ -138,19 +138,19 @@ impl<L: ByteStream, F: FnMut(Entry)> ByteStream for Recorder<L, F> {
 ///
 /// # Errors
 /// The first line that is no event.
-pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<Entry>>> {
+pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<RecordedReply>>> {
     #[derive(Deserialize)]
     #[serde(tag = "kind", rename_all = "lowercase")]
     enum RecordedEvent {
         Line {
             link: String,
             #[serde(flatten)]
-            entry: Entry,
+            entry: RecordedReply,
         },
         #[serde(other)]
         Else,
     }
-    let mut answers: BTreeMap<String, Vec<Entry>> = BTreeMap::new();
+    let mut answers: BTreeMap<String, Vec<RecordedReply>> = BTreeMap::new();
     for line in record.split_inclusive('\n').filter(|line| !line.trim().is_empty()) {
         match serde_json::from_str(line) {
             Ok(RecordedEvent::Line { link, entry }) => answers.entry(link).or_default().push(entry),
@@ -165,7 +165,7 @@ pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<Entry>>> 
 #[derive(Debug)]
 pub struct Replay {
     kind: LineKind,
-    entries: VecDeque<Entry>,
+    entries: VecDeque<RecordedReply>,
     call: u64,
     connection: Connection,
 }
@@ -173,7 +173,7 @@ pub struct Replay {
 impl Replay {
     /// Creates a line that returns the results of `entries`, in the order of the calls.
     #[must_use]
-    pub fn new(kind: LineKind, entries: impl IntoIterator<Item = Entry>) -> Self {
+    pub fn new(kind: LineKind, entries: impl IntoIterator<Item = RecordedReply>) -> Self {
         Self { kind, entries: entries.into_iter().collect(), call: 0, connection: Connection::Closed }
     }
 
@@ -219,7 +219,7 @@ impl ByteStream for Replay {
         self.answer();
     }
 
-    fn apply(&mut self, _setting: &Setting) -> Result<(), SettingRefusal> {
+    fn apply(&mut self, _setting: &LineSetting) -> Result<(), SettingRefusal> {
         match self.answer() {
             Some(LineAnswer::Refused(refused)) => Err(refused),
             _ => Ok(()),
@@ -267,7 +267,7 @@ mod tests {
         let (line, peer) = MemoryLine::pair(LineKind::Server);
         let log = Rc::new(RefCell::new(Vec::new()));
         let sink = Rc::clone(&log);
-        let recorder = Recorder::new(line, Inputs::default(), move |entry| sink.borrow_mut().push(entry));
+        let recorder = LineRecorder::new(line, Inputs::default(), move |entry| sink.borrow_mut().push(entry));
         let seen = run(&mut Channel::new(Box::new(recorder)), |turn| outside(&peer, turn));
         let entries = log.borrow().clone();
         assert_eq!(entries.len(), 9, "{entries:#?}");
@@ -281,9 +281,10 @@ mod tests {
         let (line, _peer) = MemoryLine::pair(LineKind::Client);
         let log = Rc::new(RefCell::new(Vec::new()));
         let sink = Rc::clone(&log);
-        let mut channel = Channel::new(Box::new(Recorder::new(line, Inputs::default(), move |entry: Entry| {
-            sink.borrow_mut().push(entry)
-        })));
+        let mut channel =
+            Channel::new(Box::new(LineRecorder::new(line, Inputs::default(), move |entry: RecordedReply| {
+                sink.borrow_mut().push(entry)
+            })));
         for _ in 0..100 {
             assert_eq!(channel.read_text(1.0), crate::sio::Attempt::Wait);
         }

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use super::{ByteStream, Connection, LineKind, Received, SendResult, Setting, SettingRefusal};
+use super::{ByteStream, Connection, LineKind, LineSetting, Received, SendResult, SettingRefusal};
 
 /// Controller's end of the line, which is always open.
 #[derive(Debug)]
@@ -66,7 +66,7 @@ impl ByteStream for ScriptedLine {
         self.close();
     }
 
-    fn apply(&mut self, _setting: &Setting) -> Result<(), SettingRefusal> {
+    fn apply(&mut self, _setting: &LineSetting) -> Result<(), SettingRefusal> {
         Ok(())
     }
 }

@@ -7,7 +7,7 @@ use std::os::unix::fs::OpenOptionsExt;
 use camino::Utf8Path;
 use rustix::termios::{ControlModes, OptionalActions, Termios, tcgetattr, tcsetattr};
 
-use super::{ByteStream, Connection, LineKind, Parity, Received, SendResult, Setting, SettingRefusal};
+use super::{ByteStream, Connection, LineKind, LineSetting, Parity, Received, SendResult, SettingRefusal};
 
 /// Serial line, which is always open (3.7.1).
 #[derive(Debug)]
@@ -107,15 +107,17 @@ impl ByteStream for SerialLine {
     fn shut_down(&mut self) {}
 
     /// The line has only RS-232 drivers.
-    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
+    fn apply(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal> {
         match setting {
-            Setting::BaudRate(0) | Setting::Rs422(true) => Err(SettingRefusal::Value),
-            Setting::BaudRate(rate) => self.change(|modes| modes.set_speed(*rate)),
-            Setting::Bits(count) => self.set_flags(ControlModes::CSIZE, bits(*count)),
-            Setting::Parity(kind) => self.set_flags(ControlModes::PARENB | ControlModes::PARODD, parity(*kind)),
-            Setting::StopBits(count) => self.set_flags(ControlModes::CSTOPB, only(ControlModes::CSTOPB, *count == 2)),
-            Setting::HardwareFlow(on) => self.set_flags(ControlModes::CRTSCTS, only(ControlModes::CRTSCTS, *on)),
-            Setting::Rs422(false) => Ok(()),
+            LineSetting::BaudRate(0) | LineSetting::Rs422(true) => Err(SettingRefusal::Value),
+            LineSetting::BaudRate(rate) => self.change(|modes| modes.set_speed(*rate)),
+            LineSetting::Bits(count) => self.set_flags(ControlModes::CSIZE, bits(*count)),
+            LineSetting::Parity(kind) => self.set_flags(ControlModes::PARENB | ControlModes::PARODD, parity(*kind)),
+            LineSetting::StopBits(count) => {
+                self.set_flags(ControlModes::CSTOPB, only(ControlModes::CSTOPB, *count == 2))
+            }
+            LineSetting::HardwareFlow(on) => self.set_flags(ControlModes::CRTSCTS, only(ControlModes::CRTSCTS, *on)),
+            LineSetting::Rs422(false) => Ok(()),
             _ => Err(SettingRefusal::Value),
         }
     }

@@ -23,7 +23,7 @@ pub enum SettingValue<'v> {
 /// A parameter with its new value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub enum Setting {
+pub enum LineSetting {
     /// The TCP or UDP port.
     Port(u16),
     /// The address to call.
@@ -71,7 +71,7 @@ pub(super) enum SettingFault {
     Kind,
 }
 
-impl Setting {
+impl LineSetting {
     /// Parses the parameter `name` with its value for a line of this kind; letter case does not count.
     ///
     /// Of several errors, the first in this order is returned: name, kind of channel, type, value.
@@ -87,17 +87,17 @@ impl Setting {
 }
 
 /// Parameter with the kinds of lines that support it, and the parser of its value.
-struct Row {
+struct SettingRule {
     name: &'static str,
     kinds: &'static [LineKind],
-    value: Reader,
+    value: SettingReader,
 }
 
-enum Reader {
-    Truth(fn(bool) -> Setting),
-    Whole(fn(u32) -> Option<Setting>),
+enum SettingReader {
+    Truth(fn(bool) -> LineSetting),
+    Whole(fn(u32) -> Option<LineSetting>),
     Seconds,
-    Text(fn(&str) -> Option<Setting>),
+    Text(fn(&str) -> Option<LineSetting>),
 }
 
 const TCP: &[LineKind] = &[LineKind::Client, LineKind::Server];
@@ -109,48 +109,52 @@ const SERIAL: &[LineKind] = &[LineKind::Serial];
 const ALL: &[LineKind] = &[LineKind::Serial, LineKind::Client, LineKind::Server, LineKind::Udp];
 
 #[rustfmt::skip]
-static ROWS: [Row; 12] = [
-    Row { name: "port", kinds: SOCKETS, value: Reader::Whole(port) },
-    Row { name: "target", kinds: CALLERS, value: Reader::Text(|text| text.trim().parse().ok().map(Setting::Target)) },
-    Row { name: "clients", kinds: SERVER, value: Reader::Whole(clients) },
-    Row { name: "endOfString", kinds: ALL, value: Reader::Whole(|value| byte(value).map(Setting::EndOfString)) },
-    Row { name: "timeout", kinds: ALL, value: Reader::Seconds },
-    Row { name: "baudRate", kinds: SERIAL, value: Reader::Whole(|value| Some(Setting::BaudRate(value))) },
-    Row { name: "parity", kinds: SERIAL, value: Reader::Text(parity) },
-    Row { name: "bits", kinds: SERIAL, value: Reader::Whole(|value| byte(value).map(Setting::Bits)) },
-    Row { name: "stopBits", kinds: SERIAL, value: Reader::Whole(|value| byte(value).map(Setting::StopBits)) },
-    Row { name: "mode", kinds: SERIAL, value: Reader::Text(|text| Some(Setting::Rs422(text.eq_ignore_ascii_case("rs422")))) },
-    Row { name: "flowControl", kinds: SERIAL, value: Reader::Text(|text| Some(Setting::HardwareFlow(text.eq_ignore_ascii_case("hardware")))) },
-    Row { name: "nagle", kinds: TCP, value: Reader::Truth(Setting::Nagle) },
+static ROWS: [SettingRule; 12] = [
+    SettingRule { name: "port", kinds: SOCKETS, value: SettingReader::Whole(port) },
+    SettingRule { name: "target", kinds: CALLERS, value: SettingReader::Text(|text| text.trim().parse().ok().map(LineSetting::Target)) },
+    SettingRule { name: "clients", kinds: SERVER, value: SettingReader::Whole(clients) },
+    SettingRule { name: "endOfString", kinds: ALL, value: SettingReader::Whole(|value| byte(value).map(LineSetting::EndOfString)) },
+    SettingRule { name: "timeout", kinds: ALL, value: SettingReader::Seconds },
+    SettingRule { name: "baudRate", kinds: SERIAL, value: SettingReader::Whole(|value| Some(LineSetting::BaudRate(value))) },
+    SettingRule { name: "parity", kinds: SERIAL, value: SettingReader::Text(parity) },
+    SettingRule { name: "bits", kinds: SERIAL, value: SettingReader::Whole(|value| byte(value).map(LineSetting::Bits)) },
+    SettingRule { name: "stopBits", kinds: SERIAL, value: SettingReader::Whole(|value| byte(value).map(LineSetting::StopBits)) },
+    SettingRule { name: "mode", kinds: SERIAL, value: SettingReader::Text(|text| Some(LineSetting::Rs422(text.eq_ignore_ascii_case("rs422")))) },
+    SettingRule { name: "flowControl", kinds: SERIAL, value: SettingReader::Text(|text| Some(LineSetting::HardwareFlow(text.eq_ignore_ascii_case("hardware")))) },
+    SettingRule { name: "nagle", kinds: TCP, value: SettingReader::Truth(LineSetting::Nagle) },
 ];
 
-impl Row {
-    fn read(&self, parameter: &SerialParameter, value: SettingValue<'_>) -> Result<Setting, SerialFault> {
+impl SettingRule {
+    fn read(&self, parameter: &SerialParameter, value: SettingValue<'_>) -> Result<LineSetting, SerialFault> {
         let takes = parameter.value;
         let read = match (&self.value, value) {
-            (Reader::Truth(read), SettingValue::Bool(value)) => Some(read(value)),
-            (Reader::Whole(read), SettingValue::Num(value)) if takes.takes_number(value) => whole(value).and_then(read),
-            (Reader::Seconds, SettingValue::Num(value)) => value.is_finite().then_some(Setting::Timeout(value)),
-            (Reader::Text(read), SettingValue::Text(text)) if takes.takes_text(text) => read(text),
-            (Reader::Whole(_), SettingValue::Num(_)) | (Reader::Text(_), SettingValue::Text(_)) => None,
+            (SettingReader::Truth(read), SettingValue::Bool(value)) => Some(read(value)),
+            (SettingReader::Whole(read), SettingValue::Num(value)) if takes.takes_number(value) => {
+                whole(value).and_then(read)
+            }
+            (SettingReader::Seconds, SettingValue::Num(value)) => {
+                value.is_finite().then_some(LineSetting::Timeout(value))
+            }
+            (SettingReader::Text(read), SettingValue::Text(text)) if takes.takes_text(text) => read(text),
+            (SettingReader::Whole(_), SettingValue::Num(_)) | (SettingReader::Text(_), SettingValue::Text(_)) => None,
             _ => return Err(SerialFault::Type),
         };
         read.ok_or(SerialFault::Value)
     }
 }
 
-fn port(value: u32) -> Option<Setting> {
-    u16::try_from(value).ok().filter(|port| *port != 0).map(Setting::Port)
+fn port(value: u32) -> Option<LineSetting> {
+    u16::try_from(value).ok().filter(|port| *port != 0).map(LineSetting::Port)
 }
 
-fn clients(value: u32) -> Option<Setting> {
-    u16::try_from(value).ok().filter(|clients| *clients != 0).map(Setting::Clients)
+fn clients(value: u32) -> Option<LineSetting> {
+    u16::try_from(value).ok().filter(|clients| *clients != 0).map(LineSetting::Clients)
 }
 
-fn parity(text: &str) -> Option<Setting> {
+fn parity(text: &str) -> Option<LineSetting> {
     let named = [("none", Parity::None), ("even", Parity::Even), ("odd", Parity::Odd)];
     let found = named.into_iter().find(|(name, _)| text.eq_ignore_ascii_case(name));
-    found.map(|(_, parity)| Setting::Parity(parity))
+    found.map(|(_, parity)| LineSetting::Parity(parity))
 }
 
 fn byte(value: u32) -> Option<u8> {
@@ -170,8 +174,8 @@ mod tests {
 
     use super::*;
 
-    fn read(kind: LineKind, name: &str, value: SettingValue<'_>) -> Result<Setting, i8> {
-        Setting::read(name, value, kind).map_err(|fault| match fault {
+    fn read(kind: LineKind, name: &str, value: SettingValue<'_>) -> Result<LineSetting, i8> {
+        LineSetting::read(name, value, kind).map_err(|fault| match fault {
             SettingFault::Argument(fault) => fault.result(),
             SettingFault::Kind => -5,
         })
@@ -185,12 +189,12 @@ mod tests {
     #[test]
     fn the_example_of_the_manual() {
         let serial = |name, value| read(LineKind::Serial, name, value).unwrap();
-        assert_eq!(serial("baudRate", SettingValue::Num(115_200.0)), Setting::BaudRate(115_200));
-        assert_eq!(serial("bits", SettingValue::Num(8.0)), Setting::Bits(8));
-        assert_eq!(serial("parity", SettingValue::Text("none")), Setting::Parity(Parity::None));
-        assert_eq!(serial("stopBits", SettingValue::Num(1.0)), Setting::StopBits(1));
-        assert_eq!(serial("timeout", SettingValue::Num(0.0)), Setting::Timeout(0.0));
-        assert_eq!(serial("endOfString", SettingValue::Num(13.0)), Setting::EndOfString(13));
+        assert_eq!(serial("baudRate", SettingValue::Num(115_200.0)), LineSetting::BaudRate(115_200));
+        assert_eq!(serial("bits", SettingValue::Num(8.0)), LineSetting::Bits(8));
+        assert_eq!(serial("parity", SettingValue::Text("none")), LineSetting::Parity(Parity::None));
+        assert_eq!(serial("stopBits", SettingValue::Num(1.0)), LineSetting::StopBits(1));
+        assert_eq!(serial("timeout", SettingValue::Num(0.0)), LineSetting::Timeout(0.0));
+        assert_eq!(serial("endOfString", SettingValue::Num(13.0)), LineSetting::EndOfString(13));
     }
 
     #[test]
@@ -225,8 +229,8 @@ mod tests {
     #[test]
     fn a_negative_timeout_is_taken() {
         let timeout = |value| read(LineKind::Server, "timeout", SettingValue::Num(value));
-        assert_eq!(timeout(-1.0), Ok(Setting::Timeout(-1.0)));
-        assert_eq!(timeout(0.5), Ok(Setting::Timeout(0.5)));
+        assert_eq!(timeout(-1.0), Ok(LineSetting::Timeout(-1.0)));
+        assert_eq!(timeout(0.5), Ok(LineSetting::Timeout(0.5)));
         assert_eq!(timeout(f64::INFINITY), Err(-3));
     }
 }

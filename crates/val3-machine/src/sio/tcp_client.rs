@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 use socket2::{Domain, Protocol, Socket, Type};
 
 use super::stream::Stream;
-use super::{ByteStream, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal};
+use super::{ByteStream, Connection, LineKind, LineSetting, NetworkAccess, Received, SendResult, SettingRefusal};
 
 /// Client end of a TCP connection.
 #[derive(Debug)]
@@ -13,11 +13,11 @@ pub struct TcpClient {
     server: SocketAddr,
     access: NetworkAccess,
     nagle: bool,
-    state: State,
+    state: TcpClientState,
 }
 
 #[derive(Debug)]
-enum State {
+enum TcpClientState {
     Closed,
     Calling(Socket),
     Open(Stream),
@@ -27,29 +27,29 @@ impl TcpClient {
     /// Creates a client of `server`, which is called at the first read or write of the program (3.7.1).
     #[must_use]
     pub fn new(server: SocketAddr, access: NetworkAccess) -> Self {
-        Self { server, access, nagle: true, state: State::Closed }
+        Self { server, access, nagle: true, state: TcpClientState::Closed }
     }
 
     /// Starts to call.
-    fn call(&self) -> State {
+    fn call(&self) -> TcpClientState {
         let server = self.access.address(self.server);
         let socket = Socket::new(Domain::for_address(server), Type::STREAM, Some(Protocol::TCP));
         let Ok(socket) = socket.and_then(|socket| socket.set_nonblocking(true).map(|()| socket)) else {
-            return State::Closed;
+            return TcpClientState::Closed;
         };
         match socket.connect(&server.into()) {
-            Err(error) if !is_under_way(&error) => State::Closed,
-            _ => State::Calling(socket),
+            Err(error) if !is_under_way(&error) => TcpClientState::Closed,
+            _ => TcpClientState::Calling(socket),
         }
     }
 
     /// Checks whether a server has accepted.
-    fn answer(&self, socket: Socket) -> State {
+    fn answer(&self, socket: Socket) -> TcpClientState {
         match socket.take_error() {
-            Ok(None) if socket.peer_addr().is_err() => State::Calling(socket),
-            Ok(None) if calls_itself(&socket) => State::Closed,
-            Ok(None) => Stream::new(socket.into(), self.nagle).map_or(State::Closed, State::Open),
-            _ => State::Closed,
+            Ok(None) if socket.peer_addr().is_err() => TcpClientState::Calling(socket),
+            Ok(None) if calls_itself(&socket) => TcpClientState::Closed,
+            Ok(None) => Stream::new(socket.into(), self.nagle).map_or(TcpClientState::Closed, TcpClientState::Open),
+            _ => TcpClientState::Closed,
         }
     }
 }
@@ -78,23 +78,23 @@ impl ByteStream for TcpClient {
     }
 
     fn open(&mut self) -> Connection {
-        let mut state = std::mem::replace(&mut self.state, State::Closed);
-        if matches!(state, State::Closed) {
+        let mut state = std::mem::replace(&mut self.state, TcpClientState::Closed);
+        if matches!(state, TcpClientState::Closed) {
             state = self.call();
         }
-        if let State::Calling(socket) = state {
+        if let TcpClientState::Calling(socket) = state {
             state = self.answer(socket);
         }
         self.state = state;
         match self.state {
-            State::Open(_) => Connection::Open,
-            State::Calling(_) => Connection::Calling,
-            State::Closed => Connection::Closed,
+            TcpClientState::Open(_) => Connection::Open,
+            TcpClientState::Calling(_) => Connection::Calling,
+            TcpClientState::Closed => Connection::Closed,
         }
     }
 
     fn receive(&mut self, room: usize, _fresh: bool) -> Received {
-        let State::Open(stream) = &mut self.state else { return Received::Nothing };
+        let TcpClientState::Open(stream) = &mut self.state else { return Received::Nothing };
         stream.listen();
         if stream.has_input() {
             return Received::Bytes(stream.take(room));
@@ -102,41 +102,41 @@ impl ByteStream for TcpClient {
         if !stream.is_gone() {
             return Received::Nothing;
         }
-        self.state = State::Closed;
+        self.state = TcpClientState::Closed;
         Received::Ended
     }
 
     fn send(&mut self, bytes: &[u8]) -> SendResult {
         match &mut self.state {
-            State::Open(stream) => stream.send(bytes),
+            TcpClientState::Open(stream) => stream.send(bytes),
             _ => SendResult::Lost,
         }
     }
 
     fn close(&mut self) -> bool {
-        matches!(std::mem::replace(&mut self.state, State::Closed), State::Open(stream) if !stream.is_gone())
+        matches!(std::mem::replace(&mut self.state, TcpClientState::Closed), TcpClientState::Open(stream) if !stream.is_gone())
     }
 
     fn shut_down(&mut self) {
         self.close();
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
-        let open = matches!(self.state, State::Open(_));
+    fn apply(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal> {
+        let open = matches!(self.state, TcpClientState::Open(_));
         match setting {
-            Setting::Nagle(on) => {
+            LineSetting::Nagle(on) => {
                 self.nagle = *on;
-                if let State::Open(stream) = &mut self.state {
+                if let TcpClientState::Open(stream) = &mut self.state {
                     stream.set_nagle(*on);
                 }
                 return Ok(());
             }
-            Setting::Port(_) | Setting::Target(_) if open => return Err(SettingRefusal::Busy),
-            Setting::Port(port) => self.server.set_port(*port),
-            Setting::Target(target) => self.server.set_ip(*target),
+            LineSetting::Port(_) | LineSetting::Target(_) if open => return Err(SettingRefusal::Busy),
+            LineSetting::Port(port) => self.server.set_port(*port),
+            LineSetting::Target(target) => self.server.set_ip(*target),
             _ => return Err(SettingRefusal::Value),
         }
-        self.state = State::Closed;
+        self.state = TcpClientState::Closed;
         Ok(())
     }
 }

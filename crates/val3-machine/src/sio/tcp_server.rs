@@ -7,7 +7,7 @@
 use std::net::{SocketAddr, TcpListener};
 
 use super::stream::Stream;
-use super::{ByteStream, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal};
+use super::{ByteStream, Connection, LineKind, LineSetting, NetworkAccess, Received, SendResult, SettingRefusal};
 
 /// The server's end of TCP connections.
 #[derive(Debug)]
@@ -123,18 +123,18 @@ impl ByteStream for TcpServer {
         self.listener = None;
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
+    fn apply(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal> {
         match setting {
-            Setting::Nagle(on) => {
+            LineSetting::Nagle(on) => {
                 self.nagle = *on;
                 self.clients.iter_mut().for_each(|client| client.set_nagle(*on));
             }
-            Setting::Port(_) | Setting::Clients(_) if self.is_connected() => return Err(SettingRefusal::Busy),
-            Setting::Port(port) => {
+            LineSetting::Port(_) | LineSetting::Clients(_) if self.is_connected() => return Err(SettingRefusal::Busy),
+            LineSetting::Port(port) => {
                 self.address.set_port(*port);
                 self.shut_down();
             }
-            Setting::Clients(clients) => self.limit = usize::from(*clients),
+            LineSetting::Clients(clients) => self.limit = usize::from(*clients),
             _ => return Err(SettingRefusal::Value),
         }
         Ok(())

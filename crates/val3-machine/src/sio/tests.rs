@@ -28,7 +28,7 @@ fn until<T>(mut ask: impl FnMut() -> Attempt<T>) -> T {
 fn server(clients: u16) -> (Channel, SocketAddr) {
     let mut server = TcpServer::new(loopback(0), NetworkAccess::Loopback);
     assert_eq!(server.local_address(), None);
-    server.apply(&Setting::Clients(clients)).unwrap();
+    server.apply(&LineSetting::Clients(clients)).unwrap();
     server.open();
     let address = server.local_address().unwrap();
     (Channel::new(Box::new(server)), address)

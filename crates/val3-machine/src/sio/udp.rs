@@ -3,7 +3,7 @@
 use std::io::ErrorKind;
 use std::net::{SocketAddr, UdpSocket};
 
-use super::{ByteStream, Connection, LineKind, NetworkAccess, Received, SendResult, Setting, SettingRefusal};
+use super::{ByteStream, Connection, LineKind, LineSetting, NetworkAccess, Received, SendResult, SettingRefusal};
 
 /// UDP socket. The manual does not describe it; controllers have it since s8.
 #[derive(Debug)]
@@ -86,17 +86,17 @@ impl ByteStream for UdpLine {
         self.heard = None;
     }
 
-    fn apply(&mut self, setting: &Setting) -> Result<(), SettingRefusal> {
+    fn apply(&mut self, setting: &LineSetting) -> Result<(), SettingRefusal> {
         if self.socket.is_some() {
             return Err(SettingRefusal::Busy);
         }
         // The manual has one port for a channel; here it applies to both ends.
         match setting {
-            Setting::Port(port) => {
+            LineSetting::Port(port) => {
                 self.local.set_port(*port);
                 self.target.iter_mut().for_each(|target| target.set_port(*port));
             }
-            Setting::Target(address) => self.target = Some(SocketAddr::new(*address, self.local.port())),
+            LineSetting::Target(address) => self.target = Some(SocketAddr::new(*address, self.local.port())),
             _ => return Err(SettingRefusal::Value),
         }
         Ok(())

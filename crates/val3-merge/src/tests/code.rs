@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 
 use super::merged;
-use crate::{FileKind, merge};
+use crate::{MergedKind, merge};
 
 const NEW: &str = r#"<Programs>
   <Program name="pick" access="public">
@@ -25,7 +25,7 @@ const OLD: &str = "<programList>\n  <program name=\"p\" public=\"true\">\n    <s
 
 #[track_caller]
 fn check(base: &str, ours: &str, theirs: &str, expected: &Expect) {
-    expected.assert_eq(&merged(FileKind::Program, base, ours, theirs));
+    expected.assert_eq(&merged(MergedKind::Program, base, ours, theirs));
 }
 
 #[test]
@@ -162,7 +162,7 @@ fn the_order_of_parameters_counts() {
         "      <Parameter name=\"x_0\" type=\"num\" xsi:type=\"element\" />\n      <Parameter name=\"x_n\"",
     );
     assert_eq!(
-        merge(FileKind::Program, NEW, &NEW.replace("l_i=1", "l_i=7"), &first).text,
+        merge(MergedKind::Program, NEW, &NEW.replace("l_i=1", "l_i=7"), &first).text,
         first.replace("l_i=1", "l_i=7")
     );
     check(
@@ -201,5 +201,5 @@ fn the_order_of_parameters_counts() {
     "#]],
     );
     let public = with("x_a").replace("access=\"public\"", "access=\"private\"");
-    assert_eq!(merge(FileKind::Program, NEW, &with("x_a"), &public).text, public);
+    assert_eq!(merge(MergedKind::Program, NEW, &with("x_a"), &public).text, public);
 }

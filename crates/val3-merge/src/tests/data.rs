@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 
 use super::merged;
-use crate::{FileKind, merge};
+use crate::{MergedKind, merge};
 
 const POINTS: &str = r#"<Database>
   <Datas>
@@ -17,7 +17,7 @@ const POINTS: &str = r#"<Database>
 
 #[track_caller]
 fn check(base: &str, ours: &str, theirs: &str, expected: &Expect) {
-    expected.assert_eq(&merged(FileKind::Data, base, ours, theirs));
+    expected.assert_eq(&merged(MergedKind::Data, base, ours, theirs));
 }
 
 /// Returns the points after text replacements, for example of the size.
@@ -128,12 +128,12 @@ fn the_same_appended_points_are_one_change() {
         (END, "\n      <Value key=\"3\" x=\"777\" fatherId=\"world[0]\" />\n    </Data>"),
     ]);
     let theirs = both.replace("x=\"1\"", "x=\"1.5\"");
-    assert_eq!(merge(FileKind::Data, POINTS, &both, &theirs).text, theirs);
+    assert_eq!(merge(MergedKind::Data, POINTS, &both, &theirs).text, theirs);
     let more = both
         .replace("size=\"4\"", "size=\"5\"")
         .replace(END, "\n      <Value key=\"4\" x=\"778\" fatherId=\"world[0]\" />\n    </Data>");
-    assert_eq!(merge(FileKind::Data, POINTS, &both, &more).text, more);
-    assert_eq!(merge(FileKind::Data, POINTS, &more, &both).text, more);
+    assert_eq!(merge(MergedKind::Data, POINTS, &both, &more).text, more);
+    assert_eq!(merge(MergedKind::Data, POINTS, &more, &both).text, more);
 }
 
 #[test]
@@ -142,7 +142,7 @@ fn two_default_values_are_two_elements() {
     let end = "    </num>";
     let ours = OLD.replace(end, &format!("{}{end}", value("0", 2)));
     let theirs = OLD.replace(end, &format!("{}{}{end}", value("0", 2), value("9", 3)));
-    let found = merge(FileKind::Data, OLD, &ours, &theirs).text;
+    let found = merge(MergedKind::Data, OLD, &ours, &theirs).text;
     assert_eq!(found, OLD.replace(end, &format!("{}{}{}{end}", value("0", 2), value("0", 3), value("9", 4))));
 }
 
@@ -276,7 +276,7 @@ fn removed_on_one_side_and_changed_on_the_other() {
     "#]],
     );
     let commented = changed.replace("<Database>", "<!-- a -->\n<Database>");
-    assert_eq!(merge(FileKind::Data, &changed, gone, &commented).text, format!("<!-- a -->\n{gone}"));
+    assert_eq!(merge(MergedKind::Data, &changed, gone, &commented).text, format!("<!-- a -->\n{gone}"));
 }
 
 #[test]
@@ -291,9 +291,9 @@ fn an_element_inserted_in_the_middle_keeps_changes_after_it_apart() {
         ),
     ]);
     let before = points(&[("x=\"1\"", "x=\"1.5\"")]);
-    assert!(merge(FileKind::Data, POINTS, &inserted, &before).is_clean());
+    assert!(merge(MergedKind::Data, POINTS, &inserted, &before).is_clean());
     let after = points(&[("x=\"3\"", "x=\"30\"")]);
-    let found = merge(FileKind::Data, POINTS, &inserted, &after);
+    let found = merge(MergedKind::Data, POINTS, &inserted, &after);
     assert_eq!(found.conflicts.len(), 1, "{}", found.text);
     assert!(found.text.contains("x=\"30\"") && found.text.contains("x=\"9\""));
 }
@@ -303,9 +303,9 @@ fn a_changed_type_and_changed_values_are_a_conflict() {
     let base = "<Database><Datas><Data name=\"a\" xsi:type=\"array\" type=\"num\" size=\"1\"><Value key=\"0\" value=\"1\"/></Data></Datas></Database>";
     let text = base.replace("\"num\"", "\"string\"");
     let value = base.replace("value=\"1\"", "value=\"2\"");
-    assert_eq!(merge(FileKind::Data, base, &text, &value).conflicts.len(), 1);
-    assert_eq!(merge(FileKind::Data, base, &value, &text).conflicts.len(), 1);
-    assert_eq!(merge(FileKind::Data, base, &base.replace("\"1\"/", "\"1.0\"/"), &text).text, text);
+    assert_eq!(merge(MergedKind::Data, base, &text, &value).conflicts.len(), 1);
+    assert_eq!(merge(MergedKind::Data, base, &value, &text).conflicts.len(), 1);
+    assert_eq!(merge(MergedKind::Data, base, &base.replace("\"1\"/", "\"1.0\"/"), &text).text, text);
 }
 
 const OLD: &str = r#"<dataList xmlns="DataNameSpace" >
@@ -372,11 +372,11 @@ fn the_old_dialect_counts_its_values() {
 fn the_old_dialect_writes_a_point_in_parts_that_belong_together() {
     let ours = OLD.replace("x=\"0\"", "x=\"5\"");
     let theirs = OLD.replace("ssame", "lefty");
-    let found = merge(FileKind::Data, OLD, &ours, &theirs);
+    let found = merge(MergedKind::Data, OLD, &ours, &theirs);
     assert_eq!(found.conflicts.len(), 1, "{}", found.text);
     assert!(found.text.contains("x=\"5\"") && found.text.contains("lefty"));
     let moved = ours.replace("name=\"nA\"", "name=\"nB\"");
-    assert_eq!(merge(FileKind::Data, OLD, &moved, &OLD.replace("value=\"1\"", "value=\"7\"")).conflicts.len(), 1);
+    assert_eq!(merge(MergedKind::Data, OLD, &moved, &OLD.replace("value=\"1\"", "value=\"7\"")).conflicts.len(), 1);
 }
 
 #[test]
@@ -384,11 +384,11 @@ fn a_name_in_two_sections_is_a_conflict() {
     let with = |section: &str, element: &str| OLD.replace(section, &format!("  {element}\n  {section}"));
     let ours = with("</numSection>", "<num name=\"x\" public=\"false\" >\n    </num>");
     let theirs = with("</dioSection>", "<dio name=\"x\" public=\"false\" size=\"1\" />");
-    assert_eq!(merge(FileKind::Data, OLD, &ours, &theirs).conflicts.len(), 1);
-    assert_eq!(merge(FileKind::Data, OLD, &theirs, &ours).conflicts.len(), 1);
+    assert_eq!(merge(MergedKind::Data, OLD, &ours, &theirs).conflicts.len(), 1);
+    assert_eq!(merge(MergedKind::Data, OLD, &theirs, &ours).conflicts.len(), 1);
     let changed = theirs.replace("    <num name=\"nA\"", "    <num name=\"nB\"");
     assert!(
-        merge(FileKind::Data, &ours, &ours.replace("value=\"1\"", "value=\"5\""), &changed.replace("nB", "nA"))
+        merge(MergedKind::Data, &ours, &ours.replace("value=\"1\"", "value=\"5\""), &changed.replace("nB", "nA"))
             .is_clean()
     );
 }
@@ -462,6 +462,6 @@ fn a_file_that_is_no_xml_is_merged_by_lines() {
         ! by lines: BASE is not well-formed XML
     "#]],
     );
-    let found = merge(FileKind::Data, POINTS, &OLD.replace("1", "2"), &points(&[("x=\"1\"", "x=\"7\"")]));
+    let found = merge(MergedKind::Data, POINTS, &OLD.replace("1", "2"), &points(&[("x=\"1\"", "x=\"7\"")]));
     assert!(found.by_lines.is_some_and(|reason| reason.contains("root")));
 }

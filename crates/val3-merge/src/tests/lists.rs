@@ -3,13 +3,13 @@
 use expect_test::{Expect, expect};
 
 use super::merged;
-use crate::{FileKind, merge};
+use crate::{MergedKind, merge};
 
 const PROJECT: &str = "\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\"?>\r\n<Project>\r\n  <Parameters version=\"s7.8.3\" stackSize=\"5000\" />\r\n  \
     <Programs>\r\n    <Program file=\"start.pgx\" />\r\n    <Program file=\"stop.pgx\" />\r\n  </Programs>\r\n  <Libraries />\r\n</Project>";
 
 #[track_caller]
-fn check(kind: FileKind, base: &str, ours: &str, theirs: &str, expected: &Expect) {
+fn check(kind: MergedKind, base: &str, ours: &str, theirs: &str, expected: &Expect) {
     expected.assert_eq(&merged(kind, base, ours, theirs));
 }
 
@@ -21,10 +21,10 @@ fn both_add_a_program_and_theirs_a_library() {
         .replace(stop, &format!("{stop}    <Program file=\"wait.pgx\" />\r\n"))
         .replace("<Libraries />", "<Libraries>\r\n    <Library alias=\"io\" path=\"Disk://io\" />\r\n    <Library alias=\"x\" path=\"Disk://x\" />\r\n  </Libraries>")
         .replace("\r\n", "\n");
-    let found = merge(FileKind::Project, PROJECT, &ours, &theirs);
+    let found = merge(MergedKind::Project, PROJECT, &ours, &theirs);
     assert!(found.text.starts_with('\u{feff}') && !found.text.replace("\r\n", "").contains('\n'));
     check(
-        FileKind::Project,
+        MergedKind::Project,
         PROJECT,
         &ours,
         &theirs,
@@ -54,7 +54,7 @@ fn removed_programs_go_and_parameters_may_contradict() {
         .replace("s7.8.3", "s7.10")
         .replace("5000", "6000");
     check(
-        FileKind::Project,
+        MergedKind::Project,
         PROJECT,
         &ours,
         &theirs,
@@ -92,7 +92,7 @@ fn settings_are_merged_by_key() {
         "<sock><port value=\"2\" /></sock>\n  <sock><port value=\"3\" /></sock>",
     );
     check(
-        FileKind::Settings,
+        MergedKind::Settings,
         SETTINGS,
         &ours,
         &theirs,
@@ -106,7 +106,7 @@ fn settings_are_merged_by_key() {
         </cell>"#]],
     );
     check(
-        FileKind::Settings,
+        MergedKind::Settings,
         SETTINGS,
         &theirs,
         &SETTINGS.replace("1.0<", "3.0<").replace("\"2\"", "\"9\""),

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use proptest::prelude::*;
-use val3_merge::FileKind;
-use val3_syntax::xml::{self, Element};
+use val3_merge::MergedKind;
+use val3_syntax::xml::{self, XmlElement};
 
 use crate::checked;
 
@@ -128,8 +128,8 @@ fn file(model: &Model, dialect: Dialect) -> String {
 fn read(text: &str) -> Model {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).unwrap();
-    let number = |element: Element<'_>, name: &str| element.value(name).map(|text| text.parse::<usize>().unwrap());
-    let data = root.elements().flat_map(Element::elements);
+    let number = |element: XmlElement<'_>, name: &str| element.value(name).map(|text| text.parse::<usize>().unwrap());
+    let data = root.elements().flat_map(XmlElement::elements);
     let read = data.map(|data| {
         let values: Vec<_> = data
             .elements()
@@ -192,7 +192,7 @@ fn values(base: &[u32], ours: &[u32], theirs: &[u32]) -> Option<Vec<u32>> {
 /// Checks one merge. Returns whether it is clean.
 fn check(base: &Model, ours: &Model, theirs: &Model, dialect: Dialect) -> bool {
     let texts = [base, ours, theirs].map(|model| file(model, dialect));
-    let merged = checked(FileKind::Data, texts.each_ref().map(String::as_str));
+    let merged = checked(MergedKind::Data, texts.each_ref().map(String::as_str));
     let expected = expected(base, ours, theirs);
     if merged.is_clean() {
         let is_shrunk = |side: &Model| {

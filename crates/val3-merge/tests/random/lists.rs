@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
-use val3_merge::FileKind;
+use val3_merge::MergedKind;
 
 use crate::checked;
 
@@ -99,7 +99,7 @@ proptest! {
         let sides = [&ours, &theirs].map(|side| (toggled(&base.0, &side.0), toggled(&base.1, &side.1)));
         let [ours, theirs] = &sides;
         let texts = [&base, ours, theirs].map(|(programs, libraries)| project(programs, libraries, is_old));
-        let merged = checked(FileKind::Project, texts.each_ref().map(String::as_str));
+        let merged = checked(MergedKind::Project, texts.each_ref().map(String::as_str));
         prop_assert!(merged.is_clean());
         let library = if is_old { "alias name=\"l" } else { "alias=\"l" };
         prop_assert_eq!(numbers(&merged.text, "file=\"p"), merged_set(&base.0, &ours.0, &theirs.0));
@@ -118,7 +118,7 @@ proptest! {
             .map(|(side, name)| (toggled(&base.0, &side.0), edited(&lines, &side.1, name)));
         let versions = [(&base.0, &lines), (&our_locals, &our_lines), (&their_locals, &their_lines)];
         let texts = versions.map(|(locals, lines)| program(locals, lines, is_old));
-        let merged = checked(FileKind::Program, texts.each_ref().map(String::as_str));
+        let merged = checked(MergedKind::Program, texts.each_ref().map(String::as_str));
         prop_assert_eq!(numbers(&merged.text, "name=\"l_"), merged_set(&base.0, &our_locals, &their_locals));
         let text = merged.text.replace("&lt;", "<");
         for line in our_lines.iter().chain(&their_lines) {

@@ -6,10 +6,10 @@ mod data;
 mod lists;
 
 use quick_xml::events::Event;
-use val3_merge::{FileKind, Merged, merge};
+use val3_merge::{MergeResult, MergedKind, merge};
 
 /// Merges three versions and checks properties that hold for every merge.
-pub(crate) fn checked(kind: FileKind, [base, ours, theirs]: [&str; 3]) -> Merged {
+pub(crate) fn checked(kind: MergedKind, [base, ours, theirs]: [&str; 3]) -> MergeResult {
     for side in [ours, theirs] {
         assert_eq!(merge(kind, base, base, side).text, side);
         assert_eq!(merge(kind, base, side, base).text, side);

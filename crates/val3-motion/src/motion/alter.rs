@@ -7,11 +7,11 @@ use val3_moves::{AlterReference, Manner, Seconds};
 
 use super::{Determined, Motion};
 use crate::alteration::{AlterStatus, Alteration};
-use crate::deferred::{Deferred, Request};
+use crate::deferred::{Deferred, DeferredRequest};
 use crate::fault::{Cause, PathFault};
 use crate::model::{Axes, Model};
-use crate::path::Path;
-use crate::request::{Limits, Move};
+use crate::path::PathEnd;
+use crate::request::{Move, SpeedLimits};
 use crate::timeline::Timeline;
 
 /// Places on each span at which a deviation is followed to the end of its path.
@@ -20,7 +20,7 @@ const PLACES: u32 = 16;
 /// The alter mode.
 impl Motion {
     /// Enters the alter mode on the executed alterable path (`alterBegin`). `limits` apply to the deviated path.
-    pub fn alter_begin(&mut self, reference: AlterReference, limits: Limits) -> AlterStatus {
+    pub fn alter_begin(&mut self, reference: AlterReference, limits: SpeedLimits) -> AlterStatus {
         match &self.alteration {
             _ if self.fault.is_some() => AlterStatus::Fault,
             Some(alteration) if !alteration.is_ended => AlterStatus::Ignored,
@@ -120,7 +120,7 @@ impl Motion {
         if end.is_none() {
             (self.timeline, self.rest) = (Timeline::default(), axes);
         }
-        self.path = Path::starting_at(end.unwrap_or(axes));
+        self.path = PathEnd::starting_at(end.unwrap_or(axes));
         if self.timeline.spans.is_empty() {
             self.alteration = None;
         }
@@ -133,7 +133,7 @@ impl Motion {
             let is_forgotten = self.timeline.spans.front().is_some_and(|front| front.is_forgotten);
             (self.rest, self.timeline, self.alteration) = (axes, Timeline::default(), None);
             if !is_forgotten {
-                self.path = Path::starting_at(axes);
+                self.path = PathEnd::starting_at(axes);
             }
         }
     }
@@ -142,7 +142,7 @@ impl Motion {
 /// Moves after an alterable path.
 impl Motion {
     /// The end of everything recorded.
-    pub(super) fn tail(&self) -> &Path {
+    pub(super) fn tail(&self) -> &PathEnd {
         self.deferred.as_ref().map_or(&self.path, |deferred| &deferred.nominal)
     }
 
@@ -160,7 +160,7 @@ impl Motion {
         let mut nominal = self.tail().clone();
         nominal.record(&Model(&self.arm), request, serial)?;
         let mut requests = self.deferred.take().map_or_else(VecDeque::new, |deferred| deferred.requests);
-        requests.push_back(Request::Move(serial, Box::new(request.clone())));
+        requests.push_back(DeferredRequest::Move(serial, Box::new(request.clone())));
         self.deferred = Some(Deferred { requests, nominal });
         Ok(())
     }
@@ -173,14 +173,14 @@ impl Motion {
                 return;
             }
             match request {
-                Request::Move(serial, request) => match self.determine(&request, serial) {
+                DeferredRequest::Move(serial, request) => match self.determine(&request, serial) {
                     Ok(determined) => {
                         self.queue.lay_out(serial, determined.reach, determined.leave);
                         self.append(determined, serial);
                     }
                     Err(cause) => self.fault = Some(PathFault { serial, is_blend: false, cause }),
                 },
-                Request::Close => self.close_path(),
+                DeferredRequest::Close => self.close_path(),
             }
         }
     }

@@ -5,7 +5,7 @@ use val3_kinematics::Joints;
 
 use super::Motion;
 use crate::model::Model;
-use crate::span::{Part, SAME};
+use crate::span::{SAME, SpanPart};
 use crate::timeline::TimedSpan;
 
 /// Mode in which the arm passes from one piece of its path to the next.
@@ -145,8 +145,8 @@ impl Motion {
     pub fn current(&self) -> Option<u64> {
         let front = self.timeline.spans.front().filter(|front| !front.is_forgotten)?;
         Some(match front.span.part {
-            Part::Nominal { serial, .. } => serial,
-            Part::Blend { from, .. } => from.serial,
+            SpanPart::Nominal { serial, .. } => serial,
+            SpanPart::Blend { from, .. } => from.serial,
         })
     }
 
@@ -171,8 +171,10 @@ impl Motion {
         let p = last.points.last()?.p;
         let after = self.timeline.spans.get(index + self.timeline.piece(index).count());
         let (serial, id, kind, end) = match last.span.part {
-            Part::Nominal { serial, id } => (serial, id, PieceKind::Nominal, self.end_of_nominal(serial, last, after)),
-            Part::Blend { from, .. } => {
+            SpanPart::Nominal { serial, id } => {
+                (serial, id, PieceKind::Nominal, self.end_of_nominal(serial, last, after))
+            }
+            SpanPart::Blend { from, .. } => {
                 let end = if p > 1.0 - SAME { PieceEnd::Reach } else { PieceEnd::Fault };
                 (from.serial, from.id, PieceKind::Blend, end)
             }
@@ -197,7 +199,7 @@ impl Motion {
     pub fn leave_point(&self, serial: u64) -> Option<(Joints, IsometryMatrix3<f64>)> {
         let spans = || self.timeline.spans.iter();
         let nominal =
-            spans().rfind(|timed| matches!(timed.span.part, Part::Nominal { serial: own, .. } if own == serial));
+            spans().rfind(|timed| matches!(timed.span.part, SpanPart::Nominal { serial: own, .. } if own == serial));
         if let Some(nominal) = nominal {
             return self.end_of(nominal);
         }
@@ -205,7 +207,7 @@ impl Motion {
             Some(blend) => Some(self.place_on(blend, blend.points.first()?.p)),
             // Its nominal part is empty: the blend before ends at its leave point.
             None => self.end_of(
-                spans().rfind(|timed| matches!(timed.span.part, Part::Blend { to, .. } if to.serial == serial))?,
+                spans().rfind(|timed| matches!(timed.span.part, SpanPart::Blend { to, .. } if to.serial == serial))?,
             ),
         }
     }

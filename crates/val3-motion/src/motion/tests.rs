@@ -6,14 +6,14 @@ use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::RequestedConfiguration;
 
 use super::*;
-use crate::{Blend, DegreesPerSecond, Limits, Millimetres, MovePath, MoveTarget};
+use crate::{Blend, DegreesPerSecond, Millimetres, MovePath, MoveTarget, SpeedLimits};
 
 pub(super) const CYCLE: Seconds = Seconds(0.004);
 const NOMINAL: [f64; 6] = [265.0, 210.0, 315.0, 450.0, 370.0, 630.0];
 pub(super) const START: Joints = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];
 
-fn limits(vel: f64, accel: f64, decel: f64, tvel: f64) -> Limits {
-    Limits {
+fn limits(vel: f64, accel: f64, decel: f64, tvel: f64) -> SpeedLimits {
+    SpeedLimits {
         speed: NOMINAL.map(|speed| speed * vel / 100.0),
         acceleration: NOMINAL.map(|speed| 5.0 * speed * accel / 100.0),
         deceleration: NOMINAL.map(|speed| 5.0 * speed * decel / 100.0),
@@ -22,11 +22,11 @@ fn limits(vel: f64, accel: f64, decel: f64, tvel: f64) -> Limits {
     }
 }
 
-pub(super) fn fast() -> Limits {
+pub(super) fn fast() -> SpeedLimits {
     limits(100.0, 100.0, 100.0, 99999.0)
 }
 
-pub(super) fn request(path: MovePath, limits: Limits, blend: Blend, id: f64) -> Move {
+pub(super) fn request(path: MovePath, limits: SpeedLimits, blend: Blend, id: f64) -> Move {
     Move { path, tool: IsometryMatrix3::identity(), limits, blend, id, manner: Manner::Rigid }
 }
 
@@ -50,7 +50,7 @@ pub(super) fn moved(x: f64, y: f64, z: f64) -> IsometryMatrix3<f64> {
 }
 
 #[track_caller]
-fn assert_time(path: MovePath, limits: Limits, expected: f64) {
+fn assert_time(path: MovePath, limits: SpeedLimits, expected: f64) {
     let mut motion = motion();
     motion.record(&request(path, limits, Blend::Off, 0.0)).unwrap();
     let time = motion.time_left().0;
@@ -144,7 +144,7 @@ fn run(motion: &mut Motion, disturb: impl Fn(&mut Motion, usize)) -> Vec<Sample>
     samples
 }
 
-fn corner(motion: &mut Motion, blend: fn(Millimetres, Millimetres) -> Blend, limits: Limits) {
+fn corner(motion: &mut Motion, blend: fn(Millimetres, Millimetres) -> Blend, limits: SpeedLimits) {
     let blend = blend(Millimetres(50.0), Millimetres(50.0));
     motion.record(&request(line(moved(0.0, 200.0, 0.0)), limits, blend, 0.0)).unwrap();
     motion.record(&request(line(moved(0.0, 200.0, 200.0)), limits, blend, 1.0)).unwrap();
@@ -260,7 +260,7 @@ fn a_speed_of_the_tool_is_kept_on_lines_and_corners() {
 mod faults {
     use super::*;
     use crate::Cause;
-    use val3_kinematics::{Request, Shoulder, Unreachable};
+    use val3_kinematics::{ConfigurationRequest, Shoulder, Unreachable};
 
     #[track_caller]
     fn refused(path: MovePath) -> Cause {
@@ -278,7 +278,7 @@ mod faults {
 
     #[test]
     fn a_line_does_not_change_the_configuration() {
-        let shoulder = Request::Exactly(Shoulder::Righty);
+        let shoulder = ConfigurationRequest::Exactly(Shoulder::Righty);
         let configuration = RequestedConfiguration { shoulder, ..RequestedConfiguration::FREE };
         let path = MovePath::Line(MoveTarget { pose: moved(0.0, 100.0, 0.0), configuration });
         assert_eq!(refused(path), Cause::Configuration);

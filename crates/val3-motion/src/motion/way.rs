@@ -10,14 +10,14 @@ const PARTS: u32 = 16;
 
 /// A piece of the way ahead.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Way {
+pub struct PieceAhead {
     /// The kind of motion on it: [`MotionPhase::Nominal`], [`MotionPhase::Blend`] or [`MotionPhase::Connection`].
     pub phase: MotionPhase,
     /// Positions of the tool centre point in world, in mm; the last one is the first one of the next piece.
     pub points: Vec<Vector3<f64>>,
 }
 
-impl Way {
+impl PieceAhead {
     fn between([from, to]: [f64; 2], phase: MotionPhase, point: impl Fn(f64) -> Vector3<f64>) -> Self {
         let at = |part| from + (to - from) * f64::from(part) / f64::from(PARTS);
         Self { phase, points: (0..=PARTS).map(|part| point(at(part))).collect() }
@@ -29,7 +29,7 @@ impl Motion {
     ///
     /// Moves that wait for the end of an alterable path have no way yet.
     #[must_use]
-    pub fn way_ahead(&self, count: usize) -> Vec<Way> {
+    pub fn way_ahead(&self, count: usize) -> Vec<PieceAhead> {
         let back = match &self.departure {
             Some(Departure::Connecting(motion)) => motion.pieces_of_timeline(MotionPhase::Connection).collect(),
             _ => Vec::new(),
@@ -37,19 +37,21 @@ impl Motion {
         let model = Model(&self.arm);
         let open = self.path.open_end().filter(|_| self.fault.is_none() && self.deferred.is_none());
         let open = open.map(|(segment, leave)| {
-            Way::between([leave, 1.0], MotionPhase::Nominal, |sigma| segment.pose_at(&model, sigma).translation.vector)
+            PieceAhead::between([leave, 1.0], MotionPhase::Nominal, |sigma| {
+                segment.pose_at(&model, sigma).translation.vector
+            })
         });
         let on_path = self.pieces_of_timeline(MotionPhase::Nominal).filter(|_| !self.is_empty());
         back.into_iter().chain(on_path).chain(open).take(count).collect()
     }
 
-    fn pieces_of_timeline(&self, nominal: MotionPhase) -> impl Iterator<Item = Way> {
+    fn pieces_of_timeline(&self, nominal: MotionPhase) -> impl Iterator<Item = PieceAhead> {
         let present = self.timeline.p().unwrap_or_default();
         self.timeline.spans.iter().enumerate().filter(|(_, timed)| !timed.is_forgotten).map(move |(index, timed)| {
             let [from, to] = timed.span.range();
             let from = if index == 0 { present } else { from };
             let phase = if timed.span.is_blend() { MotionPhase::Blend } else { nominal };
-            Way::between([from, to], phase, |p| timed.span.tip(&Model(&self.arm), p))
+            PieceAhead::between([from, to], phase, |p| timed.span.tip(&Model(&self.arm), p))
         })
     }
 }
@@ -60,7 +62,7 @@ mod tests {
     use super::*;
     use crate::{Blend, Millimetres, MovePath};
 
-    fn distance(way: &[Way], point: &Vector3<f64>) -> f64 {
+    fn distance(way: &[PieceAhead], point: &Vector3<f64>) -> f64 {
         let chords = way.iter().flat_map(|piece| piece.points.windows(2));
         let to_chord = |chord: &[Vector3<f64>]| {
             let along = chord[1] - chord[0];

@@ -6,7 +6,7 @@ use super::SpanRequest;
 use crate::bounds::{AxisMotion, BoundsTable, IntervalEnd};
 use crate::derivatives::{self, edge_error, tangents};
 use crate::model::{Axes, Model};
-use crate::request::Limits;
+use crate::request::SpeedLimits;
 use crate::speed_limits::speed_limits;
 
 /// Fewer knots have no derivatives.
@@ -76,13 +76,13 @@ impl LimitedKnots {
 }
 
 /// The derivatives of the axes and the limits at each knot.
-fn interval_ends(tangents: &[Axes], tops: &[f64], step: f64, limits: &[&Limits]) -> Vec<IntervalEnd> {
+fn interval_ends(tangents: &[Axes], tops: &[f64], step: f64, limits: &[&SpeedLimits]) -> Vec<IntervalEnd> {
     let curvatures = derivatives::tangents(tangents, step);
     let knots = tangents.iter().zip(curvatures).zip(tops).zip(limits);
     knots.map(|(((tangent, curvature), top), limits)| interval_end(tangent, &curvature, limits, *top)).collect()
 }
 
-fn interval_end(tangent: &Axes, curvature: &Axes, limits: &Limits, top: f64) -> IntervalEnd {
+fn interval_end(tangent: &Axes, curvature: &Axes, limits: &SpeedLimits, top: f64) -> IntervalEnd {
     let axis = |index: usize| AxisMotion {
         tangent: tangent.get(index).copied().unwrap_or_default(),
         curvature: curvature.get(index).copied().unwrap_or_default(),

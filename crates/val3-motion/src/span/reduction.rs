@@ -10,7 +10,7 @@ use val3_moves::{DegreesPerSecond, MillimetresPerSecond};
 use super::Span;
 use crate::bounds::{AXES, Bounds};
 use crate::model::{Axes, Model};
-use crate::request::Limits;
+use crate::request::SpeedLimits;
 use crate::speed_limits::speed_limits;
 
 /// Greatest x = ṗ² at each knot of a span.
@@ -28,7 +28,7 @@ impl Span {
     /// The limits under which neither the tool centre point nor the flange moves faster than `speed`.
     pub(crate) fn reduction(&self, model: &Model<'_>, speed: MillimetresPerSecond) -> Reduction {
         let unlimited = [f64::INFINITY; AXES];
-        let limits = Limits {
+        let limits = SpeedLimits {
             speed: unlimited,
             acceleration: unlimited,
             deceleration: unlimited,

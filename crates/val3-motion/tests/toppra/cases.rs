@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_geometry::{IsometryMatrix3, Trsf};
 use val3_kinematics::{Arm, Joints, RequestedConfiguration};
 use val3_motion::{
-    Blend, DegreesPerSecond, Limits, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, MoveTarget,
+    Blend, DegreesPerSecond, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, MoveTarget, SpeedLimits,
 };
 
 /// An arm and the moves that it executes.
@@ -100,7 +100,7 @@ impl Case {
     fn add(mut self, path: MovePath) -> Self {
         let axes = [0, 1, 2, 3, 4, 5];
         let Speeds { vel, accel, decel, tvel, rvel } = self.speeds;
-        let limits = Limits {
+        let limits = SpeedLimits {
             speed: axes.map(|axis| self.arm.nominal_speed(axis) * vel / 100.0),
             acceleration: axes.map(|axis| self.arm.nominal_acceleration(axis) * accel / 100.0),
             deceleration: axes.map(|axis| self.arm.nominal_deceleration(axis) * decel / 100.0),
@@ -127,7 +127,7 @@ impl Case {
     }
 
     /// The limits of a move.
-    pub(crate) fn limits(&self, index: usize) -> &Limits {
+    pub(crate) fn limits(&self, index: usize) -> &SpeedLimits {
         &self.moves[index.min(self.moves.len() - 1)].limits
     }
 }

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
-use val3_motion::{Limits, MotionPhase, Sample, Seconds};
+use val3_motion::{MotionPhase, Sample, Seconds, SpeedLimits};
 
 use cases::Case;
 
@@ -55,7 +55,7 @@ fn export() {
 }
 
 /// Samples at equal times, each with the number of its piece between corners and the limits that apply.
-fn samples(case: &Case, count: f64) -> (f64, Vec<(usize, Sample, Limits)>) {
+fn samples(case: &Case, count: f64) -> (f64, Vec<(usize, Sample, SpeedLimits)>) {
     let mut motion = case.motion();
     let step = motion.time_left().0 / count;
     let (mut piece, mut phase, mut last_nominal) = (0, MotionPhase::Nominal, 0);
@@ -77,7 +77,7 @@ fn samples(case: &Case, count: f64) -> (f64, Vec<(usize, Sample, Limits)>) {
 }
 
 /// The limits in a blend: the smaller speeds of both moves, and the accelerations of the nearer one.
-fn corner_limits(case: &Case, index: usize, other: usize) -> Limits {
+fn corner_limits(case: &Case, index: usize, other: usize) -> SpeedLimits {
     let (mut limits, other) = (*case.limits(index), case.limits(other));
     limits.speed.iter_mut().zip(other.speed).for_each(|(speed, other)| *speed = speed.min(other));
     limits.translation.0 = limits.translation.0.min(other.translation.0);
@@ -127,12 +127,13 @@ fn limits_are_kept_from_cycle_to_cycle() {
 /// The greatest share of a limit that is used at each of `count` samples, apart from those where the limits change.
 fn uses(case: &Case, count: f64) -> Vec<f64> {
     let (step, samples) = samples(case, count);
-    let in_one_piece = |window: &&[(usize, Sample, Limits)]| (window[0].0, &window[0].2) == (window[2].0, &window[2].2);
+    let in_one_piece =
+        |window: &&[(usize, Sample, SpeedLimits)]| (window[0].0, &window[0].2) == (window[2].0, &window[2].2);
     samples.windows(3).filter(in_one_piece).map(|window| used(window, step, case.axes())).collect()
 }
 
 /// The greatest share of a limit that three samples use.
-fn used(window: &[(usize, Sample, Limits)], step: f64, axes: usize) -> f64 {
+fn used(window: &[(usize, Sample, SpeedLimits)], step: f64, axes: usize) -> f64 {
     let [(_, before, _), (_, here, limits), (_, after, _)] = window else { return 0.0 };
     let turn = after.pose.rotation.angle_to(&here.pose.rotation).to_degrees() / step / limits.rotation.0;
     let mut used = (after.speed.0 / limits.translation.0).max(turn);

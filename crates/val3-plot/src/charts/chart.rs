@@ -4,7 +4,7 @@ use super::layout::{LEFT, RIGHT};
 use super::time::Time;
 use crate::canvas::Canvas;
 use crate::colours::REFERENCE;
-use crate::in_force::{InForce, Step};
+use crate::in_force::{InForce, LimitStep};
 use crate::thinning::thinned;
 use crate::{Sample, ticks};
 
@@ -94,7 +94,7 @@ impl<'a> Chart<'a> {
         let mut labelled = None;
         let mut free = f64::NEG_INFINITY;
         for step in limits.steps().iter().filter(|step| self.shows(sign * step.value)) {
-            let Step { from, to, value } = *step;
+            let LimitStep { from, to, value } = *step;
             let ([from, to], y) = ([from, to].map(|t| self.time.x_within(t)), self.y(sign * value));
             canvas.rule([from, y], [to, y], "limit");
             if labelled != Some(value) && from >= free && RIGHT - from > LABEL {
@@ -103,7 +103,7 @@ impl<'a> Chart<'a> {
                 (labelled, free) = (Some(value), from + LABEL);
             }
         }
-        for [before, after] in limits.steps().windows(2).filter_map(|pair| <&[Step; 2]>::try_from(pair).ok()) {
+        for [before, after] in limits.steps().windows(2).filter_map(|pair| <&[LimitStep; 2]>::try_from(pair).ok()) {
             if after.from <= before.to && self.shows(sign * before.value) && self.shows(sign * after.value) {
                 let x = self.time.x_within(after.from);
                 canvas.rule([x, self.y(sign * before.value)], [x, self.y(sign * after.value)], "limit");

@@ -4,7 +4,7 @@ use super::chart::{Chart, shown};
 use super::layout::{AXES, LEFT, RIGHT};
 use super::time::Time;
 use crate::canvas::Canvas;
-use crate::{Axis, Picture, Sample};
+use crate::{Picture, PictureAxis, Sample};
 
 /// Height of a strip in pixels.
 pub(super) const HEIGHT: f64 = 64.0;
@@ -45,7 +45,7 @@ fn range(positions: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// Draws the axis limits within the range, and shades the area beyond them.
-fn limits(axis: &Axis, canvas: &mut Canvas, chart: &Chart<'_>, [top, bottom]: [f64; 2]) {
+fn limits(axis: &PictureAxis, canvas: &mut Canvas, chart: &Chart<'_>, [top, bottom]: [f64; 2]) {
     for (limit, edge) in [(axis.min, bottom), (axis.max, top)].into_iter().filter(|(limit, _)| chart.shows(*limit)) {
         let y = chart.y(limit);
         canvas.area([LEFT, y.min(edge)], [RIGHT - LEFT, (edge - y).abs()], "beyond");
@@ -56,8 +56,8 @@ fn limits(axis: &Axis, canvas: &mut Canvas, chart: &Chart<'_>, [top, bottom]: [f
 }
 
 /// Marks the position that is furthest beyond each limit.
-fn beyond(axis: &Axis, canvas: &mut Canvas, (time, chart): (&Time, &Chart<'_>), positions: &[(f64, f64)]) {
-    let excess = [|axis: &Axis, value: f64| axis.min - value, |axis: &Axis, value: f64| value - axis.max];
+fn beyond(axis: &PictureAxis, canvas: &mut Canvas, (time, chart): (&Time, &Chart<'_>), positions: &[(f64, f64)]) {
+    let excess = [|axis: &PictureAxis, value: f64| axis.min - value, |axis: &PictureAxis, value: f64| value - axis.max];
     for excess in excess {
         let found =
             positions.iter().max_by(|(_, left), (_, right)| excess(axis, *left).total_cmp(&excess(axis, *right)));

@@ -5,7 +5,7 @@ use super::layout::{AXES, LEFT};
 use super::time::Time;
 use crate::canvas::Canvas;
 use crate::in_force::{InForce, OnBlend};
-use crate::{Axis, Picture, Sample};
+use crate::{Picture, PictureAxis, Sample};
 
 /// Height of a chart in pixels.
 pub(super) const HEIGHT: f64 = 130.0;
@@ -144,14 +144,14 @@ fn is_at(limits: &InForce) -> impl Fn(f64, f64) -> bool {
 }
 
 /// Returns the axis speed before every sample, in % of the nominal speed.
-fn speeds(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
+fn speeds(picture: &Picture, index: usize, axis: &PictureAxis) -> Vec<(f64, f64)> {
     let share = |speed: f64| if axis.nominal_speed > 0.0 { speed.abs() / axis.nominal_speed * 100.0 } else { 0.0 };
     rates(picture, index).into_iter().map(|[t, _, speed]| (t, share(speed))).collect()
 }
 
 /// Returns the change of the axis speed at every sample: in % of the nominal acceleration, or negative in % of the
 /// nominal deceleration.
-fn accelerations(picture: &Picture, index: usize, axis: &Axis) -> Vec<(f64, f64)> {
+fn accelerations(picture: &Picture, index: usize, axis: &PictureAxis) -> Vec<(f64, f64)> {
     let share = |pair: &[[f64; 3]]| {
         let [[t, before_length, before], [_, length, after]] = pair else { return Vec::new() };
         let seconds = before_length.min(*length);
@@ -184,11 +184,11 @@ fn rates(picture: &Picture, index: usize) -> Vec<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::{accelerations, speeds};
-    use crate::{Axis, MotionPhase, Picture, Sample};
+    use crate::{MotionPhase, Picture, PictureAxis, Sample};
 
     #[test]
     fn rates_are_shares_of_the_nominal_ones() {
-        let axis = Axis {
+        let axis = PictureAxis {
             is_stroke: false,
             min: -180.0,
             max: 180.0,

@@ -5,9 +5,9 @@ use std::fmt::{self, Display};
 use val3_check::diagnostic::Diagnostic;
 use val3_lang::runtime_errors;
 use val3_lang::values::printed;
-use val3_lines::{Columns, LineIndex, Unit};
+use val3_lines::{ColumnCounting, ColumnUnit, LineIndex};
 use val3_machine::event::{Event, EventKind};
-use val3_syntax::{Part, TextSize};
+use val3_syntax::{TextSize, TextSlice};
 
 use super::sources::offset_in_code;
 
@@ -65,7 +65,7 @@ impl CodeFault {
 /// Line, number of characters before the range, and number of characters in the range. Only the first line of the range
 /// counts.
 fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
-    const CHARACTERS: Columns = Columns { unit: Unit::Utf32, count_mark: true };
+    const CHARACTERS: ColumnCounting = ColumnCounting { unit: ColumnUnit::Utf32, count_mark: true };
     let lines = LineIndex::new(text);
     let line = lines.line(from);
     let end = lines.line_range(line)?.end.max(from);

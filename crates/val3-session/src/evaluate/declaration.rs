@@ -1,13 +1,13 @@
 //! Variable declarations in evaluated code: `num nA`, `num nB=2`, `point pA[3]`, `num nC=1, nD`.
 
-use val3_syntax::Part;
+use val3_syntax::TextSlice;
 
-use super::variable::Variable;
+use super::variable::ScratchVariable;
 
 /// A declared variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Declaration {
-    pub(super) variable: Variable,
+    pub(super) variable: ScratchVariable,
     /// Assignment of the value, preceded by spaces that preserve its position in the code.
     pub(super) assignment: Option<String>,
 }
@@ -30,7 +30,7 @@ pub(super) fn declarations(text: &str, is_type: impl Fn(&str) -> bool) -> Option
 
 fn declaration(ty: &str, text: &str, (from, piece): (usize, &str)) -> Result<Declaration, String> {
     let (declared, value) = piece.split_once('=').map_or((piece, None), |(declared, value)| (declared, Some(value)));
-    let variable = Variable::parse(&format!("{ty} {}", declared.trim()))?;
+    let variable = ScratchVariable::parse(&format!("{ty} {}", declared.trim()))?;
     if value.is_some() && variable.is_container() {
         let name = variable.name();
         return Err(format!("`{name}` has several values: declare it, then assign to its elements"));

@@ -10,7 +10,7 @@ use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 use val3_syntax::xml::escaped;
 use val3_syntax::{TextRange, decode_entities};
 
-use super::variable::Variable;
+use super::variable::ScratchVariable;
 use crate::error::SessionError;
 
 /// Name of the program for evaluated code, and of the empty application.
@@ -79,8 +79,8 @@ pub fn next_text(open: &mut String, line: &str) -> Option<String> {
 }
 
 /// Data file with the variables.
-pub(crate) fn data(variables: &[Variable]) -> String {
-    let lines: Vec<String> = variables.iter().map(Variable::data).collect();
+pub(crate) fn data(variables: &[ScratchVariable]) -> String {
+    let lines: Vec<String> = variables.iter().map(ScratchVariable::data).collect();
     format!(
         "{HEAD}<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
          xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n{}\n  </Datas>\n</Database>\n",

@@ -4,7 +4,7 @@ use val3_lang::types::{Arm, BaseType, DefaultValue, attributes, field};
 
 /// A declared variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Variable {
+pub(crate) struct ScratchVariable {
     /// Type name as spelled in files, or the name of a user type.
     ty: String,
     name: String,
@@ -15,7 +15,7 @@ pub(crate) struct Variable {
 /// Arm kind of positions if the application does not determine it.
 const ARM: Arm = Arm::SixAxis;
 
-impl Variable {
+impl ScratchVariable {
     /// Parses `num nVal`, `point pA[3]`, `num nM[2,4]`, `string sNames[""]`.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let wrong = || {
@@ -104,10 +104,10 @@ fn sizes(text: &str) -> Option<Option<Vec<u32>>> {
 
 #[cfg(test)]
 mod tests {
-    use super::Variable;
+    use super::ScratchVariable;
 
     fn data(text: &str) -> String {
-        Variable::parse(text).map_or_else(|error| error, |local| local.data().trim().to_owned())
+        ScratchVariable::parse(text).map_or_else(|error| error, |local| local.data().trim().to_owned())
     }
 
     #[test]

@@ -2,14 +2,14 @@
 
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
 use val3_analysis::db::File;
-use val3_debug::{Format, frames};
+use val3_debug::{DisplayFormat, frames};
 use val3_lang::ports::TaskNumber;
 use val3_lines::LineIndex;
 use val3_machine::controller::Controller;
-use val3_syntax::{Part, decode_entities};
+use val3_syntax::{TextSlice, decode_entities};
 use val3_vm::FragmentContext;
 
-use super::target::Target;
+use super::target::EvaluationContext;
 use super::{FrameEvaluator, Purpose};
 
 /// Limit of values that are read for a condition.
@@ -27,10 +27,10 @@ pub struct LineCondition {
 }
 
 /// An expression whose value may be displayed.
-struct Candidate {
+struct DisplayCandidate {
     text: String,
     /// Arguments of a call, whose values are displayed if the call itself cannot be evaluated.
-    arguments: Vec<Candidate>,
+    arguments: Vec<DisplayCandidate>,
 }
 
 impl FrameEvaluator {
@@ -54,14 +54,17 @@ impl FrameEvaluator {
         &mut self,
         controller: &mut Controller,
         context: FragmentContext,
-        candidate: &Candidate,
+        candidate: &DisplayCandidate,
         values: &mut Vec<(String, String)>,
     ) {
-        let Candidate { text, arguments } = candidate;
+        let DisplayCandidate { text, arguments } = candidate;
         if values.len() >= VALUES || values.iter().any(|(known, _)| known == text) {
             return;
         }
-        match self.evaluate(controller, context, text, (Purpose::Watch, Format::default())).map(|found| found.value) {
+        match self
+            .evaluate(controller, context, text, (Purpose::Watch, DisplayFormat::default()))
+            .map(|found| found.value)
+        {
             // The name of a constant is its value.
             Ok(Some(value)) if value.shown == *text => {}
             Ok(Some(value)) => values.push((text.clone(), value.shown)),
@@ -73,7 +76,7 @@ impl FrameEvaluator {
     }
 
     /// Conditions in the code at a row, each with its line, the line's code, and its expressions.
-    fn written(&self, target: &Target, file: File, row: u32) -> Vec<(u32, String, Vec<Candidate>)> {
+    fn written(&self, target: &EvaluationContext, file: File, row: u32) -> Vec<(u32, String, Vec<DisplayCandidate>)> {
         let db = self.targets.application(target.application).db();
         let (text, body) = (file.text(db), body(db, file));
         let index = LineIndex::new(text);
@@ -116,13 +119,13 @@ fn loop_condition(stmt: &Stmt) -> Option<ExprId> {
 }
 
 /// Collects the non-constant operands in an expression.
-fn collect(body: &Body, text: &str, id: ExprId, found: &mut Vec<Candidate>) {
+fn collect(body: &Body, text: &str, id: ExprId, found: &mut Vec<DisplayCandidate>) {
     let candidate = |arguments: &[ExprId]| {
         let mut inner = Vec::new();
         arguments.iter().for_each(|argument| collect(body, text, *argument, &mut inner));
         let range = body.range(id);
         let code = text.part(usize::from(range.start())..usize::from(range.end()));
-        Candidate { text: decode_entities(code.trim()).into_owned(), arguments: inner }
+        DisplayCandidate { text: decode_entities(code.trim()).into_owned(), arguments: inner }
     };
     match body.expr(id) {
         Expr::Paren(inner) | Expr::Unary(_, inner) => collect(body, text, *inner, found),

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt::{self, Display};
 
-use val3_debug::{Value, end_message};
+use val3_debug::{DebugValue, end_message};
 use val3_machine::event::{Event, EventKind};
 use val3_vm::FragmentEnd;
 
@@ -13,7 +13,7 @@ use crate::evaluate::{CodeFault, EvaluationOutput};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Evaluation {
     /// Value; `None` for statements.
-    pub value: Option<Value>,
+    pub value: Option<DebugValue>,
     /// Lines that were printed, logged or shown in pop-ups.
     pub output: Vec<String>,
     /// All events of the evaluation.

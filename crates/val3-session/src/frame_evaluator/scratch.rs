@@ -4,12 +4,12 @@ use salsa::Setter as _;
 use val3_analysis::db::{Database, File, FileStatus};
 use val3_analysis::items::parse;
 use val3_analysis::items::program::code_element;
-use val3_check::{Unit, unit_refusals};
+use val3_check::{CheckUnit, unit_refusals};
 use val3_syntax::encoding::Encoding;
 use val3_syntax::xml::escaped;
-use val3_syntax::{Part, SyntaxKind, TextSize, decode_entities};
+use val3_syntax::{SyntaxKind, TextSize, TextSlice, decode_entities};
 
-use super::target::{Target, Targets};
+use super::target::{EvaluationContext, Targets};
 use crate::evaluate::CodeFault;
 
 /// Program file before the code, without variables.
@@ -22,7 +22,7 @@ const BEGIN: &str = "begin\n";
 /// Evaluated code in the program of a target.
 pub(super) struct Scratch<'t> {
     targets: &'t Targets,
-    target: &'t Target,
+    target: &'t EvaluationContext,
     file: File,
     /// The code, and its prefix length in bytes.
     code: String,
@@ -33,7 +33,7 @@ pub(super) struct Scratch<'t> {
 
 impl<'t> Scratch<'t> {
     /// Creates the file for `text` after the prefix `before`.
-    pub(super) fn new(targets: &'t mut Targets, target: &'t Target, (before, text): (&str, &str)) -> Self {
+    pub(super) fn new(targets: &'t mut Targets, target: &'t EvaluationContext, (before, text): (&str, &str)) -> Self {
         let code = format!("{before}{text}");
         let (head, tail) = around(targets, target);
         let start = head.len() + BEGIN.len();
@@ -52,7 +52,7 @@ impl<'t> Scratch<'t> {
 
     /// First fault in the evaluated code.
     pub(super) fn fault(&self) -> Option<CodeFault> {
-        let unit = Unit::Program(self.target.project, self.file);
+        let unit = CheckUnit::Program(self.target.project, self.file);
         let refusals = unit_refusals(self.db(), unit);
         // The header comes from a program that was compiled, so its faults are ignored.
         let is_in_code = |at: TextSize| usize::from(at) >= self.start.saturating_sub(BEGIN.len());
@@ -78,13 +78,13 @@ impl<'t> Scratch<'t> {
     }
 }
 
-fn database<'t>(targets: &'t Targets, target: &Target) -> &'t Database {
+fn database<'t>(targets: &'t Targets, target: &EvaluationContext) -> &'t Database {
     // The application of a target always exists.
     targets.application(target.application).db()
 }
 
 /// Text of the program file before and after its code.
-fn around(targets: &Targets, target: &Target) -> (String, String) {
+fn around(targets: &Targets, target: &EvaluationContext) -> (String, String) {
     let db = database(targets, target);
     let of_file = |file: File| {
         let parse = parse(db, file);
@@ -98,7 +98,7 @@ fn around(targets: &Targets, target: &Target) -> (String, String) {
 }
 
 /// Sets the text of the scratch file in the target's project.
-fn set(targets: &mut Targets, target: &Target, text: String) -> File {
+fn set(targets: &mut Targets, target: &EvaluationContext, text: String) -> File {
     let key = (target.application, target.project);
     let known = targets.files.get(&key).copied();
     let db = targets.application_mut(target.application).db_mut();

@@ -8,7 +8,7 @@ use val3_analysis::db::{File, Project, Sources};
 use val3_analysis::items::project::program_files;
 use val3_analysis::paths::path_key;
 use val3_analysis::system::Disk;
-use val3_bytecode::{Image, Variable};
+use val3_bytecode::{FrameVariable, Image};
 use val3_vm::{FragmentContext, InstanceId, Vm};
 
 use super::evaluation::EvaluationError;
@@ -26,7 +26,7 @@ pub(super) struct Targets {
 }
 
 /// Evaluation context.
-pub(super) struct Target {
+pub(super) struct EvaluationContext {
     /// Index of the application, which contains the database.
     pub(super) application: usize,
     pub(super) project: Project,
@@ -34,7 +34,7 @@ pub(super) struct Target {
     pub(super) program: Option<File>,
     pub(super) image: Arc<Image>,
     /// Variables of the program.
-    pub(super) variables: Vec<Variable>,
+    pub(super) variables: Vec<FrameVariable>,
 }
 
 impl Targets {
@@ -57,7 +57,11 @@ impl Targets {
     }
 
     /// Evaluation context of a fragment context.
-    pub(super) fn of_context(&mut self, vm: &Vm, context: FragmentContext) -> Result<Target, EvaluationError> {
+    pub(super) fn of_context(
+        &mut self,
+        vm: &Vm,
+        context: FragmentContext,
+    ) -> Result<EvaluationContext, EvaluationError> {
         match context {
             FragmentContext::Instance(id) => self.of_program(vm, (id, None)),
             FragmentContext::Frame(task, depth) => {
@@ -70,7 +74,7 @@ impl Targets {
     }
 
     /// Evaluation context of a program in a file, which need not be in memory.
-    pub(super) fn of_file(&mut self, vm: &Vm, path: &str) -> Result<Target, EvaluationError> {
+    pub(super) fn of_file(&mut self, vm: &Vm, path: &str) -> Result<EvaluationContext, EvaluationError> {
         for (id, instance) in vm.space.loaded() {
             let image = &instance.image;
             let is_wanted = |file: u32| image.files.get(file as usize).is_some_and(|file| file == path);
@@ -81,24 +85,33 @@ impl Targets {
         self.of_source(path)
     }
 
-    fn of_program(&mut self, vm: &Vm, (id, program): (InstanceId, Option<u16>)) -> Result<Target, EvaluationError> {
+    fn of_program(
+        &mut self,
+        vm: &Vm,
+        (id, program): (InstanceId, Option<u16>),
+    ) -> Result<EvaluationContext, EvaluationError> {
         let instance = vm.space.instance(id).filter(|instance| instance.loaded);
         let image = Arc::clone(&instance.ok_or("the library is no longer in memory")?.image);
         let (application, project) = self.project(&image.path)?;
         Ok(self.target((application, project), image, program))
     }
 
-    fn target(&self, (application, project): (usize, Project), image: Arc<Image>, number: Option<u16>) -> Target {
+    fn target(
+        &self,
+        (application, project): (usize, Project),
+        image: Arc<Image>,
+        number: Option<u16>,
+    ) -> EvaluationContext {
         let program = number.and_then(|number| image.programs.get(usize::from(number)));
         let variables = program.map(|program| program.variables.clone()).unwrap_or_default();
         let path = program.and_then(|program| image.files.get(program.file as usize));
         let db = self.application(application).db();
         let program = path.and_then(|path| Sources::get(db).files(db).get(&path_key(path)).copied());
-        Target { application, project, program, image, variables }
+        EvaluationContext { application, project, program, image, variables }
     }
 
     /// Evaluation context of a program whose application or library is not in memory.
-    fn of_source(&mut self, path: &str) -> Result<Target, EvaluationError> {
+    fn of_source(&mut self, path: &str) -> Result<EvaluationContext, EvaluationError> {
         let found = self.applications().find_map(|(number, application)| {
             let db = application.db();
             let file = *Sources::get(db).files(db).get(&path_key(path))?;

@@ -1,8 +1,8 @@
 //! Breakpoint conditions, and log points.
 
 use val3_debug::{
-    Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Debugger, Format, PastLimits, ProgramBreakpoint, AdvanceResult,
-    StepKind, Stop, WatchedData,
+    AdvanceResult, Breakpoint, BreakpointId, DataAccess, DataBreakpoint, Debugger, DisplayFormat, PastLimits,
+    ProgramBreakpoint, StepKind, Stop, WatchedData,
 };
 use val3_machine::controller::RunStatus;
 use val3_session::{FrameEvaluator, Pace, Purpose};
@@ -175,8 +175,9 @@ fn a_condition_in_a_library_that_is_loaded_later_is_compiled_before() {
     let Some(Stop::Breakpoints { task, faults, .. }) = run(&mut debugger) else { panic!("no stop") };
     assert_eq!(faults, []);
     let context = FragmentContext::Frame(task, 0);
-    let sum =
-        evaluator.evaluate(&mut debugger.controller, context, "nSum", (Purpose::Watch, Format::default())).unwrap();
+    let sum = evaluator
+        .evaluate(&mut debugger.controller, context, "nSum", (Purpose::Watch, DisplayFormat::default()))
+        .unwrap();
     assert_eq!(sum.value.unwrap().shown, "6");
     assert_eq!(run(&mut debugger), None);
 }

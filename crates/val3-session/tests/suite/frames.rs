@@ -1,7 +1,7 @@
 //! Evaluation in the stack frames of a stopped run.
 
 use expect_test::expect;
-use val3_debug::{Errors, Format, AdvanceResult, Stop};
+use val3_debug::{AdvanceResult, DisplayFormat, Stop, StopErrors};
 use val3_machine::controller::RunStatus;
 use val3_session::{EvaluationError, Pace, Purpose};
 use val3_vm::FragmentContext;
@@ -250,7 +250,7 @@ fn an_application_without_tasks_has_its_data() {
     assert_eq!(stopped.watch("nCount"), "the stack frame no longer exists");
     let (id, _) = stopped.debugger.controller.vm.space.loaded().next().unwrap();
     let context = FragmentContext::Instance(id);
-    let how = (Purpose::Execute, Format::default());
+    let how = (Purpose::Execute, DisplayFormat::default());
     let mut evaluate = |text| shown(stopped.evaluator.evaluate(&mut stopped.debugger.controller, context, text, how));
     assert_eq!(evaluate("nCount+1"), "num 3");
     assert_eq!(evaluate("nCount=nCount*2\ncall show()"), "1");
@@ -312,7 +312,7 @@ fn statements_may_stop_tasks() {
     assert_eq!(stopped.execute("taskKill(\"main~\")\n? nCount"), "3");
     assert_eq!(stopped.watch("nCount"), "the stack frame no longer exists");
     let outcomes: Vec<_> = (0..5).map(|_| stopped.debugger.advance()).collect();
-    assert!(outcomes.contains(&Progress::Ran(RunStatus::Finished)), "{outcomes:?}");
+    assert!(outcomes.contains(&AdvanceResult::Ran(RunStatus::Finished)), "{outcomes:?}");
 }
 
 #[test]
@@ -321,9 +321,9 @@ fn a_task_in_error_keeps_its_error() {
         "num nCount\nprogram start()\nnum l_n\nbegin\n  l_n=4\n  call show()\n  nCount=l_n/0\nend\nprogram show()\nbegin\n  ? \
          1\nend\n",
     );
-    stopped.debugger.set_errors(Errors::all());
+    stopped.debugger.set_errors(StopErrors::all());
     let stop = stopped.debugger.advance();
-    assert!(matches!(stop, Progress::Stopped(Stop::Error { .. })), "{stop:?}");
+    assert!(matches!(stop, AdvanceResult::Stopped(Stop::Error { .. })), "{stop:?}");
     let task = |stopped: &Stopped| format!("{:?}", stopped.debugger.controller.vm.tasks());
     let before = task(&stopped);
     assert_eq!(stopped.watch("l_n"), "num 4");

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use camino::Utf8Path;
 use val3_analysis::system::Disk;
-use val3_debug::{Debugger, AdvanceResult, Stop};
+use val3_debug::{AdvanceResult, Debugger, Stop};
 use val3_lang::ports::SECOND;
 use val3_machine::arm::MotionMode;
 use val3_machine::controller::RunStatus;

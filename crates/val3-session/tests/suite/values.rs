@@ -1,7 +1,7 @@
 //! Displayed values: their expressions, assignments to them, inputs and outputs.
 
 use expect_test::expect;
-use val3_debug::{Format, Inside, Value, count, scopes, values};
+use val3_debug::{DebugValue, DisplayFormat, Inside, count, scopes, values};
 use val3_lang::types::BaseType;
 use val3_session::Purpose;
 use val3_tests::running::Running;
@@ -34,13 +34,13 @@ num nSecret
 "#;
 
 /// All children of a value.
-fn children(stopped: &mut Stopped, inside: &Inside) -> Vec<Value> {
+fn children(stopped: &mut Stopped, inside: &Inside) -> Vec<DebugValue> {
     let all = count(&mut stopped.debugger.controller.vm, inside);
-    values(&mut stopped.debugger.controller, inside, 0..all, Format::default())
+    values(&mut stopped.debugger.controller, inside, 0..all, DisplayFormat::default())
 }
 
 /// All values of the scopes and their children, if their names pass.
-fn all_values(stopped: &mut Stopped) -> Vec<(Inside, Value)> {
+fn all_values(stopped: &mut Stopped) -> Vec<(Inside, DebugValue)> {
     let mut open: Vec<Inside> =
         scopes(&stopped.debugger.controller.vm, stopped.task, 0).into_iter().map(|scope| scope.inside).collect();
     let mut found = Vec::new();
@@ -72,7 +72,8 @@ fn each_number_that_is_shown_can_be_assigned_to() {
     let mut refused = String::new();
     for (inside, value) in all_values(&mut stopped).into_iter().filter(|(_, value)| value.type_name == "num") {
         let controller = &mut stopped.debugger.controller;
-        let assigned = stopped.evaluator.assign_child(controller, &inside, (&value.name, "7.5"), Format::default());
+        let assigned =
+            stopped.evaluator.assign_child(controller, &inside, (&value.name, "7.5"), DisplayFormat::default());
         match assigned {
             Ok(assigned) => {
                 assert_eq!((&assigned.name, assigned.shown.as_str()), (&value.name, "7.5"));
@@ -144,7 +145,7 @@ fn long_collections_are_paged() {
     let globals = scopes(&stopped.debugger.controller.vm, stopped.task, 0).remove(2).inside;
     let many = children(&mut stopped, &globals).remove(0);
     assert_eq!(many.shown, "2999 values");
-    let page = values(&mut stopped.debugger.controller, &many.inside.unwrap(), 2990..5000, Format::default());
+    let page = values(&mut stopped.debugger.controller, &many.inside.unwrap(), 2990..5000, DisplayFormat::default());
     let paths: Vec<_> = page.iter().filter_map(|value| value.path.as_deref()).collect();
     assert_eq!((paths.len(), paths[8]), (9, "nMany[\"999\"]"));
     assert!(page.iter().all(|value| value.shown == "0"), "{page:?}");
@@ -155,7 +156,7 @@ fn angles_are_shown_in_radians() {
     let mut stopped = Stopped::on_disk(LISTING);
     stopped.execute("l_trAt={1,2,3,0,0,90}");
     let value = stopped.evaluate(0, "l_trAt", Purpose::Watch).unwrap().value.unwrap();
-    let format = Format { radians: true, ..Format::default() };
+    let format = DisplayFormat { radians: true, ..DisplayFormat::default() };
     let fields = values(&mut stopped.debugger.controller, &value.inside.unwrap(), 0..6, format);
     assert_eq!((fields[2].shown.as_str(), fields[5].shown.as_str()), ("3", "1.5707963267949 rad"));
 }

@@ -6,7 +6,7 @@ use val3_machine::event::Event;
 
 /// State at the end of a cycle.
 #[derive(Clone, Copy)]
-pub(crate) struct Cycle<'c> {
+pub(crate) struct CycleState<'c> {
     /// Start of the cycle, on the controller's clock in nanoseconds.
     pub(crate) start: Time,
     /// Events of the cycle.

@@ -9,11 +9,11 @@ use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_trace::Positive;
 
-use super::cycle::Cycle;
-use super::fit::{Fault, Fit};
+use super::cycle::CycleState;
+use super::fit::{ExpectationFault, Fit};
 use super::occurrence::Occurrence;
 use crate::failure::Failure;
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// Maximum time of a cycle:
 ///
@@ -33,7 +33,7 @@ pub(super) struct CycleTime {
 
 impl CycleTime {
     /// Unknown names.
-    pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
+    pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<ExpectationFault> {
         self.occurrences().flat_map(|event| event.faults(fit, span)).collect()
     }
 
@@ -66,7 +66,7 @@ impl Edge {
     }
 
     /// Time at which the occurrence starts in a cycle, in seconds.
-    fn rises(&mut self, cycle: Cycle<'_>) -> Option<f64> {
+    fn rises(&mut self, cycle: CycleState<'_>) -> Option<f64> {
         let moment = self.occurrence.as_ref().and_then(|occurrence| occurrence.find(cycle, 0));
         let held = std::mem::replace(&mut self.held, moment.is_some());
         moment.filter(|_| !held).map(|moment| moment.time)
@@ -80,7 +80,7 @@ impl Stopwatch {
         Self { expected: expected.clone(), from: Edge::new(from), to: Edge::new(to), begun, longest: None }
     }
 
-    pub(super) fn see(&mut self, cycle: Cycle<'_>) {
+    pub(super) fn see(&mut self, cycle: CycleState<'_>) {
         if let Some(end) = self.to.rises(cycle) {
             self.end(end);
         }
@@ -96,7 +96,7 @@ impl Stopwatch {
         self.longest = longest.or(Some([begun, end]));
     }
 
-    pub(super) fn failure(&self, controller: &Controller, source: &Source) -> Option<Failure> {
+    pub(super) fn failure(&self, controller: &Controller, source: &ExpectationSource) -> Option<Failure> {
         let message = self.message(controller)?;
         Some(Failure { message, places: vec![source.place("expect.time", self.expected.span())] })
     }

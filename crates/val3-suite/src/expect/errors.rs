@@ -7,9 +7,9 @@ use toml::Spanned;
 use val3_lang::runtime_errors::MOTION_FAULT;
 use val3_machine::event::{Event, EventKind};
 
-use super::fit::{Fault, Fit};
-use crate::failure::{Failure, Place};
-use crate::source::Source;
+use super::fit::{ExpectationFault, Fit};
+use crate::failure::{Failure, FailureLocation};
+use crate::source::ExpectationSource;
 
 /// A run-time error that a test expects, once or several times.
 #[derive(Debug, Clone, Deserialize)]
@@ -21,7 +21,7 @@ pub(super) struct ExpectedError {
 }
 
 /// Run-time errors of a run.
-pub(super) struct Errors {
+pub(super) struct ExpectedErrors {
     expected: Vec<Spanned<ExpectedError>>,
     missing: Vec<Spanned<ExpectedError>>,
     unexpected: Vec<Failure>,
@@ -35,7 +35,7 @@ impl ExpectedError {
     }
 
     /// Fault for an unknown error number.
-    pub(super) fn fault(&self, fit: &Fit<'_>, span: &Range<usize>) -> Option<Fault> {
+    pub(super) fn fault(&self, fit: &Fit<'_>, span: &Range<usize>) -> Option<ExpectationFault> {
         fit.error(self.code, span)
     }
 
@@ -46,7 +46,7 @@ impl ExpectedError {
     }
 }
 
-impl Errors {
+impl ExpectedErrors {
     pub(super) fn new(expected: &[Spanned<ExpectedError>]) -> Self {
         Self { expected: expected.to_vec(), missing: expected.to_vec(), unexpected: Vec::new() }
     }
@@ -59,7 +59,7 @@ impl Errors {
     }
 
     /// Processes the events of a cycle. `programs` returns the call stack of a task.
-    pub(super) fn see(&mut self, events: &[Event], programs: &dyn Fn(&str) -> Vec<Place>) {
+    pub(super) fn see(&mut self, events: &[Event], programs: &dyn Fn(&str) -> Vec<FailureLocation>) {
         for event in events {
             self.missing.retain(|expected| !expected.get_ref().is(event));
             if !self.expects(event) {
@@ -76,7 +76,7 @@ impl Errors {
     }
 
     /// Failures of expected errors that did not occur.
-    pub(super) fn missing(&self, source: &Source) -> impl Iterator<Item = Failure> {
+    pub(super) fn missing(&self, source: &ExpectationSource) -> impl Iterator<Item = Failure> {
         self.missing.iter().map(|expected| Failure {
             message: format!("{} was expected, and nothing has raised it", expected.get_ref().described()),
             places: vec![source.place("expect.errors", expected.span())],
@@ -86,18 +86,19 @@ impl Errors {
 
 /// Failure for a run-time error, a path that the arm cannot follow, or an instruction that the controller does not
 /// support. Its places are the call stack of the event's task, which `programs` returns.
-pub(crate) fn failure(event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> Option<Failure> {
+pub(crate) fn failure(event: &Event, programs: &dyn Fn(&str) -> Vec<FailureLocation>) -> Option<Failure> {
     let (message, place) = match &event.kind {
-        EventKind::Error { code, message, program, line, file, .. } => {
-            (format!("error {code}: {message}"), Place { program: program.clone(), file: file.clone(), line: *line })
-        }
+        EventKind::Error { code, message, program, line, file, .. } => (
+            format!("error {code}: {message}"),
+            FailureLocation { program: program.clone(), file: file.clone(), line: *line },
+        ),
         EventKind::Fault { instruction, text, program, line, file, .. } => (
             format!("the arm cannot follow the path of this {instruction}: {text}"),
-            Place { program: program.clone(), file: file.clone(), line: *line },
+            FailureLocation { program: program.clone(), file: file.clone(), line: *line },
         ),
         EventKind::Lacking { instruction, program, line, file } => (
             format!("this controller does not have `{instruction}`"),
-            Place { program: program.clone(), file: file.clone(), line: *line },
+            FailureLocation { program: program.clone(), file: file.clone(), line: *line },
         ),
         _ => return None,
     };
@@ -105,7 +106,11 @@ pub(crate) fn failure(event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> O
 }
 
 /// Call stack of the event's task, with `place` as innermost program; only `place` if the event happened elsewhere.
-fn stack(place: Place, event: &Event, programs: &dyn Fn(&str) -> Vec<Place>) -> Vec<Place> {
+fn stack(
+    place: FailureLocation,
+    event: &Event,
+    programs: &dyn Fn(&str) -> Vec<FailureLocation>,
+) -> Vec<FailureLocation> {
     let mut places = event.task.as_deref().map(programs).unwrap_or_default();
     match places.first_mut() {
         Some(first) if first.file == place.file => {
@@ -143,16 +148,16 @@ mod tests {
             (expected(20, None, Some("q")), false),
         ] {
             let expectations = [expectation];
-            let mut errors = Errors::new(&expectations);
+            let mut errors = ExpectedErrors::new(&expectations);
             errors.see(&[error(20, "t", "p")], &|_| Vec::new());
-            assert_eq!(errors.missing(&Source::default()).count(), usize::from(!matches));
+            assert_eq!(errors.missing(&ExpectationSource::default()).count(), usize::from(!matches));
             assert_eq!(errors.unexpected().len(), usize::from(!matches));
         }
     }
 
     #[test]
     fn an_error_that_is_repeated_is_one_failure() {
-        let mut errors = Errors::new(&[]);
+        let mut errors = ExpectedErrors::new(&[]);
         errors.see(&[error(20, "t", "p")], &|_| Vec::new());
         errors.see(&[error(20, "t", "p"), error(20, "t", "q")], &|_| Vec::new());
         assert_eq!(errors.unexpected().len(), 2);

@@ -19,25 +19,27 @@
 use val3_geometry::IsometryMatrix3;
 use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
-use val3_trace::{Limit, PictureObserver, Recorder, Recording, TraceFile, Zone, ZoneSetting, describe_violation};
+use val3_trace::{
+    Limit, MotionRecorder, MotionRecording, PictureObserver, TraceFile, Zone, ZoneSetting, describe_violation,
+};
 
 use super::Expectations;
-use super::cycle::Cycle;
-use crate::failure::{Failure, Place};
+use super::cycle::CycleState;
+use crate::failure::{Failure, FailureLocation};
 use crate::recorded::{AT_REST, RecordedMotion, place_of};
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// Motion of a test during its execution.
 #[derive(Default)]
-pub(super) struct Motion {
+pub(super) struct MotionExpectation {
     /// Records from the first cycle on, if there are expectations.
-    recorder: Option<Recorder>,
+    recorder: Option<MotionRecorder>,
     /// Records from the first cycle on, if a picture may be drawn.
     picture: Option<PictureObserver>,
 }
 
-impl Motion {
-    pub(super) fn see(&mut self, Cycle { start, controller, .. }: Cycle<'_>, expectations: &Expectations) {
+impl MotionExpectation {
+    pub(super) fn see(&mut self, CycleState { start, controller, .. }: CycleState<'_>, expectations: &Expectations) {
         let Expectations { trace, speed, inside, clear, .. } = expectations;
         if trace.is_some() {
             let picture = self.picture.get_or_insert_with(|| PictureObserver::new(controller));
@@ -45,7 +47,7 @@ impl Motion {
         } else if speed.is_empty() && inside.is_empty() && clear.is_empty() {
             return;
         }
-        self.recorder.get_or_insert_with(|| Recorder::new(controller)).see(start, controller);
+        self.recorder.get_or_insert_with(|| MotionRecorder::new(controller)).see(start, controller);
     }
 
     /// Exceeded limits.
@@ -53,11 +55,11 @@ impl Motion {
         &self,
         expectations: &Expectations,
         controller: &Controller,
-        source: &Source,
+        source: &ExpectationSource,
     ) -> Vec<Failure> {
-        let Some(recording) = self.recorder.as_ref().map(Recorder::recording) else { return Vec::new() };
+        let Some(recording) = self.recorder.as_ref().map(MotionRecorder::recording) else { return Vec::new() };
         // The position is also checked if the arm has not moved. Its speed would prove nothing.
-        let at_rest = recording.is_empty().then(|| Recording::at_rest(controller));
+        let at_rest = recording.is_empty().then(|| MotionRecording::at_rest(controller));
         let found = limits(expectations, controller, source).into_iter().filter_map(|(limit, place)| match limit {
             Ok(Limit::Speed { .. }) if at_rest.is_some() => {
                 Some(Failure { message: format!("{AT_REST}, so no speed was compared"), places: vec![place] })
@@ -69,7 +71,11 @@ impl Motion {
     }
 
     /// Motion to compare with a recorded motion, if expected.
-    pub(super) fn recorded(self, expectations: &Expectations, source: &Source) -> Option<Box<RecordedMotion>> {
+    pub(super) fn recorded(
+        self,
+        expectations: &Expectations,
+        source: &ExpectationSource,
+    ) -> Option<Box<RecordedMotion>> {
         let trace = expectations.trace.as_ref()?;
         let (recorder, picture) = self.recorder.zip(self.picture)?;
         let (file, place): (TraceFile, _) = (trace.get_ref().clone(), source.place("expect.trace", trace.span()));
@@ -81,8 +87,8 @@ impl Motion {
 fn limits(
     expectations: &Expectations,
     controller: &Controller,
-    source: &Source,
-) -> Vec<(Result<Limit, String>, Place)> {
+    source: &ExpectationSource,
+) -> Vec<(Result<Limit, String>, FailureLocation)> {
     let Expectations { speed, inside, clear, .. } = expectations;
     let zone = |setting: &ZoneSetting| zone(setting, controller);
     let speeds = speed.iter().map(|speed| {
@@ -100,7 +106,7 @@ fn limits(
     speeds.chain(insides).chain(clears).collect()
 }
 
-fn failure(limit: &Limit, recording: &Recording, place: Place) -> Option<Failure> {
+fn failure(limit: &Limit, recording: &MotionRecording, place: FailureLocation) -> Option<Failure> {
     let rows = &recording.trace.rows;
     let violation = limit.violation(rows, 0..rows.len())?;
     let finding = describe_violation(limit, &violation, recording);

@@ -6,12 +6,12 @@ use val3_machine::controller::Controller;
 use val3_machine::event::Event;
 
 use super::Expectations;
-use super::cycle::Cycle;
+use super::cycle::CycleState;
 use super::cycle_time::Stopwatch;
-use super::errors::Errors;
-use super::motion::Motion;
-use super::order::Progress;
-use super::output::{Output, OutputKind};
+use super::errors::ExpectedErrors;
+use super::motion::MotionExpectation;
+use super::order::OrderState;
+use super::output::{ExpectedOutput, OutputKind};
 use super::screen::lines;
 use super::sent::Sent;
 use super::state::TimedStates;
@@ -19,48 +19,48 @@ use super::within::Deadline;
 use crate::failure::Failure;
 use crate::golden_text::{GoldenKind, GoldenText};
 use crate::recorded::RecordedMotion;
-use crate::source::Source;
+use crate::source::ExpectationSource;
 use crate::unfinished::places_of;
 
 /// Expectations of a test during its execution.
 pub(crate) struct Observer {
     expectations: Expectations,
-    source: Source,
-    errors: Errors,
-    outputs: [Output; 3],
+    source: ExpectationSource,
+    errors: ExpectedErrors,
+    outputs: [ExpectedOutput; 3],
     sent: Vec<Sent>,
     states: TimedStates,
     deadlines: Vec<Deadline>,
-    orders: Vec<Progress>,
+    orders: Vec<OrderState>,
     stopwatches: Vec<Stopwatch>,
-    motion: Motion,
+    motion: MotionExpectation,
     has_moved: bool,
     /// Printed lines, if they are compared with recorded lines.
     prints: Vec<String>,
 }
 
 impl Observer {
-    pub(crate) fn new(expectations: &Expectations, source: &Source) -> Self {
+    pub(crate) fn new(expectations: &Expectations, source: &ExpectationSource) -> Self {
         let Expectations { print, log, popup, sent, errors, at, within, order, time, .. } = expectations;
         let outputs = [(OutputKind::Print, print), (OutputKind::Log, log), (OutputKind::Popup, popup)];
         Self {
             expectations: expectations.clone(),
             source: source.clone(),
-            errors: Errors::new(errors),
-            outputs: outputs.map(|(kind, texts)| Output::new(kind, texts)),
+            errors: ExpectedErrors::new(errors),
+            outputs: outputs.map(|(kind, texts)| ExpectedOutput::new(kind, texts)),
             sent: sent.iter().map(Sent::new).collect(),
             states: TimedStates::new(at),
             deadlines: within.iter().map(Deadline::new).collect(),
-            orders: order.iter().map(Progress::new).collect(),
+            orders: order.iter().map(OrderState::new).collect(),
             stopwatches: time.iter().map(Stopwatch::new).collect(),
-            motion: Motion::default(),
+            motion: MotionExpectation::default(),
             has_moved: false,
             prints: Vec::new(),
         }
     }
 
     /// Processes a finished cycle.
-    pub(crate) fn see(&mut self, cycle: Cycle<'_>) {
+    pub(crate) fn see(&mut self, cycle: CycleState<'_>) {
         self.errors.see(cycle.events, &|task| places_of(cycle.controller, task));
         self.outputs.iter_mut().for_each(|output| output.see(cycle.events));
         self.sent.iter_mut().for_each(|sent| sent.see(cycle.events));

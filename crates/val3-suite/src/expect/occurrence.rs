@@ -10,8 +10,8 @@ use val3_machine::controller::Controller;
 use val3_machine::event::{Event, EventKind, seconds};
 use val3_machine::script::{Condition, SentText};
 
-use super::cycle::Cycle;
-use super::fit::{Fault, Fit};
+use super::cycle::CycleState;
+use super::fit::{ExpectationFault, Fit};
 use super::output::OutputKind;
 use super::screen;
 
@@ -51,7 +51,7 @@ fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Condition, D:
 
 /// Occurrence time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Moment {
+pub(super) struct OccurrenceTime {
     /// Seconds since the start.
     pub(super) time: f64,
     /// Number of events in the cycle up to and including the occurrence.
@@ -60,15 +60,15 @@ pub(super) struct Moment {
 
 impl Occurrence {
     /// First occurrence in a cycle after the first `seen` events. States are checked at the end of the cycle.
-    pub(super) fn find(&self, cycle: Cycle<'_>, seen: usize) -> Option<Moment> {
-        let state = |holds: bool| holds.then(|| Moment { time: seconds(cycle.controller.now()), events: seen });
+    pub(super) fn find(&self, cycle: CycleState<'_>, seen: usize) -> Option<OccurrenceTime> {
+        let state = |holds: bool| holds.then(|| OccurrenceTime { time: seconds(cycle.controller.now()), events: seen });
         match self {
             Self::Io(condition) | Self::Data(condition) => state(cycle.controller.meets(condition)),
             Self::Screen(text) => state(screen::shown(cycle.controller).is_some_and(|page| screen::shows(page, text))),
             _ => {
                 let mut events = cycle.events.iter().zip(1..).skip(seen);
                 let (event, events) = events.find(|(event, _)| self.is(event))?;
-                Some(Moment { time: event.t, events })
+                Some(OccurrenceTime { time: event.t, events })
             }
         }
     }
@@ -90,7 +90,7 @@ impl Occurrence {
     }
 
     /// Unknown names in the occurrence.
-    pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
+    pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<ExpectationFault> {
         match self {
             Self::Io(condition) | Self::Data(condition) => fit.condition(condition, span),
             Self::Sent(text) => fit.line(text.link(), span).into_iter().collect(),

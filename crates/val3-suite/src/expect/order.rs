@@ -5,22 +5,22 @@ use toml::Spanned;
 use val3_machine::controller::Controller;
 use val3_machine::event::shown_seconds;
 
-use super::cycle::Cycle;
-use super::fit::{Fault, Fit};
+use super::cycle::CycleState;
+use super::fit::{ExpectationFault, Fit};
 use super::occurrence::Occurrence;
 use crate::failure::Failure;
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// An `[[expect.order]]`: each event happens after the preceding event.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Order {
+pub(super) struct EventOrder {
     events: Vec<Spanned<Occurrence>>,
 }
 
-impl Order {
+impl EventOrder {
     /// Unknown names.
-    pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
+    pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         self.events.iter().flat_map(|event| event.get_ref().faults(fit, &event.span())).collect()
     }
 
@@ -30,7 +30,7 @@ impl Order {
 }
 
 /// Progress in an order.
-pub(super) struct Progress {
+pub(super) struct OrderState {
     events: Vec<Spanned<Occurrence>>,
     /// Times of the events that have happened in order.
     times: Vec<f64>,
@@ -38,12 +38,12 @@ pub(super) struct Progress {
     early: Vec<Option<f64>>,
 }
 
-impl Progress {
-    pub(super) fn new(order: &Order) -> Self {
+impl OrderState {
+    pub(super) fn new(order: &EventOrder) -> Self {
         Self { events: order.events.clone(), times: Vec::new(), early: vec![None; order.events.len()] }
     }
 
-    pub(super) fn see(&mut self, cycle: Cycle<'_>) {
+    pub(super) fn see(&mut self, cycle: CycleState<'_>) {
         let mut seen = 0;
         while let Some(next) = self.events.get(self.times.len()) {
             let Some(moment) = next.get_ref().find(cycle, seen) else { break };
@@ -56,7 +56,7 @@ impl Progress {
         }
     }
 
-    pub(super) fn failure(&self, controller: &Controller, source: &Source) -> Option<Failure> {
+    pub(super) fn failure(&self, controller: &Controller, source: &ExpectationSource) -> Option<Failure> {
         let missing = self.events.get(self.times.len())?;
         let happened = self.events.iter().zip(&self.times);
         let happened = happened.map(|(event, time)| format!("\n{time:>9.3} s  {}", event.get_ref()));

@@ -6,7 +6,7 @@ use toml::Spanned;
 use val3_machine::event::{Event, EventKind};
 
 use crate::failure::Failure;
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// Maximum number of last lines in a failure.
 const SHOWN: usize = 5;
@@ -23,7 +23,7 @@ pub(super) enum OutputKind {
 }
 
 /// Expected output texts.
-pub(super) struct Output {
+pub(super) struct ExpectedOutput {
     kind: OutputKind,
     missing: Vec<Spanned<String>>,
     last: VecDeque<String>,
@@ -57,7 +57,7 @@ impl OutputKind {
     }
 }
 
-impl Output {
+impl ExpectedOutput {
     pub(super) fn new(kind: OutputKind, texts: &[Spanned<String>]) -> Self {
         Self { kind, missing: texts.to_vec(), last: VecDeque::new() }
     }
@@ -75,7 +75,7 @@ impl Output {
         }
     }
 
-    pub(super) fn failures(&self, source: &Source) -> Vec<Failure> {
+    pub(super) fn failures(&self, source: &ExpectationSource) -> Vec<Failure> {
         let lines: String = self.last.iter().map(|line| format!("\n| {line}")).collect();
         let last = if lines.is_empty() { "there is none".to_owned() } else { format!("the last ones{lines}") };
         let failure = |text: &Spanned<String>| Failure {
@@ -93,9 +93,9 @@ mod tests {
     #[test]
     fn the_last_lines_are_shown_for_a_text_that_is_missing() {
         let texts = [Spanned::new(0..1, "b".to_owned()), Spanned::new(1..2, "x".to_owned())];
-        let mut output = Output::new(OutputKind::Print, &texts);
-        let missing = |output: &Output| -> Vec<String> {
-            output.failures(&Source::default()).into_iter().map(|failure| failure.message).collect()
+        let mut output = ExpectedOutput::new(OutputKind::Print, &texts);
+        let missing = |output: &ExpectedOutput| -> Vec<String> {
+            output.failures(&ExpectationSource::default()).into_iter().map(|failure| failure.message).collect()
         };
         assert_eq!(missing(&output)[0], "no printed line contains \"b\": there is none");
         let print = |text: &str| Event { t: 0.0, task: None, kind: EventKind::Print { text: text.to_owned() } };

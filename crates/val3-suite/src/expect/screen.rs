@@ -3,25 +3,25 @@
 use toml::Spanned;
 use val3_machine::controller::Controller;
 use val3_machine::event::shown_seconds;
-use val3_machine::screen::Page;
+use val3_machine::screen::PageContent;
 
 use crate::failure::Failure;
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// Page that the pendant shows.
-pub(crate) fn shown(controller: &Controller) -> Option<&Page> {
+pub(crate) fn shown(controller: &Controller) -> Option<&PageContent> {
     let pendant = &controller.devices.state.pendant;
     pendant.page(pendant.shown())
 }
 
 /// Whether the title or a line of the page contains the text.
-pub(super) fn shows(page: &Page, text: &str) -> bool {
+pub(super) fn shows(page: &PageContent, text: &str) -> bool {
     page.title().contains(text) || page.lines().any(|line| line.contains(text))
 }
 
 /// Formats the title and the lines of a page, without trailing empty lines. Line ends in a text do not start a new
 /// line.
-pub(super) fn picture(page: &Page) -> String {
+pub(super) fn picture(page: &PageContent) -> String {
     let one_line = |text: &str| text.replace(['\n', '\r'], "␊");
     let mut lines: Vec<String> = page.lines().map(|line| one_line(&line)).collect();
     let written = lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
@@ -49,7 +49,12 @@ pub(crate) fn written_page(controller: &Controller, failures: &[Failure]) -> Opt
 }
 
 /// Failures of texts that the displayed page should contain.
-pub(super) fn failures(texts: &[Spanned<String>], key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
+pub(super) fn failures(
+    texts: &[Spanned<String>],
+    key: &str,
+    controller: &Controller,
+    source: &ExpectationSource,
+) -> Vec<Failure> {
     let Some(page) = shown(controller) else { return Vec::new() };
     let now = shown_seconds(controller.now());
     let missing = texts.iter().filter(|text| !shows(page, text.get_ref()));

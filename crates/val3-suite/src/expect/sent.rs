@@ -8,9 +8,9 @@ use toml::Spanned;
 use val3_machine::event::{Event, EventKind};
 use val3_machine::script::{LineBytes, SentText};
 
-use super::fit::{Fault, Fit};
+use super::fit::{ExpectationFault, Fit};
 use crate::failure::Failure;
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// Number of last bytes of a line's output in a failure.
 const SHOWN: usize = 200;
@@ -26,7 +26,7 @@ pub(super) fn texts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Sp
 }
 
 /// Unknown links.
-pub(super) fn faults(texts: &[Spanned<SentText>], fit: &Fit<'_>) -> Vec<Fault> {
+pub(super) fn faults(texts: &[Spanned<SentText>], fit: &Fit<'_>) -> Vec<ExpectationFault> {
     texts.iter().filter_map(|text| fit.line(text.get_ref().link(), &text.span())).collect()
 }
 
@@ -51,7 +51,7 @@ impl Sent {
         }
     }
 
-    pub(super) fn failure(&self, source: &Source) -> Option<Failure> {
+    pub(super) fn failure(&self, source: &ExpectationSource) -> Option<Failure> {
         let text = self.expected.get_ref();
         let first = self.output.len().saturating_sub(SHOWN);
         let is_inside_character = |byte: &u8| byte & 0b1100_0000 == 0b1000_0000;
@@ -83,7 +83,7 @@ mod tests {
             let (link, bytes) = ((*link).to_owned(), bytes.as_bytes().to_vec());
             sent.see(&[Event { t: 0.0, task: None, kind: EventKind::Sio { link, dir, bytes } }]);
         }
-        sent.failure(&Source::default()).map(|failure| failure.message)
+        sent.failure(&ExpectationSource::default()).map(|failure| failure.message)
     }
 
     #[test]

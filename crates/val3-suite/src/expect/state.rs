@@ -6,30 +6,30 @@ use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::script::Seconds;
 
-use super::fit::{Fault, Fit};
-use super::values::Values;
+use super::fit::{ExpectationFault, Fit};
+use super::values::ExpectedValues;
 use super::{screen, values};
 use crate::failure::Failure;
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// Common keys of `[expect]` and `[[expect.at]]`.
 #[derive(Clone, Copy)]
-pub(super) struct State<'s> {
+pub(super) struct ExpectedState<'s> {
     /// Table that contains the keys.
     pub(super) table: &'static str,
     pub(super) screen: &'s [Spanned<String>],
-    pub(super) io: &'s Values,
-    pub(super) data: &'s Values,
+    pub(super) io: &'s ExpectedValues,
+    pub(super) data: &'s ExpectedValues,
 }
 
-impl State<'_> {
+impl ExpectedState<'_> {
     /// Unknown names.
-    pub(super) fn faults(self, fit: &Fit<'_>) -> Vec<Fault> {
+    pub(super) fn faults(self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         [self.io, self.data].into_iter().flat_map(|values| values.faults(fit)).collect()
     }
 
     /// Differences from the current state.
-    pub(super) fn failures(self, controller: &Controller, source: &Source) -> Vec<Failure> {
+    pub(super) fn failures(self, controller: &Controller, source: &ExpectationSource) -> Vec<Failure> {
         let key = |key: &str| format!("{}.{key}", self.table);
         let screen = screen::failures(self.screen, &key("screen"), controller, source);
         let io = self.io.failures(&key("io"), controller, source);
@@ -46,9 +46,9 @@ pub(super) struct TimedState {
     #[serde(default)]
     screen: Vec<Spanned<String>>,
     #[serde(default, deserialize_with = "values::signals")]
-    io: Values,
+    io: ExpectedValues,
     #[serde(default, deserialize_with = "values::variables")]
-    data: Values,
+    data: ExpectedValues,
 }
 
 impl TimedState {
@@ -56,12 +56,12 @@ impl TimedState {
         self.t.get_ref().time()
     }
 
-    fn state(&self) -> State<'_> {
-        State { table: "expect.at", screen: &self.screen, io: &self.io, data: &self.data }
+    fn state(&self) -> ExpectedState<'_> {
+        ExpectedState { table: "expect.at", screen: &self.screen, io: &self.io, data: &self.data }
     }
 
     /// Unknown names, and a time after the end of the run.
-    pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
+    pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         let late = fit.time(*self.t.get_ref(), &self.t.span());
         late.into_iter().chain(self.state().faults(fit)).collect()
     }
@@ -87,7 +87,7 @@ impl TimedStates {
     }
 
     /// Checks the states that are due at the end of a cycle.
-    pub(super) fn see(&mut self, controller: &Controller, source: &Source) {
+    pub(super) fn see(&mut self, controller: &Controller, source: &ExpectationSource) {
         let due = self.open.partition_point(|state| state.time() <= controller.now());
         for state in self.open.drain(..due) {
             self.failures.extend(state.state().failures(controller, source));
@@ -95,7 +95,7 @@ impl TimedStates {
     }
 
     /// All failures. States after the end of the run are compared with its last state.
-    pub(super) fn failures(&self, controller: &Controller, source: &Source) -> Vec<Failure> {
+    pub(super) fn failures(&self, controller: &Controller, source: &ExpectationSource) -> Vec<Failure> {
         let open = self.open.iter().flat_map(|state| state.state().failures(controller, source));
         self.failures.iter().cloned().chain(open).collect()
     }

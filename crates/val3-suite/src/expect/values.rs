@@ -10,27 +10,27 @@ use val3_machine::controller::Controller;
 use val3_machine::event::shown_seconds;
 use val3_machine::script::{Comparison, Condition, LevelComparison};
 
-use super::fit::{Fault, Fit};
+use super::fit::{ExpectationFault, Fit};
 use crate::failure::Failure;
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// Expected values of signals or variables. Each is a condition with the name's source range.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Values(Vec<(Condition, Range<usize>)>);
+pub(super) struct ExpectedValues(Vec<(Condition, Range<usize>)>);
 
 /// Deserialises signals by path.
-pub(super) fn signals<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Values, D::Error> {
+pub(super) fn signals<'de, D: Deserializer<'de>>(deserializer: D) -> Result<ExpectedValues, D::Error> {
     let levels: BTreeMap<Spanned<String>, LevelComparison> = Deserialize::deserialize(deserializer)?;
-    Values::new(levels, |path, level| Condition::new([(path, level)].into(), BTreeMap::new()))
+    ExpectedValues::new(levels, |path, level| Condition::new([(path, level)].into(), BTreeMap::new()))
 }
 
 /// Deserialises global variables by name.
-pub(super) fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Values, D::Error> {
+pub(super) fn variables<'de, D: Deserializer<'de>>(deserializer: D) -> Result<ExpectedValues, D::Error> {
     let comparisons: BTreeMap<Spanned<String>, Comparison> = Deserialize::deserialize(deserializer)?;
-    Values::new(comparisons, |name, comparison| Condition::new(BTreeMap::new(), [(name, comparison)].into()))
+    ExpectedValues::new(comparisons, |name, comparison| Condition::new(BTreeMap::new(), [(name, comparison)].into()))
 }
 
-impl Values {
+impl ExpectedValues {
     fn new<T, E: Error>(
         values: BTreeMap<Spanned<String>, T>,
         condition: fn(String, T) -> Result<Condition, String>,
@@ -48,12 +48,12 @@ impl Values {
     }
 
     /// Unknown names, and values of the wrong type.
-    pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<Fault> {
+    pub(super) fn faults(&self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         self.0.iter().flat_map(|(condition, span)| fit.condition(condition, span)).collect()
     }
 
     /// Values that differ from the current values.
-    pub(super) fn failures(&self, key: &str, controller: &Controller, source: &Source) -> Vec<Failure> {
+    pub(super) fn failures(&self, key: &str, controller: &Controller, source: &ExpectationSource) -> Vec<Failure> {
         let now = shown_seconds(controller.now());
         let failure = |(condition, span): &(Condition, Range<usize>)| {
             let mismatch = controller.mismatches(condition).into_iter().next()?;

@@ -8,11 +8,11 @@ use val3_machine::controller::Controller;
 use val3_machine::event::seconds;
 use val3_machine::script::Seconds;
 
-use super::cycle::Cycle;
-use super::fit::{Fault, Fit};
-use super::occurrence::{Moment, Occurrence};
+use super::cycle::CycleState;
+use super::fit::{ExpectationFault, Fit};
+use super::occurrence::{Occurrence, OccurrenceTime};
 use crate::failure::Failure;
-use crate::source::Source;
+use crate::source::ExpectationSource;
 
 /// An `[[expect.within]]`: `event` happens at most `seconds` after `after`, or after the start.
 #[derive(Debug, Clone, Deserialize)]
@@ -25,7 +25,7 @@ pub(super) struct Within {
 
 impl Within {
     /// Unknown names.
-    pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<Fault> {
+    pub(super) fn faults(&self, fit: &Fit<'_>, span: &Range<usize>) -> Vec<ExpectationFault> {
         self.occurrences().flat_map(|event| event.faults(fit, span)).collect()
     }
 
@@ -54,11 +54,11 @@ impl Deadline {
         Self { within: within.clone(), begun, happened: None }
     }
 
-    pub(super) fn see(&mut self, cycle: Cycle<'_>) {
+    pub(super) fn see(&mut self, cycle: CycleState<'_>) {
         let mut seen = 0;
         let Within { event, after, .. } = self.within.get_ref();
         if let (None, Some(after)) = (self.begun, after) {
-            let Some(Moment { time, events }) = after.find(cycle, 0) else { return };
+            let Some(OccurrenceTime { time, events }) = after.find(cycle, 0) else { return };
             (self.begun, seen) = (Some(time), events);
         }
         if self.happened.is_none() {
@@ -66,7 +66,7 @@ impl Deadline {
         }
     }
 
-    pub(super) fn failure(&self, controller: &Controller, source: &Source) -> Option<Failure> {
+    pub(super) fn failure(&self, controller: &Controller, source: &ExpectationSource) -> Option<Failure> {
         let Within { event, after, seconds: allowed } = self.within.get_ref();
         let expected = self.within.get_ref().allowed();
         let now = seconds(controller.now());

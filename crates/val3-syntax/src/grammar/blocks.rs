@@ -51,18 +51,18 @@ impl BlockKind {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Open {
+struct OpenBlock {
     kind: BlockKind,
     indent: Indent,
     keyword: TextRange,
     /// Whether the opening keyword is missing, which was already reported.
     headless: bool,
-    layout: Layout,
+    layout: BlockIndentation,
 }
 
 /// Indentation of the lines in a block, which may show its end.
 #[derive(Debug, Clone, Copy)]
-enum Layout {
+enum BlockIndentation {
     /// No line so far.
     Unknown,
     /// The lines are not indented, so that the end is unknown.
@@ -75,7 +75,7 @@ enum Layout {
 
 /// Stack of open blocks.
 pub(super) struct Blocks {
-    open: Vec<Open>,
+    open: Vec<OpenBlock>,
     /// Token position of the final `end` of the code.
     last_end: Option<usize>,
     /// Whether the rest of the code was skipped, so that missing block ends are not reported.
@@ -101,7 +101,7 @@ impl Blocks {
     pub(super) fn push(&mut self, p: &Parser<'_>, kind: BlockKind, headless: bool) {
         let at = p.position();
         let (indent, keyword) = (p.indent(at), p.range(at));
-        self.open.push(Open { kind, indent, keyword, headless, layout: Layout::Unknown });
+        self.open.push(OpenBlock { kind, indent, keyword, headless, layout: BlockIndentation::Unknown });
     }
 
     /// Closes the innermost block with its own keyword.
@@ -114,7 +114,7 @@ impl Blocks {
         let Some(kind) = self.open.last().map(|open| open.kind) else { return false };
         let own = BlockKind::of(p.current()) == Some(kind) && !self.skips_innermost(p, kind);
         if own && let Some(open) = self.open.last_mut() {
-            open.layout = Layout::Unknown;
+            open.layout = BlockIndentation::Unknown;
         }
         own
     }
@@ -156,14 +156,14 @@ impl Blocks {
     }
 
     /// Whether the current `end` ends the program, or the innermost block by mistake.
-    fn ends_here(&self, p: &Parser<'_>, innermost: Option<&Open>) -> bool {
+    fn ends_here(&self, p: &Parser<'_>, innermost: Option<&OpenBlock>) -> bool {
         let is_last = self.last_end.is_none() || self.last_end == Some(p.position());
-        let deeper = |open: &Open| p.matching == Matching::Guided && p.indent(p.position()) > open.indent;
+        let deeper = |open: &OpenBlock| p.matching == Matching::Guided && p.indent(p.position()) > open.indent;
         is_last || innermost.is_some_and(|open| !deeper(open))
     }
 
     /// Whether a keyword of `kind` belongs to an outer block.
-    fn is_of_outer(&self, p: &Parser<'_>, kind: BlockKind, innermost: &Open) -> bool {
+    fn is_of_outer(&self, p: &Parser<'_>, kind: BlockKind, innermost: &OpenBlock) -> bool {
         let mut outer = self.open.iter().rev().skip(1).filter(|open| open.kind == kind);
         let indent = p.indent(p.position());
         match p.matching {
@@ -175,7 +175,7 @@ impl Blocks {
     }
 
     /// Whether, with matching by indentation, the keyword is indented more than the block that it would end.
-    fn is_misplaced(&self, p: &Parser<'_>, open: &Open) -> bool {
+    fn is_misplaced(&self, p: &Parser<'_>, open: &OpenBlock) -> bool {
         p.matching == Matching::Guided && !lines_up(p, open) && p.indent(p.position()) > open.indent
     }
 
@@ -196,9 +196,9 @@ impl Blocks {
         {
             let deeper = p.indent(at) > open.indent;
             open.layout = match open.layout {
-                Layout::Unknown if deeper => Layout::Indented,
-                Layout::Unknown => Layout::Flat,
-                Layout::Indented if !deeper => Layout::Dedented(p.range(at)),
+                BlockIndentation::Unknown if deeper => BlockIndentation::Indented,
+                BlockIndentation::Unknown => BlockIndentation::Flat,
+                BlockIndentation::Indented if !deeper => BlockIndentation::Dedented(p.range(at)),
                 known => known,
             };
         }
@@ -206,22 +206,22 @@ impl Blocks {
 }
 
 /// Whether the current keyword is aligned with the block's opening keyword; `case` and `default` may be indented more.
-fn lines_up(p: &Parser<'_>, open: &Open) -> bool {
+fn lines_up(p: &Parser<'_>, open: &OpenBlock) -> bool {
     let indent = p.indent(p.position());
     indent == open.indent || indent > open.indent && matches!(p.current(), CASE_KW | DEFAULT_KW)
 }
 
 /// Whether, with matching by indentation, the current keyword is aligned with the block but ends another kind of block.
-fn is_wrong_end(p: &Parser<'_>, open: &Open) -> bool {
+fn is_wrong_end(p: &Parser<'_>, open: &OpenBlock) -> bool {
     let ends = matches!(p.current(), END_IF_KW | END_WHILE_KW | UNTIL_KW | END_FOR_KW | END_SWITCH_KW);
     let other = open.kind != BlockKind::Case && BlockKind::of(p.current()) != Some(open.kind);
     p.matching == Matching::Guided && ends && other && !open.headless && p.indent(p.position()) == open.indent
 }
 
 /// Returns the place for the missing end of a block.
-fn place_of_end(p: &Parser<'_>, open: &Open) -> TextRange {
+fn place_of_end(p: &Parser<'_>, open: &OpenBlock) -> TextRange {
     match open.layout {
-        Layout::Dedented(line) => line,
+        BlockIndentation::Dedented(line) => line,
         _ if p.at_code_end() => p.range_after(),
         _ => p.range(p.position()),
     }

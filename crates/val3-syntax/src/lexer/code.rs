@@ -6,7 +6,7 @@ use super::xml::CDATA;
 use super::{Indent, Lexer, entity, foreign};
 use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::{self, *};
-use crate::never::Part;
+use crate::never::TextSlice;
 
 /// A segment of code between XML markup.
 #[derive(Clone, Copy)]

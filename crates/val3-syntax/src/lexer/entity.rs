@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::characters::is_allowed;
-use crate::never::Part;
+use crate::never::TextSlice;
 
 /// Resolves the entity reference at the start of `text`: its character and length; `None` if there is no reference that
 /// XML itself defines.

@@ -5,7 +5,7 @@ use memchr::{memchr, memchr2, memmem};
 use super::{CONFLICT_COMMENT, Lexer, entity};
 use crate::error::{SyntaxErrorKind, XmlPart};
 use crate::kind::SyntaxKind::{self, *};
-use crate::never::Part;
+use crate::never::TextSlice;
 
 impl Lexer<'_> {
     /// Reads the entire file.

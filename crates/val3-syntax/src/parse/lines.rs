@@ -15,7 +15,7 @@ use super::{Parse, parse_within};
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
 use crate::never::text_at;
-use crate::tree::{Entry, Piece, Splice};
+use crate::tree::{NodeRef, Splice, TreeEntry};
 
 impl Parse {
     /// Parses `new_text`, the text of this parse after `change`; `None` if other lines must be parsed, too.
@@ -24,7 +24,7 @@ impl Parse {
             return None;
         }
         let text = self.tree.text();
-        let path: Vec<Piece<'_>> = self.tree.root().path_to(change.range).collect();
+        let path: Vec<NodeRef<'_>> = self.tree.root().path_to(change.range).collect();
         let (run, lines) = runs_around(&path).find_map(|run| {
             let lines = run.lines_around(change.range)?;
             Some((run, lines))
@@ -58,7 +58,7 @@ impl Parse {
     }
 
     /// Returns the nodes from the root to the code of a text that is a single element.
-    fn path_to_code(&self) -> Option<Vec<Piece<'_>>> {
+    fn path_to_code(&self) -> Option<Vec<NodeRef<'_>>> {
         let root = self.tree.root();
         let element = root.children().find(|piece| piece.kind().is_node())?;
         let code = element.children().find(|piece| piece.kind() == SyntaxKind::CODE)?;
@@ -67,7 +67,7 @@ impl Parse {
 }
 
 /// Returns the text that is placed before and after lines of the same code section, so that they form a program.
-fn around(text: &str, path: &[Piece<'_>], at: TextSize) -> (&'static str, &'static str) {
+fn around(text: &str, path: &[NodeRef<'_>], at: TextSize) -> (&'static str, &'static str) {
     let code = path.iter().rfind(|node| node.kind() == SyntaxKind::CODE);
     let start = code.map_or(at, |code| code.range().start());
     let before = text_at(text, TextRange::new(start, at)).as_bytes();
@@ -98,7 +98,7 @@ impl StatementRun<'_, '_> {
 }
 
 /// Whether the entries contain a keyword or mark that affects other lines.
-fn affects_other_lines(entries: &[Entry]) -> bool {
+fn affects_other_lines(entries: &[TreeEntry]) -> bool {
     entries.iter().any(|entry| is_of_blocks(entry.kind))
 }
 

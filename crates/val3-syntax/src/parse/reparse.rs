@@ -10,14 +10,14 @@ use std::sync::Arc;
 use rowan::{TextRange, TextSize};
 
 use super::{Parse, parse_shared, parse_within};
-use crate::edit::{Change, Edit};
+use crate::edit::{Change, TextEdit};
 use crate::error::SyntaxError;
 use crate::kind::SyntaxKind;
-use crate::tree::{Piece, Splice};
+use crate::tree::{NodeRef, Splice};
 
 impl Parse {
     /// Parses the text after `edit`. The result equals `parse(&edit.apply(text))`.
-    pub fn reparse(&self, edit: &Edit) -> Parse {
+    pub fn reparse(&self, edit: &TextEdit) -> Parse {
         let text = self.tree.text();
         self.reparse_change(edit.apply(text).into(), Change::of(edit, text))
     }
@@ -44,7 +44,7 @@ impl Parse {
         if !are_local(&self.errors) {
             return None;
         }
-        let path: Vec<Piece<'_>> = self.tree.root().path_to(change.range).collect();
+        let path: Vec<NodeRef<'_>> = self.tree.root().path_to(change.range).collect();
         let (element, around) = enclosing_element(&path, change.range)?;
         let old = element.range();
         let new = TextRange::new(old.start(), change.moved(old.end()));
@@ -106,7 +106,7 @@ pub(super) fn depth_of(nodes: usize) -> u32 {
 
 /// Returns the innermost element that contains the edit between its first and last character, and the enclosing nodes.
 /// The root is omitted, because parsing it means parsing the entire file.
-fn enclosing_element<'p, 't>(path: &'p [Piece<'t>], range: TextRange) -> Option<(Piece<'t>, &'p [Piece<'t>])> {
+fn enclosing_element<'p, 't>(path: &'p [NodeRef<'t>], range: TextRange) -> Option<(NodeRef<'t>, &'p [NodeRef<'t>])> {
     let index = path.iter().rposition(|node| {
         let own = node.range();
         node.kind() == SyntaxKind::ELEMENT && own.start() < range.start() && range.end() < own.end()
@@ -116,16 +116,16 @@ fn enclosing_element<'p, 't>(path: &'p [Piece<'t>], range: TextRange) -> Option<
     (is_nested && is_closed(element)).then_some((element, around))
 }
 
-fn is_closed(element: Piece<'_>) -> bool {
+fn is_closed(element: NodeRef<'_>) -> bool {
     nodes(element).last().is_some_and(|child| child.kind() == SyntaxKind::END_TAG)
 }
 
-fn nodes(parent: Piece<'_>) -> impl Iterator<Item = Piece<'_>> {
+fn nodes(parent: NodeRef<'_>) -> impl Iterator<Item = NodeRef<'_>> {
     parent.children().filter(|piece| piece.kind().is_node())
 }
 
 /// Returns the element if it is the entire fragment.
-fn sole_element(fragment: &Parse) -> Option<Piece<'_>> {
+fn sole_element(fragment: &Parse) -> Option<NodeRef<'_>> {
     let root = fragment.tree.root();
     let element = nodes(root).next().filter(|child| child.kind() == SyntaxKind::ELEMENT)?;
     let whole = element.range() == root.range();
@@ -133,9 +133,9 @@ fn sole_element(fragment: &Parse) -> Option<Piece<'_>> {
 }
 
 /// Whether every tag in the element belongs to it. A lexer error on the same line would hide a superfluous tag.
-fn has_own_tags_only(element: Piece<'_>) -> bool {
-    let last = nodes(element).last().map(Piece::index);
-    let is_own = |child: Piece<'_>| match child.kind() {
+fn has_own_tags_only(element: NodeRef<'_>) -> bool {
+    let last = nodes(element).last().map(NodeRef::index);
+    let is_own = |child: NodeRef<'_>| match child.kind() {
         SyntaxKind::ERROR => false,
         SyntaxKind::END_TAG => last == Some(child.index()),
         SyntaxKind::ELEMENT => has_own_tags_only(child),

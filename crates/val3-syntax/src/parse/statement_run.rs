@@ -8,46 +8,46 @@ use std::slice;
 use rowan::{TextRange, TextSize};
 
 use crate::kind::SyntaxKind;
-use crate::tree::{Entry, Piece, count};
+use crate::tree::{NodeRef, TreeEntry, count};
 
 /// A block of statements with its surrounding trivia.
 pub(super) struct StatementRun<'p, 't> {
     /// Nodes that contain the block and its trivia, innermost last.
-    pub(super) around: &'p [Piece<'t>],
+    pub(super) around: &'p [NodeRef<'t>],
     /// Trivia before the block.
-    before: Vec<Piece<'t>>,
-    block: Piece<'t>,
+    before: Vec<NodeRef<'t>>,
+    block: NodeRef<'t>,
     /// Trivia after the block.
-    after: Vec<Piece<'t>>,
+    after: Vec<NodeRef<'t>>,
     /// Whether nothing else follows in the innermost node.
     is_last: bool,
 }
 
 /// A range of pieces in a run, given by the first and the last piece.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Lines<'t> {
-    first: Piece<'t>,
-    last: Piece<'t>,
+pub(super) struct LineRun<'t> {
+    first: NodeRef<'t>,
+    last: NodeRef<'t>,
 }
 
 /// Returns the runs that may contain an edit, inner ones first. `path` goes from the root to the innermost node with
 /// the edit.
-pub(super) fn runs_around<'p, 't>(path: &'p [Piece<'t>]) -> impl Iterator<Item = StatementRun<'p, 't>> {
+pub(super) fn runs_around<'p, 't>(path: &'p [NodeRef<'t>]) -> impl Iterator<Item = StatementRun<'p, 't>> {
     let paths = (1..=path.len()).rev().filter_map(|len| path.get(..len));
     paths.flat_map(StatementRun::all_in_last)
 }
 
 impl<'p, 't> StatementRun<'p, 't> {
     /// Returns the runs in the last node of `path`.
-    pub(super) fn all_in_last(path: &'p [Piece<'t>]) -> impl Iterator<Item = Self> {
+    pub(super) fn all_in_last(path: &'p [NodeRef<'t>]) -> impl Iterator<Item = Self> {
         let parent = path.last().filter(|node| node.kind() != SyntaxKind::BLOCK);
-        let siblings: Vec<Piece<'t>> = parent.into_iter().flat_map(|parent| parent.children()).collect();
+        let siblings: Vec<NodeRef<'t>> = parent.into_iter().flat_map(|parent| parent.children()).collect();
         let is_block = |index: &usize| siblings.get(*index).is_some_and(|piece| piece.kind() == SyntaxKind::BLOCK);
         let blocks: Vec<usize> = (0..siblings.len()).filter(is_block).collect();
         blocks.into_iter().filter_map(move |block| Self::new(path, &siblings, block))
     }
 
-    fn new(around: &'p [Piece<'t>], siblings: &[Piece<'t>], block: usize) -> Option<Self> {
+    fn new(around: &'p [NodeRef<'t>], siblings: &[NodeRef<'t>], block: usize) -> Option<Self> {
         let (before, after) = (siblings.get(..block)?, siblings.get(block + 1..)?);
         let first = block - before.iter().rev().take_while(|piece| piece.kind().is_trivia()).count();
         let last = block + 1 + after.iter().take_while(|piece| piece.kind().is_trivia()).count();
@@ -58,7 +58,7 @@ impl<'p, 't> StatementRun<'p, 't> {
     }
 
     /// Returns the pieces: trivia, the statements of the block with trivia between them, and trivia.
-    pub(super) fn pieces(&self) -> impl Iterator<Item = Piece<'t>> {
+    pub(super) fn pieces(&self) -> impl Iterator<Item = NodeRef<'t>> {
         self.before.iter().copied().chain(self.block.children()).chain(self.after.iter().copied())
     }
 
@@ -73,14 +73,14 @@ impl<'p, 't> StatementRun<'p, 't> {
     }
 
     /// Returns the run as lines.
-    fn lines(&self) -> Lines<'t> {
+    fn lines(&self) -> LineRun<'t> {
         let first = self.before.first().unwrap_or(&self.block);
         let last = self.after.last().unwrap_or(&self.block);
-        Lines { first: *first, last: *last }
+        LineRun { first: *first, last: *last }
     }
 
     /// Returns the entries of the run within an index range, in three slices, without the entry of the block itself.
-    fn entries(&self, range: &Range<usize>) -> [&'t [Entry]; 3] {
+    fn entries(&self, range: &Range<usize>) -> [&'t [TreeEntry]; 3] {
         let (run, block) = (self.indexes(), self.block.indexes());
         [run.start..block.start, block.start + 1..block.end, block.end..run.end].map(|part| {
             let start = part.start.max(range.start);
@@ -90,11 +90,11 @@ impl<'p, 't> StatementRun<'p, 't> {
     }
 
     /// Returns the pieces from the line end before an edit to the line end that is after the edit or contains its end.
-    pub(super) fn lines_around(&self, edit: TextRange) -> Option<Lines<'t>> {
+    pub(super) fn lines_around(&self, edit: TextRange) -> Option<LineRun<'t>> {
         let mut first = None;
         for piece in self.pieces().filter(|piece| is_line_end(*piece)) {
             match first {
-                Some(first) if piece.range().end() >= edit.end() => return Some(Lines { first, last: piece }),
+                Some(first) if piece.range().end() >= edit.end() => return Some(LineRun { first, last: piece }),
                 _ if piece.range().start() < edit.start() => first = Some(piece),
                 _ => {}
             }
@@ -103,17 +103,17 @@ impl<'p, 't> StatementRun<'p, 't> {
     }
 
     /// Replaces some lines by a run from a different tree.
-    pub(super) fn with<'n>(&self, lines: Lines<'t>, new: &StatementRun<'_, 'n>) -> Option<EditedRun<'n>>
+    pub(super) fn with<'n>(&self, lines: LineRun<'t>, new: &StatementRun<'_, 'n>) -> Option<EditedRun<'n>>
     where
         't: 'n,
     {
         let (run, replaced) = (self.indexes(), lines.indexes());
         let before = self.entries(&(run.start..replaced.start));
         let after = self.entries(&(replaced.end..run.end));
-        let entries: Vec<&[Entry]> = [before, new.entries(&new.indexes()), after].concat();
+        let entries: Vec<&[TreeEntry]> = [before, new.entries(&new.indexes()), after].concat();
         // A trivia token has one entry, and no node ends with trivia.
         let size: usize = entries.iter().map(|stretch| stretch.len()).sum();
-        let is_trivia = |entry: &&Entry| entry.kind.is_trivia();
+        let is_trivia = |entry: &&TreeEntry| entry.kind.is_trivia();
         let leading = entries.iter().copied().flatten().take_while(is_trivia).count();
         let trailing = entries.iter().copied().rev().flat_map(|stretch| stretch.iter().rev()).take_while(is_trivia);
         let trailing = if leading == size { 0 } else { trailing.count() };
@@ -124,12 +124,12 @@ impl<'p, 't> StatementRun<'p, 't> {
         let (before, rest) = split(&entries, leading);
         let (inside, after) = split(&rest, size - leading - trailing);
         let len = self.range().len() - lines.range().len() + new.range().len() - len(&before) - len(&after);
-        let block = Entry { kind: SyntaxKind::BLOCK, len: len.into(), size: count(size - leading - trailing) };
+        let block = TreeEntry { kind: SyntaxKind::BLOCK, len: len.into(), size: count(size - leading - trailing) };
         Some(EditedRun { before, block, inside, after })
     }
 }
 
-impl<'t> Lines<'t> {
+impl<'t> LineRun<'t> {
     /// Returns the range in the text.
     pub(super) fn range(self) -> TextRange {
         self.first.range().cover(self.last.range())
@@ -141,28 +141,28 @@ impl<'t> Lines<'t> {
     }
 
     /// Returns the entries, including the block's own entry if the block begins or ends in the lines.
-    pub(super) fn entries(self) -> &'t [Entry] {
+    pub(super) fn entries(self) -> &'t [TreeEntry] {
         self.first.entries_of_tree(self.indexes())
     }
 }
 
 /// Entries of a run after an edit.
 pub(super) struct EditedRun<'t> {
-    before: Vec<&'t [Entry]>,
-    block: Entry,
-    inside: Vec<&'t [Entry]>,
-    after: Vec<&'t [Entry]>,
+    before: Vec<&'t [TreeEntry]>,
+    block: TreeEntry,
+    inside: Vec<&'t [TreeEntry]>,
+    after: Vec<&'t [TreeEntry]>,
 }
 
 impl EditedRun<'_> {
     /// Returns all entries in order.
-    pub(super) fn entries(&self) -> Vec<&[Entry]> {
+    pub(super) fn entries(&self) -> Vec<&[TreeEntry]> {
         [&*self.before, &[slice::from_ref(&self.block)], &*self.inside, &*self.after].concat()
     }
 }
 
 /// Splits the entries after the first `at` entries.
-fn split<'t>(stretches: &[&'t [Entry]], mut at: usize) -> (Vec<&'t [Entry]>, Vec<&'t [Entry]>) {
+fn split<'t>(stretches: &[&'t [TreeEntry]], mut at: usize) -> (Vec<&'t [TreeEntry]>, Vec<&'t [TreeEntry]>) {
     let cut = stretches.iter().map(|stretch| {
         let (left, right) = stretch.split_at(at.min(stretch.len()));
         at -= left.len();
@@ -172,10 +172,10 @@ fn split<'t>(stretches: &[&'t [Entry]], mut at: usize) -> (Vec<&'t [Entry]>, Vec
 }
 
 /// Returns the text length of trivia.
-fn len(trivia: &[&[Entry]]) -> TextSize {
+fn len(trivia: &[&[TreeEntry]]) -> TextSize {
     trivia.iter().copied().flatten().map(|entry| TextSize::new(entry.len)).sum()
 }
 
-pub(super) fn is_line_end(piece: Piece<'_>) -> bool {
+pub(super) fn is_line_end(piece: NodeRef<'_>) -> bool {
     !piece.kind().is_node() && piece.text().starts_with(['\n', '\r'])
 }

@@ -1,6 +1,6 @@
 //! Markers, which start and complete nodes.
 
-use super::{Event, Parser};
+use super::{ParseEvent, Parser};
 use crate::kind::SyntaxKind;
 
 /// A started node.
@@ -15,7 +15,7 @@ impl Parser<'_> {
     /// Starts a node at the current token.
     pub(crate) fn start(&mut self) -> Marker {
         let at = self.events.len();
-        self.events.push(Event::Abandoned);
+        self.events.push(ParseEvent::Abandoned);
         Marker { at, siblings: std::mem::take(&mut self.height) }
     }
 }
@@ -23,9 +23,9 @@ impl Parser<'_> {
 impl Marker {
     pub(crate) fn complete(self, p: &mut Parser<'_>, kind: SyntaxKind) -> Completed {
         if let Some(event) = p.events.get_mut(self.at) {
-            *event = Event::Start { kind, parent: 0 };
+            *event = ParseEvent::Start { kind, parent: 0 };
         }
-        p.events.push(Event::Finish);
+        p.events.push(ParseEvent::Finish);
         let height = p.height + 1;
         p.height = height.max(self.siblings);
         Completed { at: self.at, kind, height, siblings: self.siblings }
@@ -62,9 +62,9 @@ impl Completed {
     /// Starts a node that encloses this node.
     pub(crate) fn precede(self, p: &mut Parser<'_>) -> Marker {
         let at = p.events.len();
-        p.events.push(Event::Abandoned);
+        p.events.push(ParseEvent::Abandoned);
         p.height = self.height;
-        if let Some(Event::Start { parent, .. }) = p.events.get_mut(self.at) {
+        if let Some(ParseEvent::Start { parent, .. }) = p.events.get_mut(self.at) {
             *parent = u32::try_from(at - self.at).unwrap_or(0);
         }
         Marker { at, siblings: self.siblings }

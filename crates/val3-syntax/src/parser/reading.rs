@@ -1,11 +1,11 @@
 //! Repeated parsing of the same tokens in different modes, and selection of the best result.
 
-use super::{Event, Matching, Parser};
+use super::{Matching, ParseEvent, Parser};
 use crate::error::SyntaxError;
 
 /// Result of parsing some tokens.
 struct ParseAttempt {
-    events: Vec<Event>,
+    events: Vec<ParseEvent>,
     errors: Vec<SyntaxError>,
 }
 

@@ -2,40 +2,40 @@
 
 use std::sync::Arc;
 
-use super::Event;
+use super::ParseEvent;
 use crate::kind::SyntaxKind;
 use crate::lexer::Token;
-use crate::tree::{Entry, Tree, count};
+use crate::tree::{SyntaxText, TreeEntry, count};
 
 /// Builds the tree of `text`. Trivia is placed between nodes, except that a `CODE` node contains all trivia inside the
 /// code.
-pub(crate) fn build_tree(text: Arc<str>, tokens: &[Token], mut events: Vec<Event>) -> Tree {
-    let nodes = events.iter().filter(|event| **event == Event::Finish).count();
+pub(crate) fn build_tree(text: Arc<str>, tokens: &[Token], mut events: Vec<ParseEvent>) -> SyntaxText {
+    let nodes = events.iter().filter(|event| **event == ParseEvent::Finish).count();
     let mut sink = Sink::new(tokens, nodes);
     let mut opening = Vec::new();
     for index in 0..events.len() {
         match events.get(index).copied() {
-            Some(Event::Start { kind, parent: 0 }) => sink.open(kind),
-            Some(Event::Start { kind, parent }) => {
+            Some(ParseEvent::Start { kind, parent: 0 }) => sink.open(kind),
+            Some(ParseEvent::Start { kind, parent }) => {
                 collect_parents(&mut events, index, kind, parent, &mut opening);
                 opening.drain(..).rev().for_each(|kind| sink.open(kind));
             }
-            Some(Event::Finish) => sink.close(),
-            Some(Event::Token) => sink.token(),
-            Some(Event::Abandoned) | None => {}
+            Some(ParseEvent::Finish) => sink.close(),
+            Some(ParseEvent::Token) => sink.token(),
+            Some(ParseEvent::Abandoned) | None => {}
         }
     }
-    Tree::new(text, sink.entries)
+    SyntaxText::new(text, sink.entries)
 }
 
 /// Collects the kinds of the nodes that start at `index`, innermost first. Their own `Start` events are consumed.
-fn collect_parents(events: &mut [Event], index: usize, kind: SyntaxKind, parent: u32, out: &mut Vec<SyntaxKind>) {
+fn collect_parents(events: &mut [ParseEvent], index: usize, kind: SyntaxKind, parent: u32, out: &mut Vec<SyntaxKind>) {
     out.push(kind);
     let (mut at, mut distance) = (index, parent);
     while distance != 0 {
         at += distance as usize;
         let Some(event) = events.get_mut(at) else { return };
-        let Event::Start { kind, parent } = std::mem::replace(event, Event::Abandoned) else { return };
+        let ParseEvent::Start { kind, parent } = std::mem::replace(event, ParseEvent::Abandoned) else { return };
         out.push(kind);
         distance = parent;
     }
@@ -49,13 +49,13 @@ struct Sink<'t> {
     tokens: &'t [Token],
     /// Offset of the next token.
     start: u32,
-    entries: Vec<Entry>,
+    entries: Vec<TreeEntry>,
     /// Open nodes, innermost last.
-    open: Vec<Open>,
+    open: Vec<OpenNode>,
 }
 
 /// A node that has not ended.
-struct Open {
+struct OpenNode {
     /// Index of the node's entry.
     index: usize,
     /// Start offset in the text.
@@ -74,8 +74,8 @@ impl<'t> Sink<'t> {
         if !self.open.is_empty() && !is_code {
             self.trivia();
         }
-        self.open.push(Open { index: self.entries.len(), start: self.start, is_code });
-        self.entries.push(Entry { kind, len: 0, size: 0 });
+        self.open.push(OpenNode { index: self.entries.len(), start: self.start, is_code });
+        self.entries.push(TreeEntry { kind, len: 0, size: 0 });
     }
 
     fn close(&mut self) {
@@ -110,7 +110,7 @@ impl<'t> Sink<'t> {
     }
 
     fn take(&mut self, token: Token, rest: &'t [Token]) {
-        self.entries.push(Entry { kind: token.kind, len: token.end - self.start, size: 0 });
+        self.entries.push(TreeEntry { kind: token.kind, len: token.end - self.start, size: 0 });
         self.start = token.end;
         self.tokens = rest;
     }

@@ -13,7 +13,7 @@ use rustc_hash::FxHasher;
 use crate::kind::SyntaxKind;
 
 /// A node or token of the green tree, without position.
-pub(super) type Element = NodeOrToken<GreenNode, GreenToken>;
+pub(super) type GreenElement = NodeOrToken<GreenNode, GreenToken>;
 
 /// Recently built tokens and nodes.
 pub(super) struct Sharing {
@@ -70,7 +70,7 @@ impl Sharing {
     }
 
     /// Returns a node with `children`, which are moved into it.
-    pub(super) fn node(&mut self, kind: SyntaxKind, children: std::vec::Drain<'_, Element>) -> GreenNode {
+    pub(super) fn node(&mut self, kind: SyntaxKind, children: std::vec::Drain<'_, GreenElement>) -> GreenNode {
         if children.len() > MOST_CHILDREN || text_len(children.as_slice()) > LONGEST_NODE {
             return GreenNode::new(kind.into(), children);
         }
@@ -93,7 +93,7 @@ fn token_slot(kind: SyntaxKind, text: &str) -> usize {
 }
 
 /// Hashes a node. Equal children are shared, so their addresses identify them.
-fn node_hash(kind: SyntaxKind, children: &[Element]) -> usize {
+fn node_hash(kind: SyntaxKind, children: &[GreenElement]) -> usize {
     let mut hasher = FxHasher::default();
     hasher.write_u16(kind as u16);
     for child in children {
@@ -102,7 +102,7 @@ fn node_hash(kind: SyntaxKind, children: &[Element]) -> usize {
     hasher.finish() as usize
 }
 
-fn is_same(node: &GreenNode, kind: SyntaxKind, children: &[Element]) -> bool {
+fn is_same(node: &GreenNode, kind: SyntaxKind, children: &[GreenElement]) -> bool {
     node.kind() == kind.into()
         && node.children().len() == children.len()
         && node.children().zip(children).all(|(old, new)| match (old, new) {
@@ -112,15 +112,15 @@ fn is_same(node: &GreenNode, kind: SyntaxKind, children: &[Element]) -> bool {
         })
 }
 
-fn text_len(children: &[Element]) -> u32 {
-    let len = |child: &Element| match child {
+fn text_len(children: &[GreenElement]) -> u32 {
+    let len = |child: &GreenElement| match child {
         NodeOrToken::Node(node) => u32::from(node.text_len()),
         NodeOrToken::Token(token) => u32::from(token.text_len()),
     };
     children.iter().map(len).sum()
 }
 
-fn address(element: &Element) -> usize {
+fn address(element: &GreenElement) -> usize {
     match element {
         NodeOrToken::Node(node) => std::ptr::from_ref::<GreenNodeData>(node).addr(),
         NodeOrToken::Token(token) => std::ptr::from_ref::<GreenTokenData>(token).addr(),

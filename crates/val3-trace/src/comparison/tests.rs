@@ -9,24 +9,30 @@ use crate::testing::{at, line, trace};
 
 const TOLERANCES: Tolerances = Tolerances { mm: 0.5, degrees: 0.5, time: 5.0 };
 
-fn compared(recorded: &[Row], present: &[Row]) -> Comparison {
+fn compared(recorded: &[TraceRow], present: &[TraceRow]) -> Comparison {
     compare(recorded, present, TOLERANCES)
 }
 
 /// Moves a range of rows in world.
-fn moved(rows: &[Row], part: Range<usize>, way: [f64; 3]) -> Vec<Row> {
-    let row = |(place, row): (usize, &Row)| if part.contains(&place) { at(row, way, [0.0; 3]) } else { *row };
+fn moved(rows: &[TraceRow], part: Range<usize>, way: [f64; 3]) -> Vec<TraceRow> {
+    let row = |(place, row): (usize, &TraceRow)| if part.contains(&place) { at(row, way, [0.0; 3]) } else { *row };
     rows.iter().enumerate().map(row).collect()
 }
 
 /// Returns rows from 0 to `length` on the line, at a speed in mm for each cycle, with the ids of the points.
-fn at_speed(speed: f64, length: f64) -> Vec<Row> {
+fn at_speed(speed: f64, length: f64) -> Vec<TraceRow> {
     let count = (length / speed).ceil() as u64;
     let row = |cycle: u64| {
         let x = (cycle as f64 * speed).min(length);
         let pose = Trsf::new([x, 0.0, 0.0], [0.0; 3]).isometry();
         let id = 1.0 + (x / 10.0).max(0.001);
-        Row { time: 1_000_000_000 + cycle * 4_000_000, id, pose, joints: [x, 0.0, 0.0, 0.0, 0.0, 0.0], ..line(1)[0] }
+        TraceRow {
+            time: 1_000_000_000 + cycle * 4_000_000,
+            id,
+            pose,
+            joints: [x, 0.0, 0.0, 0.0, 0.0, 0.0],
+            ..line(1)[0]
+        }
     };
     (0..=count).map(row).collect()
 }
@@ -49,7 +55,7 @@ fn a_displaced_piece_is_reported_with_its_displacement() {
     let deviation = first.deviation.unwrap();
     assert_eq!(
         (first.number, first.rows.clone(), deviation.side, deviation.time),
-        (2, 11..21, Side::Present, 56_000_000)
+        (2, 11..21, TraceSide::Present, 56_000_000)
     );
     assert_eq!((deviation.distance.mm, deviation.at), (5.0, Vector3::new(14.0, 3.0, 4.0)));
     assert_eq!(deviation.distance.nearest, Vector3::new(14.0, 0.0, 0.0));
@@ -78,7 +84,7 @@ fn a_piece_that_is_missing_is_found_as_well_as_an_additional_one() {
     let mut detour = rows.clone();
     detour.insert(5, at(&rows[4], [0.0, 0.0, 7.0], [0.0; 3]));
     detour.iter_mut().zip(0..).for_each(|(row, cycle)| row.time = cycle * 4_000_000);
-    for (recorded, present, side) in [(&rows, &detour, Side::Present), (&detour, &rows, Side::Recorded)] {
+    for (recorded, present, side) in [(&rows, &detour, TraceSide::Present), (&detour, &rows, TraceSide::Recorded)] {
         let deviation = compared(recorded, present).first().unwrap().deviation.unwrap();
         assert_eq!((deviation.side, deviation.distance.mm, deviation.at), (side, 7.0, Vector3::new(4.0, 0.0, 7.0)));
         assert_eq!(deviation.time, 20_000_000);
@@ -88,18 +94,18 @@ fn a_piece_that_is_missing_is_found_as_well_as_an_additional_one() {
 #[test]
 fn what_is_exactly_at_a_tolerance_is_the_same() {
     let rows = line(10);
-    let is_same = |change: &dyn Fn(&Row) -> Row| {
-        let present: Vec<Row> = rows.iter().map(change).collect();
+    let is_same = |change: &dyn Fn(&TraceRow) -> TraceRow| {
+        let present: Vec<TraceRow> = rows.iter().map(change).collect();
         compared(&rows, &present).is_same()
     };
     assert!(is_same(&|row| at(row, [0.0, 0.5, 0.0], [0.0; 3])));
     assert!(!is_same(&|row| at(row, [0.0, 0.500_001, 0.0], [0.0; 3])));
     assert!(is_same(&|row| at(row, [0.0; 3], [0.0, 0.499_999, 0.0])));
     assert!(!is_same(&|row| at(row, [0.0; 3], [0.0, 0.500_001, 0.0])));
-    let other_joints = |row: &Row, difference: f64| {
+    let other_joints = |row: &TraceRow, difference: f64| {
         let mut joints = row.joints;
         joints[3] += difference;
-        Row { joints, ..*row }
+        TraceRow { joints, ..*row }
     };
     assert!(is_same(&|row| other_joints(row, -10.0)));
     assert!(!is_same(&|row| other_joints(row, -10.000_001)));
@@ -129,10 +135,10 @@ fn one_slow_move_is_enough() {
 
 #[test]
 fn a_longer_rest_counts_in_the_whole_time() {
-    let rows: Vec<Row> = line(20)
+    let rows: Vec<TraceRow> = line(20)
         .into_iter()
         .zip(0..)
-        .map(|(row, place)| Row { phase: if place == 10 { MotionPhase::Waiting } else { row.phase }, ..row })
+        .map(|(row, place)| TraceRow { phase: if place == 10 { MotionPhase::Waiting } else { row.phase }, ..row })
         .collect();
     let mut present = rows.clone();
     present.iter_mut().skip(11).for_each(|row| row.time += 400_000_000);
@@ -152,11 +158,11 @@ fn moves_that_one_trace_does_not_have() {
         ([4, 3], 4, true, false)
     );
     assert_eq!((last.moving(), last.rows.clone()), (None, 31..31));
-    assert_eq!((last.deviation.unwrap().side, last.deviation.unwrap().distance.mm), (Side::Recorded, 4.0));
+    assert_eq!((last.deviation.unwrap().side, last.deviation.unwrap().distance.mm), (TraceSide::Recorded, 4.0));
     let found = compared(short, &rows);
     let last = found.moves.last().unwrap();
     assert_eq!((found.counts(), last.is_missing(), last.is_additional()), ([3, 4], false, true));
-    assert_eq!((last.deviation.unwrap().side, last.rows.clone()), (Side::Present, 31..35));
+    assert_eq!((last.deviation.unwrap().side, last.rows.clone()), (TraceSide::Present, 31..35));
 }
 
 #[test]
@@ -189,7 +195,7 @@ fn a_move_without_a_row_is_no_difference() {
     assert!(!found.is_same() && found.moves[1].is_missing() && found.first().unwrap().number == 2);
     // At another place it is a difference.
     let mut present = rows.clone();
-    present[11] = Row { id: 2.5, ..at(&rows[11], [0.0, 1.0, 0.0], [0.0; 3]) };
+    present[11] = TraceRow { id: 2.5, ..at(&rows[11], [0.0, 1.0, 0.0], [0.0; 3]) };
     let found = compared(&rows, &present);
     assert!(!found.is_same() && found.first().unwrap().deviation.unwrap().distance.mm == 1.0);
 }
@@ -210,7 +216,7 @@ proptest! {
         length in 1..10_usize,
     ) {
         let rows = line(40);
-        let present: Vec<Row> = rows
+        let present: Vec<TraceRow> = rows
             .iter()
             .enumerate()
             .map(|(place, row)| if (from..from + length).contains(&place) { at(row, way, turn) } else { *row })
@@ -226,13 +232,13 @@ proptest! {
 
     #[test]
     fn thinned_rows_are_the_same_motion(speed in 0.2..2.0_f64, bend in 0.0..10.0_f64) {
-        let curved = |row: &Row| at(row, [0.0, bend * sine(row.position().x / 5.0), 0.0], [0.0; 3]);
-        let rows: Vec<Row> = at_speed(speed, 40.0).iter().map(curved).collect();
+        let curved = |row: &TraceRow| at(row, [0.0, bend * sine(row.position().x / 5.0), 0.0], [0.0; 3]);
+        let rows: Vec<TraceRow> = at_speed(speed, 40.0).iter().map(curved).collect();
         let thin = trace(&rows).thinned();
         let read = crate::row::Trace::parse(&thin.to_text()).unwrap();
         let found = compare(&read.rows, &rows, Tolerances { mm: 0.052, degrees: 0.052, time: 0.001 });
         prop_assert!(found.is_same(), "{:?}", found.largest());
-        prop_assert_eq!(Times::of(&thin.rows, 0..thin.rows.len()), Times::of(&rows, 0..rows.len()));
+        prop_assert_eq!(TraceTimes::of(&thin.rows, 0..thin.rows.len()), TraceTimes::of(&rows, 0..rows.len()));
     }
 }
 

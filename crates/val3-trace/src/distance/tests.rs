@@ -7,12 +7,12 @@ use crate::testing::{at, line};
 
 const TOLERANCES: Tolerances = Tolerances { mm: 0.5, degrees: 0.5, time: 5.0 };
 
-fn from_path(place: &Row, path: &[Row]) -> Distance {
+fn from_path(place: &TraceRow, path: &[TraceRow]) -> Distance {
     distance(place, path, &TOLERANCES).unwrap()
 }
 
 #[track_caller]
-fn check(place: &Row, path: &[Row], mm: f64, degrees: f64, joints: f64) {
+fn check(place: &TraceRow, path: &[TraceRow], mm: f64, degrees: f64, joints: f64) {
     let found = from_path(place, path);
     let near = |value: f64, expected: f64| (value - expected).abs() < 1e-5;
     assert!(near(found.mm, mm) && near(found.degrees, degrees), "{found:?}");
@@ -20,7 +20,7 @@ fn check(place: &Row, path: &[Row], mm: f64, degrees: f64, joints: f64) {
 }
 
 /// Returns a row of the line between two cycles.
-fn between(share: f64) -> Row {
+fn between(share: f64) -> TraceRow {
     let mut row = line(1)[0];
     row.pose.translation.vector.x = share;
     row.joints[0] = share;
@@ -61,7 +61,7 @@ fn displacement_and_rotation_are_measured_apart() {
 fn a_pure_rotation_is_a_path() {
     let turned = |angle: f64| {
         let pose = Trsf::new([7.0, 0.0, 0.0], [angle, 0.0, 0.0]).isometry();
-        Row { pose, joints: [0.0, 0.0, 0.0, angle, 0.0, 0.0], ..line(1)[0] }
+        TraceRow { pose, joints: [0.0, 0.0, 0.0, angle, 0.0, 0.0], ..line(1)[0] }
     };
     let path = [turned(-30.0), turned(50.0)];
     check(&turned(12.0), &path, 0.0, 0.0, 0.0);
@@ -72,7 +72,7 @@ fn a_pure_rotation_is_a_path() {
 /// Position and rotation change together, and both determine the point of the path.
 #[test]
 fn tolerances_weigh_the_same() {
-    let place = |x: f64, angle: f64| Row {
+    let place = |x: f64, angle: f64| TraceRow {
         pose: Trsf::new([x, 0.0, 0.0], [angle, 0.0, 0.0]).isometry(),
         joints: [0.0; 6],
         ..line(1)[0]
@@ -93,14 +93,14 @@ fn tolerances_weigh_the_same() {
 /// A path that returns to a pose with another turn of axis 6.
 #[test]
 fn of_two_places_with_one_pose_the_nearer_joints_count() {
-    let turned = |turn: f64| Row { joints: [0.0, 0.0, 0.0, 0.0, 0.0, turn], ..line(1)[0] };
+    let turned = |turn: f64| TraceRow { joints: [0.0, 0.0, 0.0, 0.0, 0.0, turn], ..line(1)[0] };
     let path = [turned(0.0), turned(90.0), turned(180.0), turned(270.0), turned(360.0)];
     check(&turned(360.0), &path, 0.0, 0.0, 0.0);
     check(&turned(200.0), &path, 0.0, 0.0, 0.0);
     check(&turned(400.0), &path, 0.0, 0.0, 40.0);
     // Joints are not compared at a point beyond the tolerance.
     let elsewhere = at(&turned(400.0), [3.0, 0.0, 0.0], [0.0; 3]);
-    let moved: Vec<Row> =
+    let moved: Vec<TraceRow> =
         path.iter().enumerate().map(|(step, row)| at(row, [-(step as f64), 0.0, 0.0], [0.0; 3])).collect();
     assert_eq!(from_path(&elsewhere, &moved).mm, 3.0);
 }
@@ -108,7 +108,7 @@ fn of_two_places_with_one_pose_the_nearer_joints_count() {
 /// If two points are equally near, the first is selected.
 #[test]
 fn equal_distances_do_not_change_the_place() {
-    let place = |y: f64| at(&Row { joints: [0.0; 6], ..line(1)[0] }, [0.0, y, 0.0], [0.0; 3]);
+    let place = |y: f64| at(&TraceRow { joints: [0.0; 6], ..line(1)[0] }, [0.0, y, 0.0], [0.0; 3]);
     let found = from_path(&place(0.0), &[place(4.0), place(4.0), place(-4.0), place(-4.0)]);
     assert_eq!(found.mm, 0.0);
     let far = |x: f64, y: f64| at(&place(y), [x, 0.0, 0.0], [0.0; 3]);

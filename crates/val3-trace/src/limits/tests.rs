@@ -10,13 +10,13 @@ fn zone(min: [f64; 3], max: [f64; 3]) -> Zone {
     Zone::new(min, max, &IsometryMatrix3::identity())
 }
 
-fn violation(limit: Limit, rows: &[Row]) -> Option<Violation> {
+fn violation(limit: Limit, rows: &[TraceRow]) -> Option<Violation> {
     limit.violation(rows, 0..rows.len())
 }
 
 /// Returns the line with steps of 8 mm, at 2 m/s.
-fn fast() -> Vec<Row> {
-    let row = |row: &Row| Row { speed: 2000.0, ..at(row, [7.0 * row.position().x, 0.0, 0.0], [0.0; 3]) };
+fn fast() -> Vec<TraceRow> {
+    let row = |row: &TraceRow| TraceRow { speed: 2000.0, ..at(row, [7.0 * row.position().x, 0.0, 0.0], [0.0; 3]) };
     line(10).iter().map(row).collect()
 }
 
@@ -82,7 +82,7 @@ fn a_distance_to_a_box_between_two_rows() {
 #[test]
 fn a_jump_is_no_way() {
     let rows = line(6);
-    let jump = |rows: &[Row]| {
+    let jump = |rows: &[TraceRow]| {
         let mut rows = rows.to_vec();
         rows[3..].iter_mut().for_each(|row| row.pose.translation.vector.z += 100.0);
         rows
@@ -100,7 +100,7 @@ fn a_jump_is_no_way() {
 #[test]
 fn rows_at_rest_have_no_speed() {
     let mut rows = line(3);
-    rows[2] = Row { phase: MotionPhase::Waiting, speed: 0.0, pose: rows[1].pose, ..rows[2] };
+    rows[2] = TraceRow { phase: MotionPhase::Waiting, speed: 0.0, pose: rows[1].pose, ..rows[2] };
     let clear = Limit::Clear { zone: zone([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]), least: 1.0 };
     assert_eq!(violation(clear, &rows[1..]).map(|found| (found.value, found.row)), Some((0.0, 0)));
     assert_eq!(violation(clear, &[]), None);

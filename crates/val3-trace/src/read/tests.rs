@@ -91,7 +91,7 @@ proptest! {
     ) {
         let rows = line(places.len()).into_iter().zip(&places).map(|(row, (blends, place, turn))| {
             let phase = if *blends { MotionPhase::Blend } else { MotionPhase::Waiting };
-            Row { phase, pose: Trsf::new(*place, *turn).isometry(), ..row }
+            TraceRow { phase, pose: Trsf::new(*place, *turn).isometry(), ..row }
         });
         let written = trace(&rows.collect::<Vec<_>>());
         let read = Trace::parse(&written.to_text()).unwrap();

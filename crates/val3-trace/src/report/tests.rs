@@ -6,14 +6,14 @@ use val3_motion::MotionPhase;
 
 use super::*;
 use crate::comparison::compare;
-use crate::row::Row;
+use crate::row::TraceRow;
 use crate::testing::{at, line, trace};
 use crate::zone::Zone;
 
 const TOLERANCES: Tolerances = Tolerances { mm: 0.5, degrees: 0.5, time: 5.0 };
 
 /// Returns a recording whose moves come from consecutive lines.
-fn recording(rows: &[Row]) -> Recording {
+fn recording(rows: &[TraceRow]) -> MotionRecording {
     let source = |number: i64| CodeSource {
         instruction: "movel",
         at: Default::default(),
@@ -21,11 +21,11 @@ fn recording(rows: &[Row]) -> Recording {
         line: 10 + number as u32,
         file: "start.pgx".to_owned(),
     };
-    Recording::with_sources(trace(rows), source)
+    MotionRecording::with_sources(trace(rows), source)
 }
 
 #[track_caller]
-fn check(recorded: &[Row], present: &[Row], expected: Expect) {
+fn check(recorded: &[TraceRow], present: &[TraceRow], expected: Expect) {
     let findings = describe(&compare(recorded, present, TOLERANCES), &recording(present));
     let line = |finding: &Finding| {
         let source = finding.source.as_ref().map_or(String::new(), |source| format!(" [{}]", source.line));
@@ -35,7 +35,7 @@ fn check(recorded: &[Row], present: &[Row], expected: Expect) {
 }
 
 /// Moves and turns a range of rows.
-fn changed(rows: &[Row], part: std::ops::Range<usize>, way: [f64; 3], turn: [f64; 3]) -> Vec<Row> {
+fn changed(rows: &[TraceRow], part: std::ops::Range<usize>, way: [f64; 3], turn: [f64; 3]) -> Vec<TraceRow> {
     let mut rows = rows.to_vec();
     rows[part].iter_mut().for_each(|row| *row = at(row, way, turn));
     rows
@@ -160,11 +160,11 @@ fn moves_that_differ() {
 }
 
 /// Extends the time before some rows by milliseconds.
-fn slowed(rows: &[Row], part: std::ops::Range<usize>, each: u64) -> Vec<Row> {
+fn slowed(rows: &[TraceRow], part: std::ops::Range<usize>, each: u64) -> Vec<TraceRow> {
     let mut late = 0;
-    let row = |(place, row): (usize, &Row)| {
+    let row = |(place, row): (usize, &TraceRow)| {
         late += if part.contains(&place) { each * 1_000_000 } else { 0 };
-        Row { time: row.time + late, ..*row }
+        TraceRow { time: row.time + late, ..*row }
     };
     rows.iter().enumerate().map(row).collect()
 }
@@ -211,10 +211,10 @@ fn times_that_differ() {
             the whole motion takes 0.724 s instead of 0.364 s (+98.9 %)
         "#]],
     );
-    let resting: Vec<Row> = rows
+    let resting: Vec<TraceRow> = rows
         .iter()
         .enumerate()
-        .map(|(place, row)| if place == 10 { Row { phase: MotionPhase::Waiting, ..*row } } else { *row })
+        .map(|(place, row)| if place == 10 { TraceRow { phase: MotionPhase::Waiting, ..*row } } else { *row })
         .collect();
     check(
         &resting,

@@ -3,7 +3,7 @@ use val3_machine::controller::Controller;
 use val3_tests::running::Running;
 
 use super::*;
-use crate::positions::Positions;
+use crate::positions::PositionComputer;
 
 const LISTING: &str = r#"
 frame fTable
@@ -31,7 +31,8 @@ fn run(controller: &mut Controller, name: &str, arguments: Value) -> Result<(), 
 }
 
 fn shown_point(controller: &Controller) -> Value {
-    let points = Positions::new(&positions::data(controller), &controller.vm.space.memory).of_type(BaseType::Point);
+    let points =
+        PositionComputer::new(&positions::data(controller), &controller.vm.space.memory).of_type(BaseType::Point);
     json!(points.into_iter().find(|point| point.name == "pPick" && point.key.as_deref() == Some("1")).unwrap())
 }
 

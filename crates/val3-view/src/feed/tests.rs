@@ -40,7 +40,7 @@ end
 "#;
 
 /// All messages of a run for 1 s.
-fn run(listing: &str) -> Vec<Message> {
+fn run(listing: &str) -> Vec<ViewerMessage> {
     let mut controller = Running::start(listing).controller;
     let mut feed = Feed::new(&controller, Role::Operator);
     while controller.now() < 1_000_000_000 {
@@ -55,9 +55,9 @@ fn run(listing: &str) -> Vec<Message> {
     feed.take()
 }
 
-fn objects<'m>(messages: &'m [Message], kind: &'m str) -> impl Iterator<Item = &'m Value> {
+fn objects<'m>(messages: &'m [ViewerMessage], kind: &'m str) -> impl Iterator<Item = &'m Value> {
     messages.iter().filter_map(move |message| match message {
-        Message::Object(value) if value["kind"] == kind => Some(value),
+        ViewerMessage::Object(value) if value["kind"] == kind => Some(value),
         _ => None,
     })
 }
@@ -68,8 +68,8 @@ fn a_run_begins_with_its_scene_and_its_whole_state() {
     let kinds: Vec<&str> = messages
         .iter()
         .map(|message| match message {
-            Message::Object(value) => value["kind"].as_str().unwrap(),
-            Message::Samples(_) => "samples",
+            ViewerMessage::Object(value) => value["kind"].as_str().unwrap(),
+            ViewerMessage::Samples(_) => "samples",
         })
         .take(5)
         .collect();
@@ -79,7 +79,7 @@ fn a_run_begins_with_its_scene_and_its_whole_state() {
     let page = objects(&messages, "page").last().unwrap();
     assert_eq!((&page["title"], &page["lines"][0]), (&json!("cell"), &json!("ready")));
     let end = messages.last().unwrap();
-    assert_eq!(end, &Message::Object(json!({ "kind": "end", "t": 1.0, "reason": "limit", "exitCode": 3 })));
+    assert_eq!(end, &ViewerMessage::Object(json!({ "kind": "end", "t": 1.0, "reason": "limit", "exitCode": 3 })));
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn equal_runs_have_equal_messages() {
 #[test]
 fn an_arm_that_rests_has_one_sample() {
     let messages = run("program start()\nbegin\n  delay(10)\nend\n");
-    let samples = messages.iter().filter(|message| matches!(message, Message::Samples(_)));
+    let samples = messages.iter().filter(|message| matches!(message, ViewerMessage::Samples(_)));
     assert_eq!(samples.count(), 1);
 }
 
@@ -118,7 +118,7 @@ fn a_run_that_goes_back_forgets_what_followed() {
     controller.restore(&snapshot);
     feed.refresh(&controller);
     let messages = feed.take();
-    assert_eq!(messages.first(), Some(&Message::Object(json!({ "kind": "rewind", "t": 0.0 }))));
+    assert_eq!(messages.first(), Some(&ViewerMessage::Object(json!({ "kind": "rewind", "t": 0.0 }))));
     let page = objects(&messages, "page").next().unwrap();
     assert_eq!(page["lines"][0], "");
     assert!(objects(&messages, "state").count() == 1);

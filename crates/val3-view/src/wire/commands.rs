@@ -58,7 +58,7 @@ pub struct Teach {
     /// Data name, prefixed by the library.
     pub name: String,
     /// Index or key; `null` for data with a single value.
-    pub key: Option<Key>,
+    pub key: Option<ElementKey>,
 }
 
 /// Arguments of `setPoint`.
@@ -67,7 +67,7 @@ pub struct SetPoint {
     /// Data name, prefixed by the library.
     pub name: String,
     /// Index or key; `null` for data with a single value.
-    pub key: Option<Key>,
+    pub key: Option<ElementKey>,
     /// New pose relative to the father.
     pub local: Pose,
 }
@@ -75,7 +75,7 @@ pub struct SetPoint {
 /// Element index or key.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(untagged)]
-pub enum Key {
+pub enum ElementKey {
     /// Index in an array of one dimension.
     Index(u64),
     /// Index, indexes or key as text: `1`, `1,2`, `left`.
@@ -204,7 +204,7 @@ impl Arguments for Teach {
     fn read(arguments: &Map<String, Value>) -> Result<Self, CommandError> {
         let name = value(arguments, "name", "`name` is that of a point")?;
         let reason = "`key` is a whole number from 0, or a text: \"1\", \"1,2\" or the key of a collection";
-        Ok(Self { name, key: optional::<Option<Key>>(arguments, "key", reason)?.flatten() })
+        Ok(Self { name, key: optional::<Option<ElementKey>>(arguments, "key", reason)?.flatten() })
     }
 }
 
@@ -238,7 +238,7 @@ impl Arguments for RecordScenario {
     }
 }
 
-impl Key {
+impl ElementKey {
     /// Text as in the names of points.
     #[must_use]
     pub fn into_text(self) -> String {

@@ -2,7 +2,7 @@
 
 use val3_lang::ports::{TaskNumber, Time};
 
-use super::{Flow, Schedule};
+use super::{CycleFlow, Schedule};
 use crate::{CycleEnd, Grant, Host, Rate, Task, TurnEnd, Vm};
 
 /// Rounds of a cycle. In a round each task that can run has one turn.
@@ -31,7 +31,13 @@ impl Schedule {
     }
 
     /// Runs turns of tasks until the cycle ends or all tasks wait.
-    pub(super) fn asynchronous(&mut self, rounds: &mut Rounds, end: Time, vm: &mut Vm, host: &mut dyn Host) -> Flow {
+    pub(super) fn asynchronous(
+        &mut self,
+        rounds: &mut Rounds,
+        end: Time,
+        vm: &mut Vm,
+        host: &mut dyn Host,
+    ) -> CycleFlow {
         if let Some(id) = rounds.suspended.take()
             && let Some((id, grant)) = self.suspended_turn(id, vm, end)
         {
@@ -44,7 +50,7 @@ impl Schedule {
                 None => self.end_round(rounds, end, vm)?,
             }
         }
-        Flow::Continue(())
+        CycleFlow::Continue(())
     }
 
     fn asynchronous_turn(
@@ -53,7 +59,7 @@ impl Schedule {
         (id, grant): (TaskNumber, Grant),
         vm: &mut Vm,
         host: &mut dyn Host,
-    ) -> Flow {
+    ) -> CycleFlow {
         let turn = vm.turn(id, grant, (self.now, self.line_cost), host);
         self.now += Time::from(turn.lines) * self.line_cost;
         vm.set_left(id, turn.left);
@@ -67,29 +73,29 @@ impl Schedule {
         rounds.round.reads_clock |= turn.reads_clock;
         rounds.any |= has_run;
         if let Some(end) = suspension {
-            return Flow::Break(end);
+            return CycleFlow::Break(end);
         }
         if host.is_interrupted() {
-            return Flow::Break(CycleEnd::Suspended);
+            return CycleFlow::Break(CycleEnd::Suspended);
         }
         self.check_watch(id, &turn)
     }
 
     /// Begins another round. If all tasks wait, it begins at the next wake-up time.
-    fn end_round(&mut self, rounds: &mut Rounds, end: Time, vm: &Vm) -> Flow {
+    fn end_round(&mut self, rounds: &mut Rounds, end: Time, vm: &Vm) -> CycleFlow {
         self.next = TaskNumber(0);
         let round = std::mem::take(&mut rounds.round);
         if round.has_run {
-            return Flow::Continue(());
+            return CycleFlow::Continue(());
         }
         let wake = self.wake(vm);
         match wake.filter(|wake| *wake < end) {
             Some(wake) => self.now = self.now.max(wake),
             // No time may be skipped while a task polls the clock.
-            None if rounds.any || round.reads_clock => return Flow::Break(CycleEnd::Busy),
-            None => return Flow::Break(CycleEnd::Waiting(wake)),
+            None if rounds.any || round.reads_clock => return CycleFlow::Break(CycleEnd::Busy),
+            None => return CycleFlow::Break(CycleEnd::Waiting(wake)),
         }
-        Flow::Continue(())
+        CycleFlow::Continue(())
     }
 
     /// Returns the rest of a suspended turn; `None` if the task no longer exists.

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use val3_lang::ports::{TaskNumber, Time};
 
-use super::{Flow, Schedule};
+use super::{CycleFlow, Schedule};
 use crate::{Grant, Host, Rate, Task, TurnEnd, Vm};
 
 /// Largest number of lines that a synchronous task executes in a cycle (5.5).
@@ -53,12 +53,12 @@ impl Schedule {
     }
 
     /// Runs each due task's turn.
-    pub(super) fn synchronous(&mut self, due: &mut DueTasks, vm: &mut Vm, host: &mut dyn Host) -> Flow {
+    pub(super) fn synchronous(&mut self, due: &mut DueTasks, vm: &mut Vm, host: &mut dyn Host) -> CycleFlow {
         loop {
             if due.turn.is_none() {
                 due.turn = self.begin_turn(&mut due.tasks, vm);
             }
-            let Some(turn) = &mut due.turn else { return Flow::Continue(()) };
+            let Some(turn) = &mut due.turn else { return CycleFlow::Continue(()) };
             self.synchronous_turn(turn, vm, host)?;
             if self.now - turn.start > turn.period {
                 self.skip_period(vm, turn.id);
@@ -79,7 +79,7 @@ impl Schedule {
     }
 
     /// Executes the lines of a turn. An instruction that uses time outside the program delays the rest of the cycle.
-    fn synchronous_turn(&mut self, turn: &mut SynchronousTurn, vm: &mut Vm, host: &mut dyn Host) -> Flow {
+    fn synchronous_turn(&mut self, turn: &mut SynchronousTurn, vm: &mut Vm, host: &mut dyn Host) -> CycleFlow {
         while !turn.is_over && can_run(vm, turn.id) {
             self.check_limit()?;
             let lines = turn.lines.min(self.lines_until_stop(turn.id, vm));
@@ -87,7 +87,7 @@ impl Schedule {
             self.now += Time::from(report.lines) * self.line_cost;
             turn.lines = turn.lines.saturating_sub(report.lines);
             if let Some(end) = report.end.cycle_end() {
-                return Flow::Break(end);
+                return CycleFlow::Break(end);
             }
             match report.end {
                 TurnEnd::Busy => turn.is_over = turn.lines == 0,
@@ -99,7 +99,7 @@ impl Schedule {
             }
             self.check_watch(turn.id, &report)?;
         }
-        Flow::Continue(())
+        CycleFlow::Continue(())
     }
 
     /// Reports to the task whether its last period was too short (5.6), and sets the beginning of the next period.

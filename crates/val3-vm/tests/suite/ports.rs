@@ -5,8 +5,8 @@ use val3_kinematics::{Arm, Dh};
 use val3_lang::fault::Result;
 use val3_lang::memory::Place;
 use val3_lang::ports::{
-    InputKind, InputResult, Io, IoDescription, LineValue, Media, Motion, MoveRequest, Outgoing, Reply, Robot, Screen,
-    Serial, Time,
+    InputKind, InputResult, IoDescription, IoPort, LineValue, MediaPort, MotionPort, MoveRequest, Outgoing, Reply,
+    Robot, Screen, Serial, Time,
 };
 use val3_lang::types::BaseType;
 use val3_lang::values::date::DateTime;
@@ -24,7 +24,7 @@ macro_rules! absent {
     };
 }
 
-impl Io for Host {
+impl IoPort for Host {
     absent! {
         fn read_digital(&mut self, _: Option<u32>) -> Result<bool>;
         fn write_digital(&mut self, _: Option<u32>, _: bool) -> Result<()>;
@@ -38,7 +38,7 @@ impl Io for Host {
     }
 }
 
-impl Media for Host {
+impl MediaPort for Host {
     absent! {
         fn delete_library(&mut self, _: &str, _: &str) -> u16;
         fn list(&mut self, _: &str, _: &str) -> Option<Vec<String>>;
@@ -55,7 +55,7 @@ impl Media for Host {
     }
 }
 
-impl Motion for Host {
+impl MotionPort for Host {
     absent! {
         fn arm(&mut self) -> &Arm;
         fn set_dh(&mut self, _: &Dh) -> Result<bool>;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use expect_test::expect;
 use val3_lang::ports::TaskNumber;
-use val3_vm::{CycleEnd, Watch};
+use val3_vm::{CycleEnd, CycleWatch};
 
 use crate::host::{Bench, LINE};
 
@@ -104,7 +104,7 @@ fn a_removed_mark_stops_no_task() {
 
 #[test]
 fn stops_change_no_line_and_no_time() {
-    let record = |rows: &[u32], watch: Watch| {
+    let record = |rows: &[u32], watch: CycleWatch| {
         let mut bench = Bench::new(TASKS);
         for file in FILES {
             stop_at(&mut bench, file, rows);
@@ -113,19 +113,19 @@ fn stops_change_no_line_and_no_time() {
         stops(&mut bench, 9000 * LINE);
         (bench.host.record, bench.host.changes, bench.schedule.now, format!("{:?}", bench.vm.tasks()[0].thread.next))
     };
-    let whole = record(&[], Watch::Nothing);
+    let whole = record(&[], CycleWatch::Nothing);
     assert_eq!(whole.0.lines().count(), 3);
     for rows in [&[1][..], &[2], &[1, 2], &[0, 1, 2, 3, 4, 5]] {
-        assert_eq!(record(rows, Watch::Failures), whole, "{rows:?}");
-        assert_eq!(record(rows, Watch::Lines), whole, "{rows:?}");
+        assert_eq!(record(rows, CycleWatch::Failures), whole, "{rows:?}");
+        assert_eq!(record(rows, CycleWatch::Lines), whole, "{rows:?}");
     }
-    assert_eq!(record(&[], Watch::Lines), whole);
+    assert_eq!(record(&[], CycleWatch::Lines), whole);
 }
 
 #[test]
 fn a_cycle_can_stop_after_each_line() {
     let mut bench = Bench::new(TASKS);
-    bench.schedule.watch = Watch::Lines;
+    bench.schedule.watch = CycleWatch::Lines;
     bench.schedule.limit = Some(6 * LINE);
     let mut seen = Vec::new();
     while let CycleEnd::Seen(task) = bench.cycle() {
@@ -164,7 +164,7 @@ fn a_watched_task_stops_after_the_line_that_it_has_waited_in() {
     bench.schedule.limit = Some(100 * LINE);
     assert_eq!(bench.cycle(), CycleEnd::Limit);
     bench.schedule.limit = None;
-    bench.schedule.watch = Watch::Lines;
+    bench.schedule.watch = CycleWatch::Lines;
     let mut seen = Vec::new();
     while let CycleEnd::Seen(task) = bench.cycle() {
         let is_left = bench.vm.tasks().iter().any(|known| known.id == task);
@@ -176,7 +176,7 @@ fn a_watched_task_stops_after_the_line_that_it_has_waited_in() {
 #[test]
 fn a_cycle_can_stop_after_a_run_time_error() {
     let mut bench = Bench::new("program start\nframe n2\nline 1 Line\nline 4 Divide n0 n0 n1\nReturn\nend");
-    bench.schedule.watch = Watch::Failures;
+    bench.schedule.watch = CycleWatch::Failures;
     assert_eq!(bench.cycle(), CycleEnd::Seen(bench.start));
     assert!(bench.schedule.is_within_cycle());
 }

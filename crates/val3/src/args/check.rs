@@ -3,11 +3,11 @@
 use camino::Utf8PathBuf;
 use val3_lang::versions::Version;
 
-use super::{InputArgs, Output};
+use super::{InputArgs, ReportOutput};
 use crate::baseline::Mode;
-use crate::format::Format;
+use crate::format::ReportFormat;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
-use crate::report::Severity;
+use crate::report::FindingSeverity;
 
 /// Arguments of `val3 check`.
 #[derive(Debug, clap::Args)]
@@ -24,13 +24,13 @@ pub(crate) struct CheckArgs {
     pub(crate) input: InputArgs,
     /// How findings are written to the standard output
     #[arg(help_heading = "Output", long, default_value = "human")]
-    pub(crate) format: Format,
+    pub(crate) format: ReportFormat,
     /// Also write the findings to a file, in a separate format; may be repeated
     #[arg(help_heading = "Output", long, value_name = "FORMAT=FILE")]
-    pub(crate) output: Vec<Output>,
+    pub(crate) output: Vec<ReportOutput>,
     /// The lowest level at which the check fails
     #[arg(help_heading = "Exit code", long, value_name = "LEVEL", default_value = "error")]
-    pub(crate) fail_level: Severity,
+    pub(crate) fail_level: FindingSeverity,
     /// Exit with 0 even when there are findings
     #[arg(hide_short_help = true, help_heading = "Exit code", long)]
     pub(crate) exit_zero: bool,

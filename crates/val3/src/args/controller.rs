@@ -7,7 +7,7 @@ use val3_lang::values::date::DateTime;
 use val3_machine::controller_state::Calendar;
 use val3_machine::sio::SocketGuard;
 
-use val3_session::{Connection, ControllerSettings, Root, line_cost};
+use val3_session::{Connection, ControllerSettings, PathRoot, line_cost};
 use val3_suite::ControllerKeys;
 
 /// The properties of the virtual controller.
@@ -18,7 +18,7 @@ pub(crate) struct ControllerArgs {
     pub(crate) arm: Option<String>,
     /// Map a root of paths to a folder: USB0=/media/stick; may be repeated
     #[arg(hide_short_help = true, help_heading = "Controller", long, value_name = "NAME=DIR", value_parser = root)]
-    pub(crate) root: Vec<Root>,
+    pub(crate) root: Vec<PathRoot>,
     /// Connect a serial line or socket, overriding the cell: Socket\host=server:2000,
     /// Socket\host=client:127.0.0.1:2000, Socket\host=udp:2000, Serial\a=serial:/dev/ttyS0; may be repeated
     #[arg(help_heading = "Controller", long, value_name = "LINK=END")]
@@ -84,12 +84,12 @@ impl ControllerArgs {
     }
 }
 
-fn root(text: &str) -> Result<Root, String> {
+fn root(text: &str) -> Result<PathRoot, String> {
     let (name, folder) = text
         .split_once('=')
         .filter(|(name, folder)| !name.is_empty() && !folder.is_empty())
         .ok_or("write NAME=DIR, for example USB0=/media/stick")?;
-    Ok(Root { name: name.to_owned(), folder: folder.into() })
+    Ok(PathRoot { name: name.to_owned(), folder: folder.into() })
 }
 
 fn date(text: &str) -> Result<Calendar, String> {

@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 
-use super::Output;
+use super::ReportOutput;
 
 /// A form of reports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -25,7 +25,7 @@ pub(crate) struct CoverageArgs {
     coverage: bool,
     /// Write the coverage in a format (lcov, cobertura, html, json) to a file, or to a folder for html; may be repeated
     #[arg(hide_short_help = true, help_heading = "Coverage", long, value_name = "FORMAT=FILE")]
-    pub(crate) coverage_output: Vec<Output<CoverageFormat>>,
+    pub(crate) coverage_output: Vec<ReportOutput<CoverageFormat>>,
     /// Fail if fewer lines than these per cent were executed
     #[arg(hide_short_help = true, help_heading = "Coverage", long, value_name = "PCT", value_parser = percent)]
     pub(crate) fail_under: Option<f64>,

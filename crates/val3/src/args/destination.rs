@@ -2,29 +2,29 @@
 
 use camino::Utf8Path;
 
-use super::{ArmAction, CheckArgs, Command, DiffFormat, FmtArgs};
-use crate::format::Format;
-use crate::output::file_kind::FileKind;
+use super::{ArmAction, CheckArgs, CommandLine, DiffFormat, FmtArgs};
+use crate::format::ReportFormat;
+use crate::output::file_kind::OutputFileKind;
 use crate::user_error::UserError;
 
-impl Command {
+impl CommandLine {
     /// Returns the file that replaces the standard output, and its file kind.
     ///
     /// # Errors
     /// The arguments of `check` request another format or several files for a text that is only human-readable.
-    pub(crate) fn destination(&self) -> Result<Option<(&Utf8Path, FileKind)>, UserError> {
+    pub(crate) fn destination(&self) -> Result<Option<(&Utf8Path, OutputFileKind)>, UserError> {
         let (args, kind) = match self {
             Self::Check(args) => return text_of_check(args),
             Self::Fmt(args) => (&args.output, kind_of_fmt(args)),
             Self::Diff(args) => (&args.output, kind_of_diff(args.format)),
-            Self::Run(args) => (&args.output, if args.scene { FileKind::Json } else { FileKind::Text }),
-            Self::Eval(args) => (&args.output, FileKind::Text),
-            Self::Explain(args) => (&args.output, FileKind::Text),
-            Self::Schema(args) => (&args.output, FileKind::Json),
-            Self::Completions(args) => (&args.output, FileKind::Text),
+            Self::Run(args) => (&args.output, if args.scene { OutputFileKind::Json } else { OutputFileKind::Text }),
+            Self::Eval(args) => (&args.output, OutputFileKind::Text),
+            Self::Explain(args) => (&args.output, OutputFileKind::Text),
+            Self::Schema(args) => (&args.output, OutputFileKind::Json),
+            Self::Completions(args) => (&args.output, OutputFileKind::Text),
             Self::Arm(args) => match &args.action {
-                ArmAction::List(args) => (&args.output, FileKind::Text),
-                ArmAction::Show(args) => (&args.output, FileKind::Text),
+                ArmAction::List(args) => (&args.output, OutputFileKind::Text),
+                ArmAction::Show(args) => (&args.output, OutputFileKind::Text),
                 ArmAction::Measure(_) | ArmAction::Fit(_) => return Ok(None),
             },
             Self::New(_)
@@ -42,30 +42,31 @@ impl Command {
     }
 }
 
-fn kind_of_fmt(args: &FmtArgs) -> FileKind {
-    if args.check || args.diff { FileKind::Text } else { FileKind::Program }
+fn kind_of_fmt(args: &FmtArgs) -> OutputFileKind {
+    if args.check || args.diff { OutputFileKind::Text } else { OutputFileKind::Program }
 }
 
-const fn kind_of_diff(format: DiffFormat) -> FileKind {
+const fn kind_of_diff(format: DiffFormat) -> OutputFileKind {
     match format {
-        DiffFormat::Json => FileKind::Json,
-        DiffFormat::Html => FileKind::Html,
-        DiffFormat::Human | DiffFormat::Markdown => FileKind::Text,
+        DiffFormat::Json => OutputFileKind::Json,
+        DiffFormat::Html => OutputFileKind::Html,
+        DiffFormat::Human | DiffFormat::Markdown => OutputFileKind::Text,
     }
 }
 
 /// Returns the human-readable output file of `--diff` or `--explain-config`, whose text has no other format:
 /// `--output human=FILE`.
-fn text_of_check(args: &CheckArgs) -> Result<Option<(&Utf8Path, FileKind)>, UserError> {
+fn text_of_check(args: &CheckArgs) -> Result<Option<(&Utf8Path, OutputFileKind)>, UserError> {
     let option = match (args.diff, args.explain_config) {
         (true, _) => "--diff",
         (_, true) => "--explain-config",
         _ => return Ok(None),
     };
-    let is_plain = args.format == Format::Human && args.output.iter().all(|output| output.format == Format::Human);
+    let is_plain =
+        args.format == ReportFormat::Human && args.output.iter().all(|output| output.format == ReportFormat::Human);
     match args.output.as_slice() {
         [] if is_plain => Ok(None),
-        [output] if is_plain => Ok(Some((&output.path, FileKind::Text))),
+        [output] if is_plain => Ok(Some((&output.path, OutputFileKind::Text))),
         _ => Err(UserError::new(format!("{option} prints only the format `human`"))
             .with_help(format!("omit --format, and write {option} --output human=FILE for a file"))),
     }

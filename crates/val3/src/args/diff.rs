@@ -3,7 +3,7 @@
 use camino::Utf8PathBuf;
 use clap::ValueEnum;
 use val3_diff::report::Detail;
-use val3_diff::{Class, Exclusions, Layout, NamePattern, Tolerance};
+use val3_diff::{BlankComparison, Exclusions, NamePattern, ReportClass, Tolerance};
 
 use super::OutputArgs;
 
@@ -45,7 +45,7 @@ pub(crate) struct DiffArgs {
     pub(crate) format: DiffFormat,
     /// Only these parts, separated by commas
     #[arg(long, value_name = "PARTS", value_delimiter = ',')]
-    pub(crate) only: Vec<Part>,
+    pub(crate) only: Vec<ReportPart>,
     /// Print a table by application with the numbers of differences and the greatest movement
     #[arg(long, conflicts_with = "textconv")]
     pub(crate) stat: bool,
@@ -86,7 +86,8 @@ pub(crate) enum Ignorable {
 impl DiffArgs {
     /// Differences that the report omits.
     pub(crate) fn exclusions(&self) -> Exclusions {
-        let layout = if self.ignore.contains(&Ignorable::Layout) { Layout::Ignored } else { Layout::Compared };
+        let layout =
+            if self.ignore.contains(&Ignorable::Layout) { BlankComparison::Ignored } else { BlankComparison::Compared };
         Exclusions { tolerance: self.tolerance, names: self.ignore_data.clone(), layout }
     }
 
@@ -98,7 +99,7 @@ impl DiffArgs {
 
 /// A part of the report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Part {
+pub(crate) enum ReportPart {
     /// Programs
     Programs,
     /// Data that are neither positions nor inputs and outputs
@@ -115,16 +116,16 @@ pub(crate) enum Part {
     Files,
 }
 
-impl From<Part> for Class {
-    fn from(part: Part) -> Self {
+impl From<ReportPart> for ReportClass {
+    fn from(part: ReportPart) -> Self {
         match part {
-            Part::Programs => Self::Programs,
-            Part::Data => Self::Data,
-            Part::Points => Self::Points,
-            Part::Io => Self::Io,
-            Part::Libraries => Self::Libraries,
-            Part::Configuration => Self::Configuration,
-            Part::Files => Self::Files,
+            ReportPart::Programs => Self::Programs,
+            ReportPart::Data => Self::Data,
+            ReportPart::Points => Self::Points,
+            ReportPart::Io => Self::Io,
+            ReportPart::Libraries => Self::Libraries,
+            ReportPart::Configuration => Self::Configuration,
+            ReportPart::Files => Self::Files,
         }
     }
 }

@@ -5,18 +5,18 @@ use std::str::FromStr;
 use camino::Utf8PathBuf;
 use clap::ValueEnum;
 
-use crate::format::Format;
+use crate::format::ReportFormat;
 
 /// An output file and its format.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Output<F = Format> {
+pub(crate) struct ReportOutput<F = ReportFormat> {
     /// Format.
     pub(crate) format: F,
     /// Path; an existing file is replaced.
     pub(crate) path: Utf8PathBuf,
 }
 
-impl<F: ValueEnum> FromStr for Output<F> {
+impl<F: ValueEnum> FromStr for ReportOutput<F> {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -41,11 +41,11 @@ mod tests {
 
     #[test]
     fn an_output_names_format_and_file() {
-        let output: Output = "json-lines=out/a=b.json".parse().unwrap();
-        assert_eq!(output.format, Format::JsonLines);
+        let output: ReportOutput = "json-lines=out/a=b.json".parse().unwrap();
+        assert_eq!(output.format, ReportFormat::JsonLines);
         assert_eq!(output.path, "out/a=b.json");
-        assert!("json".parse::<Output>().is_err());
-        assert!("json=".parse::<Output>().is_err());
-        assert!("yaml=x".parse::<Output>().unwrap_err().contains("concise"));
+        assert!("json".parse::<ReportOutput>().is_err());
+        assert!("json=".parse::<ReportOutput>().is_err());
+        assert!("yaml=x".parse::<ReportOutput>().unwrap_err().contains("concise"));
     }
 }

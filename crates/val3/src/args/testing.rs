@@ -5,12 +5,12 @@ use std::ops::RangeInclusive;
 use camino::Utf8PathBuf;
 use clap::ValueEnum;
 
-use super::Output;
+use super::ReportOutput;
 use super::controller::ControllerArgs;
 use super::coverage::CoverageArgs;
 use super::test_selection::SelectionArgs;
-use crate::output::Content;
-use crate::output::file_kind::FileKind;
+use crate::output::OutputContent;
+use crate::output::file_kind::OutputFileKind;
 use crate::test::Shard;
 
 /// A form of results.
@@ -34,21 +34,21 @@ pub(crate) enum TestFormat {
 
 impl TestFormat {
     /// Content kind of the output.
-    pub(crate) fn content(self) -> Content {
+    pub(crate) fn content(self) -> OutputContent {
         match self {
-            Self::Json | Self::JsonLines => Content::Json,
-            Self::Github => Content::Commands,
-            Self::Human | Self::Html | Self::Junit | Self::Tap => Content::Words,
+            Self::Json | Self::JsonLines => OutputContent::Json,
+            Self::Github => OutputContent::Commands,
+            Self::Human | Self::Html | Self::Junit | Self::Tap => OutputContent::Words,
         }
     }
 
     /// File kind of a report in this format.
-    pub(crate) fn file_kind(self) -> FileKind {
+    pub(crate) fn file_kind(self) -> OutputFileKind {
         match self {
-            Self::Json | Self::JsonLines => FileKind::Json,
-            Self::Junit => FileKind::XmlReport,
-            Self::Html => FileKind::Html,
-            Self::Human | Self::Tap | Self::Github => FileKind::Text,
+            Self::Json | Self::JsonLines => OutputFileKind::Json,
+            Self::Junit => OutputFileKind::XmlReport,
+            Self::Html => OutputFileKind::Html,
+            Self::Human | Self::Tap | Self::Github => OutputFileKind::Text,
         }
     }
 }
@@ -105,7 +105,7 @@ pub(crate) struct TestArgs {
     pub(crate) quiet: bool,
     /// Also write results in this format to a file, such as junit=tests.xml; may be repeated
     #[arg(help_heading = "Output", long, value_name = "FORMAT=FILE", conflicts_with_all = ["list", "init"])]
-    pub(crate) output: Vec<Output<TestFormat>>,
+    pub(crate) output: Vec<ReportOutput<TestFormat>>,
     /// The seconds of the controller's clock after which a test has failed [default: 60, or the value in val3.toml]
     #[arg(hide_short_help = true, help_heading = "Execution", long, value_name = "SECONDS", value_parser = limit)]
     pub(crate) limit: Option<f64>,

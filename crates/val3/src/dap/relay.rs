@@ -6,7 +6,9 @@ use std::net::{Ipv4Addr, TcpStream};
 use std::thread;
 
 use serde_json::{Map, Value};
-use val3_dap::{Content, Handshake, Incoming, MessageReader, MessageWriter, ProtocolMessage, Request, SessionStart};
+use val3_dap::{
+    Handshake, Incoming, MessageContent, MessageReader, MessageWriter, ProtocolMessage, SessionStart, StandardRequest,
+};
 
 use crate::output::to_stderr;
 
@@ -38,7 +40,10 @@ pub(super) fn relay(
     let (client, introduction) = handshake.into_parts();
     let (from_client, mut to_client) = client.split();
     let (mut from_server, mut to_server) = (MessageReader::new(BufReader::new(input)), MessageWriter::new(output));
-    to_server.pass_on(&ProtocolMessage { seq: 0, content: Content::request(&Request::Initialize(introduction))? })?;
+    to_server.pass_on(&ProtocolMessage {
+        seq: 0,
+        content: MessageContent::request(&StandardRequest::Initialize(introduction))?,
+    })?;
     to_server.pass_on(&start.message())?;
     thread::spawn(move || {
         for incoming in from_client {
@@ -52,7 +57,7 @@ pub(super) fn relay(
     });
     while let Ok(Some(message)) = from_server.read() {
         // The handshake has already responded to the client's first request.
-        let is_known = matches!(message.content, Content::Response { request_seq: 0, .. });
+        let is_known = matches!(message.content, MessageContent::Response { request_seq: 0, .. });
         // A disconnected client is no error.
         if !is_known && to_client.write(message.content).is_err() {
             break;

@@ -2,18 +2,18 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
-use val3_merge::{FileKind, Merged, merge};
+use val3_merge::{MergeResult, MergedKind, merge};
 use val3_syntax::encoding::decode;
 
 use super::folder;
 use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
-use crate::output::{Content, to_stdout_as};
+use crate::output::{OutputContent, to_stdout_as};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
 /// File contents by the path relative to the compared folder.
-type Files = FxHashMap<Utf8PathBuf, Vec<u8>>;
+type BaseFiles = FxHashMap<Utf8PathBuf, Vec<u8>>;
 
 /// Returns the two versions to compare with the base.
 ///
@@ -41,29 +41,29 @@ pub(super) fn write_conflicts(
     let files = [files(current, base, name)?, files(current, ours, name)?, files(current, theirs, name)?];
     let left = left_by_merge(&files);
     heading(if left.is_empty() { "A merge has no conflict" } else { "Conflicts of a merge" }, format)?;
-    to_stdout_as(Content::Words, Color::Never, |out| left.iter().try_for_each(|line| writeln!(out, "{line}")))
+    to_stdout_as(OutputContent::Words, Color::Never, |out| left.iter().try_for_each(|line| writeln!(out, "{line}")))
 }
 
 /// Writes a section heading.
 pub(super) fn heading(text: &str, format: DiffFormat) -> Result<(), UserError> {
     let mark = if format == DiffFormat::Markdown { "# " } else { "== " };
-    to_stdout_as(Content::Words, Color::Never, |out| writeln!(out, "{mark}{text}"))
+    to_stdout_as(OutputContent::Words, Color::Never, |out| writeln!(out, "{mark}{text}"))
 }
 
 /// Returns the files of a folder, or one file under the name `name`, which is the same for all versions.
-fn files(current: &Utf8Path, path: &Utf8Path, name: &str) -> Result<Files, UserError> {
+fn files(current: &Utf8Path, path: &Utf8Path, name: &str) -> Result<BaseFiles, UserError> {
     let whole = current.join(path);
     if whole.is_dir() || val3_files::is_archive_name(path) {
         return Ok(folder::files(&whole)?.into_iter().collect());
     }
     if folder::is_absent(path) {
-        return Ok(Files::default());
+        return Ok(BaseFiles::default());
     }
     Ok([(name.into(), folder::read(&whole, path.as_str())?)].into_iter().collect())
 }
 
 /// Conflicts in files that both sides have changed.
-fn left_by_merge([base, ours, theirs]: &[Files; 3]) -> Vec<String> {
+fn left_by_merge([base, ours, theirs]: &[BaseFiles; 3]) -> Vec<String> {
     let mut paths: Vec<&Utf8PathBuf> = ours.keys().chain(theirs.keys()).chain(base.keys()).collect();
     paths.sort();
     paths.dedup();
@@ -79,7 +79,7 @@ fn left_by_merge([base, ours, theirs]: &[Files; 3]) -> Vec<String> {
             );
             continue;
         };
-        let Some(kind) = FileKind::of_name(path.as_str()) else {
+        let Some(kind) = MergedKind::of_name(path.as_str()) else {
             lines.push(one_line(&format!("{path}: both sides have changed it")).into_owned());
             continue;
         };
@@ -90,7 +90,7 @@ fn left_by_merge([base, ours, theirs]: &[Files; 3]) -> Vec<String> {
     lines
 }
 
-fn left(merged: &Merged) -> Vec<String> {
+fn left(merged: &MergeResult) -> Vec<String> {
     let by_lines = merged.by_lines.iter().map(|reason| format!("merged by lines: {reason}"));
     by_lines.chain(merged.conflicts.iter().map(ToString::to_string)).collect()
 }

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::refused_link;
-use val3_analysis::system::{Disk, Kind, System as _};
-use val3_diff::Tree;
+use val3_analysis::system::{Disk, PathKind, System as _};
+use val3_diff::FileTree;
 use val3_files::{FileClass, unpack};
 
 use super::wanted::is_hidden;
@@ -29,16 +29,16 @@ pub(super) fn files(folder: &Utf8Path) -> Result<Vec<(Utf8PathBuf, Vec<u8>)>, Us
         let fault = |fault| UserError::new(format!("cannot read the archive `{folder}`: {fault}"));
         return unpack(folder, |path| !is_hidden(path)).map_err(fault);
     }
-    let mut search = Search { root: folder, found: Vec::new(), seen: BTreeSet::new() };
+    let mut search = FolderWalk { root: folder, found: Vec::new(), seen: BTreeSet::new() };
     search.folder(folder, 0)?;
     let mut files = Vec::new();
-    for (key, path) in search.found.iter().filter(|(key, _)| Tree::wants(key) || !is_hidden(key)) {
+    for (key, path) in search.found.iter().filter(|(key, _)| FileTree::wants(key) || !is_hidden(key)) {
         files.push((key.clone(), read(path, path.as_str())?));
     }
     Ok(files)
 }
 
-struct Search<'f> {
+struct FolderWalk<'f> {
     root: &'f Utf8Path,
     /// Files with their paths relative to the root.
     found: Vec<(Utf8PathBuf, Utf8PathBuf)>,
@@ -46,7 +46,7 @@ struct Search<'f> {
     seen: BTreeSet<Utf8PathBuf>,
 }
 
-impl Search<'_> {
+impl FolderWalk<'_> {
     fn folder(&mut self, folder: &Utf8Path, depth: usize) -> Result<(), UserError> {
         if !self.seen.insert(Disk.identity(folder)) {
             return Ok(());
@@ -63,11 +63,11 @@ impl Search<'_> {
                 return Err(UserError::new(format!("`{path}` is not compared: {reason}")));
             }
             match Disk.kind(&path) {
-                Some(Kind::Folder) if Tree::wants(&self.key(&path)) => {
+                Some(PathKind::Folder) if FileTree::wants(&self.key(&path)) => {
                     return Err(UserError::new(format!("cannot read `{path}`: it is a folder")));
                 }
-                Some(Kind::Folder) if !name.starts_with('.') => self.folder(&path, depth + 1)?,
-                Some(Kind::File) => self.found.push((self.key(&path), path)),
+                Some(PathKind::Folder) if !name.starts_with('.') => self.folder(&path, depth + 1)?,
+                Some(PathKind::File) => self.found.push((self.key(&path), path)),
                 _ => {}
             }
         }
@@ -78,7 +78,7 @@ impl Search<'_> {
     fn key(&self, path: &Utf8Path) -> Utf8PathBuf {
         let inner = path.strip_prefix(self.root).unwrap_or(path);
         let around = Utf8Path::new(self.root.file_name().unwrap_or("")).join(inner);
-        let key = if Tree::wants(&around) && !Tree::wants(inner) { around } else { inner.to_owned() };
+        let key = if FileTree::wants(&around) && !FileTree::wants(inner) { around } else { inner.to_owned() };
         Utf8PathBuf::from(key.as_str().replace('\\', "/"))
     }
 }

@@ -4,7 +4,7 @@ use std::io::{ErrorKind, Seek as _, Write as _};
 use std::process::{Command, Output, Stdio};
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_diff::Tree;
+use val3_diff::FileTree;
 use val3_files::{FileClass, Unreadable};
 
 use super::wanted::Wanted;
@@ -58,13 +58,13 @@ impl Repository {
     }
 
     /// Reads the compared files of a tree.
-    pub(super) fn files_of(&self, tree: &str) -> Result<Tree, UserError> {
+    pub(super) fn files_of(&self, tree: &str) -> Result<FileTree, UserError> {
         let listed = git(&self.folder, &self.restricted(&["ls-tree", "-r", "-z", "--full-tree", tree]))?;
         self.files_in(&successful(listed, "list the files of the revision")?)
     }
 
     /// Reads the compared staged files.
-    pub(super) fn staged(&self) -> Result<Tree, UserError> {
+    pub(super) fn staged(&self) -> Result<FileTree, UserError> {
         let root = self.root()?;
         let listed = git(&root, &self.restricted(&["ls-files", "-z", "--stage"]))?;
         let listed = successful(listed, "list the staged files")?;
@@ -84,14 +84,14 @@ impl Repository {
     }
 
     /// Reads the files in a list of entries that end in a zero byte.
-    fn files_in(&self, listed: &[u8]) -> Result<Tree, UserError> {
+    fn files_in(&self, listed: &[u8]) -> Result<FileTree, UserError> {
         let entries = listed.split(|byte| *byte == 0).filter_map(|entry| std::str::from_utf8(entry).ok());
         let blobs: Vec<(&str, &str)> = entries.filter_map(blob).collect();
         let all = Wanted::among(blobs.iter().map(|(path, _)| Utf8Path::new(*path)));
         let wanted = blobs.into_iter().filter_map(|(path, object)| Some((self.wanted(path, &all)?, object)));
         let wanted: Vec<(Utf8PathBuf, &str)> = wanted.collect();
         let bytes = self.contents(wanted.iter().map(|(_, object)| *object))?;
-        Ok(Tree::new(wanted.into_iter().map(|(path, _)| path).zip(bytes)))
+        Ok(FileTree::new(wanted.into_iter().map(|(path, _)| path).zip(bytes)))
     }
 
     /// Path relative to the requested folder; `None` if the file is not compared.
@@ -100,7 +100,7 @@ impl Repository {
         let inner = path.strip_prefix(&self.prefix).ok()?;
         let inner = if inner.as_str().is_empty() { Utf8Path::new(path.file_name()?) } else { inner };
         // For files in `configs`, the file type depends on the whole path.
-        match (Tree::wants(inner), all.has(path)) {
+        match (FileTree::wants(inner), all.has(path)) {
             (true, _) => Some(inner.to_owned()),
             (false, true) => Some(path.to_owned()),
             (false, false) => None,
@@ -137,7 +137,7 @@ impl Repository {
     }
 
     /// Reads the compared files of the working tree, without files that git ignores.
-    pub(super) fn working_tree(&self) -> Result<Tree, UserError> {
+    pub(super) fn working_tree(&self) -> Result<FileTree, UserError> {
         let root = self.root()?;
         let arguments = self.restricted(&["ls-files", "-z", "--cached", "--others", "--exclude-standard"]);
         let listed = successful(git(&root, &arguments)?, "list the files of the working tree")?;
@@ -153,7 +153,7 @@ impl Repository {
                 Err(reason) => return Err(UserError::new(format!("cannot read `{path}`: {reason}"))),
             }
         }
-        Ok(Tree::new(files))
+        Ok(FileTree::new(files))
     }
 }
 

@@ -1,11 +1,11 @@
 //! Two folders or two files.
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_analysis::system::{Disk, Kind, System as _};
-use val3_diff::Tree;
+use val3_analysis::system::{Disk, PathKind, System as _};
+use val3_diff::FileTree;
 use val3_files::is_archive_name;
 
-use super::{Versions, folder};
+use super::{ComparedVersions, folder};
 use crate::loose::archives_under;
 use crate::paths::{Paths, current_folder};
 use crate::user_error::UserError;
@@ -21,22 +21,22 @@ const ROOTS: [(&str, &str); 6] = [
 ];
 
 /// Reads two versions from the disk.
-pub(super) fn versions(current: &Utf8Path, old: &Utf8Path, new: &Utf8Path) -> Result<Versions, UserError> {
+pub(super) fn versions(current: &Utf8Path, old: &Utf8Path, new: &Utf8Path) -> Result<ComparedVersions, UserError> {
     let kinds = [kind(current, old)?, kind(current, new)?];
     let paths = [current.join(old), current.join(new)];
     let names = [old.to_string(), new.to_string()];
     let trees = match kinds {
-        [Some(Kind::Folder) | None, Some(Kind::Folder) | None] => {
+        [Some(PathKind::Folder) | None, Some(PathKind::Folder) | None] => {
             [tree(&paths[0], kinds[0])?, tree(&paths[1], kinds[1])?]
         }
-        [Some(Kind::File) | None, Some(Kind::File) | None] => files(&paths, kinds)?,
-        [first, _] => projects(&paths, first == Some(Kind::File))?,
+        [Some(PathKind::File) | None, Some(PathKind::File) | None] => files(&paths, kinds)?,
+        [first, _] => projects(&paths, first == Some(PathKind::File))?,
     };
-    Ok(Versions { trees, names })
+    Ok(ComparedVersions { trees, names })
 }
 
 /// Kind of a path; `None` for a version that does not exist.
-fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<Kind>, UserError> {
+fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<PathKind>, UserError> {
     if folder::is_absent(path) {
         return Ok(None);
     }
@@ -46,17 +46,17 @@ fn kind(current: &Utf8Path, path: &Utf8Path) -> Result<Option<Kind>, UserError> 
     };
     match Disk.kind(&current.join(path)).ok_or_else(missing)? {
         // An archive is compared as a folder.
-        Kind::File if is_archive_name(path) => Ok(Some(Kind::Folder)),
+        PathKind::File if is_archive_name(path) => Ok(Some(PathKind::Folder)),
         kind => Ok(Some(kind)),
     }
 }
 
-fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {
+fn tree(path: &Utf8Path, kind: Option<PathKind>) -> Result<FileTree, UserError> {
     if kind.is_none() {
-        return Ok(Tree::default());
+        return Ok(FileTree::default());
     }
     let files = folder::files(path)?;
-    if !files.iter().any(|(path, _)| Tree::wants(path)) {
+    if !files.iter().any(|(path, _)| FileTree::wants(path)) {
         let archives = if path.is_dir() { archives_under(&Disk, path) } else { Vec::new() };
         let help = match archives.first() {
             Some(archive) => format!("name the archive in it to compare it: `{}`", shown(&archive.path)?),
@@ -67,7 +67,7 @@ fn tree(path: &Utf8Path, kind: Option<Kind>) -> Result<Tree, UserError> {
         let message = format!("`{}`: this folder contains no VAL 3 files", shown(path)?);
         return Err(UserError::new(message).with_help(help));
     }
-    Ok(Tree::new(files))
+    Ok(FileTree::new(files))
 }
 
 /// Path as the user would open it.
@@ -81,7 +81,7 @@ fn is_project(path: &Utf8Path) -> bool {
 
 /// Reads two single files. Two project files mean their applications, unless one of the folders contains no other file,
 /// as with the temporary files of git.
-fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<Kind>; 2]) -> Result<[Tree; 2], UserError> {
+fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<PathKind>; 2]) -> Result<[FileTree; 2], UserError> {
     if kinds.iter().all(Option::is_some) && paths.iter().all(|path| is_project(path)) {
         let [old, new] = [application(&paths[0])?, application(&paths[1])?];
         if old.len() > 1 && new.len() > 1 {
@@ -98,17 +98,17 @@ fn files(paths: &[Utf8PathBuf; 2], kinds: [Option<Kind>; 2]) -> Result<[Tree; 2]
     let named = |path: &Utf8Path, bytes: &Option<Vec<u8>>| bytes.as_ref().map(|bytes| named_by_content(path, bytes));
     let name = named(&paths[1], new).or(named(&paths[0], old)).unwrap_or_default();
     let name = Utf8PathBuf::from(name.file_name().unwrap_or("file"));
-    if !Tree::wants(&name) && !Tree::wants(&Utf8Path::new("configs").join(&name)) {
+    if !FileTree::wants(&name) && !FileTree::wants(&Utf8Path::new("configs").join(&name)) {
         return Err(UserError::new(format!("`{}` is not a VAL 3 file", shown(&paths[1])?))
             .with_help("compare a `.pjx`, `.dtx`, `.pgx` or `.cfx`, or a folder with such files"));
     }
-    let key = if Tree::wants(&name) { name } else { Utf8Path::new("configs").join(name) };
+    let key = if FileTree::wants(&name) { name } else { Utf8Path::new("configs").join(name) };
     let [old, new] = contents;
-    Ok([Tree::new(old.map(|bytes| (key.clone(), bytes))), Tree::new(new.map(|bytes| (key, bytes)))])
+    Ok([FileTree::new(old.map(|bytes| (key.clone(), bytes))), FileTree::new(new.map(|bytes| (key, bytes)))])
 }
 
 /// Reads a folder and the application of a project file.
-fn projects(paths: &[Utf8PathBuf; 2], is_first_file: bool) -> Result<[Tree; 2], UserError> {
+fn projects(paths: &[Utf8PathBuf; 2], is_first_file: bool) -> Result<[FileTree; 2], UserError> {
     let [old, new] = paths;
     let file = if is_first_file { old } else { new };
     if !is_project(file) {
@@ -116,18 +116,18 @@ fn projects(paths: &[Utf8PathBuf; 2], is_first_file: bool) -> Result<[Tree; 2], 
             .with_help("name two folders, or two files"));
     }
     let read =
-        |path: &Utf8Path, is_file: bool| if is_file { application(path) } else { tree(path, Some(Kind::Folder)) };
+        |path: &Utf8Path, is_file: bool| if is_file { application(path) } else { tree(path, Some(PathKind::Folder)) };
     Ok([read(old, is_first_file)?, read(new, !is_first_file)?])
 }
 
 /// Reads the folder of a project file.
-fn application(path: &Utf8Path) -> Result<Tree, UserError> {
-    tree(path.parent().unwrap_or(Utf8Path::new(".")), Some(Kind::Folder))
+fn application(path: &Utf8Path) -> Result<FileTree, UserError> {
+    tree(path.parent().unwrap_or(Utf8Path::new(".")), Some(PathKind::Folder))
 }
 
 /// Path with the file extension of the content, because temporary files have other extensions.
 pub(super) fn named_by_content(path: &Utf8Path, bytes: &[u8]) -> Utf8PathBuf {
-    if Tree::wants(path) || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("cfx")) {
+    if FileTree::wants(path) || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("cfx")) {
         return path.to_owned();
     }
     let head = String::from_utf8_lossy(bytes.get(..bytes.len().min(2000)).unwrap_or(bytes));

@@ -3,13 +3,13 @@
 use std::io;
 
 use codespan_reporting::term::termcolor::{Color as Paint, ColorSpec, WriteColor};
-use val3_diff::format::human::{self, Line, Style};
+use val3_diff::format::human::{self, StyledLine, TextStyle};
 use val3_diff::format::{html, json, markdown};
 use val3_diff::model::Comparison;
 
 use crate::args::{DiffArgs, DiffFormat};
 use crate::color::Color;
-use crate::output::{Content, to_stdout, to_stdout_as};
+use crate::output::{OutputContent, to_stdout, to_stdout_as};
 use crate::printable::one_line;
 use crate::user_error::UserError;
 
@@ -26,13 +26,13 @@ pub(super) fn write(comparison: &Comparison, args: &DiffArgs, color: Color) -> R
         DiffFormat::Markdown => markdown::write(comparison, detail),
         DiffFormat::Html => html::write(comparison, detail),
     };
-    let content = if args.format == DiffFormat::Json { Content::Json } else { Content::Words };
+    let content = if args.format == DiffFormat::Json { OutputContent::Json } else { OutputContent::Words };
     to_stdout_as(content, Color::Never, |out| out.write_all(text.as_bytes()))
 }
 
-fn write_line(line: &Line, out: &mut dyn WriteColor) -> io::Result<()> {
+fn write_line(line: &StyledLine, out: &mut dyn WriteColor) -> io::Result<()> {
     for (style, text) in line {
-        let is_plain = *style == Style::Plain;
+        let is_plain = *style == TextStyle::Plain;
         if !is_plain {
             out.set_color(&spec(*style))?;
         }
@@ -44,16 +44,16 @@ fn write_line(line: &Line, out: &mut dyn WriteColor) -> io::Result<()> {
     writeln!(out)
 }
 
-fn spec(style: Style) -> ColorSpec {
+fn spec(style: TextStyle) -> ColorSpec {
     let mut spec = ColorSpec::new();
     match style {
-        Style::Plain => {}
-        Style::Heading | Style::Name => _ = spec.set_bold(true),
-        Style::Dim => _ = spec.set_dimmed(true),
-        Style::Added => _ = spec.set_fg(Some(Paint::Green)),
-        Style::Removed => _ = spec.set_fg(Some(Paint::Red)),
-        Style::Changed => _ = spec.set_fg(Some(Paint::Cyan)),
-        Style::Warning => _ = spec.set_fg(Some(Paint::Yellow)).set_bold(true),
+        TextStyle::Plain => {}
+        TextStyle::Heading | TextStyle::Name => _ = spec.set_bold(true),
+        TextStyle::Dim => _ = spec.set_dimmed(true),
+        TextStyle::Added => _ = spec.set_fg(Some(Paint::Green)),
+        TextStyle::Removed => _ = spec.set_fg(Some(Paint::Red)),
+        TextStyle::Changed => _ = spec.set_fg(Some(Paint::Cyan)),
+        TextStyle::Warning => _ = spec.set_fg(Some(Paint::Yellow)).set_bold(true),
     }
     spec
 }

@@ -3,13 +3,13 @@
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::normalise;
 
-use super::Versions;
+use super::ComparedVersions;
 use super::git::Repository;
 use crate::args::DiffArgs;
 use crate::user_error::UserError;
 
 /// The revisions and the path to compare.
-struct Request {
+struct RevisionRequest {
     old: String,
     new: NewVersion,
     path: Utf8PathBuf,
@@ -23,8 +23,8 @@ enum NewVersion {
 }
 
 /// Reads one revision and the working tree or the staged files, or two revisions.
-pub(super) fn versions(current: &Utf8Path, args: &DiffArgs) -> Result<Versions, UserError> {
-    let Request { old, new, path } = request(current, args)?;
+pub(super) fn versions(current: &Utf8Path, args: &DiffArgs) -> Result<ComparedVersions, UserError> {
+    let RevisionRequest { old, new, path } = request(current, args)?;
     let path = normalise(&current.join(path));
     let is_project = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"));
     let folder = if is_project { path.parent().unwrap_or(&path) } else { &path };
@@ -39,17 +39,17 @@ pub(super) fn versions(current: &Utf8Path, args: &DiffArgs) -> Result<Versions, 
         NewVersion::Staged => (repository.staged()?, "staged files".to_owned()),
         NewVersion::Revision(revision) => (tree(&revision)?, revision),
     };
-    Ok(Versions { trees: [old_tree, new_tree], names: [old, new] })
+    Ok(ComparedVersions { trees: [old_tree, new_tree], names: [old, new] })
 }
 
-fn request(current: &Utf8Path, args: &DiffArgs) -> Result<Request, UserError> {
+fn request(current: &Utf8Path, args: &DiffArgs) -> Result<RevisionRequest, UserError> {
     if args.staged && args.git.is_empty() {
         let path = match args.paths.as_slice() {
             [] => ".".into(),
             [path] => path.clone(),
             paths => return Err(too_many(paths.len())),
         };
-        return Ok(Request { old: "HEAD".to_owned(), new: NewVersion::Staged, path });
+        return Ok(RevisionRequest { old: "HEAD".to_owned(), new: NewVersion::Staged, path });
     }
     let (revisions, path) = arguments(current, &args.git, &args.paths)?;
     let (old, new) = match revisions.as_slice() {
@@ -71,7 +71,7 @@ fn request(current: &Utf8Path, args: &DiffArgs) -> Result<Request, UserError> {
         (None, true) => NewVersion::Staged,
         (None, false) => NewVersion::WorkingTree,
     };
-    Ok(Request { old, new, path })
+    Ok(RevisionRequest { old, new, path })
 }
 
 /// Revisions of `OLD..NEW`, or of `OLD...NEW`, which means the changes of NEW since their common ancestor. An omitted

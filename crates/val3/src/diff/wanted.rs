@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_diff::Tree;
+use val3_diff::FileTree;
 
 /// Selects compared files.
 pub(super) struct Wanted {
@@ -23,7 +23,7 @@ impl Wanted {
     /// Whether the file is compared.
     pub(super) fn has(&self, path: &Utf8Path) -> bool {
         let is_of_application = || path.ancestors().skip(1).any(|folder| self.applications.contains(folder));
-        Tree::wants(path) || (Tree::is_in_backup(path) || is_of_application()) && !is_hidden(path)
+        FileTree::wants(path) || (FileTree::is_in_backup(path) || is_of_application()) && !is_hidden(path)
     }
 }
 

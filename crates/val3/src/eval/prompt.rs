@@ -21,8 +21,9 @@ pub(crate) fn run(evaluator: Evaluator, color: Color) -> Result<ExitCode, UserEr
     let flag = evaluator.interrupt();
     let evaluator = Rc::new(RefCell::new(evaluator));
     let config = Config::builder().completion_type(CompletionType::List).build();
-    let mut editor: Editor<Names, DefaultHistory> = Editor::with_config(config).map_err(|error| no_terminal(&error))?;
-    editor.set_helper(Some(Names { evaluator: Rc::clone(&evaluator) }));
+    let mut editor: Editor<PromptCompleter, DefaultHistory> =
+        Editor::with_config(config).map_err(|error| no_terminal(&error))?;
+    editor.set_helper(Some(PromptCompleter { evaluator: Rc::clone(&evaluator) }));
     // Registered after the line editor, whose own handler would replace this handler.
     interrupt::catch(&flag)?;
     loop {
@@ -50,11 +51,11 @@ fn no_terminal(error: &ReadlineError) -> UserError {
 
 /// Completes names at the cursor, and continues an open block on the next line.
 #[derive(Helper, Highlighter, Hinter)]
-struct Names {
+struct PromptCompleter {
     evaluator: Rc<RefCell<Evaluator>>,
 }
 
-impl Completer for Names {
+impl Completer for PromptCompleter {
     type Candidate = Pair;
 
     fn complete(&self, line: &str, at: usize, _: &Context<'_>) -> rustyline::Result<(usize, Vec<Pair>)> {
@@ -70,7 +71,7 @@ impl Completer for Names {
     }
 }
 
-impl Validator for Names {
+impl Validator for PromptCompleter {
     fn validate(&self, context: &mut ValidationContext<'_>) -> rustyline::Result<ValidationResult> {
         let text = context.input();
         // An empty line ends an open block.

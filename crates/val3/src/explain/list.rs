@@ -3,13 +3,13 @@
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
-use val3_check::topics::{Kind, Topic};
+use val3_check::topics::{Topic, TopicKind};
 
 use crate::markdown::{code_style, heading_style, styled};
 
 /// Writes one line for each topic, grouped by kind and group.
 pub(super) fn write(topics: &[Topic], out: &mut dyn WriteColor) -> io::Result<()> {
-    let mut listed: Option<(Kind, &str)> = None;
+    let mut listed: Option<(TopicKind, &str)> = None;
     for topic in topics {
         let place = (topic.kind, topic.group);
         if listed != Some(place) {
@@ -22,7 +22,11 @@ pub(super) fn write(topics: &[Topic], out: &mut dyn WriteColor) -> io::Result<()
 }
 
 /// Writes a group heading, for example `Instructions: Motion`.
-fn heading((kind, group): (Kind, &str), before: Option<(Kind, &str)>, out: &mut dyn WriteColor) -> io::Result<()> {
+fn heading(
+    (kind, group): (TopicKind, &str),
+    before: Option<(TopicKind, &str)>,
+    out: &mut dyn WriteColor,
+) -> io::Result<()> {
     if before.is_some() {
         writeln!(out)?;
     }
@@ -32,8 +36,8 @@ fn heading((kind, group): (Kind, &str), before: Option<(Kind, &str)>, out: &mut 
 }
 
 fn entry(topic: &Topic, out: &mut dyn WriteColor) -> io::Result<()> {
-    let name = if topic.kind == Kind::Finding { &topic.title } else { topic.name() };
-    let width = if topic.kind == Kind::Finding { 30 } else { 18 };
+    let name = if topic.kind == TopicKind::Finding { &topic.title } else { topic.name() };
+    let width = if topic.kind == TopicKind::Finding { 30 } else { 18 };
     write!(out, "  ")?;
     styled(&code_style(), &format!("{name:<width$}"), out)?;
     writeln!(out, " {}", topic.summary)

@@ -3,7 +3,7 @@
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
-use val3_check::topics::{Hit, Kind};
+use val3_check::topics::{Hit, TopicKind};
 
 use crate::markdown::{code_style, heading_style, render, styled};
 
@@ -31,17 +31,17 @@ pub(super) fn write(words: &[&str], hits: &[Hit<'_>], out: &mut dyn WriteColor) 
 }
 
 /// Name of the page kind, in the singular.
-pub(super) fn kind(kind: Kind) -> &'static str {
+pub(super) fn kind(kind: TopicKind) -> &'static str {
     match kind {
-        Kind::Finding => "finding",
-        Kind::Statement => "statement",
-        Kind::Instruction => "instruction",
-        Kind::Type => "type",
-        Kind::Field => "field",
-        Kind::Operator => "operator",
-        Kind::Word => "word",
-        Kind::RuntimeError => "run-time error",
-        Kind::LibraryError => "library result",
-        Kind::LogMessage => "log message",
+        TopicKind::Finding => "finding",
+        TopicKind::Statement => "statement",
+        TopicKind::Instruction => "instruction",
+        TopicKind::Type => "type",
+        TopicKind::Field => "field",
+        TopicKind::Operator => "operator",
+        TopicKind::Word => "word",
+        TopicKind::RuntimeError => "run-time error",
+        TopicKind::LibraryError => "library result",
+        TopicKind::LogMessage => "log message",
     }
 }

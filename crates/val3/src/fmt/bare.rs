@@ -1,6 +1,6 @@
 //! Formats code without XML, from `begin` to `end`, as copied from an editor or a chat.
 
-use val3_fmt::Style;
+use val3_fmt::CodeStyle;
 use val3_syntax::decode_entities;
 use val3_syntax::xml::escaped;
 
@@ -17,7 +17,7 @@ pub(super) fn is_bare(text: &str) -> bool {
 
 /// Formats the code. The second value is whether a part was skipped because of syntax errors. `None` if the code does
 /// not begin with `begin`.
-pub(super) fn format(text: &str, style: &Style) -> Option<(String, bool)> {
+pub(super) fn format(text: &str, style: &CodeStyle) -> Option<(String, bool)> {
     let code = text.trim_start_matches(MARK).trim_start();
     if !begins(code) {
         return None;
@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     fn formatted(text: &str) -> Option<(String, bool)> {
-        format(text, &Style::default())
+        format(text, &CodeStyle::default())
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use camino::Utf8PathBuf;
 use val3_files::{FileClass, replace_unchanged};
-use val3_fmt::{Style, apply, format};
+use val3_fmt::{CodeStyle, apply, format};
 use val3_syntax::document;
 use val3_syntax::encoding::{Encoding, decode};
 use val3_syntax::foreign::ForeignContent;
@@ -32,7 +32,7 @@ impl Formatted {
     ///
     /// # Errors
     /// The bytes are no text, or the XML elements cannot be separated.
-    pub(super) fn new(path: Utf8PathBuf, shown: String, bytes: Vec<u8>, style: &Style) -> Result<Self, UserError> {
+    pub(super) fn new(path: Utf8PathBuf, shown: String, bytes: Vec<u8>, style: &CodeStyle) -> Result<Self, UserError> {
         if let Some(foreign) = ForeignContent::of(&bytes) {
             return Err(UserError::new(format!("cannot read `{shown}`: {foreign}")));
         }
@@ -55,7 +55,7 @@ impl Formatted {
         path: Utf8PathBuf,
         shown: String,
         bytes: Vec<u8>,
-        style: &Style,
+        style: &CodeStyle,
     ) -> Result<Self, UserError> {
         let decoded = decode(bytes.clone());
         if !bare::is_bare(&decoded.text) {

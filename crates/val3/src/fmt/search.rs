@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::{files, nearest_configuration};
-use val3_analysis::system::{Kind, System};
-use val3_config::{ConfigError, ConfigFile, Format};
+use val3_analysis::system::{PathKind, System};
+use val3_config::{CodeLayout, ConfigError, ConfigFile};
 use val3_files::is_archive_name;
-use val3_fmt::Style;
+use val3_fmt::CodeStyle;
 
 use crate::paths::Paths;
 use crate::user_error::UserError;
@@ -15,7 +15,7 @@ use crate::user_error::UserError;
 /// A program to format.
 pub(super) struct FoundProgram {
     pub(super) path: Utf8PathBuf,
-    pub(super) style: Style,
+    pub(super) style: CodeStyle,
 }
 
 /// Finds the programs in the paths, without duplicates, and without programs that a `val3.toml` excludes from a search.
@@ -53,16 +53,16 @@ fn under(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf8
     let is = |extension: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension));
     match system.kind(path) {
         None => Err(refused("there is no such file or folder")),
-        Some(Kind::File) if is("pgx") => Ok(vec![path.to_owned()]),
-        Some(Kind::File) if is("pjx") => folder(system, path.parent().unwrap_or(path), paths),
-        Some(Kind::File) if is_archive_name(path) => {
+        Some(PathKind::File) if is("pgx") => Ok(vec![path.to_owned()]),
+        Some(PathKind::File) if is("pjx") => folder(system, path.parent().unwrap_or(path), paths),
+        Some(PathKind::File) if is_archive_name(path) => {
             Err(refused("`val3 fmt` formats unpacked programs only; unpack the archive, and name its folder"))
         }
-        Some(Kind::File) => Err(refused("this is not a VAL 3 program; name a `.pgx`, or a folder with programs")),
-        Some(Kind::Folder) if is("pgx") => {
+        Some(PathKind::File) => Err(refused("this is not a VAL 3 program; name a `.pgx`, or a folder with programs")),
+        Some(PathKind::Folder) if is("pgx") => {
             Err(UserError::new(format!("cannot read `{}`: it is a folder", paths.shown(path))))
         }
-        Some(Kind::Folder) => folder(system, path, paths),
+        Some(PathKind::Folder) => folder(system, path, paths),
     }
 }
 
@@ -76,12 +76,12 @@ fn folder(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf
 }
 
 /// Style of the program at `path`.
-pub(super) fn style(system: &dyn System, path: &Utf8Path) -> Result<Style, UserError> {
+pub(super) fn style(system: &dyn System, path: &Utf8Path) -> Result<CodeStyle, UserError> {
     style_in(system, configuration(system, path)?.as_ref(), path)
 }
 
-fn style_in(system: &dyn System, file: Option<&ConfigFile>, path: &Utf8Path) -> Result<Style, UserError> {
-    let default = Format::default();
+fn style_in(system: &dyn System, file: Option<&ConfigFile>, path: &Utf8Path) -> Result<CodeStyle, UserError> {
+    let default = CodeLayout::default();
     val3_ide::style(system, file.map_or(&default, |file| &file.config.format), path)
         .map_err(|error| UserError::new(error.to_string()).with_help("allow reading it, or remove it"))
 }

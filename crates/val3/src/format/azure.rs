@@ -4,10 +4,10 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 
-use crate::report::{Finding, Report, Severity};
+use crate::report::{CheckReport, Finding, FindingSeverity};
 
 /// Writes one command for each finding.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     for finding in &report.findings {
         writeln!(out, "{}", command(finding))?;
     }
@@ -28,10 +28,10 @@ fn command(finding: &Finding) -> String {
 }
 
 /// Level of the issue. Azure has no level below a warning.
-fn level(severity: Severity) -> &'static str {
+fn level(severity: FindingSeverity) -> &'static str {
     match severity {
-        Severity::Info | Severity::Warning => "warning",
-        Severity::Error => "error",
+        FindingSeverity::Info | FindingSeverity::Warning => "warning",
+        FindingSeverity::Error => "error",
     }
 }
 
@@ -46,12 +46,12 @@ fn property(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn each_finding_is_a_command() {
-        insta::assert_snapshot!(rendered(Format::Azure, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::Azure, &sample::report()));
     }
 
     #[test]

@@ -5,10 +5,10 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 
 use super::xml::{XmlWriter, allowed, allowed_name, document};
-use crate::report::{Finding, Report};
+use crate::report::{CheckReport, Finding};
 
 /// Writes one `<file>` element for each file with findings.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     document(out, |writer| {
         let root = writer.create_element("checkstyle").with_attribute(("version", "4.3"));
         if report.findings.is_empty() {
@@ -19,7 +19,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
 }
 
 /// Writes the elements. Findings are sorted by file, so each file's findings are adjacent.
-fn files(report: &Report, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+fn files(report: &CheckReport, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     for findings in report.findings.chunk_by(|a, b| a.place.file.path == b.place.file.path) {
         let Some(first) = findings.first() else { continue };
         let path = allowed_name(&first.place.file.in_repository);
@@ -43,21 +43,21 @@ fn error(finding: &Finding, writer: &mut XmlWriter<'_>) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn the_document_lists_errors_by_file() {
-        insta::assert_snapshot!(rendered(Format::Checkstyle, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::Checkstyle, &sample::report()));
     }
 
     #[test]
     fn an_empty_report_is_a_document() {
-        insta::assert_snapshot!(rendered(Format::Checkstyle, &sample::clean()));
+        insta::assert_snapshot!(rendered(ReportFormat::Checkstyle, &sample::clean()));
     }
 
     #[test]
     fn no_text_breaks_the_document() {
-        insta::assert_snapshot!(rendered(Format::Checkstyle, &sample::hostile()));
+        insta::assert_snapshot!(rendered(ReportFormat::Checkstyle, &sample::hostile()));
     }
 }

@@ -4,10 +4,10 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 
-use crate::report::{Finding, Report};
+use crate::report::{CheckReport, Finding};
 
 /// Writes `path:line:column: level[CODE] message` lines.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     report.findings.iter().try_for_each(|finding| write_finding(finding, out))
 }
 
@@ -21,11 +21,11 @@ fn write_finding(finding: &Finding, out: &mut dyn WriteColor) -> io::Result<()> 
 
 #[cfg(test)]
 mod tests {
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn each_finding_is_a_line() {
-        insta::assert_snapshot!(rendered(Format::Concise, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::Concise, &sample::report()));
     }
 }

@@ -4,17 +4,17 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 
-use crate::report::{Finding, Report, Severity};
+use crate::report::{CheckReport, Finding, FindingSeverity};
 
 /// Number of annotations per level that GitHub shows for a job step.
 const SHOWN: usize = 10;
 
 /// Writes one command for each finding.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     for finding in &report.findings {
         writeln!(out, "{}", command(finding))?;
     }
-    let levels = [Severity::Error, Severity::Warning, Severity::Info].map(level);
+    let levels = [FindingSeverity::Error, FindingSeverity::Warning, FindingSeverity::Info].map(level);
     let count = |name: &str| report.findings.iter().filter(|finding| level(finding.severity) == name).count();
     write_limit(&levels.map(|level| (level, count(level))), out)
 }
@@ -46,11 +46,11 @@ fn command(finding: &Finding) -> String {
     )
 }
 
-fn level(severity: Severity) -> &'static str {
+fn level(severity: FindingSeverity) -> &'static str {
     match severity {
-        Severity::Info => "notice",
-        Severity::Warning => "warning",
-        Severity::Error => "error",
+        FindingSeverity::Info => "notice",
+        FindingSeverity::Warning => "warning",
+        FindingSeverity::Error => "error",
     }
 }
 
@@ -65,12 +65,12 @@ pub(crate) fn property(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn each_finding_is_a_command() {
-        insta::assert_snapshot!(rendered(Format::Github, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::Github, &sample::report()));
     }
 
     #[test]

@@ -6,10 +6,10 @@ use codespan_reporting::term::termcolor::WriteColor;
 use serde::Serialize;
 
 use crate::fingerprint::fingerprints;
-use crate::report::{Finding, Report, Severity};
+use crate::report::{CheckReport, Finding, FindingSeverity};
 
 /// Writes the array and a line end.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     let marked = report.findings.iter().zip(fingerprints(&report.findings));
     let issues: Vec<_> = marked.map(|(finding, fingerprint)| Issue::of(finding, fingerprint)).collect();
     serde_json::to_writer_pretty(&mut *out, &issues)?;
@@ -53,26 +53,26 @@ impl<'a> Issue<'a> {
     }
 }
 
-fn severity(severity: Severity) -> &'static str {
+fn severity(severity: FindingSeverity) -> &'static str {
     match severity {
-        Severity::Info => "info",
-        Severity::Warning => "minor",
-        Severity::Error => "major",
+        FindingSeverity::Info => "info",
+        FindingSeverity::Warning => "minor",
+        FindingSeverity::Error => "major",
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn the_report_lists_issues() {
-        insta::assert_snapshot!(rendered(Format::Gitlab, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::Gitlab, &sample::report()));
     }
 
     #[test]
     fn nothing_found_is_an_empty_array() {
-        assert_eq!(rendered(Format::Gitlab, &sample::clean()), "[]\n");
+        assert_eq!(rendered(ReportFormat::Gitlab, &sample::clean()), "[]\n");
     }
 }

@@ -17,22 +17,22 @@ use val3_syntax::encoding::{Encoding, decode};
 use super::excerpt::{Excerpt, FileId};
 use super::levels::Levels;
 use crate::printable::one_line;
-use crate::report::{Finding, Related, Report, ReportRange, Severity, SourceFile};
+use crate::report::{CheckReport, Finding, FindingSeverity, Related, ReportRange, SourceFile};
 
 /// Writes every finding with its source lines.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     let config = Config::default();
     Levels::before(out, |out| groups(&report.findings).iter().try_for_each(|group| write_group(group, &config, out)))
 }
 
 /// Equal findings of a file; never empty.
-type Group<'a> = Vec<&'a Finding>;
+type FindingGroup<'a> = Vec<&'a Finding>;
 
 /// Groups the findings: errors first, then sorted by file and range.
-fn groups(findings: &[Finding]) -> Vec<Group<'_>> {
+fn groups(findings: &[Finding]) -> Vec<FindingGroup<'_>> {
     let mut sorted: Vec<&Finding> = findings.iter().collect();
     sorted.sort_by_key(|finding| Reverse(finding.severity));
-    let mut groups: Vec<Group<'_>> = Vec::new();
+    let mut groups: Vec<FindingGroup<'_>> = Vec::new();
     let mut known: BTreeMap<_, usize> = BTreeMap::new();
     for finding in sorted {
         let Finding { severity, code, message, is_new, place, .. } = finding;
@@ -144,11 +144,11 @@ fn elsewhere(related: &Related) -> String {
     format!("{path}:{}:{}: {}", start.line, start.column, related.message)
 }
 
-fn level(severity: Severity) -> Level {
+fn level(severity: FindingSeverity) -> Level {
     match severity {
-        Severity::Info => Level::Note,
-        Severity::Warning => Level::Warning,
-        Severity::Error => Level::Error,
+        FindingSeverity::Info => Level::Note,
+        FindingSeverity::Warning => Level::Warning,
+        FindingSeverity::Error => Level::Error,
     }
 }
 
@@ -156,17 +156,17 @@ fn level(severity: Severity) -> Level {
 mod tests {
     use codespan_reporting::term::termcolor::Ansi;
 
-    use crate::format::{Format, rendered};
-    use crate::report::{Report, sample};
+    use crate::format::{ReportFormat, rendered};
+    use crate::report::{CheckReport, sample};
 
     #[test]
     fn findings_show_their_code() {
-        insta::assert_snapshot!(rendered(Format::Human, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::Human, &sample::report()));
     }
 
     #[test]
     fn the_most_serious_findings_come_first() {
-        let shown = rendered(Format::Human, &sample::report());
+        let shown = rendered(ReportFormat::Human, &sample::report());
         let levels: Vec<&str> = shown.lines().filter_map(|line| line.split_once('[')).map(|(level, _)| level).collect();
         assert_eq!(levels, ["error", "warning", "info"]);
     }
@@ -174,18 +174,18 @@ mod tests {
     #[test]
     fn equal_findings_of_a_file_are_shown_once() {
         let mut report = sample::report();
-        let again = |report: &mut Report, line: &str| {
+        let again = |report: &mut CheckReport, line: &str| {
             let mut finding = report.findings.iter().find(|finding| finding.code == "V0101").unwrap().clone();
             finding.place = sample::place(&finding.place.file, line);
             report.findings.push(finding);
         };
         again(&mut report, "end]]>");
-        assert!(rendered(Format::Human, &report).contains("the same in line 8\n"));
+        assert!(rendered(ReportFormat::Human, &report).contains("the same in line 8\n"));
         again(&mut report, "</Programs>");
-        let shown = rendered(Format::Human, &report);
+        let shown = rendered(ReportFormat::Human, &report);
         assert!(shown.contains("the same in lines 8 and 10\n") && shown.matches("V0101").count() == 1, "{shown}");
         report.findings.iter_mut().for_each(|finding| finding.is_new = finding.code == "V0203");
-        assert!(rendered(Format::Human, &report).contains("got a string (new)\n"));
+        assert!(rendered(ReportFormat::Human, &report).contains("got a string (new)\n"));
     }
 
     #[test]
@@ -198,6 +198,6 @@ mod tests {
 
     #[test]
     fn nothing_found_writes_nothing() {
-        assert_eq!(rendered(Format::Human, &sample::clean()), "");
+        assert_eq!(rendered(ReportFormat::Human, &sample::clean()), "");
     }
 }

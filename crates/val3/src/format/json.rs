@@ -31,14 +31,17 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde::Serialize;
 
-use crate::report::{Edit, Finding, Fix, Position, Related, Report, ReportRange, Severity, Statistics};
+use crate::report::{
+    CheckReport, Finding, FindingSeverity, Related, ReportPosition, ReportRange, ReportStatistics, ReportedEdit,
+    ReportedFix,
+};
 
 /// Writes the document and a line end.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     let document = Document {
         version: 1,
         summary: Summary::of(report),
-        diagnostics: report.findings.iter().map(Diagnostic::of).collect(),
+        diagnostics: report.findings.iter().map(JsonDiagnostic::of).collect(),
     };
     serde_json::to_writer(&mut *out, &document)?;
     writeln!(out)
@@ -48,7 +51,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
 struct Document<'a> {
     version: u32,
     summary: Summary,
-    diagnostics: Vec<Diagnostic<'a>>,
+    diagnostics: Vec<JsonDiagnostic<'a>>,
 }
 
 #[derive(Serialize)]
@@ -63,26 +66,26 @@ struct Summary {
 }
 
 impl Summary {
-    fn of(report: &Report) -> Self {
-        let Statistics { applications, files, programs, code_lines, .. } = report.statistics;
+    fn of(report: &CheckReport) -> Self {
+        let ReportStatistics { applications, files, programs, code_lines, .. } = report.statistics;
         Self {
             applications,
             files,
             programs,
             code_lines,
-            errors: report.count(Severity::Error),
-            warnings: report.count(Severity::Warning),
-            infos: report.count(Severity::Info),
+            errors: report.count(FindingSeverity::Error),
+            warnings: report.count(FindingSeverity::Warning),
+            infos: report.count(FindingSeverity::Info),
         }
     }
 }
 
 /// A finding in the formats `json` and `json-lines`.
 #[derive(Serialize)]
-pub(super) struct Diagnostic<'a> {
+pub(super) struct JsonDiagnostic<'a> {
     code: &'a str,
     name: &'a str,
-    severity: Severity,
+    severity: FindingSeverity,
     message: &'a str,
     label: &'a str,
     help: &'a str,
@@ -96,7 +99,7 @@ pub(super) struct Diagnostic<'a> {
     fix: Option<JsonFix<'a>>,
 }
 
-impl<'a> Diagnostic<'a> {
+impl<'a> JsonDiagnostic<'a> {
     pub(super) fn of(finding: &'a Finding) -> Self {
         Self {
             code: finding.code,
@@ -137,7 +140,7 @@ struct JsonFix<'a> {
 }
 
 impl<'a> JsonFix<'a> {
-    fn of(fix: &'a Fix) -> Self {
+    fn of(fix: &'a ReportedFix) -> Self {
         Self { title: &fix.title, safe: fix.safe, edits: fix.edits.iter().map(JsonEdit::of).collect() }
     }
 }
@@ -150,7 +153,7 @@ struct JsonEdit<'a> {
 }
 
 impl<'a> JsonEdit<'a> {
-    fn of(edit: &'a Edit) -> Self {
+    fn of(edit: &'a ReportedEdit) -> Self {
         Self { place: JsonPlace::of(&edit.place), text: &edit.text }
     }
 }
@@ -184,26 +187,26 @@ impl<'a> JsonPlace<'a> {
 }
 
 impl JsonPosition {
-    fn of(position: Position) -> Self {
-        let Position { line, column, offset } = position;
+    fn of(position: ReportPosition) -> Self {
+        let ReportPosition { line, column, offset } = position;
         Self { line, column, offset }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn the_document_lists_findings() {
-        let document = rendered(Format::Json, &sample::report());
+        let document = rendered(ReportFormat::Json, &sample::report());
         let value: serde_json::Value = serde_json::from_str(&document).unwrap();
         insta::assert_snapshot!(serde_json::to_string_pretty(&value).unwrap());
     }
 
     #[test]
     fn fields_have_a_fixed_order() {
-        insta::assert_snapshot!(rendered(Format::Json, &sample::clean()), @r#"{"version":1,"summary":{"applications":1,"files":3,"programs":1,"code_lines":1412,"errors":0,"warnings":0,"infos":0},"diagnostics":[]}"#);
+        insta::assert_snapshot!(rendered(ReportFormat::Json, &sample::clean()), @r#"{"version":1,"summary":{"applications":1,"files":3,"programs":1,"code_lines":1412,"errors":0,"warnings":0,"infos":0},"diagnostics":[]}"#);
     }
 }

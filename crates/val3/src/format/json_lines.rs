@@ -4,13 +4,13 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 
-use super::json::Diagnostic;
-use crate::report::Report;
+use super::json::JsonDiagnostic;
+use crate::report::CheckReport;
 
 /// Writes the findings; without findings, the output is empty.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     for finding in &report.findings {
-        serde_json::to_writer(&mut *out, &Diagnostic::of(finding))?;
+        serde_json::to_writer(&mut *out, &JsonDiagnostic::of(finding))?;
         writeln!(out)?;
     }
     Ok(())
@@ -18,16 +18,16 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
 
 #[cfg(test)]
 mod tests {
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn each_finding_is_an_object_on_its_line() {
-        insta::assert_snapshot!(rendered(Format::JsonLines, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::JsonLines, &sample::report()));
     }
 
     #[test]
     fn nothing_found_writes_nothing() {
-        assert_eq!(rendered(Format::JsonLines, &sample::clean()), "");
+        assert_eq!(rendered(ReportFormat::JsonLines, &sample::clean()), "");
     }
 }

@@ -9,10 +9,10 @@ use codespan_reporting::term::termcolor::WriteColor;
 use quick_xml::events::BytesText;
 
 use super::xml::{XmlWriter, allowed, allowed_name, document};
-use crate::report::{Finding, Report, Severity};
+use crate::report::{CheckReport, Finding, FindingSeverity};
 
 /// Writes one `<testsuite>` element for each application.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     let suites = suites(report);
     document(out, |writer| {
         let root = writer.create_element("testsuites").with_attributes([
@@ -25,7 +25,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
 }
 
 /// Returns the applications in order, each with its findings, followed by the other files with findings.
-fn suites(report: &Report) -> Vec<Suite<'_>> {
+fn suites(report: &CheckReport) -> Vec<Suite<'_>> {
     let found_in = |application: &'_ String| {
         let here = |finding: &&Finding| finding.application.as_ref() == Some(application);
         report.findings.iter().filter(here).collect()
@@ -73,7 +73,7 @@ impl Suite<'_> {
 }
 
 fn fails(finding: &Finding) -> bool {
-    finding.severity >= Severity::Warning
+    finding.severity >= FindingSeverity::Warning
 }
 
 fn test(finding: &Finding, writer: &mut XmlWriter<'_>) -> io::Result<()> {
@@ -99,21 +99,21 @@ fn outcome(finding: &Finding, writer: &mut XmlWriter<'_>) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn the_document_has_a_suite_for_each_application() {
-        insta::assert_snapshot!(rendered(Format::Junit, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::Junit, &sample::report()));
     }
 
     #[test]
     fn a_clean_application_is_a_passed_test() {
-        insta::assert_snapshot!(rendered(Format::Junit, &sample::clean()));
+        insta::assert_snapshot!(rendered(ReportFormat::Junit, &sample::clean()));
     }
 
     #[test]
     fn no_text_breaks_the_document() {
-        insta::assert_snapshot!(rendered(Format::Junit, &sample::hostile()));
+        insta::assert_snapshot!(rendered(ReportFormat::Junit, &sample::hostile()));
     }
 }

@@ -6,12 +6,12 @@ use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
 use serde::Serialize;
-use val3_lines::Columns;
+use val3_lines::ColumnCounting;
 
-use crate::report::{Edit, Finding, Report, ReportRange, Severity};
+use crate::report::{CheckReport, Finding, FindingSeverity, ReportRange, ReportedEdit};
 
 /// Writes the document and a line end.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     let document =
         Document { source: Source { name: "val3" }, diagnostics: report.findings.iter().map(Diagnostic::of).collect() };
     serde_json::to_writer_pretty(&mut *out, &document)?;
@@ -83,7 +83,7 @@ impl<'a> Diagnostic<'a> {
 }
 
 impl<'a> Suggestion<'a> {
-    fn of(edit: &'a Edit) -> Self {
+    fn of(edit: &'a ReportedEdit) -> Self {
         Self { range: Range::of(&edit.place), text: &edit.text }
     }
 }
@@ -97,26 +97,26 @@ impl Range {
 
 impl Position {
     fn of(place: &ReportRange, offset: usize) -> Self {
-        let at = place.file.lines.line_column(offset, Columns::BYTES);
+        let at = place.file.lines.line_column(offset, ColumnCounting::BYTES);
         Self { line: at.line as usize + 1, column: at.column as usize + 1 }
     }
 }
 
-fn severity(severity: Severity) -> &'static str {
+fn severity(severity: FindingSeverity) -> &'static str {
     match severity {
-        Severity::Info => "INFO",
-        Severity::Warning => "WARNING",
-        Severity::Error => "ERROR",
+        FindingSeverity::Info => "INFO",
+        FindingSeverity::Warning => "WARNING",
+        FindingSeverity::Error => "ERROR",
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn the_document_lists_findings() {
-        insta::assert_snapshot!(rendered(Format::Rdjson, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::Rdjson, &sample::report()));
     }
 }

@@ -13,7 +13,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 
 use crate::fingerprint::fingerprints;
-use crate::report::{Edit, Finding, Fix, Related, Report, ReportRange, Severity};
+use crate::report::{CheckReport, Finding, FindingSeverity, Related, ReportRange, ReportedEdit, ReportedFix};
 use log::{
     ArtifactChange, ArtifactLocation, BaseUri, Driver, Invocation, Level, Location, Log, LogicalLocation, Message,
     Notification, PartialFingerprints, PhysicalLocation, Region, Replacement, Result as SarifResult, Run, Tool,
@@ -21,12 +21,12 @@ use log::{
 use rules::Rules;
 
 /// Writes the log and a line end.
-pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, out: &mut dyn WriteColor) -> io::Result<()> {
     serde_json::to_writer_pretty(&mut *out, &log(report))?;
     writeln!(out)
 }
 
-fn log(report: &Report) -> Log<'_> {
+fn log(report: &CheckReport) -> Log<'_> {
     let rules = Rules::of(report);
     let marked = report.findings.iter().zip(fingerprints(&report.findings));
     let results = marked.map(|(finding, fingerprint)| result(finding, fingerprint, &rules)).collect();
@@ -53,7 +53,7 @@ fn base_uris(root: &str) -> BTreeMap<&'static str, BaseUri> {
     absolute.map(|path| (SOURCE_ROOT, BaseUri { uri: uri(path) })).into_iter().collect()
 }
 
-fn invocation(report: &Report) -> Invocation {
+fn invocation(report: &CheckReport) -> Invocation {
     let notification = |error: &crate::user_error::UserError| Notification {
         level: Level::Error,
         message: Message { text: error.to_string() },
@@ -77,11 +77,11 @@ fn result<'a>(finding: &'a Finding, fingerprint: String, rules: &Rules) -> Sarif
     }
 }
 
-fn level(severity: Severity) -> Level {
+fn level(severity: FindingSeverity) -> Level {
     match severity {
-        Severity::Info => Level::Note,
-        Severity::Warning => Level::Warning,
-        Severity::Error => Level::Error,
+        FindingSeverity::Info => Level::Note,
+        FindingSeverity::Warning => Level::Warning,
+        FindingSeverity::Error => Level::Error,
     }
 }
 
@@ -123,7 +123,7 @@ fn artifact_location(path: &str) -> ArtifactLocation {
     ArtifactLocation { uri: utf8_percent_encode(path, ESCAPED).to_string(), uri_base_id: SOURCE_ROOT }
 }
 
-fn fix(fix: &Fix) -> log::Fix {
+fn fix(fix: &ReportedFix) -> log::Fix {
     let changes = fix.edits.chunk_by(|a, b| a.place.file.path == b.place.file.path);
     log::Fix {
         description: Message { text: fix.title.clone() },
@@ -132,9 +132,9 @@ fn fix(fix: &Fix) -> log::Fix {
 }
 
 /// Converts one file's edits; `None` without edits.
-fn artifact_change(edits: &[Edit]) -> Option<ArtifactChange> {
+fn artifact_change(edits: &[ReportedEdit]) -> Option<ArtifactChange> {
     let path = &edits.first()?.place.file.in_repository;
-    let replacement = |edit: &'_ Edit| Replacement {
+    let replacement = |edit: &'_ ReportedEdit| Replacement {
         deleted_region: region(&edit.place),
         inserted_content: Message { text: edit.text.clone() },
     };
@@ -149,7 +149,7 @@ mod tests {
     use serde_json::Value;
 
     use super::*;
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     const SCHEMA: &str = include_str!("../../tests/schemas/sarif-2.1.0.json");
@@ -165,8 +165,8 @@ mod tests {
         schema
     }
 
-    fn valid(report: &Report) -> Value {
-        let log = serde_json::from_str(&rendered(Format::Sarif, report)).unwrap();
+    fn valid(report: &CheckReport) -> Value {
+        let log = serde_json::from_str(&rendered(ReportFormat::Sarif, report)).unwrap();
         let validator = jsonschema::validator_for(&schema()).unwrap();
         let faults: Vec<_> = validator.iter_errors(&log).map(|error| error.to_string()).collect();
         assert!(faults.is_empty(), "{faults:#?}");
@@ -195,7 +195,7 @@ mod tests {
         let clean = valid(&sample::clean());
         assert_eq!(clean["runs"][0]["results"], Value::Array(Vec::new()));
         let error = crate::user_error::UserError::new("cannot read the folder `x`");
-        let log = valid(&Report { unreadable: vec![error], ..sample::clean() });
+        let log = valid(&CheckReport { unreadable: vec![error], ..sample::clean() });
         assert_eq!(log["runs"][0]["invocations"][0]["executionSuccessful"], false);
     }
 

@@ -19,7 +19,7 @@ use std::str::FromStr;
 use codespan_reporting::term::termcolor::WriteColor;
 
 use crate::printable::one_line;
-use crate::report::{Finding, Report, Severity};
+use crate::report::{CheckReport, Finding, FindingSeverity};
 
 /// Record template that known wrappers of the manufacturer's checker parse.
 pub(crate) const DEFAULT_TEMPLATE: &str = "<level>%e<CLASS>%c<P1>%p<P2>%s<line>%l<msg>%m<file>%f";
@@ -53,7 +53,7 @@ impl FromStr for Template {
 }
 
 /// Writes one record for each finding.
-pub(crate) fn write(report: &Report, template: &Template, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(crate) fn write(report: &CheckReport, template: &Template, out: &mut dyn WriteColor) -> io::Result<()> {
     for finding in &report.findings {
         writeln!(out, "{}", record(finding, template))?;
     }
@@ -86,11 +86,11 @@ fn placeholder(letter: Option<char>, finding: &Finding) -> String {
     }
 }
 
-fn level(severity: Severity) -> &'static str {
+fn level(severity: FindingSeverity) -> &'static str {
     match severity {
-        Severity::Info => "Message",
-        Severity::Warning => "Warning",
-        Severity::Error => "Error",
+        FindingSeverity::Info => "Message",
+        FindingSeverity::Warning => "Warning",
+        FindingSeverity::Error => "Error",
     }
 }
 
@@ -114,12 +114,12 @@ fn section(finding: &Finding) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::format::{Format, rendered};
+    use crate::format::{ReportFormat, rendered};
     use crate::report::sample;
 
     #[test]
     fn each_finding_is_a_record_on_its_line() {
-        insta::assert_snapshot!(rendered(Format::Val3Check, &sample::report()));
+        insta::assert_snapshot!(rendered(ReportFormat::Val3Check, &sample::report()));
     }
 
     #[test]

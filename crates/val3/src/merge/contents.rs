@@ -1,6 +1,6 @@
 //! Merges the bytes of three versions.
 
-use val3_merge::{FileKind, Merged};
+use val3_merge::{MergeResult, MergedKind};
 use val3_syntax::encoding::{Encoding, decode};
 use val3_syntax::foreign::ForeignContent;
 
@@ -9,23 +9,23 @@ pub(super) struct Outcome {
     /// Content of the merged file.
     pub(super) bytes: Vec<u8>,
     /// Merge of the texts, or the reason why OURS is unchanged.
-    pub(super) merged: Result<Merged, String>,
+    pub(super) merged: Result<MergeResult, String>,
 }
 
 impl Outcome {
     /// Whether the result contains all changes.
     pub(super) fn is_clean(&self) -> bool {
-        self.merged.as_ref().is_ok_and(Merged::is_clean)
+        self.merged.as_ref().is_ok_and(MergeResult::is_clean)
     }
 
     fn unchanged(bytes: &[u8]) -> Self {
-        let merged = Merged { text: String::new(), conflicts: Vec::new(), moved: Vec::new(), by_lines: None };
+        let merged = MergeResult { text: String::new(), conflicts: Vec::new(), moved: Vec::new(), by_lines: None };
         Self { bytes: bytes.to_vec(), merged: Ok(merged) }
     }
 }
 
 /// Merges the bytes of BASE, OURS and THEIRS.
-pub(super) fn merge(kind: FileKind, [base, ours, theirs]: &[Vec<u8>; 3]) -> Outcome {
+pub(super) fn merge(kind: MergedKind, [base, ours, theirs]: &[Vec<u8>; 3]) -> Outcome {
     if base == theirs || ours == theirs {
         return Outcome::unchanged(ours);
     }
@@ -65,18 +65,18 @@ mod tests {
     fn the_encoding_of_ours_is_kept() {
         let theirs = "<a>\n<b name=\"x\" v=\"é\"/>\n<b name=\"y\" v=\"ü\"/>\n</a>".as_bytes().to_vec();
         let ours = replaced("<a>", b"<a w=\"\xe8\">");
-        let outcome = merge(FileKind::Settings, &[LATIN.to_vec(), ours.clone(), theirs]);
+        let outcome = merge(MergedKind::Settings, &[LATIN.to_vec(), ours.clone(), theirs]);
         assert!(outcome.is_clean());
         assert!(outcome.bytes.windows(6).any(|window| window == b"v=\"\xfc\"/") && outcome.bytes.contains(&0xe8));
         let chinese = "<a>\n<b name=\"x\" v=\"é\"/>\n<b name=\"y\" v=\"你\"/>\n</a>".as_bytes().to_vec();
-        let refused = merge(FileKind::Settings, &[LATIN.to_vec(), ours.clone(), chinese]);
+        let refused = merge(MergedKind::Settings, &[LATIN.to_vec(), ours.clone(), chinese]);
         assert!(!refused.is_clean() && refused.bytes == ours);
     }
 
     #[test]
     fn contents_that_are_no_text_are_not_merged() {
         for foreign in [&b""[..], b"\xff\xfe<\0", b"PK\x03\x04"] {
-            let outcome = merge(FileKind::Data, &[b"<a/>".to_vec(), LATIN.to_vec(), foreign.to_vec()]);
+            let outcome = merge(MergedKind::Data, &[b"<a/>".to_vec(), LATIN.to_vec(), foreign.to_vec()]);
             assert!(outcome.bytes == LATIN && outcome.merged.is_err());
         }
     }

@@ -6,7 +6,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::{FileClass, Unreadable};
 
 use crate::color::Color;
-use crate::output::{Content, to_stdout_as};
+use crate::output::{OutputContent, to_stdout_as};
 use crate::user_error::UserError;
 
 /// Extensions of merged files.
@@ -31,7 +31,7 @@ pub(super) fn run(folder: &Utf8Path) -> Result<(), UserError> {
     if report.is_empty() {
         report.push("git merges the files of this repository with `val3 merge` already".to_owned());
     }
-    to_stdout_as(Content::Words, Color::Never, |out| report.iter().try_for_each(|line| writeln!(out, "{line}")))
+    to_stdout_as(OutputContent::Words, Color::Never, |out| report.iter().try_for_each(|line| writeln!(out, "{line}")))
 }
 
 /// Adds the missing lines to `.gitattributes`, and returns them.

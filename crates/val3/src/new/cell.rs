@@ -13,7 +13,7 @@ use val3_session::ArmFile;
 use val3_syntax::encoding::decode;
 use val3_syntax::{arm_file, version_file};
 
-use super::place::Place;
+use super::place::NewLocation;
 use crate::args::NewArgs;
 use crate::paths::Paths;
 use crate::user_error::UserError;
@@ -77,7 +77,7 @@ impl Controller {
     ///
     /// # Errors
     /// The arm is unknown or differs from the cell's arm, or a file of the cell cannot be read.
-    pub(super) fn of(place: &Place, args: &NewArgs, paths: &Paths) -> Result<Self, UserError> {
+    pub(super) fn of(place: &NewLocation, args: &NewArgs, paths: &Paths) -> Result<Self, UserError> {
         let requested = args.arm.as_deref().map(shipped).transpose().map_err(unknown_arm)?.map(|arm| Arm::clone(&arm));
         let configuration = if place.exists { configuration(&place.usrapp, paths)? } else { None };
         let of_cell = if place.exists { cell_arm(place, configuration.as_ref(), paths)? } else { None };
@@ -129,7 +129,11 @@ fn configuration(usrapp: &Utf8Path, paths: &Paths) -> Result<Option<ConfigFile>,
 }
 
 /// Arm in the settings, otherwise in the cell's files.
-fn cell_arm(place: &Place, configuration: Option<&ConfigFile>, paths: &Paths) -> Result<Option<CellArm>, UserError> {
+fn cell_arm(
+    place: &NewLocation,
+    configuration: Option<&ConfigFile>,
+    paths: &Paths,
+) -> Result<Option<CellArm>, UserError> {
     let named = configuration.and_then(|file| Some((file, file.config.arm.as_ref()?)));
     let kind = named.and_then(|(_, setting)| setting.kind());
     if let Some((file, setting)) = named
@@ -166,14 +170,14 @@ fn cell_arm(place: &Place, configuration: Option<&ConfigFile>, paths: &Paths) ->
 }
 
 /// VAL 3 version in the cell's files.
-fn cell_version(place: &Place, paths: &Paths) -> Result<Option<Version>, UserError> {
+fn cell_version(place: &NewLocation, paths: &Paths) -> Result<Option<Version>, UserError> {
     let text = cell_file(place, "val3version.xml", paths)?;
     let version = text.and_then(|(_, text)| Version::parse(&version_file::language(&text)?));
     Ok(version.filter(|version| [7, 8].contains(&version.major)))
 }
 
 /// Path and text of a file in `usr/configs`, if it exists.
-fn cell_file(place: &Place, name: &str, paths: &Paths) -> Result<Option<(Utf8PathBuf, String)>, UserError> {
+fn cell_file(place: &NewLocation, name: &str, paths: &Paths) -> Result<Option<(Utf8PathBuf, String)>, UserError> {
     let Some(usr) = place.usrapp.parent() else { return Ok(None) };
     let path = usr.join("configs").join(name);
     match val3_files::read(&path, FileClass::Cell) {

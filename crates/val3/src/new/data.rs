@@ -2,10 +2,10 @@
 
 use val3_kinematics::{Arm, Configuration, Elbow, Shoulder, Wrist};
 
-use super::positions::Positions;
+use super::positions::NewPositions;
 
 /// Text of the data file.
-pub(super) fn file(arm: &Arm, positions: &Positions) -> String {
+pub(super) fn file(arm: &Arm, positions: &NewPositions) -> String {
     let (joint, point) = if arm.is_scara() { ("jointRs", "pointRs") } else { ("jointRx", "pointRx") };
     include_str!("template/application.dtx")
         .replace("{joint}", joint)
@@ -16,12 +16,12 @@ pub(super) fn file(arm: &Arm, positions: &Positions) -> String {
         .replace("{height}", &positions.height.to_string())
 }
 
-fn joints(arm: &Arm, positions: &Positions) -> String {
+fn joints(arm: &Arm, positions: &NewPositions) -> String {
     let axes = positions.home.iter().take(arm.axes()).zip(1..);
     written(axes.map(|(value, axis)| (format!("j{axis}"), *value)))
 }
 
-fn pose(positions: &Positions) -> String {
+fn pose(positions: &NewPositions) -> String {
     let point = &positions.point;
     let fields = [("x", point.x), ("y", point.y), ("z", point.z), ("rx", point.rx), ("ry", point.ry), ("rz", point.rz)];
     written(fields.into_iter().map(|(name, value)| (name.to_owned(), value)))

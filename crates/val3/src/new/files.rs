@@ -5,7 +5,7 @@ use val3_lang::versions::Version;
 use val3_suite::library::{self, TestApplication};
 
 use super::data;
-use super::positions::Positions;
+use super::positions::NewPositions;
 
 /// Reserved names in the test application, which its library aliases cannot use.
 pub(super) const TEST_NAMES: [&str; 4] = ["start", "stop", TEST, library::ALIAS];
@@ -27,7 +27,7 @@ pub(super) struct Application<'a> {
     /// Declared version.
     pub(super) version: Version,
     /// Positions.
-    pub(super) positions: &'a Positions,
+    pub(super) positions: &'a NewPositions,
 }
 
 impl Application<'_> {

@@ -9,7 +9,7 @@ use crate::user_error::UserError;
 const USRAPP: &str = "usrapp";
 
 /// Location of a new application.
-pub(super) struct Place {
+pub(super) struct NewLocation {
     /// Folder of a controller, which contains `usr`; `None` if `usrapp` has no such parent.
     pub(super) cell: Option<Utf8PathBuf>,
     /// Folder of the applications.
@@ -18,7 +18,7 @@ pub(super) struct Place {
     pub(super) exists: bool,
 }
 
-impl Place {
+impl NewLocation {
     /// Finds the cell in or above `folder`, an absolute path. If there is none, returns a new cell called `name` in
     /// `folder`.
     ///

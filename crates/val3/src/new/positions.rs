@@ -21,7 +21,7 @@ const SCARA_NEAR: Joints = [30.0, 60.0, 0.25, 0.0, 0.0, 0.0];
 const HEIGHT: (f64, f64) = (0.1, 0.4);
 
 /// Positions of the application.
-pub(super) struct Positions {
+pub(super) struct NewPositions {
     /// Home position, in degrees, or in mm for a stroke.
     pub(super) home: Joints,
     /// Pose of the point in world, in mm and degrees.
@@ -32,7 +32,7 @@ pub(super) struct Positions {
     pub(super) height: f64,
 }
 
-impl Positions {
+impl NewPositions {
     /// Computes positions within the reach of the arm.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use super::commands;
 
 /// Output kind by content. Output that a program must receive unchanged is changed only at a terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Content {
+pub(crate) enum OutputContent {
     /// Human-readable text with names, paths and code: control characters are always replaced by visible forms.
     Words,
     /// Commands of a service; the format has escaped all texts.
@@ -64,7 +64,7 @@ pub(super) enum Controls {
     Escaped,
 }
 
-impl Content {
+impl OutputContent {
     /// Treatment of control characters for a destination.
     pub(super) fn controls(self, to: Destination) -> Controls {
         match self {

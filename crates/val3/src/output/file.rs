@@ -5,17 +5,17 @@ use std::fmt::Display;
 use camino::Utf8Path;
 use val3_files::{LogFile, OutputFile};
 
-use super::file_kind::{FileKind, check_replaceable};
+use super::file_kind::{OutputFileKind, check_replaceable};
 use crate::user_error::UserError;
 
 /// Creates a file that replaces `path` atomically when it is committed. `what` names it in messages.
-pub(crate) fn create(path: &Utf8Path, content: FileKind, what: &str) -> Result<OutputFile, UserError> {
+pub(crate) fn create(path: &Utf8Path, content: OutputFileKind, what: &str) -> Result<OutputFile, UserError> {
     check_replaceable(path, content, what)?;
     OutputFile::open(path).map_err(|reason| refused(path, what, &reason))
 }
 
 /// Creates a file that grows while the command runs.
-pub(crate) fn create_log(path: &Utf8Path, content: FileKind, what: &str) -> Result<LogFile, UserError> {
+pub(crate) fn create_log(path: &Utf8Path, content: OutputFileKind, what: &str) -> Result<LogFile, UserError> {
     check_replaceable(path, content, what)?;
     LogFile::open(path).map_err(|reason| refused(path, what, &reason))
 }

@@ -8,7 +8,7 @@ use crate::user_error::UserError;
 
 /// Output file kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum FileKind {
+pub(crate) enum OutputFileKind {
     /// Events of a run, one JSON object per line.
     Events,
     /// JSON documents, or one JSON object per line.
@@ -37,7 +37,7 @@ const INPUTS: [&str; 7] = ["pgx", "dtx", "pjx", "cfx", "ltx", "toml", "zip"];
 /// Number of bytes that determine the kind of a file.
 const HEAD: u64 = 1024;
 
-impl FileKind {
+impl OutputFileKind {
     /// Whether the first bytes of a file have this kind. An empty file has every kind.
     fn begins(self, head: &[u8]) -> bool {
         let head = String::from_utf8_lossy(head).to_lowercase();
@@ -61,9 +61,9 @@ impl FileKind {
 ///
 /// # Errors
 /// The file is input of the tools, has other content, or cannot be read.
-pub(super) fn check_replaceable(path: &Utf8Path, content: FileKind, what: &str) -> Result<(), UserError> {
+pub(super) fn check_replaceable(path: &Utf8Path, content: OutputFileKind, what: &str) -> Result<(), UserError> {
     let has_extension = |known: &str| path.extension().is_some_and(|found| known.eq_ignore_ascii_case(found));
-    let is_own = content == FileKind::Program && has_extension(PROGRAM);
+    let is_own = content == OutputFileKind::Program && has_extension(PROGRAM);
     let is_input = !is_own && INPUTS.iter().any(|known| has_extension(known));
     let is_replaceable = match val3_files::read_head(path, HEAD) {
         Ok(head) => !is_input && content.begins(&head),
@@ -89,7 +89,7 @@ mod tests {
 
     #[test]
     fn a_file_is_replaced_by_output_of_its_own_kind() {
-        use FileKind::{Events, Html, Json, Program, Svg, Text, XmlReport};
+        use OutputFileKind::{Events, Html, Json, Program, Svg, Text, XmlReport};
         let heads = [
             (Events, "{\"t\":0.0,\"kind\":\"end\"}"),
             (Json, "{\"version\":1}"),
@@ -113,11 +113,11 @@ mod tests {
         let folder = Utf8Path::from_path(folder.path()).unwrap();
         for name in ["start.pgx", "val3.toml", "ARM.CFX"] {
             std::fs::write(folder.join(name), "").unwrap();
-            let error = check_replaceable(&folder.join(name), FileKind::Text, "trace").unwrap_err();
+            let error = check_replaceable(&folder.join(name), OutputFileKind::Text, "trace").unwrap_err();
             assert!(error.to_string().contains("does not replace it"), "{error}");
         }
-        assert!(check_replaceable(&folder.join("new.pgx"), FileKind::Text, "trace").is_ok());
-        assert!(check_replaceable(&folder.join("start.pgx"), FileKind::Program, "output").is_ok());
-        assert!(check_replaceable(&folder.join("val3.toml"), FileKind::Program, "output").is_err());
+        assert!(check_replaceable(&folder.join("new.pgx"), OutputFileKind::Text, "trace").is_ok());
+        assert!(check_replaceable(&folder.join("start.pgx"), OutputFileKind::Program, "output").is_ok());
+        assert!(check_replaceable(&folder.join("val3.toml"), OutputFileKind::Program, "output").is_err());
     }
 }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use codespan_reporting::term::termcolor::{ColorSpec, HyperlinkSpec, WriteColor};
 
 use super::commands::CommandSearch;
-use super::content::{Content, Controls, Destination};
+use super::content::{Controls, Destination, OutputContent};
 use crate::printable::{is_unprintable, push_picture};
 
 /// Changes text as its [`Content`] requires.
@@ -24,7 +24,7 @@ impl<'a> Filter<'a> {
     /// Runs `write` with a writer that filters text for `out`.
     pub(super) fn before(
         out: &'a mut dyn WriteColor,
-        content: Content,
+        content: OutputContent,
         to: Destination,
         write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
     ) -> io::Result<()> {
@@ -163,7 +163,7 @@ mod tests {
     const SERVICE: Destination = Destination { is_terminal: false, reads_commands: true };
     const PIPE: Destination = Destination { is_terminal: false, reads_commands: false };
 
-    fn written(content: Content, to: Destination, parts: &[&[u8]]) -> String {
+    fn written(content: OutputContent, to: Destination, parts: &[&[u8]]) -> String {
         let mut out = NoColor::new(Vec::new());
         Filter::before(&mut out, content, to, |out| parts.iter().try_for_each(|part| out.write_all(part))).unwrap();
         String::from_utf8(out.into_inner()).unwrap()
@@ -173,28 +173,28 @@ mod tests {
     fn words_never_have_control_characters() {
         for to in [TERMINAL, SERVICE, PIPE] {
             let text = "\u{1b}]0;x\u{7}\u{9b}é\t\r\nb\rc\r".as_bytes();
-            assert_eq!(written(Content::Words, to, &[text]), "␛]0;x␇<9B>é\t\r\nb␍c␍");
+            assert_eq!(written(OutputContent::Words, to, &[text]), "␛]0;x␇<9B>é\t\r\nb␍c␍");
         }
     }
 
     #[test]
     fn data_are_exact_unless_a_terminal_shows_them() {
         let text = "\u{1b}[2J\u{9b}\ra\r\n".as_bytes();
-        for content in [Content::Data, Content::File] {
+        for content in [OutputContent::Data, OutputContent::File] {
             assert_eq!(written(content, PIPE, &[text]).as_bytes(), text);
             assert_eq!(written(content, TERMINAL, &[text]), "␛[2J<9B>␍a\r\n");
         }
-        assert_eq!(written(Content::Data, SERVICE, &[text]).as_bytes(), text);
+        assert_eq!(written(OutputContent::Data, SERVICE, &[text]).as_bytes(), text);
     }
 
     #[test]
     fn commands_of_a_service_are_broken_unless_they_are_the_output() {
         let text = b"a\n ::error::b ##[c]\n";
-        for content in [Content::Words, Content::Data] {
+        for content in [OutputContent::Words, OutputContent::Data] {
             assert_eq!(written(content, SERVICE, &[text]), "a\n :\\:error::b ##\\[c]\n");
             assert_eq!(written(content, PIPE, &[text]).as_bytes(), text);
         }
-        for content in [Content::Commands, Content::File] {
+        for content in [OutputContent::Commands, OutputContent::File] {
             assert_eq!(written(content, SERVICE, &[text]).as_bytes(), text);
         }
     }
@@ -203,7 +203,7 @@ mod tests {
     fn json_has_the_same_meaning() {
         let value = serde_json::json!({ "text": "\u{9b}31m\u{7f}\u{202e}\u{1b} ##[error] [é]", "list": [["::a"]] });
         for to in [TERMINAL, SERVICE, PIPE] {
-            let json = written(Content::Json, to, &[value.to_string().as_bytes()]);
+            let json = written(OutputContent::Json, to, &[value.to_string().as_bytes()]);
             assert!(!json.contains(|character: char| is_unprintable(character)), "{json}");
             assert_eq!(json.contains("##["), to != SERVICE, "{json}");
             assert_eq!(serde_json::from_str::<serde_json::Value>(&json).unwrap(), value);
@@ -212,15 +212,15 @@ mod tests {
 
     #[test]
     fn characters_may_be_written_in_parts() {
-        assert_eq!(written(Content::Words, PIPE, &[b"\xc2", b"\x9b\xe4\xb8", b"\xad\r", b"\n"]), "<9B>中\r\n");
-        assert_eq!(written(Content::Words, PIPE, &[b"\xc3A\xff", b"\xc3"]), "\u{fffd}A\u{fffd}\u{fffd}");
-        assert_eq!(written(Content::Data, SERVICE, &[b":", b":x"]), ":\\:x");
+        assert_eq!(written(OutputContent::Words, PIPE, &[b"\xc2", b"\x9b\xe4\xb8", b"\xad\r", b"\n"]), "<9B>中\r\n");
+        assert_eq!(written(OutputContent::Words, PIPE, &[b"\xc3A\xff", b"\xc3"]), "\u{fffd}A\u{fffd}\u{fffd}");
+        assert_eq!(written(OutputContent::Data, SERVICE, &[b":", b":x"]), ":\\:x");
     }
 
     #[test]
     fn colours_remain() {
         let mut out = Ansi::new(Vec::new());
-        Filter::before(&mut out, Content::Words, TERMINAL, |out| {
+        Filter::before(&mut out, OutputContent::Words, TERMINAL, |out| {
             out.set_color(ColorSpec::new().set_fg(Some(Color::Red)))?;
             write!(out, "\u{1b}[2J")?;
             out.reset()

@@ -10,7 +10,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::OutputFile;
 
 use super::file;
-use super::file_kind::FileKind;
+use super::file_kind::OutputFileKind;
 use crate::user_error::UserError;
 
 /// File that replaces the standard output.
@@ -29,7 +29,7 @@ fn redirection() -> MutexGuard<'static, Option<Redirection>> {
 ///
 /// # Errors
 /// The file cannot be written, or has other content.
-pub(crate) fn redirect(path: &Utf8Path, kind: FileKind) -> Result<(), UserError> {
+pub(crate) fn redirect(path: &Utf8Path, kind: OutputFileKind) -> Result<(), UserError> {
     let file = file::create(path, kind, "output")?;
     *redirection() = Some(Redirection { path: path.to_owned(), file });
     Ok(())

@@ -4,14 +4,14 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use val3_check::fingerprint::Fingerprint;
-use val3_lines::{Columns, LineColumn, LineIndex};
+use val3_lines::{ColumnCounting, LineColumn, LineIndex};
 use val3_syntax::encoding::Encoding;
 
-use super::Severity;
+use super::FindingSeverity;
 
 /// A position in a file, counted as in editors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Position {
+pub(crate) struct ReportPosition {
     /// Line, from 1.
     pub(crate) line: usize,
     /// Column in characters, from 1.
@@ -54,10 +54,10 @@ impl SourceFile {
     }
 
     /// Position of an offset, which must be a character boundary. An offset after the end is clamped to the end.
-    pub(crate) fn position(&self, offset: usize) -> Position {
+    pub(crate) fn position(&self, offset: usize) -> ReportPosition {
         let offset = offset.min(self.text.len());
-        let LineColumn { line, column } = self.lines.line_column(offset, Columns::SHOWN_CHARACTERS);
-        Position { line: line as usize + 1, column: column as usize + 1, offset: self.stored_offset(offset) }
+        let LineColumn { line, column } = self.lines.line_column(offset, ColumnCounting::SHOWN_CHARACTERS);
+        ReportPosition { line: line as usize + 1, column: column as usize + 1, offset: self.stored_offset(offset) }
     }
 
     fn stored_offset(&self, offset: usize) -> usize {
@@ -79,12 +79,12 @@ pub(crate) struct ReportRange {
 
 impl ReportRange {
     /// Start position.
-    pub(crate) fn start(&self) -> Position {
+    pub(crate) fn start(&self) -> ReportPosition {
         self.file.position(self.range.start)
     }
 
     /// End position: the first position after the range.
-    pub(crate) fn end(&self) -> Position {
+    pub(crate) fn end(&self) -> ReportPosition {
         self.file.position(self.range.end)
     }
 }
@@ -97,7 +97,7 @@ pub(crate) struct Finding {
     /// Name, for example `argument-type`.
     pub(crate) name: &'static str,
     /// Level.
-    pub(crate) severity: Severity,
+    pub(crate) severity: FindingSeverity,
     /// Message: one sentence.
     pub(crate) message: String,
     /// Label of the marked range, a few words; may be empty.
@@ -119,7 +119,7 @@ pub(crate) struct Finding {
     /// Related locations.
     pub(crate) related: Vec<Related>,
     /// Fix.
-    pub(crate) fix: Option<Fix>,
+    pub(crate) fix: Option<ReportedFix>,
 }
 
 impl Finding {
@@ -136,18 +136,18 @@ impl Finding {
 
 /// A change that fixes a finding.
 #[derive(Debug, Clone)]
-pub(crate) struct Fix {
+pub(crate) struct ReportedFix {
     /// Description of the change, as a request.
     pub(crate) title: String,
     /// Whether the fix is applied without a request by the user.
     pub(crate) safe: bool,
     /// Replacements.
-    pub(crate) edits: Vec<Edit>,
+    pub(crate) edits: Vec<ReportedEdit>,
 }
 
 /// A replacement.
 #[derive(Debug, Clone)]
-pub(crate) struct Edit {
+pub(crate) struct ReportedEdit {
     /// Replaced range.
     pub(crate) place: ReportRange,
     /// New text of the range.

@@ -25,22 +25,22 @@ const DATA: &str = "<Data name=\"mFast\" access=\"private\" type=\"mdesc\" size=
     <Data name=\"nCount\" access=\"private\" type=\"num\" size=\"1\"/>\r\n";
 
 /// Three findings with three levels in two files.
-pub(crate) fn report() -> Report {
-    let statistics = Statistics { applications: 1, files: 3, programs: 1, code_lines: 1412, seconds: 0.0213 };
+pub(crate) fn report() -> CheckReport {
+    let statistics = ReportStatistics { applications: 1, files: 3, programs: 1, code_lines: 1412, seconds: 0.0213 };
     let program = file("cell/usr/usrapp/pal/pick.pgx", PROGRAM, Encoding::Latin1);
     let data = file("cell/usr/usrapp/pal/pal.dtx", DATA, Encoding::Utf8);
     let findings = vec![unknown_name(&program, &data), argument_type(&program, &data), unused_data(&data)];
-    let report = Report::new(statistics, vec![APPLICATION.to_owned()], findings, Vec::new());
-    Report { source_root: "/home/me/Zelle 1".to_owned(), ..report }
+    let report = CheckReport::new(statistics, vec![APPLICATION.to_owned()], findings, Vec::new());
+    CheckReport { source_root: "/home/me/Zelle 1".to_owned(), ..report }
 }
 
 /// Report of a check without findings.
-pub(crate) fn clean() -> Report {
-    Report::new(report().statistics, vec![APPLICATION.to_owned()], Vec::new(), Vec::new())
+pub(crate) fn clean() -> CheckReport {
+    CheckReport::new(report().statistics, vec![APPLICATION.to_owned()], Vec::new(), Vec::new())
 }
 
 /// Report whose texts contain the special characters of all formats.
-pub(crate) fn hostile() -> Report {
+pub(crate) fn hostile() -> CheckReport {
     let file = file("cell/a&b \u{1}/<x>,\"y\":%.pgx", "nCout\u{0}=1\n", Encoding::Utf8);
     let finding = Finding {
         message: "`]]>\u{1b}[2J&amp;\" %\r\n::error::` is </error>".to_owned(),
@@ -49,7 +49,7 @@ pub(crate) fn hostile() -> Report {
         place: place(&file, "nCout"),
         ..unused_data(&report().findings[0].place.file)
     };
-    Report::new(report().statistics, vec![APPLICATION.to_owned()], vec![finding], Vec::new())
+    CheckReport::new(report().statistics, vec![APPLICATION.to_owned()], vec![finding], Vec::new())
 }
 
 /// Range of `part` in `file`.
@@ -58,9 +58,9 @@ pub(crate) fn place(file: &Arc<SourceFile>, part: &str) -> ReportRange {
     ReportRange { file: Arc::clone(file), range: start..start + part.len() }
 }
 
-fn write(file: &Arc<SourceFile>, part: &str, instead: &str) -> Fix {
-    let edit = Edit { place: place(file, part), text: instead.to_owned() };
-    Fix { title: format!("write `{instead}`"), safe: false, edits: vec![edit] }
+fn write(file: &Arc<SourceFile>, part: &str, instead: &str) -> ReportedFix {
+    let edit = ReportedEdit { place: place(file, part), text: instead.to_owned() };
+    ReportedFix { title: format!("write `{instead}`"), safe: false, edits: vec![edit] }
 }
 
 fn file(path: &str, text: &str, encoding: Encoding) -> Arc<SourceFile> {
@@ -78,7 +78,7 @@ fn argument_type(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
     Finding {
         code: "V0203",
         name: "argument-type",
-        severity: Severity::Error,
+        severity: FindingSeverity::Error,
         message: "`movej` takes an mdesc as third argument and got a string".to_owned(),
         label: "this is a string".to_owned(),
         help: "pass a motion descriptor, for example `mFast`".to_owned(),
@@ -97,7 +97,7 @@ fn unknown_name(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
     Finding {
         code: "V0101",
         name: "unknown-name",
-        severity: Severity::Warning,
+        severity: FindingSeverity::Warning,
         message: "`nCout` is not declared".to_owned(),
         label: String::new(),
         help: "did you mean `nCount`?".to_owned(),
@@ -114,7 +114,7 @@ fn unused_data(data: &Arc<SourceFile>) -> Finding {
     Finding {
         code: "V0701",
         name: "unused-data",
-        severity: Severity::Info,
+        severity: FindingSeverity::Info,
         message: "`nCount` is never used".to_owned(),
         label: "declared here".to_owned(),
         help: String::new(),

@@ -12,7 +12,7 @@ use super::failures::{Failure, Failures, ImpossiblePath};
 use super::missing::MissingLibraries;
 use crate::color::Color;
 use crate::format::human;
-use crate::output::{Content, to_reader, to_stderr, to_stderr_in_color, to_stdout};
+use crate::output::{OutputContent, to_reader, to_stderr, to_stderr_in_color, to_stdout};
 use crate::paths::{Paths, current_folder};
 use crate::printable::one_line;
 use crate::user_error::UserError;
@@ -111,7 +111,7 @@ impl Console {
     pub(crate) fn say(&mut self, text: &str) -> Result<(), UserError> {
         self.has_said = true;
         if self.speaks {
-            self.is_read = to_reader(Content::Data, self.color, |out| writeln!(out, "{text}"))?;
+            self.is_read = to_reader(OutputContent::Data, self.color, |out| writeln!(out, "{text}"))?;
         }
         Ok(())
     }

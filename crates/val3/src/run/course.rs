@@ -4,7 +4,7 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use val3_dap::{DebuggedRun, NextAction};
-use val3_debug::{Debugger, AdvanceResult};
+use val3_debug::{AdvanceResult, Debugger};
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::RunStatus;
 use val3_machine::event::{EndReason, EventKind};
@@ -18,7 +18,7 @@ use super::motion::MotionObservers;
 use super::observers::Observers;
 use super::opening::ReadyApplication;
 use super::patience::Patience;
-use super::replay::Recording;
+use super::replay::RunRecording;
 use super::tempo::Tempo;
 use super::viewers::Viewers;
 use super::{EXIT_BROKEN_OFF, EXIT_LIMIT};
@@ -339,7 +339,7 @@ impl<'a> Course<'a> {
 
 /// Pace according to the arguments. With an operator, time is real.
 fn pace(args: &RunArgs, observers: &Observers) -> Pace {
-    let recorded = observers.recording().and_then(Recording::limit);
+    let recorded = observers.recording().and_then(RunRecording::limit);
     let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
     Pace { real_time: args.follows_wall(), until, attended: args.interactive || args.serve.is_some() }
 }

@@ -14,7 +14,7 @@ use crate::dap::listener;
 use crate::output::{text, to_stderr};
 use crate::secret::DebugSecret;
 use crate::signals::Signals;
-use crate::sockets::Reader;
+use crate::sockets::AnnouncementReader;
 use crate::test::open_test;
 use crate::user_error::{EXIT_USAGE, UserError};
 
@@ -40,7 +40,7 @@ pub(crate) fn open_debugged(
 ) -> Result<OpenedApplication, UserError> {
     match &settings.test {
         Some(test) => open_test(args, test).map(|ready| OpenedApplication::Ready(Box::new(ready))),
-        None => open(args, Reader::Debugger, show),
+        None => open(args, AnnouncementReader::Debugger, show),
     }
 }
 

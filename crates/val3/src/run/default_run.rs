@@ -4,7 +4,7 @@ use std::io;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::load::{LoadError, nearest_configuration};
-use val3_analysis::system::{Disk, Kind, System as _};
+use val3_analysis::system::{Disk, PathKind, System as _};
 use val3_config::{ConfigError, ConfigFile, DefaultRun};
 use val3_session::SessionError;
 
@@ -50,7 +50,7 @@ pub(super) fn complete(args: &mut RunArgs) -> Result<Option<WrittenFiles>, UserE
 /// Whether the folder is not an application itself.
 fn is_around_applications(folder: &Utf8Path) -> bool {
     let is_project = |name: &String| Utf8Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("pjx"));
-    Disk.kind(folder) == Some(Kind::Folder) && !Disk.list(folder).is_ok_and(|names| names.iter().any(is_project))
+    Disk.kind(folder) == Some(PathKind::Folder) && !Disk.list(folder).is_ok_and(|names| names.iter().any(is_project))
 }
 
 /// Checks that no written path contains a link to a location elsewhere.

@@ -12,10 +12,10 @@ use val3_lang::ports::Time;
 use val3_machine::controller::Controller;
 use val3_machine::event::{EndReason, Event};
 use val3_view::wire::Role;
-use val3_view::{Feed, Message};
+use val3_view::{Feed, ViewerMessage};
 
 use crate::output::file;
-use crate::output::file_kind::FileKind;
+use crate::output::file_kind::OutputFileKind;
 use crate::serve::PAGE;
 use crate::user_error::UserError;
 
@@ -26,12 +26,12 @@ const BODY: &str = "<body>";
 pub(super) struct Export {
     feed: Feed,
     path: Utf8PathBuf,
-    out: Recording,
+    out: ExportedRecording,
 }
 
 /// Messages, compressed and encoded in base64. Each message is `u8` (0 for an object, 1 for samples), `u32` length, and
 /// its bytes.
-type Recording = GzEncoder<EncoderWriter<'static, base64::engine::GeneralPurpose, io::BufWriter<OutputFile>>>;
+type ExportedRecording = GzEncoder<EncoderWriter<'static, base64::engine::GeneralPurpose, io::BufWriter<OutputFile>>>;
 
 impl Export {
     /// Creates the file, which replaces an existing file when it is complete.
@@ -39,7 +39,7 @@ impl Export {
     /// # Errors
     /// The file cannot be written.
     pub(super) fn open(path: &Utf8Path, controller: &Controller) -> Result<Self, UserError> {
-        let mut file = io::BufWriter::new(file::create(path, FileKind::Html, "page")?);
+        let mut file = io::BufWriter::new(file::create(path, OutputFileKind::Html, "page")?);
         let (head, _) = halves();
         write!(file, "{head}<script id=\"recording\" type=\"text/plain\">").map_err(|error| refused(path, &error))?;
         let out = GzEncoder::new(EncoderWriter::new(file, &BASE64_STANDARD), Compression::best());
@@ -86,14 +86,14 @@ impl Export {
     }
 }
 
-fn packed(out: &mut Recording, message: &Message) -> io::Result<()> {
+fn packed(out: &mut ExportedRecording, message: &ViewerMessage) -> io::Result<()> {
     let text;
     let (kind, bytes): (u8, &[u8]) = match message {
-        Message::Object(object) => {
+        ViewerMessage::Object(object) => {
             text = object.to_string();
             (0, text.as_bytes())
         }
-        Message::Samples(bytes) => (1, bytes),
+        ViewerMessage::Samples(bytes) => (1, bytes),
     };
     let length = u32::try_from(bytes.len()).map_err(io::Error::other)?;
     out.write_all(&[kind])?;

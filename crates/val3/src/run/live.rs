@@ -10,12 +10,12 @@ use std::time::{Duration, Instant};
 
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event as Input};
-use val3_machine::controller::{Controller, Operation};
+use val3_machine::controller::{Controller, OperatorAction};
 use val3_machine::event::Event;
 
 use crate::user_error::UserError;
 use journal::Journal;
-use keyboard::Command;
+use keyboard::KeyCommand;
 use view::View;
 
 /// Minimum time between two redraws.
@@ -96,15 +96,15 @@ impl Live {
     }
 
     /// The first interrupt stops the application, so that its program `stop` runs; the second interrupt ends the run.
-    fn apply_command(&mut self, command: Option<Command>, controller: &mut Controller) -> ControlFlow<()> {
+    fn apply_command(&mut self, command: Option<KeyCommand>, controller: &mut Controller) -> ControlFlow<()> {
         match command {
-            Some(Command::Tap(code)) => controller.operate(Operation::Tap(code)),
-            Some(Command::NextPage) => controller.operate(Operation::NextPage),
-            Some(Command::PreviousPage) => controller.operate(Operation::PreviousPage),
-            Some(Command::Interrupt) if self.interrupted => return ControlFlow::Break(()),
-            Some(Command::Interrupt) => {
+            Some(KeyCommand::Tap(code)) => controller.operate(OperatorAction::Tap(code)),
+            Some(KeyCommand::NextPage) => controller.operate(OperatorAction::NextPage),
+            Some(KeyCommand::PreviousPage) => controller.operate(OperatorAction::PreviousPage),
+            Some(KeyCommand::Interrupt) if self.interrupted => return ControlFlow::Break(()),
+            Some(KeyCommand::Interrupt) => {
                 self.interrupted = true;
-                controller.operate(Operation::Stop);
+                controller.operate(OperatorAction::Stop);
             }
             None => return ControlFlow::Continue(()),
         }

@@ -15,14 +15,14 @@ use crate::args::RunArgs;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 use picture::PictureFile;
-use times::Times;
-use trace::Trace;
+use times::RunTimes;
+use trace::TraceWriter;
 
 /// Requested motion observers.
 pub(super) struct MotionObservers {
-    trace: Option<Trace>,
+    trace: Option<TraceWriter>,
     picture: Option<PictureFile>,
-    times: Option<Times>,
+    times: Option<RunTimes>,
     /// Note for readers of the trace and the times, printed if the arm has moved.
     note: Option<String>,
     has_moved: bool,
@@ -38,9 +38,9 @@ impl MotionObservers {
         let trace = args.trace.as_deref().or(args.trace_all.as_deref());
         let picture = args.plot.as_deref().map(|path| PictureFile::open(path, args.plot_accelerations, controller));
         Ok(Self {
-            trace: trace.map(|path| Trace::open(path, axes, args.trace_all.is_some())).transpose()?,
+            trace: trace.map(|path| TraceWriter::open(path, axes, args.trace_all.is_some())).transpose()?,
             picture: picture.transpose()?,
-            times: args.times.as_ref().map(|file| Times::open(file.as_deref(), arm.times_origin())).transpose()?,
+            times: args.times.as_ref().map(|file| RunTimes::open(file.as_deref(), arm.times_origin())).transpose()?,
             note: arm.times_note().filter(|_| trace.is_some() || args.times.is_some()),
             has_moved: false,
             last: None,
@@ -84,8 +84,8 @@ impl MotionObservers {
         if let Some(note) = self.note.filter(|_| self.has_moved) {
             to_stderr(|out| writeln!(out, "note: {note}"));
         }
-        self.trace.map_or(Ok(()), Trace::close)?;
+        self.trace.map_or(Ok(()), TraceWriter::close)?;
         self.picture.map_or(Ok(()), PictureFile::close)?;
-        self.times.map_or(Ok(()), Times::close)
+        self.times.map_or(Ok(()), RunTimes::close)
     }
 }

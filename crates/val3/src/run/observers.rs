@@ -10,7 +10,7 @@ use super::console::Console;
 use super::end::End;
 use super::live::Live;
 use super::record::Record;
-use super::replay::{Divergence, Recording};
+use super::replay::{Divergence, RunRecording};
 use crate::args::RunArgs;
 use crate::color::Color;
 use crate::output::to_stderr;
@@ -22,12 +22,12 @@ pub(super) struct Observers {
     console: Console,
     live: Option<Live>,
     /// Recording with which the run is compared.
-    recording: Option<Recording>,
+    recording: Option<RunRecording>,
 }
 
 impl Observers {
     /// Opens the observers that the arguments name.
-    pub(super) fn open(args: &RunArgs, recording: Option<Recording>, color: Color) -> Result<Self, UserError> {
+    pub(super) fn open(args: &RunArgs, recording: Option<RunRecording>, color: Color) -> Result<Self, UserError> {
         let record = Record::open(args.events.as_deref())?;
         let console = Console::new(color, !record.takes_stdout())?;
         let live = args.interactive.then(Live::open).transpose()?;
@@ -62,7 +62,7 @@ impl Observers {
             return Ok(());
         }
         self.notify(events)?;
-        report(self.recording.as_mut().and_then(Recording::finish));
+        report(self.recording.as_mut().and_then(RunRecording::finish));
         Ok(())
     }
 
@@ -85,13 +85,13 @@ impl Observers {
     }
 
     /// Recording with which the run is compared.
-    pub(super) fn recording(&self) -> Option<&Recording> {
+    pub(super) fn recording(&self) -> Option<&RunRecording> {
         self.recording.as_ref()
     }
 
     /// Whether the run differs from the recording.
     pub(super) fn has_diverged(&self) -> bool {
-        self.recording.as_ref().is_some_and(Recording::has_diverged)
+        self.recording.as_ref().is_some_and(RunRecording::has_diverged)
     }
 
     /// Whether a task has stopped with an unhandled error.

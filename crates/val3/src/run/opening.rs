@@ -21,10 +21,10 @@ use super::unpacked::Unpacked;
 use crate::args::RunArgs;
 use crate::engine::Session;
 use crate::format::human;
-use crate::opening::Request;
+use crate::opening::OpenRequest;
 use crate::paths::{Paths, current_folder};
-use crate::report::Severity;
-use crate::sockets::{Announcements, Reader};
+use crate::report::FindingSeverity;
+use crate::sockets::{AnnouncementReader, Announcements};
 use crate::summary;
 use crate::user_error::{EXIT_USAGE, UserError};
 
@@ -54,7 +54,7 @@ pub(crate) struct ReadyApplication {
 pub(crate) type Show<'a> = &'a mut dyn FnMut(&dyn Fn(&mut dyn WriteColor) -> io::Result<()>);
 
 /// Loads, checks and compiles the application. `reader` receives announcements of opened sockets.
-pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<OpenedApplication, UserError> {
+pub(crate) fn open(args: &RunArgs, reader: AnnouncementReader, show: Show<'_>) -> Result<OpenedApplication, UserError> {
     let path = current_folder()?.join(&args.application);
     let unpacked = Unpacked::of(&path)?;
     let path = unpacked.as_ref().map_or(path, |unpacked| unpacked.path.clone());
@@ -67,7 +67,7 @@ pub(crate) fn open(args: &RunArgs, reader: Reader, show: Show<'_>) -> Result<Ope
     }
     let project = application.project();
     let asked = if unpacked.is_some() { path } else { args.application.clone() };
-    let request = Request { asked: vec![asked], ..Request::default() };
+    let request = OpenRequest { asked: vec![asked], ..OpenRequest::default() };
     let mut session = Session::with_workspace(&request, application.into_workspace())?;
     let checked = show_faults(&mut session, project, show)?;
     if let Some(code) = checked.refusal {
@@ -179,7 +179,7 @@ fn show_faults(session: &mut Session<'_>, project: Project, show: Show<'_>) -> R
     outcomes.diagnostics.splice(0..0, refusals);
     let mut report = session.report(outcomes);
     let counts = summary::of_checked_run(&report);
-    report.findings.retain(|finding| finding.severity == Severity::Error);
+    report.findings.retain(|finding| finding.severity == FindingSeverity::Error);
     show(&|out| human::write(&report, out));
     let code = if report.is_complete() { ExitCode::FAILURE } else { ExitCode::from(EXIT_USAGE) };
     Ok(Checked { refusal: is_refused.then_some(code), counts })

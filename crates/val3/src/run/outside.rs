@@ -6,7 +6,7 @@ use camino::Utf8Path;
 use val3_files::FileClass;
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
-use val3_machine::script::Action;
+use val3_machine::script::ScriptAction;
 use val3_suite::{Scenario, ScenarioError};
 
 use crate::args::RunArgs;
@@ -30,7 +30,7 @@ pub(super) fn arrange(
     }
     let keys: Vec<u16> = args.keys.iter().flat_map(|keys| keys.0.iter().copied()).collect();
     if !keys.is_empty() {
-        controller.act(&Action::typing(keys)).map_err(|problems| UserError::new(problems.join("; ")))?;
+        controller.act(&ScriptAction::typing(keys)).map_err(|problems| UserError::new(problems.join("; ")))?;
     }
     if args.follows_wall() && args.controller.date.is_none() {
         controller.devices.state.calendar = today();

@@ -6,8 +6,8 @@ use camino::{Utf8Path, Utf8PathBuf};
 use codespan_reporting::term::termcolor::NoColor;
 use val3_machine::event::Event;
 
-use crate::output::file_kind::FileKind;
-use crate::output::{Content, Destination, file, filtered};
+use crate::output::file_kind::OutputFileKind;
+use crate::output::{Destination, OutputContent, file, filtered};
 use crate::user_error::UserError;
 
 /// Output of the event record.
@@ -25,7 +25,7 @@ impl Record {
         let out: Option<Box<dyn Write>> = match path.as_str() {
             "" => None,
             "-" => Some(Box::new(BufWriter::new(io::stdout()))),
-            _ => Some(Box::new(BufWriter::new(file::create_log(&path, FileKind::Events, "events")?))),
+            _ => Some(Box::new(BufWriter::new(file::create_log(&path, OutputFileKind::Events, "events")?))),
         };
         let to = if path == "-" { Destination::stdout() } else { Destination::FILE };
         Ok(Self { out, path, to, is_read: true })
@@ -39,7 +39,7 @@ impl Record {
     /// Writes an event. A closed pipe is no error.
     pub(crate) fn write(&mut self, event: &Event) -> Result<(), UserError> {
         let Some(out) = &mut self.out else { return Ok(()) };
-        let written = filtered(Content::Json, self.to, &mut NoColor::new(out), |out| {
+        let written = filtered(OutputContent::Json, self.to, &mut NoColor::new(out), |out| {
             serde_json::to_writer(&mut *out, event)?;
             writeln!(out)
         });

@@ -10,7 +10,7 @@ use val3_view::wire::{Arguments as _, RecordScenario};
 
 use crate::args::{ControllerArgs, RunArgs};
 use crate::paths::current_folder;
-use crate::serve::Command;
+use crate::serve::PendingCommand;
 use crate::test::{ServedRun, record_served};
 use crate::user_error::UserError;
 
@@ -18,7 +18,7 @@ use crate::user_error::UserError;
 const MAX_EVENTS: usize = 500_000;
 
 /// Events of a served run, and the scenario that is being written from them.
-pub(super) struct Recorder {
+pub(super) struct ScenarioRecorder {
     application: Utf8PathBuf,
     controller: ControllerArgs,
     events: Vec<Event>,
@@ -27,7 +27,7 @@ pub(super) struct Recorder {
     writer: Option<JoinHandle<()>>,
 }
 
-impl Recorder {
+impl ScenarioRecorder {
     /// Records the run with these arguments from its start.
     ///
     /// # Errors
@@ -50,7 +50,7 @@ impl Recorder {
     }
 
     /// Writes the scenario that a command names in a thread, which responds to the command.
-    pub(super) fn record(&mut self, command: Command, now: Time) {
+    pub(super) fn record(&mut self, command: PendingCommand, now: Time) {
         let name = match RecordScenario::read(&command.message) {
             Ok(RecordScenario { name }) => name,
             Err(error) => return command.answer(Err(error.to_string())),

@@ -12,7 +12,7 @@ use crate::user_error::UserError;
 
 /// Recording of a run.
 #[derive(Debug)]
-pub(super) struct Recording {
+pub(super) struct RunRecording {
     path: Utf8PathBuf,
     /// Events, one per line.
     lines: Vec<String>,
@@ -37,13 +37,13 @@ pub(super) struct Divergence {
 
 /// Event fields that state the end of a recording.
 #[derive(Deserialize)]
-struct Moment {
+struct RecordingEnd {
     t: f64,
     kind: String,
     reason: Option<EndReason>,
 }
 
-impl Recording {
+impl RunRecording {
     /// Reads a recording.
     ///
     /// # Errors
@@ -63,7 +63,8 @@ impl Recording {
         let is_cut = |line: &str| serde_json::from_str::<Value>(line).is_err_and(|error| error.is_eof());
         lines.pop_if(|line| !text.ends_with('\n') && is_cut(line));
         let last = lines.last().ok_or("the file has no events")?;
-        let last: Moment = serde_json::from_str(last).map_err(|error| format!("line {}: {error}", lines.len()))?;
+        let last: RecordingEnd =
+            serde_json::from_str(last).map_err(|error| format!("line {}: {error}", lines.len()))?;
         let reason = last.reason.filter(|_| last.kind == "end");
         Ok(Self { path: path.to_owned(), lines, compared: 0, end: nanoseconds(last.t), reason, has_diverged: false })
     }
@@ -148,7 +149,7 @@ mod tests {
 
     #[test]
     fn the_first_difference_is_found() {
-        let mut recording = Recording::parse("run.json".into(), PRINTS).unwrap();
+        let mut recording = RunRecording::parse("run.json".into(), PRINTS).unwrap();
         assert_eq!(recording.compare(&print(1.0, "a")), None);
         let divergence = recording.compare(&print(2.5, "c")).unwrap();
         assert_eq!((divergence.line, divergence.found.unwrap().contains("\"c\"")), (2, true));
@@ -158,14 +159,14 @@ mod tests {
 
     #[test]
     fn a_run_that_ends_too_early_differs() {
-        let mut recording = Recording::parse("run.json".into(), PRINTS).unwrap();
+        let mut recording = RunRecording::parse("run.json".into(), PRINTS).unwrap();
         recording.compare(&print(1.0, "a"));
         assert_eq!(recording.finish().unwrap().line, 2);
     }
 
     #[test]
     fn a_recording_may_end_early() {
-        let mut recording = Recording::parse("run.json".into(), &format!("{PRINTS}{{\"t\":2.5,\"ki")).unwrap();
+        let mut recording = RunRecording::parse("run.json".into(), &format!("{PRINTS}{{\"t\":2.5,\"ki")).unwrap();
         assert_eq!((recording.limit(), recording.lines.len()), (Some(2_500_000_000), 2));
         recording.compare(&print(1.0, "a"));
         recording.compare(&print(2.5, "b"));
@@ -175,11 +176,11 @@ mod tests {
     #[test]
     fn the_recorded_reason_decides_whether_the_run_must_end() {
         let end = |reason: &str| format!("{{\"t\":4.0,\"kind\":\"end\",\"reason\":\"{reason}\"}}\n");
-        let open = |reason: &str| Recording::parse("run.json".into(), &end(reason)).unwrap();
+        let open = |reason: &str| RunRecording::parse("run.json".into(), &end(reason)).unwrap();
         assert_eq!(open("limit").limit(), Some(4_000_000_000));
         assert_eq!(open("finished").limit(), None);
         assert!(open("finished").is_over(4_004_000_000) && !open("finished").is_over(4_000_000_000));
-        assert!(Recording::parse("run.json".into(), "").is_err());
-        assert!(Recording::parse("run.json".into(), "hello\n").is_err());
+        assert!(RunRecording::parse("run.json".into(), "").is_err());
+        assert!(RunRecording::parse("run.json".into(), "hello\n").is_err());
     }
 }

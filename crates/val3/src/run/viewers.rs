@@ -11,11 +11,11 @@ use val3_view::wire::{self, Arguments as _, Role};
 use val3_view::{Feed, Operator};
 
 use super::guide::ATTENTION;
-use super::recorder::Recorder;
+use super::recorder::ScenarioRecorder;
 use super::tempo::Tempo;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
-use crate::serve::{Command, Message, ServeAddress, Server, browser};
+use crate::serve::{PendingCommand, ServeAddress, Server, StoredMessage, browser};
 use crate::signals::Signals;
 use crate::user_error::UserError;
 
@@ -36,11 +36,11 @@ pub(super) struct Viewers {
     server: Server,
     feed: Feed,
     operator: Operator,
-    recorder: Recorder,
+    recorder: ScenarioRecorder,
     /// The bytes since the whole state was sent.
     sent: usize,
     /// Commands that have arrived during a wait.
-    arrived: VecDeque<Command>,
+    arrived: VecDeque<PendingCommand>,
 }
 
 impl Viewers {
@@ -59,7 +59,7 @@ impl Viewers {
             to_stderr(|out| writeln!(out, "note: no browser could be opened"));
         }
         let feed = Feed::new(controller, Role::Operator);
-        let recorder = Recorder::new(args)?;
+        let recorder = ScenarioRecorder::new(args)?;
         let (operator, arrived) = (Operator::default(), VecDeque::new());
         let mut viewers = Self { server, feed, operator, recorder, sent: 0, arrived };
         viewers.publish();
@@ -142,7 +142,7 @@ impl Viewers {
         }
     }
 
-    fn take_commands(&mut self) -> VecDeque<Command> {
+    fn take_commands(&mut self) -> VecDeque<PendingCommand> {
         let arriving = std::iter::from_fn(|| self.server.next_command());
         self.arrived.extend(arriving.take(COMMANDS_PER_CYCLE));
         std::mem::take(&mut self.arrived)
@@ -150,19 +150,19 @@ impl Viewers {
 
     /// Passes the new messages on.
     fn publish(&mut self) {
-        let messages: Vec<Message> = self.feed.take().into_iter().map(encoded).collect();
-        self.sent += messages.iter().map(Message::bytes).sum::<usize>();
+        let messages: Vec<StoredMessage> = self.feed.take().into_iter().map(encoded).collect();
+        self.sent += messages.iter().map(StoredMessage::bytes).sum::<usize>();
         self.server.publish(messages);
     }
 }
 
-fn encoded(message: val3_view::Message) -> Message {
+fn encoded(message: val3_view::ViewerMessage) -> StoredMessage {
     match message {
-        val3_view::Message::Samples(bytes) => Message::Binary(bytes.into()),
-        val3_view::Message::Object(object) => {
+        val3_view::ViewerMessage::Samples(bytes) => StoredMessage::Binary(bytes.into()),
+        val3_view::ViewerMessage::Object(object) => {
             let text = object.to_string().into();
             let lasts = object.get("kind").and_then(Value::as_str).is_some_and(|kind| LASTING.contains(&kind));
-            if lasts { Message::Lasting(text) } else { Message::Text(text) }
+            if lasts { StoredMessage::Lasting(text) } else { StoredMessage::Text(text) }
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::user_error::UserError;
 
 /// The rights of a viewer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Role {
+pub(crate) enum ViewerRole {
     /// Looks and operates.
     Operator,
     /// Looks.
@@ -37,7 +37,7 @@ pub(super) struct Access {
 /// A request that may be answered.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Grant {
-    pub(super) role: Role,
+    pub(super) role: ViewerRole,
     pub(super) resource: Resource,
     /// The host that the request names, one of this server.
     pub(super) host: String,
@@ -53,10 +53,10 @@ impl Access {
     }
 
     /// The secret of a role.
-    pub(super) fn secret(&self, role: Role) -> &str {
+    pub(super) fn secret(&self, role: ViewerRole) -> &str {
         match role {
-            Role::Operator => &self.operator,
-            Role::Guest => &self.guest,
+            ViewerRole::Operator => &self.operator,
+            ViewerRole::Guest => &self.guest,
         }
     }
 
@@ -76,12 +76,12 @@ impl Access {
     }
 
     /// Both comparisons take place, each in a time that depends on no byte.
-    fn role(&self, secret: &str) -> Option<Role> {
+    fn role(&self, secret: &str) -> Option<ViewerRole> {
         let [is_operator, is_guest] =
             [&self.operator, &self.guest].map(|known| constant_time_eq(known.as_bytes(), secret.as_bytes()));
         match (is_operator, is_guest) {
-            (true, _) => Some(Role::Operator),
-            (false, true) => Some(Role::Guest),
+            (true, _) => Some(ViewerRole::Operator),
+            (false, true) => Some(ViewerRole::Guest),
             (false, false) => None,
         }
     }
@@ -130,7 +130,7 @@ mod tests {
         Access { operator: "0a".to_owned(), guest: "0b".to_owned(), address: address.parse().unwrap() }
     }
 
-    fn grant(access: &Access, path: &str, host: &str, origin: &str) -> Option<(Role, Resource)> {
+    fn grant(access: &Access, path: &str, host: &str, origin: &str) -> Option<(ViewerRole, Resource)> {
         let mut request = Request::get(path).header(HOST, host);
         if !origin.is_empty() {
             request = request.header(ORIGIN, origin);
@@ -142,8 +142,8 @@ mod tests {
     fn a_secret_gives_a_role() {
         let access = access("127.0.0.1:8303");
         let page = |path| grant(&access, path, "127.0.0.1:8303", "");
-        assert_eq!(page("/0a/"), Some((Role::Operator, Resource::Page)));
-        assert_eq!(page("/0b/"), Some((Role::Guest, Resource::Page)));
+        assert_eq!(page("/0a/"), Some((ViewerRole::Operator, Resource::Page)));
+        assert_eq!(page("/0b/"), Some((ViewerRole::Guest, Resource::Page)));
         for path in ["/", "/0a", "//", "/0/", "/0c/", "/0A/", "/0a/x", "/0a//", "/0a/../0a/", "/0a/%2e%2e/", "/x/0a/"] {
             assert_eq!(page(path), None, "{path}");
         }

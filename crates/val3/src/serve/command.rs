@@ -6,7 +6,7 @@ use tokio::sync::mpsc::OwnedPermit;
 
 /// A command that waits for the loop of the run.
 #[derive(Debug)]
-pub(crate) struct Command {
+pub(crate) struct PendingCommand {
     /// Its name.
     pub(crate) name: String,
     /// The whole message, with the arguments.
@@ -46,7 +46,7 @@ impl Parsed {
     }
 }
 
-impl Command {
+impl PendingCommand {
     /// A command whose answer has a place.
     pub(super) fn new(id: Value, name: String, message: Map<String, Value>, permit: OwnedPermit<Utf8Bytes>) -> Self {
         Self { name, message, ticket: Ticket { id, permit } }

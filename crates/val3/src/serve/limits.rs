@@ -4,7 +4,7 @@ use std::time::Duration;
 
 /// The limits of a server.
 #[derive(Debug, Clone)]
-pub(super) struct Limits {
+pub(super) struct ServerLimits {
     /// Viewers at the same time.
     pub(super) viewers: usize,
     /// Connections that have not become viewers.
@@ -33,7 +33,7 @@ pub(super) struct Limits {
     pub(super) log_bytes: usize,
 }
 
-impl Default for Limits {
+impl Default for ServerLimits {
     fn default() -> Self {
         Self {
             viewers: 32,

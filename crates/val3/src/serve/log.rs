@@ -7,7 +7,7 @@ use axum::extract::ws::Utf8Bytes;
 
 /// A message for viewers.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Message {
+pub(crate) enum StoredMessage {
     /// A JSON object.
     Text(Utf8Bytes),
     /// A JSON object that later messages need: it is kept when older messages are dropped.
@@ -16,7 +16,7 @@ pub(crate) enum Message {
     Binary(Bytes),
 }
 
-impl Message {
+impl StoredMessage {
     pub(crate) fn bytes(&self) -> usize {
         match self {
             Self::Text(text) | Self::Lasting(text) => text.len(),
@@ -30,31 +30,31 @@ const GAP: &str = r#"{"kind":"gap"}"#;
 
 /// The messages of a run, bounded in bytes. Viewers have a cursor in it.
 #[derive(Debug, Default)]
-pub(crate) struct Log {
-    messages: VecDeque<Message>,
+pub(crate) struct MessageLog {
+    messages: VecDeque<StoredMessage>,
     /// The lasting messages among those that were dropped.
-    lasting: Vec<Message>,
+    lasting: Vec<StoredMessage>,
     /// The number of the first message that is left.
     first: u64,
     bytes: usize,
     limit: usize,
 }
 
-impl Log {
+impl MessageLog {
     /// An empty log that keeps this many bytes.
     pub(super) fn new(limit: usize) -> Self {
         Self { limit, ..Self::default() }
     }
 
     /// Adds a message, and removes the oldest ones if the log is full.
-    pub(crate) fn append(&mut self, message: Message) {
+    pub(crate) fn append(&mut self, message: StoredMessage) {
         self.bytes += message.bytes();
         self.messages.push_back(message);
         while self.bytes > self.limit {
             let Some(removed) = self.messages.pop_front() else { return };
             self.bytes -= removed.bytes();
             self.first += 1;
-            if let Message::Lasting(_) = removed {
+            if let StoredMessage::Lasting(_) = removed {
                 self.lasting.push(removed);
             }
         }
@@ -73,11 +73,11 @@ impl Log {
 
     /// At most `count` messages from a cursor on, and moves it. If some of them were dropped, the lasting ones and a `gap` come
     /// first.
-    pub(super) fn messages_since(&self, cursor: &mut u64, count: usize) -> Vec<Message> {
+    pub(super) fn messages_since(&self, cursor: &mut u64, count: usize) -> Vec<StoredMessage> {
         let mut messages = Vec::new();
         if *cursor < self.first {
             messages.extend(self.lasting.iter().cloned());
-            messages.push(Message::Text(Utf8Bytes::from_static(GAP)));
+            messages.push(StoredMessage::Text(Utf8Bytes::from_static(GAP)));
             *cursor = self.first;
         }
         let skipped = usize::try_from(*cursor - self.first).unwrap_or(usize::MAX);

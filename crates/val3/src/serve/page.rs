@@ -14,11 +14,11 @@ use sha2::{Digest, Sha256};
 pub(crate) const PAGE: &str = include_str!("../../../../editors/view/dist/view.html");
 
 /// The page and the part of its policy that does not depend on the request.
-pub(super) struct Page {
+pub(super) struct ServedPage {
     policy: String,
 }
 
-impl Page {
+impl ServedPage {
     /// Computes the policy: only the scripts and styles of the page itself apply.
     pub(super) fn new() -> Self {
         let [scripts, styles] = ["script", "style"].map(|element| sources(PAGE, element));

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::limits::Limits;
+use super::limits::ServerLimits;
 
 /// The commands that a viewer may still send. It gets new ones over time.
 #[derive(Debug)]
@@ -31,7 +31,7 @@ pub(super) enum Admission {
 
 impl Quota {
     /// A full quota.
-    pub(super) fn new(limits: &Limits, now: Instant) -> Self {
+    pub(super) fn new(limits: &ServerLimits, now: Instant) -> Self {
         let (per_second, burst) = (f64::from(limits.commands_per_second), f64::from(limits.commands_at_once));
         Self { left: burst, at: now, refused: 0, per_second, burst, patience: limits.refused_commands }
     }
@@ -59,7 +59,12 @@ mod tests {
 
     #[test]
     fn a_flood_is_refused_and_then_ended() {
-        let limits = Limits { commands_per_second: 10, commands_at_once: 20, refused_commands: 5, ..Limits::default() };
+        let limits = ServerLimits {
+            commands_per_second: 10,
+            commands_at_once: 20,
+            refused_commands: 5,
+            ..ServerLimits::default()
+        };
         let start = Instant::now();
         let mut quota = Quota::new(&limits, start);
         let mut at = |milliseconds: u64| quota.admit(start + Duration::from_millis(milliseconds));

@@ -6,19 +6,19 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::{Semaphore, watch};
 
 use super::access::Access;
-use super::command::Command;
-use super::limits::Limits;
-use super::log::Log;
-use super::page::Page;
+use super::command::PendingCommand;
+use super::limits::ServerLimits;
+use super::log::MessageLog;
+use super::page::ServedPage;
 
 /// The parts of a server that its connections share.
 pub(super) struct Shared {
     pub(super) access: Access,
-    pub(super) page: Page,
-    pub(super) limits: Limits,
+    pub(super) page: ServedPage,
+    pub(super) limits: ServerLimits,
     pub(super) log: Arc<SharedLog>,
     /// The way to the loop of the run.
-    pub(super) commands: SyncSender<Command>,
+    pub(super) commands: SyncSender<PendingCommand>,
     /// A place for each viewer.
     pub(super) places: Arc<Semaphore>,
     /// True when the server ends.
@@ -27,18 +27,18 @@ pub(super) struct Shared {
 
 /// The log of a run, which the run extends and viewers read.
 pub(super) struct SharedLog {
-    log: Mutex<Log>,
+    log: Mutex<MessageLog>,
     /// Announces that the log has grown.
     news: watch::Sender<()>,
 }
 
 impl SharedLog {
-    pub(super) fn new(log: Log) -> Self {
+    pub(super) fn new(log: MessageLog) -> Self {
         Self { log: Mutex::new(log), news: watch::Sender::new(()) }
     }
 
     /// The log, for a short time.
-    pub(super) fn lock(&self) -> MutexGuard<'_, Log> {
+    pub(super) fn lock(&self) -> MutexGuard<'_, MessageLog> {
         self.log.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

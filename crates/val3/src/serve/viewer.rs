@@ -10,9 +10,9 @@ use axum::extract::ws::{CloseFrame, Message as Frame, Utf8Bytes, WebSocket, clos
 use tokio::sync::mpsc;
 use tokio::time::{interval, timeout};
 
-use super::access::Role;
-use super::command::{Command, Parsed, answer};
-use super::log::Message;
+use super::access::ViewerRole;
+use super::command::{Parsed, PendingCommand, answer};
+use super::log::StoredMessage;
 use super::quota::{Admission, Quota};
 use super::shared::Shared;
 
@@ -34,7 +34,7 @@ type Departure = Option<(u16, &'static str)>;
 /// A viewer of the run.
 pub(super) struct Viewer {
     shared: Arc<Shared>,
-    role: Role,
+    role: ViewerRole,
     socket: WebSocket,
     /// The position in the log.
     cursor: u64,
@@ -45,7 +45,7 @@ pub(super) struct Viewer {
 }
 
 /// Serves a viewer until it leaves, does not read, or sends what it must not.
-pub(super) async fn attend(socket: WebSocket, role: Role, shared: Arc<Shared>) {
+pub(super) async fn attend(socket: WebSocket, role: ViewerRole, shared: Arc<Shared>) {
     let (answers, inbox) = mpsc::channel(OPEN_COMMANDS);
     let now = Instant::now();
     let quota = Quota::new(&shared.limits, now);
@@ -83,9 +83,9 @@ impl Viewer {
         let has_more = messages.len() >= BATCH;
         for message in messages {
             self.send(match message {
-                Message::Text(text) => Frame::Text(text),
-                Message::Lasting(text) => Frame::Text(self.for_role(text)),
-                Message::Binary(bytes) => Frame::Binary(bytes),
+                StoredMessage::Text(text) => Frame::Text(text),
+                StoredMessage::Lasting(text) => Frame::Text(self.for_role(text)),
+                StoredMessage::Binary(bytes) => Frame::Binary(bytes),
             })
             .await?;
         }
@@ -95,8 +95,8 @@ impl Viewer {
     /// The scene names the role of its reader.
     fn for_role(&self, text: Utf8Bytes) -> Utf8Bytes {
         match self.role {
-            Role::Operator => text,
-            Role::Guest => text.replacen(OPERATOR, GUEST, 1).into(),
+            ViewerRole::Operator => text,
+            ViewerRole::Guest => text.replacen(OPERATOR, GUEST, 1).into(),
         }
     }
 
@@ -155,9 +155,9 @@ impl Viewer {
         let passed = match command {
             _ if admission == Admission::Refused => Err("too many commands in a short time"),
             Err(reason) => Err(reason),
-            Ok(_) if self.role == Role::Guest => Err("guests cannot operate the cell"),
+            Ok(_) if self.role == ViewerRole::Guest => Err("guests cannot operate the cell"),
             Ok((name, message)) => match self.answers.clone().try_reserve_owned() {
-                Ok(permit) => self.pass(Command::new(id.clone(), name, message, permit)),
+                Ok(permit) => self.pass(PendingCommand::new(id.clone(), name, message, permit)),
                 Err(_) => Err("too many commands are not answered yet"),
             },
         };
@@ -168,7 +168,7 @@ impl Viewer {
     }
 
     /// Passes a command to the loop of the run.
-    fn pass(&self, command: Command) -> Result<(), &'static str> {
+    fn pass(&self, command: PendingCommand) -> Result<(), &'static str> {
         self.shared.commands.try_send(command).map_err(|error| match error {
             TrySendError::Full(_) => "the run is busy",
             TrySendError::Disconnected(_) => "the run has ended",

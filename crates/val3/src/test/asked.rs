@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::paths::{normalise, path_key};
 use val3_files::FileClass;
-use val3_suite::{Role, Scenario, TestCase};
+use val3_suite::{Scenario, TestCase, TestFileRole};
 
 use super::refused::RefusedTests;
 use super::script_file::program_beside;
@@ -81,7 +81,7 @@ fn program(path: &Utf8Path) -> Option<Utf8PathBuf> {
     let beside = program_beside(path);
     let is_scenario = || {
         let text = val3_files::read_text(path, FileClass::Settings);
-        text.is_ok_and(|text| Scenario::role(&text) == Role::Scenario)
+        text.is_ok_and(|text| Scenario::role(&text) == TestFileRole::Scenario)
     };
     (has_extension("toml") && beside.is_file() && !is_scenario()).then_some(beside)
 }

@@ -8,9 +8,9 @@ use val3_coverage::{Coverage, Share, cobertura, json, lcov, pages, table};
 use val3_files::FileClass;
 use val3_syntax::{decode_entities, encoding, parse};
 
-use crate::args::{CoverageArgs, CoverageFormat, Output, TestArgs, TestFormat};
+use crate::args::{CoverageArgs, CoverageFormat, ReportOutput, TestArgs, TestFormat};
 use crate::color::Color;
-use crate::output::file_kind::FileKind;
+use crate::output::file_kind::OutputFileKind;
 use crate::output::{to_file, to_stderr, to_stdout};
 use crate::paths::Paths;
 use crate::printable::one_line;
@@ -66,14 +66,14 @@ fn source(text: &str) -> Vec<(u32, String)> {
     lines.into_iter().take(end).skip_while(is_blank).collect()
 }
 
-fn write(coverage: &Coverage, output: &Output<CoverageFormat>, paths: &Paths) -> Result<(), UserError> {
+fn write(coverage: &Coverage, output: &ReportOutput<CoverageFormat>, paths: &Paths) -> Result<(), UserError> {
     let path = &output.path;
     match output.format {
-        CoverageFormat::Lcov => to_file(path, FileKind::Text, |out| lcov(coverage, out)),
+        CoverageFormat::Lcov => to_file(path, OutputFileKind::Text, |out| lcov(coverage, out)),
         CoverageFormat::Cobertura => {
-            to_file(path, FileKind::XmlReport, |out| cobertura(coverage, &paths.source_root(), out))
+            to_file(path, OutputFileKind::XmlReport, |out| cobertura(coverage, &paths.source_root(), out))
         }
-        CoverageFormat::Json => to_file(path, FileKind::Json, |out| json(coverage, out)),
+        CoverageFormat::Json => to_file(path, OutputFileKind::Json, |out| json(coverage, out)),
         CoverageFormat::Html => write_pages(coverage, path),
     }
 }
@@ -81,9 +81,9 @@ fn write(coverage: &Coverage, output: &Output<CoverageFormat>, paths: &Paths) ->
 fn write_pages(coverage: &Coverage, folder: &Utf8Path) -> Result<(), UserError> {
     fs::create_dir_all(folder)
         .map_err(|error| UserError::new(format!("cannot create the folder `{folder}`: {error}")))?;
-    pages(coverage)
-        .iter()
-        .try_for_each(|page| to_file(&folder.join(&page.name), FileKind::Html, |out| write!(out, "{}", page.text)))
+    pages(coverage).iter().try_for_each(|page| {
+        to_file(&folder.join(&page.name), OutputFileKind::Html, |out| write!(out, "{}", page.text))
+    })
 }
 
 /// Error message if too few lines were executed.

@@ -20,7 +20,7 @@ use val3_suite::{TestCase, TestSettings, cases};
 use super::asked::Asked;
 use super::distinct::distinguish;
 use super::refused::{Refusal, RefusedTests};
-use super::selection::{Selection, is_called};
+use super::selection::{TestSelection, is_called};
 use super::{identifiers, scenarios, script_file};
 use crate::args::{ControllerArgs, LIMITS, TestArgs};
 use crate::paths::{Paths, from_here};
@@ -90,7 +90,7 @@ impl Listed {
     /// # Errors
     /// A path does not exist.
     pub(super) fn all(args: &TestArgs, current: &Utf8Path) -> Result<Vec<Self>, UserError> {
-        let selection = Selection::of(args)?;
+        let selection = TestSelection::of(args)?;
         let asked = Asked::new(&args.paths, current);
         let scenarios = scenarios::find(&asked.folders)?;
         let found = found_applications(&asked, &scenarios)?;
@@ -118,7 +118,7 @@ impl Listed {
         Ok(all)
     }
 
-    fn of(selection: &Selection<'_>, manifest: Utf8PathBuf, cases: Result<Vec<TestCase>, UserError>) -> Self {
+    fn of(selection: &TestSelection<'_>, manifest: Utf8PathBuf, cases: Result<Vec<TestCase>, UserError>) -> Self {
         let wanted = |cases: Vec<TestCase>| cases.into_iter().filter(|case| selection.has(case)).collect();
         Self { manifest, cases: cases.map(wanted).map_err(|error| error.to_string()) }
     }
@@ -144,7 +144,7 @@ pub(super) fn chosen<'s>(
     suites: &'s [Suite],
     refused: &mut Vec<RefusedTests>,
 ) -> Result<Vec<TestFile<'s>>, UserError> {
-    let selection = Selection::of(args)?;
+    let selection = TestSelection::of(args)?;
     let all =
         suites.iter().flat_map(|suite| suite.cases.iter().map(|case| TestFile { manifest: &suite.manifest, case }));
     let all: Vec<TestFile<'s>> = all.collect();

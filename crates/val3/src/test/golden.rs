@@ -9,8 +9,8 @@ use val3_suite::{Judgement, RecordedMotion, TestCase, TestResult};
 use val3_trace::is_recording;
 
 use super::cell::check_file;
-use super::recorded_file::{RecordedFile, Recording, record, refused};
-use super::tested::Tested;
+use super::recorded_file::{RecordedContents, RecordedFile, record, refused};
+use super::tested::TestedTest;
 use crate::output::to_stderr;
 use crate::paths::Paths;
 use crate::user_error::UserError;
@@ -43,7 +43,8 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
     if !result.has_passed() {
         return Ok(Some(RecordedFile { path, action: "not recorded, because the test has failed:" }));
     }
-    let recording = Recording { text: motion.text(), is_known: &is_recording, kind: "recorded motion", key: KEY };
+    let recording =
+        RecordedContents { text: motion.text(), is_known: &is_recording, kind: "recorded motion", key: KEY };
     let action = record(&path, &recording)?;
     remove_picture(&path)?;
     Ok(Some(RecordedFile { path, action }))
@@ -117,7 +118,7 @@ fn remove_picture(path: &Utf8Path) -> Result<(), UserError> {
 }
 
 /// Reports the files that `--update` has written.
-pub(super) fn report(tested: &[Tested], paths: &Paths) {
+pub(super) fn report(tested: &[TestedTest], paths: &Paths) {
     for RecordedFile { path, action } in tested.iter().flat_map(|test| &test.recorded) {
         to_stderr(|out| writeln!(out, "{action} {}", paths.shown(path.as_path())));
     }

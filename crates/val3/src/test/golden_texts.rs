@@ -6,7 +6,7 @@ use val3_files::{FileClass, Unreadable};
 use val3_suite::{Failure, GoldenText, TestCase, TestResult};
 
 use super::cell::check_file;
-use super::recorded_file::{RecordedFile, Recording, record};
+use super::recorded_file::{RecordedContents, RecordedFile, record};
 use crate::user_error::UserError;
 
 /// Compares the texts of a test with the files that its expectations name, or records them there. A difference is added
@@ -25,7 +25,7 @@ pub(super) fn judge(case: &TestCase, result: &mut TestResult, update: bool) -> R
             continue;
         }
         if update {
-            let recording = Recording {
+            let recording = RecordedContents {
                 text: golden.text(),
                 is_known: &|text| golden.is_recorded(text),
                 kind: "recorded text",

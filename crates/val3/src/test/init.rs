@@ -61,20 +61,20 @@ pub(super) fn run(paths: &[Utf8PathBuf]) -> Result<ExitCode, UserError> {
 }
 
 /// Properties of the tested application that its test shares.
-struct Tested {
+struct TestedProperties {
     /// Arm kind of the application's positions, otherwise of its configuration or cell.
     arm: Arm,
     version: Version,
 }
 
-fn tested(application: &Utf8Path, name: &str) -> Result<Tested, UserError> {
+fn tested(application: &Utf8Path, name: &str) -> Result<TestedProperties, UserError> {
     let workspace = load(&Disk, &[application.to_owned()]).map_err(|error| UserError::new(error.to_string()))?;
     let db = &workspace.db;
     let manifest = application.join(format!("{name}.pjx"));
     let project = workspace.projects.iter().copied().find(|project| *project.manifest(db).path(db) == manifest);
     let items = project.map(|project| items(db, project));
     let arm = items.and_then(|items| items.arm).unwrap_or(Arm::SixAxis);
-    Ok(Tested { arm, version: items.map_or(VERSION, |items| items.version) })
+    Ok(TestedProperties { arm, version: items.map_or(VERSION, |items| items.version) })
 }
 
 /// Library alias of the application in its test: its name, if that is a valid alias.

@@ -5,12 +5,12 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use serde_json::{Value, json};
 use val3_machine::event::seconds;
-use val3_suite::{Exemption, Failure, Place, RepeatedEvent, TestCase};
+use val3_suite::{Exemption, Failure, FailureLocation, RepeatedEvent, TestCase};
 
 use super::discovery::Listed;
 use super::results::{EarlyEnd, Results};
 use super::source_line::source_line;
-use super::tested::Tested;
+use super::tested::TestedTest;
 use crate::paths::Paths;
 
 /// Writes the object with all tests.
@@ -68,7 +68,7 @@ pub(super) fn named(case: &TestCase, paths: &Paths) -> Value {
 }
 
 /// A test with its result.
-pub(super) fn described(Tested { case, result, wall, earlier, .. }: &Tested, paths: &Paths) -> Value {
+pub(super) fn described(TestedTest { case, result, wall, earlier, .. }: &TestedTest, paths: &Paths) -> Value {
     let failure = result.failures.split_first().map(|(first, others)| {
         let others: Vec<Value> =
             others.iter().map(|other| json!({ "message": other.message, "places": places(other, paths) })).collect();
@@ -130,7 +130,7 @@ fn repeated(RepeatedEvent { event, count, since }: &RepeatedEvent, paths: &Paths
 }
 
 fn places(failure: &Failure, paths: &Paths) -> Vec<Value> {
-    let place = |place: &Place| {
+    let place = |place: &FailureLocation| {
         json!({
             "program": place.program,
             "file": paths.to_open(place.file.as_str().into()),

@@ -7,22 +7,22 @@ use serde_json::json;
 
 use super::json::{self, described, named};
 use super::results::Results;
-use super::workers::Progress;
+use super::workers::TestEvent;
 use crate::paths::Paths;
 
 /// Writes the line for a test that has started or finished.
-pub(super) fn write(progress: &Progress<'_>, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+pub(super) fn write(progress: &TestEvent<'_>, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
     let (kind, test) = match progress {
-        Progress::Started(case) => ("started", named(case, paths)),
-        Progress::Finished(tested) => ("finished", described(tested, paths)),
-        Progress::Next(_) => return Ok(()),
+        TestEvent::Started(case) => ("started", named(case, paths)),
+        TestEvent::Finished(tested) => ("finished", described(tested, paths)),
+        TestEvent::Next(_) => return Ok(()),
     };
     writeln!(out, "{}", json!({ "kind": kind, "test": test }))
 }
 
 /// Writes the lines of finished tests.
 pub(super) fn document(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-    results.tested.iter().try_for_each(|test| write(&Progress::Finished(test), paths, out))?;
+    results.tested.iter().try_for_each(|test| write(&TestEvent::Finished(test), paths, out))?;
     summary(results, paths, out)
 }
 

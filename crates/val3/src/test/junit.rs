@@ -11,19 +11,19 @@ use val3_suite::{Exemption, TestCase, TestResult};
 
 use super::events;
 use super::results::Results;
-use super::tested::{Tested, described};
+use super::tested::{TestedTest, described};
 use crate::format::xml::{XmlWriter, allowed, allowed_name, document};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
 /// A test with its result, or with the reason why it was not executed.
 #[derive(Clone, Copy)]
-enum Entry<'r> {
-    Run(&'r Tested),
+enum JunitCase<'r> {
+    Run(&'r TestedTest),
     NotRun(&'r TestCase, &'static str),
 }
 
-impl<'r> Entry<'r> {
+impl<'r> JunitCase<'r> {
     fn case(self) -> &'r TestCase {
         match self {
             Self::Run(tested) => &tested.case,
@@ -42,9 +42,9 @@ impl<'r> Entry<'r> {
 
 /// Writes one `<testsuite>` element for each application.
 pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
-    let run = results.tested.iter().map(Entry::Run);
-    let mut all: Vec<Entry<'_>> =
-        run.chain(results.not_run().map(|(case, reason)| Entry::NotRun(case, reason))).collect();
+    let run = results.tested.iter().map(JunitCase::Run);
+    let mut all: Vec<JunitCase<'_>> =
+        run.chain(results.not_run().map(|(case, reason)| JunitCase::NotRun(case, reason))).collect();
     let mut applications: Vec<&str> = Vec::new();
     for entry in &all {
         if !applications.contains(&entry.case().shown_application()) {
@@ -66,9 +66,9 @@ pub(super) fn write(results: &Results, paths: &Paths, out: &mut dyn WriteColor) 
     })
 }
 
-fn suite(tests: &[Entry<'_>], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+fn suite(tests: &[JunitCase<'_>], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let name = tests.first().map_or("", |test| test.case().shown_application());
-    let run = || tests.iter().filter_map(|test| if let Entry::Run(tested) = test { Some(*tested) } else { None });
+    let run = || tests.iter().filter_map(|test| if let JunitCase::Run(tested) = test { Some(*tested) } else { None });
     let failures = run().filter(|test| !test.result.has_passed()).count();
     let suite = writer.create_element("testsuite").with_attributes([
         ("name", allowed_name(name).as_str()),
@@ -87,7 +87,7 @@ fn suite(tests: &[Entry<'_>], paths: &Paths, writer: &mut XmlWriter<'_>) -> io::
 }
 
 /// Writes the controller time of each test in seconds. The schema has properties only in a suite.
-fn controller_times<'t>(mut run: impl Iterator<Item = &'t Tested>, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+fn controller_times<'t>(mut run: impl Iterator<Item = &'t TestedTest>, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let properties = writer.create_element("properties");
     let write = |writer: &mut XmlWriter<'_>| {
         run.try_for_each(|test| {
@@ -100,20 +100,20 @@ fn controller_times<'t>(mut run: impl Iterator<Item = &'t Tested>, writer: &mut 
     properties.write_inner_content(write).map(drop)
 }
 
-fn test(entry: Entry<'_>, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+fn test(entry: JunitCase<'_>, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     let case = entry.case();
-    let time = if let Entry::Run(tested) = entry { tested.wall } else { Duration::ZERO };
+    let time = if let JunitCase::Run(tested) = entry { tested.wall } else { Duration::ZERO };
     let test = writer.create_element("testcase").with_attributes([
         ("name", allowed_name(&case.shown_title()).as_str()),
         ("classname", allowed_name(case.shown_application()).as_str()),
         ("time", wall(time).as_str()),
     ]);
     test.write_inner_content(|writer| match entry {
-        Entry::Run(tested) => {
+        JunitCase::Run(tested) => {
             result(&tested.result, paths, writer)?;
             flaky_failures(tested, paths, writer)
         }
-        Entry::NotRun(_, reason) => {
+        JunitCase::NotRun(_, reason) => {
             writer.create_element("skipped").with_attribute(("message", reason)).write_empty().map(drop)
         }
     })
@@ -139,7 +139,7 @@ fn result(result: &TestResult, paths: &Paths, writer: &mut XmlWriter<'_>) -> io:
 }
 
 /// Writes the failures of attempts before the one that has passed.
-fn flaky_failures(tested: &Tested, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+fn flaky_failures(tested: &TestedTest, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     tested.earlier.iter().filter(|_| tested.is_flaky()).try_for_each(|failed| {
         let message = failed.failures.first().and_then(|failure| failure.message.lines().next());
         let message = allowed(message.unwrap_or_default());
@@ -183,7 +183,7 @@ mod tests {
     fn failed_attempts_of_a_flaky_test_are_no_failures() {
         let (tested, paths) = (flaky(), Paths::new(&[], "/".into()));
         let mut out = NoColor::new(Vec::new());
-        document(&mut out, |writer| suite(&[Entry::Run(&tested)], &paths, writer)).unwrap();
+        document(&mut out, |writer| suite(&[JunitCase::Run(&tested)], &paths, writer)).unwrap();
         let text = String::from_utf8(out.into_inner()).unwrap();
         assert!(text.contains(r#"tests="1" failures="0""#), "{text}");
         assert_eq!(text.matches("<flakyFailure").count(), 2, "{text}");

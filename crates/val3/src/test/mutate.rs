@@ -28,7 +28,7 @@ use crate::user_error::{EXIT_USAGE, UserError};
 use conditions::{Conditions, SEED};
 use mutant::mutants;
 use original::originals;
-use report::Report;
+use report::MutationReport;
 use trial::Verdict;
 
 /// Executes the tests, then those mistakes that the arguments ask for, and reports the ones that survive.
@@ -60,7 +60,7 @@ pub(super) fn run(
     }
     let trials = trial::all(conditions, &originals, &mutants.all)?;
     let seed = args.seed.unwrap_or(SEED);
-    let report = Report { originals: &originals, trials: &trials, unused: &mutants.unused, paths, seed };
+    let report = MutationReport { originals: &originals, trials: &trials, unused: &mutants.unused, paths, seed };
     to_stdout_as(args.format.content(), color, |out| match args.format {
         TestFormat::Json => report.json(out),
         _ => report.human(out),

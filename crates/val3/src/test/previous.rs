@@ -10,14 +10,14 @@ use crate::user_error::UserError;
 
 /// JSON object of the report.
 #[derive(Debug, Deserialize)]
-struct Report {
+struct PreviousReport {
     version: u32,
-    tests: Vec<Entry>,
+    tests: Vec<PreviousTest>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
-struct Entry {
+struct PreviousTest {
     id: String,
     passed: bool,
     wall_seconds: f64,
@@ -46,12 +46,12 @@ impl Previous {
             UserError::new(format!("`{path}` is no report of tests: {reason}")).with_help(help.to_owned())
         };
         let text = val3_files::read_text(path, FileClass::Record).map_err(|error| unusable(error.to_string()))?;
-        let report: Report = serde_json::from_str(&text).map_err(|error| unusable(error.to_string()))?;
+        let report: PreviousReport = serde_json::from_str(&text).map_err(|error| unusable(error.to_string()))?;
         if report.version != 1 {
             return Err(unusable(format!("its version is {}, not 1", report.version)));
         }
         let mut results: BTreeMap<String, PreviousResult> = BTreeMap::new();
-        for Entry { id, passed, wall_seconds } in report.tests {
+        for PreviousTest { id, passed, wall_seconds } in report.tests {
             let known = results.entry(id).or_insert(PreviousResult { has_failed: false, seconds: 0.0 });
             known.has_failed |= !passed;
             known.seconds = known.seconds.max(wall_seconds);

@@ -22,7 +22,7 @@ use val3_session::Application;
 use self::draft::{Draft, NOTHING_EXPECTED};
 use self::run_record::RunRecord;
 pub(crate) use self::served::{ServedRun, record_served};
-use self::trial::Trial;
+use self::trial::ScenarioTrial;
 use super::cell::check_project;
 use crate::args::{ControllerArgs, TestArgs};
 use crate::output::to_stderr;
@@ -97,7 +97,7 @@ impl NewScenario<'_> {
         check_project(folder, manifest, "application")?;
         let application = relative(folder, manifest.parent().unwrap_or(manifest));
         let draft = Draft::new(&heading, &application, run, controller.with(&run.controller_keys()));
-        let draft = tried(draft, &Trial { manifest, path })?;
+        let draft = tried(draft, &ScenarioTrial { manifest, path })?;
         let text = draft.text();
         fs::create_dir_all(folder).map_err(|error| refused(shown, &error.to_string()))?;
         replace(path, text.as_bytes()).map_err(|error| refused(shown, &error.to_string()))?;
@@ -107,7 +107,7 @@ impl NewScenario<'_> {
 }
 
 /// Executes the scenario until it passes. What the execution does not repeat becomes a comment.
-fn tried<'r>(mut draft: Draft<'r>, trial: &Trial<'_>) -> Result<Draft<'r>, UserError> {
+fn tried<'r>(mut draft: Draft<'r>, trial: &ScenarioTrial<'_>) -> Result<Draft<'r>, UserError> {
     draft.add_outputs(&trial.opened()?.controller);
     for number in 0..TRIALS {
         let outcome = trial.execute(draft.text())?;

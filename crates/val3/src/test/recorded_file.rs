@@ -16,7 +16,7 @@ pub(super) struct RecordedFile {
 }
 
 /// Contents of one kind.
-pub(super) struct Recording<'r> {
+pub(super) struct RecordedContents<'r> {
     /// The text.
     pub(super) text: String,
     /// Whether a text is of this kind, so that its file may be replaced.
@@ -31,8 +31,8 @@ pub(super) struct Recording<'r> {
 ///
 /// # Errors
 /// The file cannot be written, or is of another kind.
-pub(super) fn record(path: &Utf8Path, recording: &Recording<'_>) -> Result<&'static str, UserError> {
-    let Recording { text, is_known, kind, key } = recording;
+pub(super) fn record(path: &Utf8Path, recording: &RecordedContents<'_>) -> Result<&'static str, UserError> {
+    let RecordedContents { text, is_known, kind, key } = recording;
     let action = match val3_files::read_text(path, FileClass::Record) {
         Ok(known) if known == *text => return Ok("unchanged:"),
         Ok(known) if is_known(&known) => "changed:",

@@ -8,9 +8,9 @@ use val3_check::diagnostic::Diagnostic;
 use val3_lang::test_names::is_test;
 use val3_lines::LineIndex;
 use val3_session::Application;
-use val3_suite::{Failure, Place, TestCase, TestKind, TestResult};
+use val3_suite::{Failure, FailureLocation, TestCase, TestKind, TestResult};
 
-use super::tested::Tested;
+use super::tested::TestedTest;
 use crate::user_error::UserError;
 
 /// Test name of the failure that represents all of an application's tests.
@@ -63,7 +63,8 @@ fn failure(db: &Database, finding: &Diagnostic) -> Failure {
     let file = finding.place.file;
     let line = LineIndex::new(file.text(db)).line(finding.place.range.start().into()) + 1;
     let line = u32::try_from(line).unwrap_or(u32::MAX);
-    let place = Place { program: finding.rule.code.to_owned(), file: file.path(db).as_str().to_owned(), line };
+    let place =
+        FailureLocation { program: finding.rule.code.to_owned(), file: file.path(db).as_str().to_owned(), line };
     Failure { message: finding.message.clone(), places: vec![place] }
 }
 
@@ -107,19 +108,19 @@ impl RefusedTests {
     }
 
     /// Converts the tests to a failure.
-    pub(super) fn into_tested(self) -> Tested {
+    pub(super) fn into_tested(self) -> TestedTest {
         let Self { case, refusal: Refusal { error, mut findings, .. }, .. } = self;
-        let place = Place { program: case.program.clone(), file: case.file.clone(), line: case.line };
+        let place = FailureLocation { program: case.program.clone(), file: case.file.clone(), line: case.line };
         findings.insert(0, Failure { message: error.lines(), places: vec![place] });
         let result = TestResult { failures: findings, ..TestResult::default() };
-        Tested { is_executed: false, ..Tested::of(&case, result) }
+        TestedTest { is_executed: false, ..TestedTest::of(&case, result) }
     }
 }
 
-impl Tested {
+impl TestedTest {
     /// A test whose script is invalid.
     pub(super) fn unusable(case: &TestCase, error: &UserError) -> Self {
-        let place = Place { program: case.program_name(), file: case.file.clone(), line: case.line };
+        let place = FailureLocation { program: case.program_name(), file: case.file.clone(), line: case.line };
         let failure = Failure { message: error.lines(), places: vec![place] };
         let result = TestResult { failures: vec![failure], ..TestResult::default() };
         Self { is_executed: false, ..Self::of(case, result) }

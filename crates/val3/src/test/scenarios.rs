@@ -7,7 +7,7 @@ use val3_analysis::system::{Disk, System as _};
 use val3_config::{ConfigFile, FILE_NAME};
 use val3_files::{FileClass, Unreadable};
 use val3_session::{Application, SessionError};
-use val3_suite::{Role, Scenario, TestCase};
+use val3_suite::{Scenario, TestCase, TestFileRole};
 
 use super::cell::check_project;
 use super::discovery::{Opening, Suite, Suites, open};
@@ -124,9 +124,9 @@ fn is_scenario(asked: &Utf8Path, path: &Utf8Path) -> Result<bool, UserError> {
     }
     match val3_files::read_text(path, FileClass::Settings) {
         Ok(text) => Ok(match Scenario::role(&text) {
-            Role::Scenario | Role::Script => is_below,
-            Role::Expectations => true,
-            Role::Other => false,
+            TestFileRole::Scenario | TestFileRole::Script => is_below,
+            TestFileRole::Expectations => true,
+            TestFileRole::Other => false,
         }),
         Err(Unreadable::Missing) => Ok(false),
         // Reported as a failed test, because every scenario is UTF-8.

@@ -8,14 +8,14 @@ use crate::args::TestArgs;
 use crate::user_error::UserError;
 
 /// Selects tests by name, tags and earlier results.
-pub(super) struct Selection<'a> {
+pub(super) struct TestSelection<'a> {
     args: &'a TestArgs,
     /// An earlier run's report; only its failures are executed.
     failed: Option<Previous>,
     timings: Option<Previous>,
 }
 
-impl<'a> Selection<'a> {
+impl<'a> TestSelection<'a> {
     /// Creates the selection of the arguments.
     ///
     /// # Errors

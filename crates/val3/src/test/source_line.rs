@@ -2,7 +2,7 @@
 
 use camino::Utf8Path;
 use val3_files::FileClass;
-use val3_suite::Place;
+use val3_suite::FailureLocation;
 use val3_syntax::{decode_entities, encoding};
 
 /// Maximum number of displayed characters.
@@ -13,7 +13,7 @@ const CDATA: &str = "<![CDATA[";
 
 /// Returns the text of the line, trimmed. `None` if the file can no longer be read, if the location is an entire file,
 /// and for the head of a table in a scenario.
-pub(super) fn source_line(place: &Place) -> Option<String> {
+pub(super) fn source_line(place: &FailureLocation) -> Option<String> {
     let path = Utf8Path::new(&place.file);
     let is_program = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("pgx"));
     let is_settings = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));

@@ -2,14 +2,14 @@
 
 use std::time::Duration;
 
-use val3_suite::{Exemption, Failure, Place, TestCase, TestResult};
+use val3_suite::{Exemption, Failure, FailureLocation, TestCase, TestResult};
 
 use super::recorded_file::RecordedFile;
 use super::source_line::source_line;
 use crate::paths::Paths;
 
 /// A test with its result.
-pub(super) struct Tested {
+pub(super) struct TestedTest {
     pub(super) case: TestCase,
     pub(super) result: TestResult,
     /// Recorded motion and texts that `--update` has written.
@@ -22,7 +22,7 @@ pub(super) struct Tested {
     pub(super) earlier: Vec<TestResult>,
 }
 
-impl Tested {
+impl TestedTest {
     /// Creates an executed test with its result.
     pub(super) fn of(case: &TestCase, result: TestResult) -> Self {
         let (recorded, earlier) = (Vec::new(), Vec::new());
@@ -56,7 +56,7 @@ pub(super) fn described(result: &TestResult, paths: &Paths) -> Vec<String> {
 
 /// Lines that describe a failure: its message, the source line, and the call stack.
 pub(super) fn lines(failure: &Failure, paths: &Paths) -> Vec<String> {
-    let place = |place: &Place| match place.file.as_str() {
+    let place = |place: &FailureLocation| match place.file.as_str() {
         "" => format!("at {}:{}", place.program, place.line),
         file => format!("at {} ({}:{})", place.program, paths.shown(file.into()), place.line),
     };
@@ -83,7 +83,7 @@ pub(super) mod examples {
     use super::*;
 
     /// A test of which two attempts have failed and the third has passed.
-    pub(crate) fn flaky() -> Tested {
+    pub(crate) fn flaky() -> TestedTest {
         let case = TestCase {
             kind: TestKind::Program,
             application: "pal".to_owned(),
@@ -101,6 +101,6 @@ pub(super) mod examples {
             TestResult { failures: vec![failure], ..TestResult::default() }
         };
         let earlier = vec![failed("no <answer>"), failed("it was late")];
-        Tested { earlier, ..Tested::of(&case, TestResult::default()) }
+        TestedTest { earlier, ..TestedTest::of(&case, TestResult::default()) }
     }
 }

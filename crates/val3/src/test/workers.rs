@@ -25,7 +25,7 @@ use super::identifiers;
 use super::order::shuffled;
 use super::results::{EarlyEnd, Results};
 use super::script_file::ScriptFile;
-use super::tested::Tested;
+use super::tested::TestedTest;
 use crate::args::TestArgs;
 use crate::run::check_script;
 use crate::signals::Signals;
@@ -33,17 +33,17 @@ use crate::sockets::ClosedSockets;
 use crate::user_error::UserError;
 
 /// An event of the execution.
-pub(super) enum Progress<'t> {
+pub(super) enum TestEvent<'t> {
     /// A thread has started a test.
     Started(&'t TestCase),
     /// A test has finished.
-    Finished(&'t Tested),
+    Finished(&'t TestedTest),
     /// A test has finished, and so have all its predecessors in the order of the results.
-    Next(&'t Tested),
+    Next(&'t TestedTest),
 }
 
 /// Receives each event when it happens. It can end the execution after the tests that have already started.
-pub(super) type Observer<'o> = &'o mut dyn FnMut(&Progress<'_>) -> Result<ControlFlow<()>, UserError>;
+pub(super) type Observer<'o> = &'o mut dyn FnMut(&TestEvent<'_>) -> Result<ControlFlow<()>, UserError>;
 
 /// Shared resources of the execution.
 pub(super) struct Surroundings<'s> {
@@ -71,7 +71,7 @@ pub(super) fn executed(
     let mut done = Done { order: &order, tests: BTreeMap::new(), shown: 0, fail_fast: args.fail_fast };
     let (coverage, is_read) = thread::scope(|scope| {
         let (sender, messages) = channel();
-        let work = |messages: Sender<Message>, sockets: ClosedSockets| {
+        let work = |messages: Sender<WorkerMessage>, sockets: ClosedSockets| {
             move || Worker::new(args, sockets).work(queue, &messages)
         };
         let sockets = surroundings.sockets;
@@ -104,14 +104,14 @@ struct Done<'o> {
     order: &'o [usize],
     /// Index in the order of execution and result, by test number. Results are sorted by number, regardless of the
     /// order of execution.
-    tests: BTreeMap<usize, (usize, Tested)>,
+    tests: BTreeMap<usize, (usize, TestedTest)>,
     /// Number of the next test to show.
     shown: usize,
     fail_fast: bool,
 }
 
 impl Done<'_> {
-    fn add(&mut self, place: usize, tested: Tested) {
+    fn add(&mut self, place: usize, tested: TestedTest) {
         if let Some(number) = self.order.get(place) {
             self.tests.insert(*number, (place, tested));
         }
@@ -122,7 +122,7 @@ impl Done<'_> {
     fn show_next(&mut self, observer: Observer<'_>) -> Result<ControlFlow<()>, UserError> {
         while let Some((_, tested)) = self.tests.get(&self.shown).filter(|_| !self.fail_fast) {
             self.shown += 1;
-            if observer(&Progress::Next(tested))?.is_break() {
+            if observer(&TestEvent::Next(tested))?.is_break() {
                 return Ok(ControlFlow::Break(()));
             }
         }
@@ -140,13 +140,13 @@ impl Done<'_> {
     /// Shows the remaining tests.
     fn show(&self, observer: Observer<'_>) -> Result<(), UserError> {
         let mut open = self.tests.range(self.shown..);
-        open.try_for_each(|(_, (_, tested))| observer(&Progress::Next(tested)).map(drop))
+        open.try_for_each(|(_, (_, tested))| observer(&TestEvent::Next(tested)).map(drop))
     }
 }
 
 /// Collects the results of all threads. Returns the coverage, and whether the output is still read.
 fn observed(
-    messages: Receiver<Message>,
+    messages: Receiver<WorkerMessage>,
     queue: &Queue<'_>,
     done: &mut Done<'_>,
     observer: Observer<'_>,
@@ -154,15 +154,15 @@ fn observed(
     let mut coverage = Coverage::default();
     for message in messages {
         let flow = match message {
-            Message::Started(place) => {
-                queue.test(place).map_or(Ok(ControlFlow::Continue(())), |test| observer(&Progress::Started(test.case)))
+            WorkerMessage::Started(place) => {
+                queue.test(place).map_or(Ok(ControlFlow::Continue(())), |test| observer(&TestEvent::Started(test.case)))
             }
-            Message::Finished(place, tested) => {
-                let flow = observer(&Progress::Finished(&tested))?;
+            WorkerMessage::Finished(place, tested) => {
+                let flow = observer(&TestEvent::Finished(&tested))?;
                 done.add(place, *tested);
                 if flow.is_break() { Ok(flow) } else { done.show_next(observer) }
             }
-            Message::Counted(counted) => {
+            WorkerMessage::Counted(counted) => {
                 coverage.merge(counted);
                 Ok(ControlFlow::Continue(()))
             }
@@ -176,9 +176,9 @@ fn observed(
 }
 
 /// Message of a thread. The number is the index of the test in the order of execution.
-enum Message {
+enum WorkerMessage {
     Started(usize),
-    Finished(usize, Box<Tested>),
+    Finished(usize, Box<TestedTest>),
     /// Coverage of the thread's tests.
     Counted(Coverage),
 }
@@ -323,54 +323,54 @@ impl<'a> Worker<'a> {
     }
 
     /// Executes tests of the queue until it is empty, or the messages have no receiver.
-    fn work(mut self, queue: &Queue<'_>, messages: &Sender<Message>) -> Result<(), UserError> {
+    fn work(mut self, queue: &Queue<'_>, messages: &Sender<WorkerMessage>) -> Result<(), UserError> {
         while let Some((place, test)) = queue.take() {
-            if messages.send(Message::Started(place)).is_err() {
+            if messages.send(WorkerMessage::Started(place)).is_err() {
                 break;
             }
             let Some(tested) = self.attempts(test, queue).inspect_err(|_| queue.end())? else { break };
             if self.args.fail_fast && !tested.result.has_passed() {
                 queue.end();
             }
-            if messages.send(Message::Finished(place, Box::new(tested))).is_err() {
+            if messages.send(WorkerMessage::Finished(place, Box::new(tested))).is_err() {
                 break;
             }
         }
         // Fails without a receiver, if the output was closed.
-        let _ = messages.send(Message::Counted(self.coverage));
+        let _ = messages.send(WorkerMessage::Counted(self.coverage));
         Ok(())
     }
 
     /// Executes a test, and repeats it after a failure within the retry limit. `None` if the run was interrupted.
-    fn attempts(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<Tested>, UserError> {
+    fn attempts(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<TestedTest>, UserError> {
         let mut earlier = Vec::new();
         loop {
             let Some(tested) = self.execute(test, queue)? else { return Ok(None) };
             let is_last = earlier.len() >= self.args.retries as usize;
             if tested.result.has_passed() || !tested.is_executed || is_last {
-                return Ok(Some(Tested { earlier, ..tested }));
+                return Ok(Some(TestedTest { earlier, ..tested }));
             }
             earlier.push(tested.result);
         }
     }
 
     /// Executes a test. `None` if the run was interrupted.
-    fn execute(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<Tested>, UserError> {
+    fn execute(&mut self, test: &TestFile<'_>, queue: &Queue<'_>) -> Result<Option<TestedTest>, UserError> {
         let start = Instant::now();
         let file = match ScriptFile::of(test.case) {
             Ok(file) => file,
-            Err(error) => return Ok(Some(Tested::unusable(test.case, &error))),
+            Err(error) => return Ok(Some(TestedTest::unusable(test.case, &error))),
         };
         if let Some(reason) = file.scenario.skip() {
-            return Ok(Some(Tested::of(test.case, TestResult::skipped(reason))));
+            return Ok(Some(TestedTest::of(test.case, TestResult::skipped(reason))));
         }
         let mut bench = match self.bench(test.manifest, &file.keys) {
             Ok(bench) => bench,
-            Err(error) => return Ok(Some(Tested::unusable(test.case, &error))),
+            Err(error) => return Ok(Some(TestedTest::unusable(test.case, &error))),
         };
         if let Err(error) = bench.prepare(&file) {
             self.bench = Some(bench);
-            return Ok(Some(Tested::unusable(test.case, &error)));
+            return Ok(Some(TestedTest::unusable(test.case, &error)));
         }
         let evaluator = &mut self.evaluator;
         let limit = file.scenario.limit().filter(|_| self.args.limit.is_none());
@@ -391,7 +391,7 @@ impl<'a> Worker<'a> {
         recorded.extend(golden::judge(test.case, &mut result, self.args.update)?);
         result.judge_known_failure();
         result.keep_last_events(self.args.events as usize);
-        Ok(Some(Tested { recorded, wall: start.elapsed(), ..Tested::of(test.case, result) }))
+        Ok(Some(TestedTest { recorded, wall: start.elapsed(), ..TestedTest::of(test.case, result) }))
     }
 
     /// Application on a controller; reused from the previous test if the properties are equal.

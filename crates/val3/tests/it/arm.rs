@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use expect_test::{Expect, expect};
-use val3_kinematics::{Arm, Axis};
+use val3_kinematics::{Arm, AxisLimits};
 
 use crate::support::{CommandOutput, Folder};
 
@@ -212,7 +212,7 @@ fn the_hidden_times_are_found(measured: &Measured) {
         assert_eq!((fit.code, fit.stdout.as_str()), (0, ""), "{}", fit.stderr);
         let found = Arm::from_toml(&folder.read("my.toml")).unwrap();
         assert!(found.has_measured_times());
-        let values: [fn(&Axis) -> f64; 3] =
+        let values: [fn(&AxisLimits) -> f64; 3] =
             [|axis| axis.nominal_speed, |axis| axis.acceleration, |axis| axis.deceleration];
         for (value, hidden) in values.iter().zip(measured.hidden) {
             for (axis, hidden) in found.limits().iter().zip(hidden) {

@@ -8,13 +8,13 @@ use val3_lang::instructions;
 use val3_lang::suggest::nearest;
 use val3_lang::types::BaseType;
 
-use super::Scope;
+use super::NameResolver;
 use crate::add_on_programs;
 use crate::db::Project;
 use crate::items::project::items;
 use crate::problem::{NameKind, ProblemKind};
 
-impl<'db> Scope<'db> {
+impl<'db> NameResolver<'db> {
     /// Returns the forms that the cell's tables declare for an add-on instruction.
     pub(in crate::infer) fn add_on_forms(&self, name: &str, on_library: bool) -> Vec<&'db AddOnOverload> {
         let db = self.db;

@@ -4,17 +4,17 @@ use smol_str::{SmolStr, format_smolstr};
 use val3_lang::suggest::nearest;
 use val3_lang::types::{self, Arm, BaseType};
 
-use super::{Scope, Unresolved, data_value};
+use super::{NameResolver, Unresolved, data_value};
 use crate::db::{File, FileRange, Project};
-use crate::infer::value::Value;
+use crate::infer::value::InferredValue;
 use crate::interfaces::is_left_out;
 use crate::items::declarations;
 use crate::items::project::{fields, items, signature};
-use crate::problem::{NameKind, ProblemKind, Role};
+use crate::problem::{NameKind, ProblemKind, RelatedRole};
 use crate::test_applications::sees_private_items;
 use crate::ty::Base;
 
-impl Scope<'_> {
+impl NameResolver<'_> {
     /// Returns the interface project of a library identifier.
     pub(in crate::infer) fn interface(&self, library: &SmolStr) -> Result<Project, Unresolved> {
         if let Some(found) = self.items.libraries.get(library) {
@@ -33,7 +33,11 @@ impl Scope<'_> {
     }
 
     /// Resolves `library:item` as a value.
-    pub(in crate::infer) fn library_value(&self, library: &SmolStr, item: &SmolStr) -> Result<Value, Unresolved> {
+    pub(in crate::infer) fn library_value(
+        &self,
+        library: &SmolStr,
+        item: &SmolStr,
+    ) -> Result<InferredValue, Unresolved> {
         let interface = self.interface(library)?;
         let items = items(self.db, interface);
         match items.data.get(item) {
@@ -88,11 +92,11 @@ impl Scope<'_> {
     fn unknown_item(&self, library: &SmolStr, item: &SmolStr, what: NameKind, near: Option<SmolStr>) -> Unresolved {
         let declared = declarations::library(self.db, self.project, library.clone());
         let kind = ProblemKind::LibraryItemUnknown { alias: library.clone(), item: item.clone(), what, near };
-        Unresolved::fault_with(kind, Role::Interface, declared)
+        Unresolved::fault_with(kind, RelatedRole::Interface, declared)
     }
 
     /// Resolves a field of the user type that `project` declares.
-    pub(in crate::infer) fn user_field(&self, project: Project, field: &SmolStr) -> Result<Value, Unresolved> {
+    pub(in crate::infer) fn user_field(&self, project: Project, field: &SmolStr) -> Result<InferredValue, Unresolved> {
         let fields = fields(self.db, project);
         if let Some(item) = fields.get(field) {
             return Ok(data_value(item));
@@ -132,11 +136,11 @@ impl Scope<'_> {
         private: Option<FileRange>,
     ) -> Unresolved {
         let kind = ProblemKind::UnknownField { ty: self.show(base), field: field.clone(), near };
-        Unresolved::fault_with(kind, Role::Declared, private)
+        Unresolved::fault_with(kind, RelatedRole::Declared, private)
     }
 }
 
 fn private_item(library: &SmolStr, item: &SmolStr, what: NameKind, declared: Option<FileRange>) -> Unresolved {
     let kind = ProblemKind::LibraryItemPrivate { alias: library.clone(), item: item.clone(), what };
-    Unresolved::fault_with(kind, Role::Declared, declared)
+    Unresolved::fault_with(kind, RelatedRole::Declared, declared)
 }

@@ -7,8 +7,8 @@ mod virtual_boards;
 use smol_str::SmolStr;
 use val3_lang::types::BaseType;
 
-use crate::cell::{Device, Io};
-use crate::xml::{self, Element};
+use crate::cell::{CellIo, Device};
+use crate::xml::{self, XmlElement};
 
 /// Boards of a CS8: file in `usr/configs`, device name in links, tag prefix of digital signals.
 const BOARDS: [(&str, &str, &str); 4] = [
@@ -19,8 +19,8 @@ const BOARDS: [(&str, &str, &str); 4] = [
 ];
 
 /// Reads the existing files; `file` returns the text of a file in `usr/configs`.
-pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> Io {
-    let mut io = Io::default();
+pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> CellIo {
+    let mut io = CellIo::default();
     for (name, device, prefix) in BOARDS {
         if let Some(text) = file(name) {
             board(&text, device, prefix, &mut io);
@@ -37,16 +37,16 @@ pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> Io {
 }
 
 /// Adds the tables of the Modbus server from the text of `modbus.xml`.
-pub(super) fn add_modbus(text: &str, io: &mut Io) {
+pub(super) fn add_modbus(text: &str, io: &mut CellIo) {
     insert_known(modbus::DEVICE, modbus::read(text).unwrap_or_default(), io);
 }
 
 /// Reads a board: `<bioDin index="3" name="bIn3" …/>` is `%I3`, `<bioDout index="3" …/>` is `%Q3`.
-fn board(text: &str, device: &str, prefix: &str, io: &mut Io) {
+fn board(text: &str, device: &str, prefix: &str, io: &mut CellIo) {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view());
     let mut signals = Device::default();
-    for element in root.into_iter().flat_map(Element::elements) {
+    for element in root.into_iter().flat_map(XmlElement::elements) {
         // In some versions, the elements of the second board have the tag of the first board.
         let kind = element.name().strip_prefix(prefix).or_else(|| element.name().strip_prefix("bio"));
         let sign = match kind {
@@ -67,7 +67,7 @@ fn board(text: &str, device: &str, prefix: &str, io: &mut Io) {
 
 /// Reads serial lines and sockets: `<socketClt><String name="name" value="host" />…`. A file without sockets means that
 /// the cell has none. Serial ports and UDP sockets are not in the file of every version.
-fn lines(text: &str, io: &mut Io) {
+fn lines(text: &str, io: &mut CellIo) {
     let parse = val3_syntax::parse(text);
     let Some(root) = xml::root(parse.view()).filter(|root| root.name() == "sio") else { return };
     let (mut serial, mut sockets, mut datagrams) = (Device::default(), Device::default(), Device::default());
@@ -87,7 +87,7 @@ fn lines(text: &str, io: &mut Io) {
 }
 
 /// Adds a device if its file lists signals.
-fn insert_known(device: &str, signals: Device, io: &mut Io) {
+fn insert_known(device: &str, signals: Device, io: &mut CellIo) {
     if !signals.is_empty() {
         io.devices.insert(device.to_owned(), signals);
     }

@@ -9,24 +9,24 @@ use crate::compare::program::Rules;
 use crate::compare::renames::Renamed;
 use crate::compare::text::Version;
 use crate::compare::{contents, interface, program, text};
-use crate::exclusions::Layout;
-use crate::model::{ApplicationChange, InterfaceChange, Pair, Problem};
+use crate::exclusions::BlankComparison;
+use crate::model::{ApplicationChange, InterfaceChange, Problem, ValuePair};
 use crate::read::code::Renames;
-use crate::read::program::Program;
+use crate::read::program::ProgramVersion;
 use crate::tree::text_of;
 
 /// Old and new version of a file.
-type Versions<'a, 't> = [Option<&'a SourceFile<'t>>; 2];
+type FileVersions<'a, 't> = [Option<&'a SourceFile<'t>>; 2];
 
 /// Two versions of a program that differ, or a program that exists in only one version.
 pub(super) struct ProgramPair<'a, 't> {
-    files: Versions<'a, 't>,
-    programs: [Option<Program>; 2],
+    files: FileVersions<'a, 't>,
+    programs: [Option<ProgramVersion>; 2],
 }
 
 impl ProgramPair<'_, '_> {
     /// Returns the program in both versions.
-    pub(super) fn programs(&self) -> [Option<&Program>; 2] {
+    pub(super) fn programs(&self) -> [Option<&ProgramVersion>; 2] {
         self.programs.each_ref().map(Option::as_ref)
     }
 
@@ -51,7 +51,8 @@ pub(super) fn read<'a, 't>(
         if old.zip(new).is_some_and(|(old, new)| is_same(old, new)) {
             continue;
         }
-        let read = |file: Option<&SourceFile<'_>>| file.and_then(|file| Program::read(&text_of(file.bytes).ok()?));
+        let read =
+            |file: Option<&SourceFile<'_>>| file.and_then(|file| ProgramVersion::read(&text_of(file.bytes).ok()?));
         let programs = files.map(read);
         // An unlisted file is not loaded, so it is no program.
         let is_unlisted = has_lists && files.into_iter().flatten().all(|file| !file.listed);
@@ -61,7 +62,7 @@ pub(super) fn read<'a, 't>(
             continue;
         }
         let path = new.or(old).map(|file| file.path.to_string()).unwrap_or_default();
-        let version = |file: Option<&SourceFile<'t>>, program: &Option<Program>| {
+        let version = |file: Option<&SourceFile<'t>>, program: &Option<ProgramVersion>| {
             as_version(file, is_unlisted || program.is_some())
         };
         let sides = [version(old, &programs[0]), version(new, &programs[1])];
@@ -75,7 +76,7 @@ pub(super) fn compare(
     pair: &Matched<'_, '_>,
     pairs: Vec<ProgramPair<'_, '_>>,
     renamed: &Renamed,
-    layout: Layout,
+    layout: BlankComparison,
     compared: &mut ApplicationChange,
 ) -> Vec<InterfaceChange> {
     let names = renamed.names();
@@ -89,8 +90,8 @@ pub(super) fn compare(
             }
             continue;
         };
-        let types = |program: &Option<Program>| program.as_ref().map(Program::interface);
-        let types = Pair { old: types(&old_program), new: types(&new_program) };
+        let types = |program: &Option<ProgramVersion>| program.as_ref().map(ProgramVersion::interface);
+        let types = ValuePair { old: types(&old_program), new: types(&new_program) };
         interface.extend(interface::program(&change, types));
         compared.programs.push(change);
     }
@@ -126,9 +127,9 @@ fn as_version<'t>(file: Option<&SourceFile<'t>>, is_readable: bool) -> Option<Ve
 }
 
 /// Matches a file that was moved to another folder of the application, if its file name is unique.
-fn moved_together<'a, 't>(files: Vec<Versions<'a, 't>>) -> Vec<Versions<'a, 't>> {
+fn moved_together<'a, 't>(files: Vec<FileVersions<'a, 't>>) -> Vec<FileVersions<'a, 't>> {
     let name = |file: &SourceFile<'_>| path_key(Utf8Path::new(&file.path).file_name().unwrap_or(""));
-    let alone = |files: &[Versions<'a, 't>], at: usize| -> Vec<&'a SourceFile<'t>> {
+    let alone = |files: &[FileVersions<'a, 't>], at: usize| -> Vec<&'a SourceFile<'t>> {
         let sides = files.iter().filter(|[old, new]| old.is_some() != new.is_some());
         sides.filter_map(|sides| sides.get(at).copied().flatten()).collect()
     };

@@ -4,27 +4,27 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::applications::SourceFile;
 use crate::compare::text::Version;
-use crate::read::data::{self, Data};
+use crate::read::data::{self, DataVersion};
 use crate::tree::text_of;
 
 /// Files by their path below the folder.
-type Files<'t> = BTreeMap<String, SourceFile<'t>>;
+type FolderFiles<'t> = BTreeMap<String, SourceFile<'t>>;
 
 /// Returns the versions of every file, sorted by path.
 pub(super) fn versions<'a, 't>(
-    old: Option<&'a Files<'t>>,
-    new: Option<&'a Files<'t>>,
+    old: Option<&'a FolderFiles<'t>>,
+    new: Option<&'a FolderFiles<'t>>,
 ) -> Vec<[Option<&'a SourceFile<'t>>; 2]> {
     let keys: BTreeSet<&String> = [old, new].into_iter().flatten().flat_map(BTreeMap::keys).collect();
-    let get = |files: Option<&'a Files<'t>>, key: &String| files.and_then(|files| files.get(key));
+    let get = |files: Option<&'a FolderFiles<'t>>, key: &String| files.and_then(|files| files.get(key));
     keys.into_iter().map(|key| [get(old, key), get(new, key)]).collect()
 }
 
 /// Data in both versions, in the order of the project files.
 #[derive(Default)]
 pub(super) struct DataSides {
-    pub(super) old: Vec<Data>,
-    pub(super) new: Vec<Data>,
+    pub(super) old: Vec<DataVersion>,
+    pub(super) new: Vec<DataVersion>,
 }
 
 /// Path and versions of a file that is broken in at least one version.
@@ -35,7 +35,7 @@ struct DataFile<'a, 't> {
     key: &'a str,
     file: &'a SourceFile<'t>,
     /// Data in the file; `None` if the file is broken.
-    data: Option<Vec<Data>>,
+    data: Option<Vec<DataVersion>>,
 }
 
 impl DataSides {
@@ -65,7 +65,7 @@ impl DataSides {
 }
 
 /// Reads the data in a file; `None` if the file is broken.
-fn read(bytes: &[u8]) -> Option<Vec<Data>> {
+fn read(bytes: &[u8]) -> Option<Vec<DataVersion>> {
     let text = text_of(bytes).ok()?;
     let parse = val3_syntax::parse_shared(text);
     let root = val3_analysis::xml::root(parse.view())?;

@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use similar::TextDiff;
 
-use super::items::{Names, Renamed, Versions};
+use super::items::{ItemVersions, Renamed, UnmatchedNames};
 use crate::read::code::Renames;
-use crate::read::program::Program;
+use crate::read::program::ProgramVersion;
 
 /// Minimum ratio of equal lines between a program and its successor according to the calls.
 const LEAST_RATIO: f32 = 0.5;
@@ -19,17 +19,22 @@ const EMPTY: usize = 2;
 
 /// Adds the renamed programs: programs with equal parameters, variables and statements, and programs whose calls use a
 /// new name, if their code is similar.
-pub(super) fn find(programs: &[Versions<'_>], names: &Names<'_>, followed: &Renames, renamed: &mut Renamed) {
+pub(super) fn find(
+    programs: &[ItemVersions<'_>],
+    names: &UnmatchedNames<'_>,
+    followed: &Renames,
+    renamed: &mut Renamed,
+) {
     let removed = programs
         .iter()
         .filter_map(|[old, _]| *old)
         .filter(|program| names.removed.contains(program.header.name.as_str()));
-    let added: Vec<&Program> = programs
+    let added: Vec<&ProgramVersion> = programs
         .iter()
         .filter_map(|[_, new]| *new)
         .filter(|program| names.added.contains(program.header.name.as_str()))
         .collect();
-    let removed: Vec<&Program> = removed.collect();
+    let removed: Vec<&ProgramVersion> = removed.collect();
     for old in &removed {
         let successor = followed.get(old.header.name.as_str());
         let new = added.iter().find(|new| Some(new.header.name.as_str()) == successor.map(String::as_str));
@@ -49,7 +54,10 @@ pub(super) fn find(programs: &[Versions<'_>], names: &Names<'_>, followed: &Rena
 }
 
 /// Returns program names by parameters, variables and statements. Programs without statements are omitted.
-fn by_body<'p>(programs: impl Iterator<Item = &'p Program>, mut renames: Renames) -> BTreeMap<String, Vec<String>> {
+fn by_body<'p>(
+    programs: impl Iterator<Item = &'p ProgramVersion>,
+    mut renames: Renames,
+) -> BTreeMap<String, Vec<String>> {
     let mut found: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for program in programs {
         let name = program.header.name.to_string();
@@ -69,7 +77,7 @@ fn by_body<'p>(programs: impl Iterator<Item = &'p Program>, mut renames: Renames
 }
 
 /// Whether at least half of the lines between `begin` and `end` are equal.
-fn is_similar(old: &Program, new: &Program) -> bool {
+fn is_similar(old: &ProgramVersion, new: &ProgramVersion) -> bool {
     let [old, new] = [old, new].map(|program| {
         let lines = program.code.lines();
         let inner = lines.get(1..lines.len().saturating_sub(1)).unwrap_or_default();

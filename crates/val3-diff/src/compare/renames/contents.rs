@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::items::Names;
+use super::items::UnmatchedNames;
 use crate::read::code::Renames;
-use crate::read::data::Data;
+use crate::read::data::DataVersion;
 
 /// Minimum number of non-default parts for which content identifies data. Two counters with the value 1 are not the
 /// same counter.
@@ -12,8 +12,13 @@ const FEWEST_PARTS: usize = 3;
 
 /// Adds the renamed data: data whose uses have a new name, if the types are equal, and data with equal content. The
 /// search is repeated, because points may have equal contents once their frame is renamed.
-pub(super) fn find([old, new]: [&[Data]; 2], names: &Names<'_>, followed: &Renames, renamed: &mut Renames) {
-    let find_one = |list: &'_ [Data], name: &str| list.iter().position(|data| data.decl.name == name);
+pub(super) fn find(
+    [old, new]: [&[DataVersion]; 2],
+    names: &UnmatchedNames<'_>,
+    followed: &Renames,
+    renamed: &mut Renames,
+) {
+    let find_one = |list: &'_ [DataVersion], name: &str| list.iter().position(|data| data.decl.name == name);
     for (before, after) in followed {
         let before_data = find_one(old, before).and_then(|index| old.get(index));
         let after_data = find_one(new, after).and_then(|index| new.get(index));
@@ -22,11 +27,11 @@ pub(super) fn find([old, new]: [&[Data]; 2], names: &Names<'_>, followed: &Renam
         }
     }
     loop {
-        let is_open = |data: &&Data| {
+        let is_open = |data: &&DataVersion| {
             names.removed.contains(data.decl.name.as_str()) && !renamed.contains_key(data.decl.name.as_str())
         };
         let taken: BTreeSet<&str> = renamed.values().map(String::as_str).collect();
-        let is_new = |data: &&Data| {
+        let is_new = |data: &&DataVersion| {
             let name = data.decl.name.as_str();
             names.added.contains(name) && !taken.contains(name)
         };
@@ -45,12 +50,12 @@ pub(super) fn find([old, new]: [&[Data]; 2], names: &Names<'_>, followed: &Renam
     }
 }
 
-fn is_same_kind(old: &Data, new: &Data) -> bool {
+fn is_same_kind(old: &DataVersion, new: &DataVersion) -> bool {
     old.type_name() == new.type_name() && old.decl.container == new.decl.container
 }
 
 /// Returns data names by content. Data with too little content are omitted.
-fn by_content<'d>(all: impl Iterator<Item = &'d Data>, renames: &Renames) -> BTreeMap<String, Vec<&'d str>> {
+fn by_content<'d>(all: impl Iterator<Item = &'d DataVersion>, renames: &Renames) -> BTreeMap<String, Vec<&'d str>> {
     let mut found: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for data in all {
         if data.values.iter().map(|(_, value)| value.differing_parts()).sum::<usize>() < FEWEST_PARTS {

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use crate::read::code::Renames;
-use crate::read::program::Program;
+use crate::read::program::ProgramVersion;
 
 /// Old and new version of a program.
-pub(crate) type Versions<'p> = [Option<&'p Program>; 2];
+pub(crate) type ItemVersions<'p> = [Option<&'p ProgramVersion>; 2];
 
 /// Renamed items: new names by old names.
 #[derive(Debug, Default)]
@@ -24,12 +24,12 @@ impl Renamed {
 
 /// Names that exist in only one version.
 #[derive(Debug)]
-pub(super) struct Names<'n> {
+pub(super) struct UnmatchedNames<'n> {
     pub(super) removed: BTreeSet<&'n str>,
     pub(super) added: BTreeSet<&'n str>,
 }
 
-impl<'n> Names<'n> {
+impl<'n> UnmatchedNames<'n> {
     pub(super) fn of(old: impl Iterator<Item = &'n str>, new: impl Iterator<Item = &'n str>) -> Self {
         let (old, new): (BTreeSet<&str>, BTreeSet<&str>) = (old.collect(), new.collect());
         Self { removed: &old - &new, added: &new - &old }

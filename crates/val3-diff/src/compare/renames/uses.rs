@@ -4,14 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use similar::{Algorithm, DiffOp, capture_diff_slices};
 
-use super::items::{Names, Versions};
+use super::items::{ItemVersions, UnmatchedNames};
 use crate::read::code::{CodeLine, Renames};
-use crate::read::program::Program;
+use crate::read::program::ProgramVersion;
 
 /// Returns the removed names that were replaced by one added name in all places, where the added name replaced no other
 /// name.
-pub(super) fn followed(programs: &[Versions<'_>], names: &[&Names<'_>]) -> Renames {
-    let mut uses = Uses::default();
+pub(super) fn followed(programs: &[ItemVersions<'_>], names: &[&UnmatchedNames<'_>]) -> Renames {
+    let mut uses = NameUses::default();
     for versions in programs {
         if let [Some(old), Some(new)] = versions {
             uses.add(old, new);
@@ -30,14 +30,14 @@ pub(super) fn followed(programs: &[Versions<'_>], names: &[&Names<'_>]) -> Renam
 
 /// Names at corresponding places of both versions.
 #[derive(Default)]
-struct Uses<'p> {
+struct NameUses<'p> {
     successors: BTreeMap<&'p str, BTreeSet<&'p str>>,
     predecessors: BTreeMap<&'p str, BTreeSet<&'p str>>,
 }
 
-impl<'p> Uses<'p> {
+impl<'p> NameUses<'p> {
     /// Adds the names in lines that differ at most in names.
-    fn add(&mut self, old: &'p Program, new: &'p Program) {
+    fn add(&mut self, old: &'p ProgramVersion, new: &'p ProgramVersion) {
         let shapes = |lines: &[CodeLine]| lines.iter().map(CodeLine::shape).collect::<Vec<_>>();
         let (old_lines, new_lines) = (old.code.lines(), new.code.lines());
         for op in capture_diff_slices(Algorithm::Myers, &shapes(old_lines), &shapes(new_lines)) {

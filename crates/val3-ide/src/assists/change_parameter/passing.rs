@@ -1,7 +1,7 @@
 //! Checks whether the passing of a parameter can be changed without an effect on the program and its callers.
 
 use val3_analysis::body::StmtKind;
-use val3_analysis::effects::{AccessKind, Effects, Root};
+use val3_analysis::effects::{AccessKind, Effects, RootVariable};
 use val3_analysis::items::program::ParamDecl;
 use val3_analysis::items::project::resolve_type;
 use val3_lang::types::Container;
@@ -23,7 +23,7 @@ pub(super) fn can_change(context: &Context<'_>, index: usize, param: &ParamDecl)
 /// Whether the program writes anything other than its locals, calls a program, or waits while other tasks may write.
 fn changes_anything(context: &Context<'_>) -> bool {
     let effects = Effects::new(context.db, context.project, context.file);
-    let outer = |root: &Root| !matches!(root, Root::Local(_));
+    let outer = |root: &RootVariable| !matches!(root, RootVariable::Local(_));
     let calls = |kind: &StmtKind| matches!(kind, StmtKind::Call(_) | StmtKind::TaskCreate { .. });
     effects.all().iter().any(|access| access.kind != AccessKind::Read && outer(&access.root))
         || context.body().stmts().iter().any(|stmt| calls(&stmt.kind))

@@ -4,13 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Stmt, StmtKind};
-use val3_analysis::effects::{Access, AccessKind, Effects, Root};
-use val3_analysis::flow::{Facts, Flow, Point, PointId, backward, flow};
+use val3_analysis::effects::{Access, AccessKind, Effects, RootVariable};
+use val3_analysis::flow::{Facts, FlowGraph, FlowNode, PointId, backward, flow};
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 
 use super::super::context::Context;
-use crate::declare::Variable;
+use crate::declare::NewVariable;
 
 /// Passing of a variable to the extracted program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,11 +26,11 @@ pub(super) enum Passing {
 
 /// A local or parameter that the extracted program uses.
 pub(super) struct PassedVariable {
-    pub(super) variable: Variable,
+    pub(super) variable: NewVariable,
     pub(super) passing: Passing,
 }
 
-type Names = BTreeSet<SmolStr>;
+type ExpressionNames = BTreeSet<SmolStr>;
 
 /// Locals and parameters that the statements in `range` use, by name.
 pub(super) fn variables(context: &Context<'_>, range: TextRange) -> Vec<PassedVariable> {
@@ -48,7 +48,7 @@ pub(super) fn variables(context: &Context<'_>, range: TextRange) -> Vec<PassedVa
 /// The accessed local or parameter; `None` for other data.
 fn own(access: &Access) -> Option<&SmolStr> {
     match &access.root {
-        Root::Local(name) | Root::Param(name) => Some(name),
+        RootVariable::Local(name) | RootVariable::Param(name) => Some(name),
         _ => None,
     }
 }
@@ -81,8 +81,8 @@ fn passed(
 }
 
 /// Declaration of a local or parameter; the second value is true for a local.
-fn declared(context: &Context<'_>, name: &str) -> Option<(Variable, bool)> {
-    let variable = |type_name: &str, container, sizes: Vec<u32>| Variable {
+fn declared(context: &Context<'_>, name: &str) -> Option<(NewVariable, bool)> {
+    let variable = |type_name: &str, container, sizes: Vec<u32>| NewVariable {
         name: name.to_owned(),
         type_name: type_name.to_owned(),
         container,
@@ -103,7 +103,7 @@ fn declared(context: &Context<'_>, name: &str) -> Option<(Variable, bool)> {
 
 /// Whether the variable must be passed by reference. Arrays and collections always are, and inputs, outputs and serial
 /// lines have no meaning without their link.
-fn is_whole(variable: &Variable) -> bool {
+fn is_whole(variable: &NewVariable) -> bool {
     let is_array = variable.container == Container::Collection || !matches!(variable.sizes.as_slice(), [] | [1]);
     is_array || BaseType::from_name(&variable.type_name).is_some_and(BaseType::is_linkable)
 }
@@ -118,24 +118,24 @@ fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
 /// Live variables: their values are used later.
 struct LiveVariables {
     /// Live where the statements start.
-    before: Names,
+    before: ExpressionNames,
     /// Live where the statements end.
-    behind: Names,
+    behind: ExpressionNames,
 }
 
 impl LiveVariables {
     fn around(context: &Context<'_>, effects: &Effects<'_>, range: TextRange) -> Self {
         let flow = flow(context.db, context.file);
         let referenced = context.header().params.iter().filter(|param| param.by_reference);
-        let end: Names = referenced.map(|param| param.name.clone()).collect();
-        let step = |id: PointId, _: &Point, behind: &Names| before(effects, id, behind);
-        let join = |known: &mut Names, other: &Names| {
+        let end: ExpressionNames = referenced.map(|param| param.name.clone()).collect();
+        let step = |id: PointId, _: &FlowNode, behind: &ExpressionNames| before(effects, id, behind);
+        let join = |known: &mut ExpressionNames, other: &ExpressionNames| {
             let len = known.len();
             known.extend(other.iter().cloned());
             known.len() > len
         };
         let facts = backward(flow, end, step, join);
-        let is_inside = |point: &Point| range.contains_range(point.range) && !point.range.is_empty();
+        let is_inside = |point: &FlowNode| range.contains_range(point.range) && !point.range.is_empty();
         let mut inside = flow.points().filter(|(_, point)| is_inside(point)).peekable();
         let entry = inside.peek().map(|(id, _)| *id);
         let exits = inside.flat_map(|(_, point)| &point.next);
@@ -148,18 +148,18 @@ impl LiveVariables {
 }
 
 /// Variables live at a flow node; all variables if no path leads from it to the end.
-fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<Names>, id: PointId) -> Names {
+fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<ExpressionNames>, id: PointId) -> ExpressionNames {
     let header = context.header();
     let all = || header.locals.iter().map(|it| &it.name).chain(header.params.iter().map(|it| &it.name));
     match facts.after(id) {
-        Some(behind) if id != Flow::END => before(effects, id, behind),
+        Some(behind) if id != FlowGraph::END => before(effects, id, behind),
         Some(end) => end.clone(),
         None => all().cloned().collect(),
     }
 }
 
 /// Variables live before a flow node, computed from the variables live after it (backward analysis).
-fn before(effects: &Effects<'_>, id: PointId, behind: &Names) -> Names {
+fn before(effects: &Effects<'_>, id: PointId, behind: &ExpressionNames) -> ExpressionNames {
     let mut names = behind.clone();
     for access in effects.at(id).iter().rev() {
         let Some(name) = own(access) else { continue };

@@ -16,10 +16,10 @@ use super::constants::{Constants, common_prefix};
 
 /// Values in order, with their source texts. A named constant and a literal with the same number are one value.
 #[derive(Default)]
-struct Values(BTreeMap<Key, String>);
+struct CaseValues(BTreeMap<CaseKey, String>);
 
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-enum Key {
+enum CaseKey {
     /// Bits of a number, mapped so that their order is the numeric order.
     Number(u64),
     /// Enumerator index, or the text for other values.
@@ -39,7 +39,7 @@ pub(super) fn missing(
         .flat_map(CaseClause::values)
         .filter_map(|value| context.expr_at(value.syntax().text_range()))
         .collect();
-    let mut search = Search { constants, found: Values::default() };
+    let mut search = CaseSearch { constants, found: CaseValues::default() };
     match context.inference().ty(selector).base.builtin() {
         Some(BaseType::Bool) => ["false", "true"].into_iter().for_each(|value| search.found.add_other(0, value)),
         Some(ty) if ty.is_enumeration() => {
@@ -52,34 +52,36 @@ pub(super) fn missing(
         }
         _ => {}
     }
-    let mut known = Search { constants, found: Values::default() };
+    let mut known = CaseSearch { constants, found: CaseValues::default() };
     labels.iter().for_each(|label| known.label(own, *label));
-    let is_known = |key: &Key| match key {
-        Key::Other(_, text) => known.found.0.keys().any(|other| matches!(other, Key::Other(_, known) if known == text)),
+    let is_known = |key: &CaseKey| match key {
+        CaseKey::Other(_, text) => {
+            known.found.0.keys().any(|other| matches!(other, CaseKey::Other(_, known) if known == text))
+        }
         number => known.found.0.contains_key(number),
     };
     search.found.0.into_iter().filter(|(key, _)| !is_known(key)).map(|(_, text)| text).collect()
 }
 
-impl Values {
+impl CaseValues {
     fn add_number(&mut self, number: f64, text: String) {
         let bits = number.to_bits();
         // Negative numbers sort first, in reverse bit order.
         let order = if number.is_sign_negative() { !bits } else { bits | 1 << 63 };
-        self.0.entry(Key::Number(if number == 0.0 { 1 << 63 } else { order })).or_insert(text);
+        self.0.entry(CaseKey::Number(if number == 0.0 { 1 << 63 } else { order })).or_insert(text);
     }
 
     fn add_other(&mut self, at: usize, text: &str) {
-        self.0.insert(Key::Other(at, text.to_owned()), text.to_owned());
+        self.0.insert(CaseKey::Other(at, text.to_owned()), text.to_owned());
     }
 }
 
-struct Search<'c> {
+struct CaseSearch<'c> {
     constants: &'c Constants,
-    found: Values,
+    found: CaseValues,
 }
 
-impl Search<'_> {
+impl CaseSearch<'_> {
     /// Adds a constant, or the name of a constant.
     fn label(&mut self, body: &Body, id: ExprId) {
         match body.constant(id) {

@@ -1,7 +1,7 @@
 //! Attributes that a start tag does not contain yet.
 
 use val3_lang::file_pages;
-use val3_lang::files::{self, Attribute, Presence};
+use val3_lang::files::{self, AttributePage, Presence};
 use val3_lang::types::{self, AttributeValue};
 
 use super::keys::initial;
@@ -47,7 +47,7 @@ pub(super) fn attributes(found: &mut CompletionList<'_>, context: &XmlContext<'_
     of_old_data(found, context);
 }
 
-fn detail(attribute: &Attribute) -> String {
+fn detail(attribute: &AttributePage) -> String {
     match attribute.presence {
         Presence::Required => "required".to_owned(),
         Presence::Expected(default) => format!("always written, `{default}` by default"),

@@ -5,7 +5,7 @@ use val3_analysis::items::declarations::is_old;
 use val3_analysis::items::project::{DataItem, fields};
 use val3_analysis::ty::Base;
 use val3_lang::file_pages;
-use val3_lang::files::{self, Element, FileKind};
+use val3_lang::files::{self, ElementPage, FileKind};
 use val3_lang::types::{Container, attributes};
 
 use super::snippet::Snippet;
@@ -42,7 +42,7 @@ pub(super) fn elements(found: &mut CompletionList<'_>, context: &XmlContext<'_>,
 }
 
 /// Elements that the parent may contain and does not contain yet.
-fn children(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<&'static Element> {
+fn children(found: &CompletionList<'_>, context: &XmlContext<'_>) -> Vec<&'static ElementPage> {
     let is_there = |name: &str| context.cursor.siblings.iter().any(|sibling| sibling.name == name);
     let Some(parent) = context.cursor.parent() else {
         let root = root(context.file, is_old(found.db, found.project));

@@ -2,7 +2,7 @@
 
 use val3_analysis::items::sizes;
 use val3_lang::enumerations;
-use val3_lang::types::{Attribute, AttributeValue, BaseType, DefaultValue};
+use val3_lang::types::{AttributeValue, BaseType, DefaultValue, ValueAttribute};
 
 use crate::completion::list::CompletionList;
 use crate::declare::built_in_father;
@@ -56,7 +56,7 @@ fn indexes(sizes: &[u32], taken: usize) -> Vec<String> {
 }
 
 /// Default of a value's attribute.
-pub(super) fn initial(attribute: &Attribute) -> String {
+pub(super) fn initial(attribute: &ValueAttribute) -> String {
     match (attribute.value, attribute.default) {
         (AttributeValue::Father(ty), _) => father(ty),
         (_, DefaultValue::Number(number)) => number.to_string(),

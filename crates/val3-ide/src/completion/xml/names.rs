@@ -14,7 +14,7 @@ use val3_lang::versions::Version;
 use val3_lang::{builtins, enumerations, instructions, keywords, versions};
 
 use crate::completion::list::CompletionList;
-use crate::line::Names;
+use crate::line::VisibleNames;
 use crate::reachable_projects::{Reachable, reachable};
 use crate::xml_context::XmlContext;
 
@@ -118,7 +118,7 @@ pub(super) fn undeclared(found: &CompletionList<'_>, files: &[File]) -> BTreeSet
 }
 
 fn undeclared_in(db: &dyn Db, project: Project, file: File) -> Vec<SmolStr> {
-    let (body, names) = (body(db, file), Names::new(db, project, file));
+    let (body, names) = (body(db, file), VisibleNames::new(db, project, file));
     let callees: FxHashSet<ExprId> = body
         .exprs()
         .filter_map(|(_, expr, _)| if let Expr::Call(callee, _) = expr { Some(*callee) } else { None })

@@ -1,6 +1,6 @@
 //! Snippets of elements and attributes.
 
-use val3_lang::files::{self, Attribute, Element, FileKind, Presence};
+use val3_lang::files::{self, AttributePage, ElementPage, FileKind, Presence};
 
 /// Attributes that the controller's files omit if they have their default.
 const LEFT_OUT: [&str; 6] = ["autoload", "password", "access", "use", "dimensions", "privilege"];
@@ -65,7 +65,7 @@ impl Snippet {
     }
 
     /// Appends ` name="value"` with a placeholder for the value; `known` is its default if it is known.
-    pub(super) fn attribute(&mut self, attribute: &Attribute, known: Option<&str>) {
+    pub(super) fn attribute(&mut self, attribute: &AttributePage, known: Option<&str>) {
         let default = match attribute.presence {
             Presence::Required => attribute.name,
             Presence::Expected(default) | Presence::Optional(default) => default,
@@ -87,7 +87,7 @@ impl Snippet {
     pub(super) fn element(
         &mut self,
         file: FileKind,
-        element: &Element,
+        element: &ElementPage,
         indent: &str,
         known: &dyn Fn(&str) -> Option<String>,
     ) {
@@ -126,7 +126,7 @@ impl Snippet {
         self.push(rest);
     }
 
-    fn content(&mut self, file: FileKind, element: &Element, indent: &str, known: &dyn Fn(&str) -> Option<String>) {
+    fn content(&mut self, file: FileKind, element: &ElementPage, indent: &str, known: &dyn Fn(&str) -> Option<String>) {
         let inner = format!("{indent}  ");
         let mandatory = MANDATORY.iter().find(|(of, name, _)| *of == file && *name == element.name);
         let around = |snippet: &mut Self, before: &str, after: &str| {
@@ -155,6 +155,6 @@ impl Snippet {
     }
 }
 
-fn is_written(attribute: &Attribute) -> bool {
+fn is_written(attribute: &AttributePage) -> bool {
     !LEFT_OUT.contains(&attribute.name) || matches!(attribute.presence, Presence::Expected(_))
 }

@@ -1,6 +1,6 @@
 //! Findings that edits would add.
 
-use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_check::settings::{RuleSelection, WorkspaceSettings};
 
 use super::*;
 use crate::assists::FixContext;
@@ -34,7 +34,7 @@ fn added(edits: &[DataEdit]) -> String {
     let marked = MarkedListing::new(CELL);
     let (db, file) = (marked.db(), marked.at().file);
     let project = crate::owner(db, file).unwrap();
-    let settings = WorkspaceSettings::new(db, &marked.workspace.projects, &Selection::default()).unwrap();
+    let settings = WorkspaceSettings::new(db, &marked.workspace.projects, &RuleSelection::default()).unwrap();
     let settings = CheckSettings::new(db, settings);
     let before = project_diagnostics(db, settings, &marked.workspace.projects, project);
     let before = data_findings(db, file, before);

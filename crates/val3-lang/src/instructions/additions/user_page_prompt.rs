@@ -3,7 +3,7 @@
 use crate::call::{Call, Flow, Var, Wait};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::ports::{Entry, InputKind};
+use crate::ports::{InputKind, OperatorInput};
 use crate::values::Text;
 
 instruction! {
@@ -33,7 +33,7 @@ fn prompt(call: &mut Call<'_>, question: Text, text: Var<Text>) -> Result<Flow<b
         call.ports.begin_question(&question, InputKind::Text(shown));
     }
     let Some(answer) = call.ports.take_answer() else { return Ok(Flow::Wait(Wait::FOR_OTHERS)) };
-    if let Entry::Text(entered) = &answer.entry {
+    if let OperatorInput::Text(entered) = &answer.entry {
         text.set(call, Text::from(entered.as_str()))?;
     }
     Ok(Flow::Done(answer.is_accepted()))

@@ -3,7 +3,7 @@
 use crate::call::{Call, FrameRef, PointRef, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::memory::Link;
+use crate::memory::LinkPlace;
 
 instruction! {
     /// Gives a frame, a tool or a point another reference.
@@ -33,15 +33,15 @@ instruction! {
 }
 
 fn frame(call: &mut Call<'_>, FrameRef(frame): FrameRef, FrameRef(reference): FrameRef) -> Result<()> {
-    call.memory.set_link(frame, 0, Link::Data(reference))
+    call.memory.set_link(frame, 0, LinkPlace::Data(reference))
 }
 
 fn tool(call: &mut Call<'_>, ToolRef(tool): ToolRef, ToolRef(reference): ToolRef) -> Result<()> {
-    call.memory.set_link(tool, 0, Link::Data(reference))
+    call.memory.set_link(tool, 0, LinkPlace::Data(reference))
 }
 
 fn point(call: &mut Call<'_>, PointRef(point): PointRef, FrameRef(reference): FrameRef) -> Result<()> {
-    call.memory.set_link(point, 0, Link::Data(reference))
+    call.memory.set_link(point, 0, LinkPlace::Data(reference))
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use val3_geometry::{FrameError, chain};
 use crate::call::{Call, FrameRef, PointRef, StoredValue, Var};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::memory::{Link, Memory, Place};
+use crate::memory::{LinkPlace, Memory, Place};
 use crate::references;
 
 instruction! {
@@ -46,7 +46,7 @@ fn set_frame(
     match found {
         Ok(trsf) => {
             trsf.write(call.memory, frame.place)?;
-            call.memory.set_link(frame.place, 0, Link::Data(father))?;
+            call.memory.set_link(frame.place, 0, LinkPlace::Data(father))?;
             Ok(0.0)
         }
         Err(FrameError::AxisPoint) => Ok(-1.0),

@@ -2,7 +2,7 @@
 
 use crate::call::{Call, Flow, LibraryRef};
 use crate::declare::instruction;
-use crate::ports::Request;
+use crate::ports::RuntimeRequest;
 use crate::values::Text;
 
 instruction! {
@@ -39,11 +39,11 @@ fn load(call: &mut Call<'_>, library: LibraryRef, path: Text) -> Flow {
 }
 
 fn load_encrypted(call: &mut Call<'_>, library: LibraryRef, path: Text, password: Text) -> Flow {
-    request(call, Request::Load { library: library.0, path, password })
+    request(call, RuntimeRequest::Load { library: library.0, path, password })
 }
 
 /// Gives the other tasks their turn, then sends a request, whose result code the runtime returns.
-pub(super) fn request(call: &mut Call<'_>, request: Request) -> Flow {
+pub(super) fn request(call: &mut Call<'_>, request: RuntimeRequest) -> Flow {
     if call.is_first() {
         return call.sleep(0);
     }

@@ -3,7 +3,7 @@
 use super::lib_load::request;
 use crate::call::{Call, Flow, LibraryRef};
 use crate::declare::instruction;
-use crate::ports::Request;
+use crate::ports::RuntimeRequest;
 use crate::values::Text;
 
 instruction! {
@@ -32,17 +32,17 @@ instruction! {
 }
 
 fn save_library(call: &mut Call<'_>, library: LibraryRef) -> Flow {
-    request(call, Request::Save { library: Some(library.0), path: None })
+    request(call, RuntimeRequest::Save { library: Some(library.0), path: None })
 }
 
 fn save_library_as(call: &mut Call<'_>, library: LibraryRef, path: Text) -> Flow {
-    request(call, Request::Save { library: Some(library.0), path: Some(path) })
+    request(call, RuntimeRequest::Save { library: Some(library.0), path: Some(path) })
 }
 
 fn save_own(call: &mut Call<'_>) -> Flow {
-    request(call, Request::Save { library: None, path: None })
+    request(call, RuntimeRequest::Save { library: None, path: None })
 }
 
 fn save_own_as(call: &mut Call<'_>, path: Text) -> Flow {
-    request(call, Request::Save { library: None, path: Some(path) })
+    request(call, RuntimeRequest::Save { library: None, path: Some(path) })
 }

@@ -3,7 +3,7 @@
 use crate::call::{Call, Flow, ScreenRef, Var, Wait};
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::ports::{DEFAULT_PAGE, Entry, InputKind, InputResult};
+use crate::ports::{DEFAULT_PAGE, InputKind, InputResult, OperatorInput};
 use crate::values::Text;
 use crate::values::number_text::shown;
 
@@ -67,7 +67,7 @@ fn key_on(call: &mut Call<'_>, screen: ScreenRef) -> Result<Flow<f64>> {
 fn read_text(call: &mut Call<'_>, page: u32, text: &Var<Text>) -> Result<Flow<f64>> {
     let shown = text.get(call)?.to_string();
     let Some(InputResult { key, entry }) = read(call, page, InputKind::Text(shown)) else { return Ok(WAITS) };
-    if let Entry::Text(entered) = entry {
+    if let OperatorInput::Text(entered) = entry {
         text.set(call, Text::from(entered.as_str()))?;
     }
     Ok(Flow::Done(key.into()))
@@ -77,7 +77,7 @@ fn read_number(call: &mut Call<'_>, page: u32, number: &Var<f64>) -> Result<Flow
     let value = number.get(call)?;
     let asked = InputKind::Number { value, shown: shown(value).to_string() };
     let Some(InputResult { key, entry }) = read(call, page, asked) else { return Ok(WAITS) };
-    if let Entry::Number(entered) = entry {
+    if let OperatorInput::Number(entered) = entry {
         number.set(call, entered)?;
     }
     Ok(Flow::Done(key.into()))

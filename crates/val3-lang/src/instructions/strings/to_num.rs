@@ -4,7 +4,7 @@ use crate::call::{Call, Var};
 use crate::declare::instruction;
 use crate::fault::Result;
 use crate::values::Text;
-use crate::values::number_reading::{self, Reading};
+use crate::values::number_reading::{self, NumberReading};
 
 instruction! {
     /// Reads the number at the start of a text and yields the rest.
@@ -31,7 +31,7 @@ instruction! {
 }
 
 fn to_num(call: &mut Call<'_>, text: Text, value: Var<f64>, report: Var<bool>) -> Result<Text> {
-    let Reading { value: found, rest } = number_reading::to_num(&text);
+    let NumberReading { value: found, rest } = number_reading::to_num(&text);
     report.set(call, found.is_some())?;
     if let Some(found) = found {
         value.set(call, found)?;

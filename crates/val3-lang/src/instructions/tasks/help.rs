@@ -2,7 +2,7 @@
 
 use crate::call::Call;
 use crate::declare::instruction;
-use crate::runtime_errors::{self, TaskState};
+use crate::runtime_errors::{self, TaskStatusCode};
 use crate::values::Text;
 use crate::values::numbers;
 
@@ -27,8 +27,8 @@ instruction! {
 /// Returns the text in English, the only language of the virtual controller; empty for a number that is not in 12.1.
 fn help(_: &mut Call<'_>, number: f64) -> Text {
     let number = numbers::round(number) as i64;
-    let states = [TaskState::Absent, TaskState::Halted, TaskState::Running];
-    let state = states.into_iter().find(|state| i64::from(state.number()) == number).map(TaskState::meaning);
+    let states = [TaskStatusCode::Absent, TaskStatusCode::Halted, TaskStatusCode::Running];
+    let state = states.into_iter().find(|state| i64::from(state.number()) == number).map(TaskStatusCode::meaning);
     let error = || u16::try_from(number).ok().and_then(runtime_errors::find).map(|error| error.short);
     state.or_else(error).map(Text::from).unwrap_or_default()
 }

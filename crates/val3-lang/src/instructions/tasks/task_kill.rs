@@ -31,18 +31,18 @@ fn task_kill(call: &mut Call<'_>, name: Text) -> Flow {
 
 #[cfg(test)]
 mod tests {
-    use crate::runtime_errors::TaskState;
+    use crate::runtime_errors::TaskStatusCode;
     use crate::testing::Bench;
 
     #[test]
     fn ends_a_task_once() {
         let mut bench = Bench::default();
-        bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
+        bench.tasks.states.insert("robot".to_owned(), TaskStatusCode::Running);
         assert_eq!(bench.run("taskKill(\"robot\")"), "sleeps until 0");
         assert!(bench.tasks.states.is_empty());
-        bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
+        bench.tasks.states.insert("robot".to_owned(), TaskStatusCode::Running);
         assert_eq!(bench.run("taskKill(\"robot\")"), "");
-        assert_eq!(bench.tasks.states["robot"], TaskState::Running);
+        assert_eq!(bench.tasks.states["robot"], TaskStatusCode::Running);
     }
 
     #[test]

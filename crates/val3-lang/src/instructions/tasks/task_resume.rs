@@ -35,16 +35,16 @@ fn task_resume(call: &mut Call<'_>, name: Text, skip: f64) -> Result<Flow> {
 
 #[cfg(test)]
 mod tests {
-    use crate::runtime_errors::TaskState;
+    use crate::runtime_errors::TaskStatusCode;
     use crate::testing::Bench;
 
     #[test]
     fn resumes_a_task_and_passes_the_turn() {
         let mut bench = Bench::default();
-        bench.tasks.states.insert("robot".to_owned(), TaskState::Halted);
+        bench.tasks.states.insert("robot".to_owned(), TaskStatusCode::Halted);
         let line = "taskResume(\"robot\",1)";
         assert_eq!([bench.run(line), bench.run(line)], ["sleeps until 0", ""]);
-        assert_eq!(bench.tasks.states["robot"], TaskState::Running);
+        assert_eq!(bench.tasks.states["robot"], TaskStatusCode::Running);
         assert_eq!(bench.run("taskResume(\"tools\",0)"), "error 30");
     }
 }

@@ -29,14 +29,14 @@ fn task_status(call: &mut Call<'_>, name: Text) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::runtime_errors::TaskState;
+    use crate::runtime_errors::TaskStatusCode;
     use crate::testing::Bench;
 
     #[test]
     fn returns_states_as_numbers() {
         let mut bench = Bench::default();
-        bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
-        bench.tasks.states.insert("tools".to_owned(), TaskState::Halted);
+        bench.tasks.states.insert("robot".to_owned(), TaskStatusCode::Running);
+        bench.tasks.states.insert("tools".to_owned(), TaskStatusCode::Halted);
         let states = ["robot", "tools", "other"].map(|name| bench.run(&format!("taskStatus(\"{name}\")")));
         assert_eq!(states, ["1", "0", "-1"]);
     }

@@ -29,14 +29,14 @@ fn task_suspend(call: &mut Call<'_>, name: Text) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use crate::runtime_errors::TaskState;
+    use crate::runtime_errors::TaskStatusCode;
     use crate::testing::Bench;
 
     #[test]
     fn halts_an_existing_task() {
         let mut bench = Bench::default();
-        bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
+        bench.tasks.states.insert("robot".to_owned(), TaskStatusCode::Running);
         assert_eq!([bench.run("taskSuspend(\"robot\")"), bench.run("taskSuspend(\"Robot\")")], ["", "error 30"]);
-        assert_eq!(bench.tasks.states["robot"], TaskState::Halted);
+        assert_eq!(bench.tasks.states["robot"], TaskStatusCode::Halted);
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::memory::{Kind, Shape, Store, View};
+use crate::memory::{ContainerShape, Store, ValueType, View};
 use crate::values::Text;
 
 instruction! {
@@ -53,7 +53,7 @@ fn get_data(call: &mut Call<'_>, name: Text, variable: View) -> Result<f64> {
 }
 
 fn is_row(store: &Store) -> bool {
-    matches!(store.shape, Shape::Array { dims: 1, .. })
+    matches!(store.shape, ContainerShape::Array { dims: 1, .. })
 }
 
 /// Finds the data with this name, from its index on. An invalid name means that there are no such data.
@@ -76,7 +76,7 @@ fn find(call: &Call<'_>, name: &str) -> std::result::Result<View, f64> {
 
 /// Copies as many elements as both containers have. If elements move upwards within one array, the last element is
 /// copied first.
-fn copy(call: &mut Call<'_>, kind: &Kind, source: View, target: View) -> Result<f64> {
+fn copy(call: &mut Call<'_>, kind: &ValueType, source: View, target: View) -> Result<f64> {
     let count = call.memory.len(source)?.min(call.memory.len(target)?);
     let upwards = source.store == target.store && source.start < target.start;
     for number in 0..count {

@@ -8,12 +8,12 @@ const FORMATS: [&str; 14] =
 const INVALID: Result<f64> = Err(Fault::INVALID_PARAMETER);
 
 fn encoded(format: &str, value: f64) -> Vec<u8> {
-    Format::parse(format).unwrap().encode(value).collect()
+    BinaryFormat::parse(format).unwrap().encode(value).collect()
 }
 
 fn decoded(format: &str, bytes: &[u8]) -> Option<f64> {
     let bytes: Vec<f64> = bytes.iter().map(|&byte| f64::from(byte)).collect();
-    Format::parse(format).unwrap().decode(&bytes)
+    BinaryFormat::parse(format).unwrap().decode(&bytes)
 }
 
 #[track_caller]
@@ -86,7 +86,7 @@ fn the_nearest_number_of_the_format_is_encoded() {
 #[test]
 fn the_unknown_format_is_refused() {
     for format in ["", "0", "2", "4", "8", "-2", "1l", "-1b", "8l", "8.0", "4.0", "-8.0l", "4.0L", "2B", " 1", "1 "] {
-        assert_eq!(Format::parse(format), Err(Fault::INVALID_PARAMETER), "{format}");
+        assert_eq!(BinaryFormat::parse(format), Err(Fault::INVALID_PARAMETER), "{format}");
         assert_eq!(to_binary(&[], 0.0, format, &mut []), INVALID, "{format}");
         assert_eq!(from_binary(&[], 0.0, format, &mut []), INVALID, "{format}");
     }
@@ -172,8 +172,8 @@ fn infinite_numbers_are_corrupt() {
     }
 }
 
-fn any_format() -> impl Strategy<Value = (&'static str, Format)> {
-    select(FORMATS.as_slice()).prop_map(|name| (name, Format::parse(name).unwrap()))
+fn any_format() -> impl Strategy<Value = (&'static str, BinaryFormat)> {
+    select(FORMATS.as_slice()).prop_map(|name| (name, BinaryFormat::parse(name).unwrap()))
 }
 
 proptest! {

@@ -6,8 +6,8 @@ use std::ops::Range;
 use rustc_hash::FxHasher;
 use val3_ide::{DataOutline, DataType, DatumSource};
 
-use super::messages::{DataFinding, Datum, ReplacedValues, Replacement};
-use crate::lines::Lines;
+use super::messages::{DataFinding, ReplacedValues, Replacement, WireItem};
+use crate::lines::PositionConverter;
 
 /// Extract of the last `val3/data` result for a document, sufficient for comparison with the next result.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,7 +41,7 @@ struct KeptRows {
 }
 
 impl KeptRows {
-    fn of(datum: &Datum) -> Self {
+    fn of(datum: &WireItem) -> Self {
         let head = hash(&(&datum.name, &datum.access, &datum.type_name, &datum.container, &datum.size));
         Self { head, values: datum.values.iter().map(hash).collect() }
     }
@@ -56,7 +56,7 @@ impl PartialEq for KeptDatum {
 }
 
 impl KeptTables {
-    pub(super) fn new(lines: &Lines<'_>, tables: &DataOutline) -> Self {
+    pub(super) fn new(lines: &PositionConverter<'_>, tables: &DataOutline) -> Self {
         let mut before = 0;
         let kept = |source: &DatumSource| {
             let range = lines.range(source.name);
@@ -71,7 +71,7 @@ impl KeptTables {
     }
 
     /// Sets the rows of all data.
-    pub(super) fn set_rows(&mut self, data: &[Datum]) {
+    pub(super) fn set_rows(&mut self, data: &[WireItem]) {
         self.rows = data.iter().map(KeptRows::of).collect();
     }
 
@@ -81,7 +81,7 @@ impl KeptTables {
         &mut self,
         before: &Self,
         difference: &Difference,
-        data: &mut [Datum],
+        data: &mut [WireItem],
     ) -> Option<ReplacedValues> {
         let new = data.iter().map(KeptRows::of);
         self.rows.clone_from(&before.rows);

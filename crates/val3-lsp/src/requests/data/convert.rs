@@ -6,7 +6,7 @@ use val3_lang::types;
 
 use super::messages::*;
 use crate::convert::diagnostic;
-use crate::lines::Lines;
+use crate::lines::PositionConverter;
 use crate::snapshot::Snapshot;
 
 /// Dialect of a file.
@@ -23,12 +23,12 @@ pub(super) fn data_types(types: Vec<ide::DataType>) -> Vec<DataType> {
 }
 
 /// Variables of a file.
-pub(super) fn data(lines: &Lines<'_>, data: Vec<ide::Datum>) -> Vec<Datum> {
+pub(super) fn data(lines: &PositionConverter<'_>, data: Vec<ide::TableVariable>) -> Vec<WireItem> {
     data.into_iter().map(|data| datum(data, Some(lines))).collect()
 }
 
 /// Reason as a sentence with its line number.
-pub(super) fn in_words(lines: &Lines<'_>, problem: &ide::DataProblem) -> String {
+pub(super) fn in_words(lines: &PositionConverter<'_>, problem: &ide::DataProblem) -> String {
     match problem.range {
         Some(range) => format!("{} (line {})", problem.reason, lines.position(range.start()).line + 1),
         None => problem.reason.clone(),
@@ -78,14 +78,14 @@ fn container(container: types::Container) -> Container {
 }
 
 /// A variable, or a field, which has no location in the file.
-fn datum(data: ide::Datum, lines: Option<&Lines<'_>>) -> Datum {
+fn datum(data: ide::TableVariable, lines: Option<&PositionConverter<'_>>) -> WireItem {
     let access = if data.public { Access::Public } else { Access::Private };
-    let value = |value: ide::DatumValue| Value {
+    let value = |value: ide::DatumValue| CellValue {
         key: value.key,
         texts: value.texts,
         fields: value.fields.into_iter().map(|field| datum(field, None)).collect(),
     };
-    Datum {
+    WireItem {
         name: data.name.to_string(),
         access: lines.map(|_| access),
         type_name: data.type_name.to_string(),
@@ -104,10 +104,10 @@ pub(super) fn findings(snapshot: &Snapshot, findings: Vec<ide::DataFinding>) -> 
 fn finding(snapshot: &Snapshot, found: ide::DataFinding) -> DataFinding {
     let shown = diagnostic(snapshot, &found.diagnostic);
     let severity = match shown.severity {
-        Some(DiagnosticSeverity::ERROR) | None => Severity::Error,
-        Some(DiagnosticSeverity::WARNING) => Severity::Warning,
-        Some(DiagnosticSeverity::INFORMATION) => Severity::Information,
-        Some(_) => Severity::Hint,
+        Some(DiagnosticSeverity::ERROR) | None => DataSeverity::Error,
+        Some(DiagnosticSeverity::WARNING) => DataSeverity::Warning,
+        Some(DiagnosticSeverity::INFORMATION) => DataSeverity::Information,
+        Some(_) => DataSeverity::Hint,
     };
     DataFinding {
         place: place(found.place),
@@ -118,21 +118,23 @@ fn finding(snapshot: &Snapshot, found: ide::DataFinding) -> DataFinding {
     }
 }
 
-fn place(place: ide::DataPlace) -> Place {
-    let within = place.within.into_iter().map(|step| Step { name: step.name, key: step.key }).collect();
-    Place { name: place.name, key: place.key, within }
+fn place(place: ide::DataPlace) -> DataLocation {
+    let within = place.within.into_iter().map(|step| PlacementStep { name: step.name, key: step.key }).collect();
+    DataLocation { name: place.name, key: place.key, within }
 }
 
 /// Pose of a value.
 pub(super) fn pose(found: ide::DataPose) -> DataPose {
-    let Place { name, key, within } = place(found.place);
+    let DataLocation { name, key, within } = place(found.place);
     DataPose {
         name,
         key: key.unwrap_or_default(),
         within,
         world: found.pose,
         chain: found.chain.join(" on "),
-        reach: found.is_reached.map(|reached| if reached { Reach::Reachable } else { Reach::OutOfReach }),
+        reach: found
+            .is_reached
+            .map(|reached| if reached { RequestedExtent::Reachable } else { RequestedExtent::OutOfReach }),
         why: found.remark,
         joints: found.joints,
     }

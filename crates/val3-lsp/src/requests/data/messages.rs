@@ -33,7 +33,7 @@ pub(crate) struct DataChanges {
     pub(super) result_id: String,
     pub(super) version: Option<i32>,
     pub(super) problem: Option<String>,
-    pub(super) data: Replacement<Datum>,
+    pub(super) data: Replacement<WireItem>,
     /// `null` if the data contain all their values. Otherwise the only new datum contains some of its values, which
     /// replace these values of the earlier datum.
     pub(super) values: Option<ReplacedValues>,
@@ -71,7 +71,7 @@ pub(crate) struct DataTables {
     /// Reason why the file cannot be edited as tables.
     pub(super) problem: Option<String>,
     pub(super) types: Vec<DataType>,
-    pub(super) data: Vec<Datum>,
+    pub(super) data: Vec<WireItem>,
     pub(super) findings: Vec<DataFinding>,
 }
 
@@ -135,7 +135,7 @@ pub(super) enum Access {
 }
 
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct Datum {
+pub(super) struct WireItem {
     pub(super) name: String,
     /// Omitted for fields, like the range.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -146,35 +146,35 @@ pub(super) struct Datum {
     pub(super) size: Vec<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) range: Option<Range>,
-    pub(super) values: Vec<Value>,
+    pub(super) values: Vec<CellValue>,
 }
 
 /// The location in the file is not hashed, because an edit before the datum shifts it.
-impl Hash for Datum {
+impl Hash for WireItem {
     fn hash<H: Hasher>(&self, state: &mut H) {
         (&self.name, self.access, &self.type_name, self.container, &self.size, &self.values).hash(state);
     }
 }
 
 #[derive(Debug, Hash, Serialize, Deserialize)]
-pub(super) struct Value {
+pub(super) struct CellValue {
     pub(super) key: String,
     pub(super) texts: Vec<Option<String>>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) fields: Vec<Datum>,
+    pub(super) fields: Vec<WireItem>,
 }
 
 #[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub(super) struct Place {
+pub(super) struct DataLocation {
     pub(super) name: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) key: Option<String>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) within: Vec<Step>,
+    pub(super) within: Vec<PlacementStep>,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub(super) struct Step {
+pub(super) struct PlacementStep {
     pub(super) name: String,
     #[serde(default)]
     pub(super) key: String,
@@ -182,16 +182,16 @@ pub(super) struct Step {
 
 #[derive(Debug, Hash, Serialize, Deserialize)]
 pub(super) struct DataFinding {
-    pub(super) place: Place,
+    pub(super) place: DataLocation,
     pub(super) column: Option<String>,
-    pub(super) severity: Severity,
+    pub(super) severity: DataSeverity,
     pub(super) code: String,
     pub(super) message: String,
 }
 
 #[derive(Debug, Clone, Copy, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) enum Severity {
+pub(super) enum DataSeverity {
     Error,
     Warning,
     Information,
@@ -215,7 +215,7 @@ pub(crate) struct EditDataParams {
 #[serde(tag = "kind", rename_all = "camelCase")]
 pub(super) enum DataEdit {
     Set {
-        cells: Vec<Cell>,
+        cells: Vec<TableCell>,
     },
     Add {
         name: String,
@@ -240,19 +240,19 @@ pub(super) enum DataEdit {
         access: Access,
     },
     Resize {
-        place: Place,
+        place: DataLocation,
         size: Vec<u32>,
     },
     AddKey {
-        place: Place,
+        place: DataLocation,
         key: String,
     },
     RemoveKey {
-        place: Place,
+        place: DataLocation,
         keys: Vec<String>,
     },
     RenameKey {
-        place: Place,
+        place: DataLocation,
         key: String,
         #[serde(rename = "as")]
         new_key: String,
@@ -260,8 +260,8 @@ pub(super) enum DataEdit {
 }
 
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct Cell {
-    pub(super) place: Place,
+pub(super) struct TableCell {
+    pub(super) place: DataLocation,
     pub(super) column: String,
     /// `null` for the default.
     pub(super) text: Option<String>,
@@ -291,12 +291,12 @@ pub(crate) struct DataPose {
     pub(super) key: String,
     /// Path to a value within the fields of a user type.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) within: Vec<Step>,
+    pub(super) within: Vec<PlacementStep>,
     /// x, y, z in mm and rx, ry, rz in degrees, relative to `world` (tools: to the flange); `null` if unknown.
     pub(super) world: Option<[f64; 6]>,
     /// The value and its fathers, joined by ` on `; empty for joints.
     pub(super) chain: String,
-    pub(super) reach: Option<Reach>,
+    pub(super) reach: Option<RequestedExtent>,
     /// Reason why the pose is unknown or out of reach, or the tool with which it is reached.
     pub(super) why: Option<String>,
     /// Joint position in which the arm reaches the pose.
@@ -305,7 +305,7 @@ pub(crate) struct DataPose {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) enum Reach {
+pub(super) enum RequestedExtent {
     Reachable,
     OutOfReach,
 }

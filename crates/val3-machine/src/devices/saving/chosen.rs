@@ -4,7 +4,7 @@ use val3_lang::memory::Place;
 use val3_vm::{InstanceId, Space};
 
 use super::Saving;
-use crate::devices::lines::Lines;
+use crate::devices::lines::ChannelTable;
 use crate::devices::loaded::LoadedProjects;
 use crate::devices::outside::{Outside, controller_path};
 use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
@@ -34,7 +34,7 @@ struct Change {
 /// A file cannot be read or written, or belongs to an encrypted library.
 pub(in crate::devices) fn save(
     (space, places): (&Space, &[Place]),
-    (io, lines): (&IoTable, &Lines),
+    (io, lines): (&IoTable, &ChannelTable),
     loaded: &mut LoadedProjects,
     outside: &mut Outside,
     overwrite: bool,

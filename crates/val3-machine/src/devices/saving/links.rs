@@ -5,21 +5,21 @@ use std::collections::BTreeMap;
 
 use rustc_hash::FxHashMap;
 use val3_bytecode::{FatherLink, LinkInit, LinkTarget};
-use val3_lang::memory::{KindBase, Link, Memory, Place, Shape, StoreId};
+use val3_lang::memory::{ContainerShape, KindBase, LinkPlace, Memory, Place, StoreId};
 use val3_lang::types::BaseType;
 use val3_lang::values::Text;
 use val3_vm::{Instance, InstanceId, Space};
 
-use super::super::lines::Lines;
+use super::super::lines::ChannelTable;
 use crate::io::{IoTable, LinkId};
 
 /// Names of link targets, and the loaded links.
-pub(super) struct Links<'s> {
+pub(super) struct LoadedLinks<'s> {
     space: &'s Space,
     id: InstanceId,
     memory: &'s Memory,
     io: &'s IoTable,
-    lines: &'s Lines,
+    lines: &'s ChannelTable,
     /// Frames and tools of global data.
     names: FxHashMap<StoreId, FrameContainer>,
     /// Places of the fathers that files name, cached after the lookup.
@@ -36,10 +36,10 @@ struct FrameContainer {
 }
 
 impl FrameContainer {
-    fn new(name: String, shape: &Shape) -> Self {
+    fn new(name: String, shape: &ContainerShape) -> Self {
         let keys = match shape {
-            Shape::Collection(keys) => keys.iter().map(|(key, number)| (*number, *key)).collect(),
-            Shape::Array { .. } => FxHashMap::default(),
+            ContainerShape::Collection(keys) => keys.iter().map(|(key, number)| (*number, *key)).collect(),
+            ContainerShape::Array { .. } => FxHashMap::default(),
         };
         Self { name, keys }
     }
@@ -48,11 +48,11 @@ impl FrameContainer {
 /// Identification of a link in global data: the data, the path through fields, the value, and the link of the value.
 pub(super) type LinkPath = (u32, Vec<(u32, u32)>, u32, u32);
 
-impl<'s> Links<'s> {
+impl<'s> LoadedLinks<'s> {
     pub(super) fn new(
         space: &'s Space,
         (id, instance): (InstanceId, &'s Instance),
-        (io, lines): (&'s IoTable, &'s Lines),
+        (io, lines): (&'s IoTable, &'s ChannelTable),
     ) -> Self {
         let spot = |init: &LinkInit| (init.data, init.path.clone(), init.value, init.link);
         let loaded = instance.image.links.iter().map(|init| (spot(init), &init.target)).collect();
@@ -95,21 +95,21 @@ impl<'s> Links<'s> {
     }
 
     /// Returns a link as written in a file; `None` without a link, or if no file can name its target.
-    pub(super) fn text(&self, link: Link, base: BaseType) -> Option<String> {
+    pub(super) fn text(&self, link: LinkPlace, base: BaseType) -> Option<String> {
         match link {
-            Link::None => None,
-            Link::Port(number) if base == BaseType::Sio => self.lines.link(number).map(str::to_owned),
-            Link::Port(number) => Some(self.io.text(LinkId::from_number(number)).to_owned()),
-            Link::Data(place) => {
+            LinkPlace::None => None,
+            LinkPlace::Port(number) if base == BaseType::Sio => self.lines.link(number).map(str::to_owned),
+            LinkPlace::Port(number) => Some(self.io.text(LinkId::from_number(number)).to_owned()),
+            LinkPlace::Data(place) => {
                 let store = self.memory.store(place.store).ok()?;
                 let number = place.num.checked_div(store.kind.size.num)?;
                 let FrameContainer { name, keys } = self.names.get(&place.store)?;
                 match store.shape {
-                    Shape::Array { dims, sizes } if number < store.shape.len() => {
+                    ContainerShape::Array { dims, sizes } if number < store.shape.len() => {
                         Some(format!("{name}[{}]", index(dims, sizes, number)))
                     }
-                    Shape::Array { .. } => None,
-                    Shape::Collection(_) => Some(format!("{name}[\"{}\"]", keys.get(&number)?)),
+                    ContainerShape::Array { .. } => None,
+                    ContainerShape::Collection(_) => Some(format!("{name}[\"{}\"]", keys.get(&number)?)),
                 }
             }
         }
@@ -117,14 +117,14 @@ impl<'s> Links<'s> {
 
     /// Returns a value's link as written in a file. A father that did not exist when the link was loaded keeps its
     /// written text.
-    pub(super) fn text_at(&self, spot: Option<&LinkPath>, link: Link, base: BaseType) -> Option<String> {
+    pub(super) fn text_at(&self, spot: Option<&LinkPath>, link: LinkPlace, base: BaseType) -> Option<String> {
         self.text(link, base).or_else(|| self.missing(spot, link).map(reference))
     }
 
     /// Returns the father that the file names but that does not exist.
-    fn missing(&self, spot: Option<&LinkPath>, link: Link) -> Option<&FatherLink> {
+    fn missing(&self, spot: Option<&LinkPath>, link: LinkPlace) -> Option<&FatherLink> {
         match self.loaded.get(spot?)? {
-            LinkTarget::Father(father) if link == Link::None && self.father(father).is_none() => Some(father),
+            LinkTarget::Father(father) if link == LinkPlace::None && self.father(father).is_none() => Some(father),
             _ => None,
         }
     }
@@ -140,12 +140,12 @@ impl<'s> Links<'s> {
     }
 
     /// Whether the value has its loaded link; `own` is the link of the type.
-    pub(super) fn is_loaded(&self, spot: Option<&LinkPath>, link: Link, own: Link) -> bool {
+    pub(super) fn is_loaded(&self, spot: Option<&LinkPath>, link: LinkPlace, own: LinkPlace) -> bool {
         match spot.and_then(|spot| self.loaded.get(spot)) {
             Some(LinkTarget::Port(base, path)) => self.text(link, *base).as_ref() == Some(path),
             Some(LinkTarget::Father(father)) => match self.father(father) {
-                Some(place) => link == Link::Data(place),
-                None => link == Link::None,
+                Some(place) => link == LinkPlace::Data(place),
+                None => link == LinkPlace::None,
             },
             Some(LinkTarget::Signal(named)) => {
                 let by_name = || self.text(link, BaseType::Dio).as_ref() == Some(&named.name);
@@ -157,10 +157,12 @@ impl<'s> Links<'s> {
 }
 
 /// Returns the value numbers of a container with the indexes of a reference: `2`, `1,3`, `"home"`.
-fn indexes(shape: &Shape) -> Box<dyn Iterator<Item = (u32, String)> + '_> {
+fn indexes(shape: &ContainerShape) -> Box<dyn Iterator<Item = (u32, String)> + '_> {
     match shape {
-        Shape::Collection(keys) => Box::new(keys.iter().map(|(key, number)| (*number, format!("\"{key}\"")))),
-        Shape::Array { dims, sizes } => Box::new((0..shape.len()).map(|number| (number, index(*dims, *sizes, number)))),
+        ContainerShape::Collection(keys) => Box::new(keys.iter().map(|(key, number)| (*number, format!("\"{key}\"")))),
+        ContainerShape::Array { dims, sizes } => {
+            Box::new((0..shape.len()).map(|number| (number, index(*dims, *sizes, number))))
+        }
     }
 }
 

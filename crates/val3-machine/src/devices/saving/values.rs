@@ -1,20 +1,22 @@
 //! Converts global data to file content: values with the attributes of their types.
 
 use val3_bytecode::DataDef;
-use val3_data::{Content, SavedData, SavedField, SavedValue, number_text};
+use val3_data::{SavedContent, SavedData, SavedField, SavedValue, number_text};
 use val3_lang::enumerations;
 use val3_lang::fault::Result;
-use val3_lang::memory::{Element, Kind, KindBase, Lanes, Link, Memory, PartInit, Place, Shape, StoreId, path_offset};
-use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
+use val3_lang::memory::{
+    ContainerShape, ElementType, KindBase, Lanes, LinkPlace, Memory, PartInit, Place, StoreId, ValueType, path_offset,
+};
+use val3_lang::types::{Arm, AttributeValue, BaseType, DefaultValue, ValueAttribute, attributes};
 use val3_vm::Instance;
 
-use super::links::{LinkPath, Links, index};
+use super::links::{LinkPath, LoadedLinks, index};
 
 /// Reader of an application's or library's data.
 pub(super) struct Saver<'s> {
     pub(super) memory: &'s Memory,
     pub(super) instance: &'s Instance,
-    pub(super) links: Links<'s>,
+    pub(super) links: LoadedLinks<'s>,
 }
 
 /// Value within global data, as loaded.
@@ -48,7 +50,7 @@ impl Saver<'_> {
             saved.values.retain(|value| meant.contains(&value.key));
             let is_default = |key: &&String| !saved.values.iter().any(|value| value.key == **key);
             let defaults: Vec<String> = meant.iter().filter(is_default).cloned().collect();
-            let content = || Content::Attributes(Vec::new());
+            let content = || SavedContent::Attributes(Vec::new());
             saved.values.extend(defaults.into_iter().map(|key| SavedValue { key, content: content() }));
             saved.is_part = true;
             found.push(saved);
@@ -73,7 +75,8 @@ impl Saver<'_> {
                 KindBase::User(_) => self.user_value(place, &store.kind, loaded, &key)?,
             };
             unchanged &= same;
-            let is_needed = content != Content::Attributes(Vec::new()) || matches!(store.shape, Shape::Collection(_));
+            let is_needed =
+                content != SavedContent::Attributes(Vec::new()) || matches!(store.shape, ContainerShape::Collection(_));
             if is_needed {
                 values.push(SavedValue { key, content });
             }
@@ -89,10 +92,10 @@ impl Saver<'_> {
         &self,
         place: Place,
         (base, arm): (BaseType, Option<Arm>),
-        kind: &Kind,
+        kind: &ValueType,
         loaded: &LoadedValue<'_>,
         key: &str,
-    ) -> Result<(Content, bool)> {
+    ) -> Result<(SavedContent, bool)> {
         let (number, element) = loaded.value(kind, key);
         let spot = loaded.way(number);
         let mut written = Vec::new();
@@ -104,7 +107,7 @@ impl Saver<'_> {
             }
         }
         let same = self.is_same(place, kind.size, element)? && self.has_links(place, kind, spot, element)?;
-        Ok((Content::Attributes(written), same))
+        Ok((SavedContent::Attributes(written), same))
     }
 
     /// Returns an attribute as text; `None` if it has the default.
@@ -112,7 +115,7 @@ impl Saver<'_> {
         &self,
         at: Place,
         base: BaseType,
-        attribute: &Attribute,
+        attribute: &ValueAttribute,
         spot: Option<&LinkPath>,
     ) -> Result<Option<String>> {
         let text = match attribute.value {
@@ -141,7 +144,13 @@ impl Saver<'_> {
         Ok((!is_default).then_some(text))
     }
 
-    fn user_value(&self, place: Place, kind: &Kind, loaded: &LoadedValue<'_>, key: &str) -> Result<(Content, bool)> {
+    fn user_value(
+        &self,
+        place: Place,
+        kind: &ValueType,
+        loaded: &LoadedValue<'_>,
+        key: &str,
+    ) -> Result<(SavedContent, bool)> {
         let (number, element) = loaded.value(kind, key);
         let (mut fields, mut unchanged) = (Vec::new(), true);
         for (field, at) in kind.fields.iter().zip(0u32..) {
@@ -155,10 +164,10 @@ impl Saver<'_> {
             unchanged &= initial;
             fields.push(SavedField { initial, data });
         }
-        Ok((Content::Fields(fields), unchanged))
+        Ok((SavedContent::Fields(fields), unchanged))
     }
 
-    fn is_same(&self, place: Place, size: Lanes, element: &Element) -> Result<bool> {
+    fn is_same(&self, place: Place, size: Lanes, element: &ElementType) -> Result<bool> {
         for (lane, number) in (0..size.num).zip(&element.nums) {
             if self.memory.num(place, lane)? != *number {
                 return Ok(false);
@@ -172,9 +181,9 @@ impl Saver<'_> {
         Ok(true)
     }
 
-    fn has_links(&self, place: Place, kind: &Kind, spot: Option<LinkPath>, element: &Element) -> Result<bool> {
+    fn has_links(&self, place: Place, kind: &ValueType, spot: Option<LinkPath>, element: &ElementType) -> Result<bool> {
         for lane in 0..kind.size.link {
-            let own = element.links.get(lane as usize).copied().unwrap_or(Link::None);
+            let own = element.links.get(lane as usize).copied().unwrap_or(LinkPlace::None);
             let spot = spot.clone().map(|(data, way, number, _)| (data, way, number, lane));
             if !self.links.is_loaded(spot.as_ref(), self.memory.link(place, lane)?, own) {
                 return Ok(false);
@@ -186,7 +195,7 @@ impl Saver<'_> {
 
 impl<'l> LoadedValue<'l> {
     /// Returns the number and value that were loaded under a key; a missing value is replaced by the default of `kind`.
-    fn value<'k>(&self, kind: &'k Kind, key: &str) -> (Option<u32>, &'k Element)
+    fn value<'k>(&self, kind: &'k ValueType, key: &str) -> (Option<u32>, &'k ElementType)
     where
         'l: 'k,
     {
@@ -203,31 +212,33 @@ impl<'l> LoadedValue<'l> {
 }
 
 /// Returns the value numbers of a container with the keys of an element: `7`, `2,1`, `home`.
-fn keys(shape: &Shape) -> Vec<(u32, String)> {
+fn keys(shape: &ContainerShape) -> Vec<(u32, String)> {
     match shape {
-        Shape::Collection(keys) => keys.iter().map(|(key, number)| (*number, key.to_string())).collect(),
-        Shape::Array { dims, sizes } => (0..shape.len()).map(|number| (number, index(*dims, *sizes, number))).collect(),
+        ContainerShape::Collection(keys) => keys.iter().map(|(key, number)| (*number, key.to_string())).collect(),
+        ContainerShape::Array { dims, sizes } => {
+            (0..shape.len()).map(|number| (number, index(*dims, *sizes, number))).collect()
+        }
     }
 }
 
-fn saved_shape(shape: &Shape) -> val3_data::Shape {
+fn saved_shape(shape: &ContainerShape) -> val3_data::SavedContainer {
     match shape {
-        Shape::Collection(_) => val3_data::Shape::Keys,
-        Shape::Array { dims, sizes } => {
-            val3_data::Shape::Sizes(sizes.iter().copied().take(usize::from(*dims)).collect())
+        ContainerShape::Collection(_) => val3_data::SavedContainer::Keys,
+        ContainerShape::Array { dims, sizes } => {
+            val3_data::SavedContainer::Sizes(sizes.iter().copied().take(usize::from(*dims)).collect())
         }
     }
 }
 
 /// Whether both have the same sizes, or the same keys.
-fn is_like(one: &Shape, other: &Shape) -> bool {
+fn is_like(one: &ContainerShape, other: &ContainerShape) -> bool {
     match (one, other) {
-        (Shape::Collection(one), Shape::Collection(other)) => one.keys().eq(other.keys()),
+        (ContainerShape::Collection(one), ContainerShape::Collection(other)) => one.keys().eq(other.keys()),
         _ => one == other,
     }
 }
 
-fn type_name(kind: &Kind) -> String {
+fn type_name(kind: &ValueType) -> String {
     match &kind.base {
         KindBase::Builtin(base, Some(arm)) => base.file_name(*arm),
         KindBase::Builtin(base, None) => base.name().to_owned(),

@@ -1,6 +1,6 @@
 use std::io;
 
-use val3_data::{Content, SavedValue, Shape};
+use val3_data::{SavedContainer, SavedContent, SavedValue};
 
 use super::*;
 
@@ -90,11 +90,11 @@ fn code(result: Result<(), FileFault>) -> u16 {
 }
 
 fn number(name: &str, value: u32) -> SavedData {
-    let content = Content::Attributes(vec![("value".into(), value.to_string())]);
+    let content = SavedContent::Attributes(vec![("value".into(), value.to_string())]);
     SavedData {
         name: name.into(),
         type_name: "num".into(),
-        shape: Shape::Sizes(vec![1]),
+        shape: SavedContainer::Sizes(vec![1]),
         values: vec![SavedValue { key: "0".to_owned(), content }],
         is_part: false,
     }

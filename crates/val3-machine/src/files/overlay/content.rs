@@ -7,7 +7,7 @@ const PIECE: usize = 16 << 10;
 
 /// The content of a file.
 #[derive(Debug, Clone, Default)]
-pub(in crate::files) struct Content {
+pub(in crate::files) struct FileContent {
     /// Complete pieces, which are never empty.
     pieces: Arc<Vec<Arc<Vec<u8>>>>,
     /// The rest.
@@ -17,13 +17,13 @@ pub(in crate::files) struct Content {
 
 /// Content with a read position.
 #[derive(Debug, Clone)]
-pub(in crate::files) struct Reader {
-    content: Content,
+pub(in crate::files) struct ContentReader {
+    content: FileContent,
     piece: usize,
     at: usize,
 }
 
-impl Content {
+impl FileContent {
     pub(in crate::files) fn new(bytes: Vec<u8>) -> Self {
         let mut content = Self { bytes: bytes.len() as u64, end: Arc::new(bytes), ..Self::default() };
         content.cut();
@@ -60,18 +60,18 @@ impl Content {
     }
 
     /// Returns a reader from the beginning.
-    pub(in crate::files) fn reader(&self) -> Reader {
-        Reader { content: self.clone(), piece: 0, at: 0 }
+    pub(in crate::files) fn reader(&self) -> ContentReader {
+        ContentReader { content: self.clone(), piece: 0, at: 0 }
     }
 }
 
-impl PartialEq for Content {
+impl PartialEq for FileContent {
     fn eq(&self, other: &Self) -> bool {
         self.bytes == other.bytes && self.pieces().flatten().eq(other.pieces().flatten())
     }
 }
 
-impl Iterator for Reader {
+impl Iterator for ContentReader {
     type Item = u8;
 
     fn next(&mut self) -> Option<u8> {
@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn copies_keep_what_they_had() {
-        let mut content = Content::new(vec![1; 3 * PIECE]);
+        let mut content = FileContent::new(vec![1; 3 * PIECE]);
         let before = content.clone();
         for byte in 0..100 {
             content.append(&[byte; PIECE / 10]);
@@ -101,7 +101,7 @@ mod tests {
         let whole = content.to_vec();
         assert_eq!((whole.len() as u64, whole.get(3 * PIECE)), (content.bytes(), Some(&0)));
         assert_eq!(content.reader().collect::<Vec<u8>>(), whole);
-        assert_eq!(Content::new(whole), content);
-        assert_eq!(Content::default().reader().next(), None);
+        assert_eq!(FileContent::new(whole), content);
+        assert_eq!(FileContent::default().reader().next(), None);
     }
 }

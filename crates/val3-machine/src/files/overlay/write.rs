@@ -9,14 +9,14 @@ use std::io::{self, Write as _};
 use camino::{Utf8Path, Utf8PathBuf};
 use cap_std::fs_utf8::Dir;
 
-use super::{Content, DiskState, Entry, Node, Overlay, Place};
+use super::{DiskState, FileContent, Overlay, OverlayItem, OverlayNode, OverlayPath};
 use crate::files::volume::{Volume, relative};
 
 /// Suffix of a file that is written next to a file of the same name, because the file on the disk must stay.
 const BESIDE: &str = ".debugged";
 
 /// Remaining changes.
-type Rest<'o> = BTreeMap<&'o Place, &'o Entry>;
+type Rest<'o> = BTreeMap<&'o OverlayPath, &'o OverlayNode>;
 
 impl Overlay {
     /// Writes all changes and returns the failures with their reasons. `volumes` contains the volumes with the names of
@@ -35,9 +35,9 @@ impl Overlay {
     }
 
     fn pass(&self, volumes: &[(&str, &Volume)], rest: &mut Rest<'_>, pass: Pass, messages: &mut Vec<String>) {
-        let is_of_pass = |entry: &Entry| (entry.now == Node::Missing) == (pass == Pass::Delete);
+        let is_of_pass = |entry: &OverlayNode| (entry.now == OverlayItem::Missing) == (pass == Pass::Delete);
         let places = rest.iter().filter(|(_, entry)| is_of_pass(entry));
-        let mut places: Vec<(&Place, &Entry)> = places.map(|(place, entry)| (*place, *entry)).collect();
+        let mut places: Vec<(&OverlayPath, &OverlayNode)> = places.map(|(place, entry)| (*place, *entry)).collect();
         if pass == Pass::Delete {
             // The contents of a folder are deleted before the folder.
             places.reverse();
@@ -50,10 +50,10 @@ impl Overlay {
                 make_room(&volume.dir, &place.1, entry);
             }
             let done = match entry.now {
-                Node::Missing if self.is_spelled_otherwise(&volume.dir, place) => Ok(Done::Whole),
-                Node::Missing => delete(&volume.dir, &place.1, entry.disk),
-                Node::Folder => make_folder(&volume.dir, &place.1),
-                Node::File(file) => put(&volume.dir, &place.1, entry.disk, &self.content(file)),
+                OverlayItem::Missing if self.is_spelled_otherwise(&volume.dir, place) => Ok(Done::Whole),
+                OverlayItem::Missing => delete(&volume.dir, &place.1, entry.disk),
+                OverlayItem::Folder => make_folder(&volume.dir, &place.1),
+                OverlayItem::File(file) => put(&volume.dir, &place.1, entry.disk, &self.content(file)),
             };
             let [medium, path] = shown(volumes, place);
             match done {
@@ -73,13 +73,13 @@ impl Overlay {
     }
 
     /// Whether the disk ignores letter case and has an entry of the program under another spelling.
-    fn is_spelled_otherwise(&self, dir: &Dir, (volume, path): &Place) -> bool {
+    fn is_spelled_otherwise(&self, dir: &Dir, (volume, path): &OverlayPath) -> bool {
         let state = DiskState::of(dir, path);
         if state == DiskState::Folder && dir.read_dir(path).is_ok_and(|mut names| names.next().is_none()) {
             return false;
         }
         let spelling = path.as_str().to_lowercase();
-        let mut others = self.entries.iter().filter(|(_, entry)| entry.now != Node::Missing);
+        let mut others = self.entries.iter().filter(|(_, entry)| entry.now != OverlayItem::Missing);
         others.any(|((number, other), _)| {
             number == volume && other.as_str().to_lowercase() == spelling && DiskState::of(dir, other) == state
         })
@@ -108,7 +108,7 @@ enum Done {
     Kept,
 }
 
-fn shown<'v>(volumes: &[(&'v str, &Volume)], (number, path): &'v Place) -> [&'v str; 2] {
+fn shown<'v>(volumes: &[(&'v str, &Volume)], (number, path): &'v OverlayPath) -> [&'v str; 2] {
     let medium = volumes.iter().find(|(_, volume)| volume.number == *number).map_or("", |(name, _)| *name);
     [medium, path.as_str()]
 }
@@ -131,11 +131,11 @@ fn delete(dir: &Dir, path: &Utf8Path, before: DiskState) -> io::Result<Done> {
 
 /// Deletes an entry that the program has deleted and replaced by an entry of another kind. A failure blocks the path,
 /// which is reported then.
-fn make_room(dir: &Dir, path: &Utf8Path, entry: &Entry) {
+fn make_room(dir: &Dir, path: &Utf8Path, entry: &OverlayNode) {
     let is_left = DiskState::of(dir, path) == entry.disk;
     let _ = match (entry.disk, entry.now) {
-        (DiskState::File(..), Node::Folder) if is_left => dir.remove_file(path),
-        (DiskState::Folder, Node::File(_)) => dir.remove_dir(path),
+        (DiskState::File(..), OverlayItem::Folder) if is_left => dir.remove_file(path),
+        (DiskState::Folder, OverlayItem::File(_)) => dir.remove_dir(path),
         _ => Ok(()),
     };
 }
@@ -149,7 +149,7 @@ fn make_folder(dir: &Dir, path: &Utf8Path) -> io::Result<Done> {
     }
 }
 
-fn put(dir: &Dir, path: &Utf8Path, before: DiskState, content: &Content) -> io::Result<Done> {
+fn put(dir: &Dir, path: &Utf8Path, before: DiskState, content: &FileContent) -> io::Result<Done> {
     let now = DiskState::of(dir, path);
     match now {
         DiskState::Folder => return Ok(Done::Blocked),
@@ -172,12 +172,12 @@ fn is_blocked(dir: &Dir, path: &Utf8Path) -> bool {
     path.parent().is_some_and(|around| DiskState::of(dir, around) != DiskState::Folder)
 }
 
-fn is_same(dir: &Dir, path: &Utf8Path, content: &Content) -> io::Result<bool> {
+fn is_same(dir: &Dir, path: &Utf8Path, content: &FileContent) -> io::Result<bool> {
     Ok(dir.metadata(path)?.len() == content.bytes() && dir.read(path)? == content.to_vec())
 }
 
 /// Writes a file with the permissions of the replaced file. A link stays a link.
-fn replace(dir: &Dir, path: &Utf8Path, content: &Content) -> io::Result<()> {
+fn replace(dir: &Dir, path: &Utf8Path, content: &FileContent) -> io::Result<()> {
     let path = dir.canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let name = format!(".{}.writing", path.file_name().unwrap_or_default());
     let temporary = path.with_file_name(name);
@@ -188,7 +188,7 @@ fn replace(dir: &Dir, path: &Utf8Path, content: &Content) -> io::Result<()> {
     written
 }
 
-fn write_as(dir: &Dir, temporary: &Utf8Path, path: &Utf8Path, content: &Content) -> io::Result<()> {
+fn write_as(dir: &Dir, temporary: &Utf8Path, path: &Utf8Path, content: &FileContent) -> io::Result<()> {
     let mut file = dir.create(temporary)?;
     content.pieces().try_for_each(|piece| file.write_all(piece))?;
     if let Ok(old) = dir.metadata(path) {

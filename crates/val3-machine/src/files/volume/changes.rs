@@ -5,7 +5,7 @@ use std::io;
 use camino::Utf8Path;
 
 use super::{DiskState, EntryKind, Volume, relative};
-use crate::files::overlay::{Content, FileId, Node};
+use crate::files::overlay::{FileContent, FileId, OverlayItem};
 
 impl Volume {
     /// Whether changes go to the overlay.
@@ -21,7 +21,7 @@ impl Volume {
         match self.existing(path)? {
             EntryKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
             _ => {
-                self.replace(path, Node::Missing);
+                self.replace(path, OverlayItem::Missing);
                 Ok(())
             }
         }
@@ -35,7 +35,7 @@ impl Volume {
         if !self.folder_names(path)?.is_empty() {
             return Err(io::ErrorKind::DirectoryNotEmpty.into());
         }
-        self.replace(path, Node::Missing);
+        self.replace(path, OverlayItem::Missing);
         Ok(())
     }
 
@@ -48,10 +48,10 @@ impl Volume {
             let inner = path.join(name);
             match self.kind(&inner) {
                 Ok(EntryKind::Folder) => self.remove_dir_all(&inner)?,
-                _ => self.replace(&inner, Node::Missing),
+                _ => self.replace(&inner, OverlayItem::Missing),
             }
         }
-        self.replace(path, Node::Missing);
+        self.replace(path, OverlayItem::Missing);
         Ok(())
     }
 
@@ -63,7 +63,7 @@ impl Volume {
         self.check_parent(path)?;
         match self.kind_of(path)? {
             EntryKind::Missing => {
-                self.replace(path, Node::Folder);
+                self.replace(path, OverlayItem::Folder);
                 Ok(())
             }
             EntryKind::File | EntryKind::Folder => Err(io::ErrorKind::AlreadyExists.into()),
@@ -102,8 +102,8 @@ impl Volume {
             _ if to.kind_of(target)? == EntryKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
             _ => {
                 let file = self.capture(from)?;
-                to.replace(target, Node::File(file));
-                self.note(from, Node::Missing);
+                to.replace(target, OverlayItem::File(file));
+                self.note(from, OverlayItem::Missing);
                 Ok(())
             }
         }
@@ -114,7 +114,7 @@ impl Volume {
         for name in self.folder_names(from)? {
             self.rename(&from.join(&name), to, &target.join(&name))?;
         }
-        self.replace(from, Node::Missing);
+        self.replace(from, OverlayItem::Missing);
         Ok(())
     }
 
@@ -139,41 +139,41 @@ impl Volume {
     }
 
     /// Creates a file with this content, in place of any existing file.
-    pub(super) fn put(&self, path: &Utf8Path, content: Content) -> io::Result<FileId> {
+    pub(super) fn put(&self, path: &Utf8Path, content: FileContent) -> io::Result<FileId> {
         self.check_parent(path)?;
         if self.kind_of(path)? == EntryKind::Folder {
             return Err(io::ErrorKind::IsADirectory.into());
         }
         self.check_writable(path)?;
         let file = self.add(content)?;
-        self.replace(path, Node::File(file));
+        self.replace(path, OverlayItem::File(file));
         Ok(file)
     }
 
     /// Adds a file to the overlay.
     pub(super) fn capture(&self, path: &Utf8Path) -> io::Result<FileId> {
-        if let Some(Node::File(file)) = self.node(path) {
+        if let Some(OverlayItem::File(file)) = self.node(path) {
             return Ok(file);
         }
         let file = self.add(self.content(path)?)?;
-        self.replace(path, Node::File(file));
+        self.replace(path, OverlayItem::File(file));
         Ok(file)
     }
 
-    fn add(&self, content: Content) -> io::Result<FileId> {
+    fn add(&self, content: FileContent) -> io::Result<FileId> {
         self.in_overlay(|overlay| overlay.add(content)).unwrap_or(Err(io::ErrorKind::NotFound.into()))
     }
 
     /// Replaces the entry at a path. The content of a previous file is dropped.
-    fn replace(&self, path: &Utf8Path, node: Node) {
-        if let Some(Node::File(old)) = self.node(path) {
+    fn replace(&self, path: &Utf8Path, node: OverlayItem) {
+        if let Some(OverlayItem::File(old)) = self.node(path) {
             self.in_overlay(|overlay| overlay.forget(old));
         }
         self.note(path, node);
     }
 
     /// Sets the entry at a path.
-    fn note(&self, path: &Utf8Path, node: Node) {
+    fn note(&self, path: &Utf8Path, node: OverlayItem) {
         let disk = || self.inputs.ask(|| DiskState::of(&self.dir, path));
         self.in_overlay(|overlay| overlay.set((self.number, path.to_owned()), node, disk));
     }

@@ -6,7 +6,7 @@ use camino::Utf8Path;
 use cap_std::fs_utf8::File;
 
 use super::{SharedOverlay, Volume, relative};
-use crate::files::overlay::{Content, FileId, Node, Reader};
+use crate::files::overlay::{ContentReader, FileContent, FileId, OverlayItem};
 use crate::files::{EntryKind, OpenMode};
 
 /// File open for reading.
@@ -14,7 +14,7 @@ use crate::files::{EntryKind, OpenMode};
 pub(in crate::files) enum InFile {
     Disk(BufReader<File>),
     /// Content at the time of opening.
-    Memory(Reader),
+    Memory(ContentReader),
 }
 
 /// File open for writing.
@@ -52,8 +52,8 @@ impl Volume {
         }
         let known = self.node(path);
         let file = match (known, mode) {
-            (Some(Node::File(file)), OpenMode::Append) => file,
-            (Some(Node::File(file)), _) => {
+            (Some(OverlayItem::File(file)), OpenMode::Append) => file,
+            (Some(OverlayItem::File(file)), _) => {
                 self.in_overlay(|overlay| overlay.truncate(file));
                 file
             }
@@ -61,7 +61,7 @@ impl Volume {
                 self.check_writable(path)?;
                 self.capture(path)?
             }
-            _ => self.put(path, Content::default())?,
+            _ => self.put(path, FileContent::default())?,
         };
         Ok(OutFile::Overlay(OverlayFile { overlay: self.overlay.clone(), file }))
     }
@@ -75,7 +75,7 @@ impl InFile {
                 let mut rest = Vec::new();
                 // The readable part, as when the medium fails during reading.
                 let _ = file.read_to_end(&mut rest);
-                Self::Memory(Content::new(rest).reader())
+                Self::Memory(FileContent::new(rest).reader())
             }
             Self::Memory(reader) => Self::Memory(reader),
         }

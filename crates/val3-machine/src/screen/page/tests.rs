@@ -3,18 +3,18 @@ use expect_test::{Expect, expect};
 use super::*;
 
 #[expect(clippy::needless_pass_by_value, reason = "expect![] is a value")]
-fn check(page: &Page, expected: Expect) {
+fn check(page: &PageContent, expected: Expect) {
     let lines: Vec<String> = page.lines().map(|line| format!("|{line}\n")).collect();
     expected.assert_eq(lines.concat().trim_end_matches("|\n"));
 }
 
-fn position(column: usize, row: usize) -> Position {
-    Position { column, row }
+fn position(column: usize, row: usize) -> CursorCell {
+    CursorCell { column, row }
 }
 
 #[test]
 fn put_leaves_the_cursor_after_the_text() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put("parts: ");
     page.put("12");
     assert_eq!(page.cursor(), position(9, 0));
@@ -31,7 +31,7 @@ fn put_leaves_the_cursor_after_the_text() {
 
 #[test]
 fn a_full_line_continues_in_the_next() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put(&"x".repeat(38));
     page.put("abcd");
     assert_eq!(page.cursor(), position(2, 1));
@@ -46,7 +46,7 @@ fn a_full_line_continues_in_the_next() {
 
 #[test]
 fn a_full_page_scrolls() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     for line in 0..14 {
         page.put(&line.to_string());
         page.end_line();
@@ -58,7 +58,7 @@ fn a_full_page_scrolls() {
 
 #[test]
 fn a_menu_fills_the_last_line_without_scrolling() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put("top");
     page.go_to(0.0, 13.0);
     page.put(&"m".repeat(40));
@@ -71,7 +71,7 @@ fn a_menu_fills_the_last_line_without_scrolling() {
 
 #[test]
 fn a_line_of_40_columns_leaves_no_empty_line() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put(&"a".repeat(40));
     assert_eq!(page.cursor(), position(40, 0));
     page.end_line();
@@ -81,7 +81,7 @@ fn a_line_of_40_columns_leaves_no_empty_line() {
 #[test]
 fn the_cursor_counts_modulo_the_page() {
     let at = |x, y| {
-        let mut page = Page::default();
+        let mut page = PageContent::default();
         page.go_to(x, y);
         page.cursor()
     };
@@ -95,7 +95,7 @@ fn the_cursor_counts_modulo_the_page() {
 
 #[test]
 fn cls_empties_the_page_and_keeps_the_title() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.set_title("Palletiser");
     page.set_mode(TextMode::Inverse);
     page.put("text");
@@ -106,7 +106,7 @@ fn cls_empties_the_page_and_keeps_the_title() {
 
 #[test]
 fn a_title_leaves_the_cursor() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put("ab");
     page.set_title("title");
     assert_eq!(page.cursor(), position(2, 0));
@@ -120,7 +120,7 @@ fn a_title_leaves_the_cursor() {
 
 #[test]
 fn a_mode_applies_to_new_text_only() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put("a");
     page.set_mode(TextMode::InverseFlashing);
     page.put("b");
@@ -130,7 +130,7 @@ fn a_mode_applies_to_new_text_only() {
 
 #[test]
 fn a_wide_character_takes_two_columns() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put(&"x".repeat(39));
     page.put("中a");
     assert_eq!(page.cursor(), position(3, 1));
@@ -147,7 +147,7 @@ fn a_wide_character_takes_two_columns() {
 
 #[test]
 fn writing_over_the_left_half_of_a_wide_character_blanks_the_right_one() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put("中文");
     page.go_to(1.0, 0.0);
     page.put("国");
@@ -171,7 +171,7 @@ fn writing_over_the_left_half_of_a_wide_character_blanks_the_right_one() {
 
 #[test]
 fn marks_join_their_letter_and_control_characters_are_blank() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put("e\u{301}\u{7}b");
     assert_eq!(page.cursor(), position(3, 0));
     assert_eq!(page.lines().next().unwrap(), "e\u{301} b");
@@ -179,7 +179,7 @@ fn marks_join_their_letter_and_control_characters_are_blank() {
 
 #[test]
 fn text_written_over_the_page_ends_with_it() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put("keep");
     page.write_over(position(38, 13), "abcd");
     assert_eq!(page.cursor(), position(4, 0));
@@ -189,7 +189,7 @@ fn text_written_over_the_page_ends_with_it() {
 
 #[test]
 fn text_after_a_cut_character_keeps_its_column() {
-    let mut page = Page::default();
+    let mut page = PageContent::default();
     page.put("中文z");
     page.go_to(2.0, 0.0);
     page.put("a");

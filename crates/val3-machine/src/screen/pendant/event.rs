@@ -1,7 +1,7 @@
 //! Events of the pendant, for a view and for the record.
 
-use crate::controller_state::Severity;
-use crate::screen::{PageId, Position};
+use crate::controller_state::MessageSeverity;
+use crate::screen::{CursorCell, PageId};
 
 /// Message above the displayed page (`popUpMsg`).
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub struct PopUp {
     /// The message.
     pub text: String,
     /// Kind of the message.
-    pub severity: Severity,
+    pub severity: MessageSeverity,
 }
 
 /// An event of the pendant.
@@ -22,7 +22,7 @@ pub enum ScreenEvent {
         /// The page.
         page: PageId,
         /// Start position of the text.
-        at: Position,
+        at: CursorCell,
         /// The text.
         text: String,
         /// Whether the cursor moved to the next line after it.

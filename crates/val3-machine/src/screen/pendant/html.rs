@@ -3,7 +3,7 @@
 
 use super::{Pendant, ScreenEvent};
 use crate::screen::ReadingId;
-use crate::screen::reading::{KeyEffect, Reading};
+use crate::screen::reading::{KeyEffect, ScreenReading};
 use val3_lang::ports::InputKind;
 
 /// HTML page: `interface/<name>.html` and its bindings.
@@ -53,7 +53,7 @@ impl HtmlPage {
 pub(super) struct Question {
     id: ReadingId,
     text: String,
-    reading: Reading,
+    reading: ScreenReading,
 }
 
 impl Question {
@@ -104,7 +104,7 @@ impl Pendant {
     pub fn ask(&mut self, text: &str, asked: InputKind) -> ReadingId {
         let id = self.new_reading();
         self.events.push(ScreenEvent::Question(text.to_owned()));
-        self.questions.push_back(Question { id, text: text.to_owned(), reading: Reading::new(asked) });
+        self.questions.push_back(Question { id, text: text.to_owned(), reading: ScreenReading::new(asked) });
         id
     }
 

@@ -83,7 +83,7 @@ impl Pendant {
     }
 
     fn is_asked(&self) -> bool {
-        let reads = self.pages.get(&self.shown).is_some_and(super::UserPage::is_read);
+        let reads = self.pages.get(&self.shown).is_some_and(super::UserScreen::is_read);
         let confirms = self.pop_up.is_some() && self.typed.front() == Some(&keys::ESC);
         reads || confirms || self.polled || self.question().is_some()
     }

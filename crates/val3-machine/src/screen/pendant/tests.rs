@@ -1,7 +1,7 @@
 use expect_test::{Expect, expect};
 use val3_lang::keys::{ESC, RETURN};
 
-use val3_lang::ports::Entry;
+use val3_lang::ports::OperatorInput;
 
 use super::*;
 use crate::screen::TAP;
@@ -62,7 +62,7 @@ fn events_contain_the_written_text() {
     pendant.put(page, "12", true);
     pendant.show(page);
     pendant.show(page);
-    pendant.show_pop_up("Close the guard", Severity::Information);
+    pendant.show_pop_up("Close the guard", MessageSeverity::Information);
     pendant.confirm_pop_up();
     check_events(
         &mut pendant,
@@ -175,7 +175,7 @@ fn a_get_waits_for_a_key_on_its_page() {
         (pendant.begin_reading(PageId::DEFAULT, InputKind::Key), pendant.begin_reading(page, InputKind::Key));
     assert_eq!(pendant.take_answer(here), None);
     pendant.tap(97, 0);
-    assert_eq!(pendant.take_answer(here), Some(InputResult { key: 97, entry: Entry::Unchanged }));
+    assert_eq!(pendant.take_answer(here), Some(InputResult { key: 97, entry: OperatorInput::Unchanged }));
     assert_eq!(pendant.take_answer(there), None);
     pendant.show(page);
     pendant.tap(98, 0);
@@ -213,7 +213,7 @@ fn an_entry_is_shown_at_the_cursor_which_stays() {
     for key in [263, 263, 55, RETURN] {
         pendant.tap(key, 0);
     }
-    assert_eq!(pendant.take_answer(reading), Some(InputResult { key: RETURN, entry: Entry::Number(7.0) }));
+    assert_eq!(pendant.take_answer(reading), Some(InputResult { key: RETURN, entry: OperatorInput::Number(7.0) }));
     assert_eq!(pendant.page(PageId::DEFAULT).unwrap().cursor(), cursor);
     assert_eq!(lines(&pendant, PageId::DEFAULT)[0], "speed: 7");
     check_events(
@@ -235,7 +235,7 @@ fn esc_shows_the_former_value() {
     for key in [99, 100, ESC] {
         pendant.tap(key, 0);
     }
-    assert_eq!(pendant.take_answer(reading), Some(InputResult { key: ESC, entry: Entry::Unchanged }));
+    assert_eq!(pendant.take_answer(reading), Some(InputResult { key: ESC, entry: OperatorInput::Unchanged }));
     assert_eq!(lines(&pendant, PageId::DEFAULT)[0], "ab");
 }
 
@@ -243,8 +243,8 @@ fn esc_shows_the_former_value() {
 fn esc_only_confirms_a_pop_up() {
     let mut pendant = Pendant::default();
     let reading = pendant.begin_reading(PageId::DEFAULT, InputKind::Key);
-    pendant.show_pop_up("first", Severity::Information);
-    pendant.show_pop_up("second", Severity::Error);
+    pendant.show_pop_up("first", MessageSeverity::Information);
+    pendant.show_pop_up("second", MessageSeverity::Error);
     assert_eq!(pendant.pop_up().unwrap().text, "second");
     pendant.tap(ESC, 0);
     assert_eq!(pendant.take_answer(reading), None);
@@ -320,7 +320,7 @@ fn a_question_takes_the_keys_before_the_page() {
     for key in [55, RETURN] {
         pendant.tap(key, 0);
     }
-    assert_eq!(pendant.take_answer(prompt).unwrap().entry, Entry::Text("A7".to_owned()));
+    assert_eq!(pendant.take_answer(prompt).unwrap().entry, OperatorInput::Text("A7".to_owned()));
     assert_eq!(pendant.question(), Some(("Empty the gripper?", None)));
     pendant.tap(ESC, 0);
     assert!(!pendant.take_answer(confirmation).unwrap().is_accepted());

@@ -7,10 +7,10 @@ use val3_lang::types::BaseType;
 use val3_lang::values::Text;
 
 use super::super::check::Misfit;
-use super::{Comparison, Condition, Part, Subject};
+use super::{Comparison, Condition, ConditionPart, Subject};
 use crate::controller::Controller;
-use crate::io::Kind;
-use crate::script::Value;
+use crate::io::SignalKind;
+use crate::script::ScriptValue;
 
 /// A signal or variable that does not have its value.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Mismatch {
     /// The value that it should have: `3`, `"bolt"`, `above 2 and below 5`.
     pub expected: String,
     /// Value; `None` if the signal or variable does not exist.
-    pub actual: Option<Value>,
+    pub actual: Option<ScriptValue>,
 }
 
 impl fmt::Display for Mismatch {
@@ -36,14 +36,15 @@ impl Controller {
     /// Whether all signals and variables of a condition have their values.
     #[must_use]
     pub fn meets(&self, condition: &Condition) -> bool {
-        let meets = |part: &Part| self.value_of(&part.subject).is_some_and(|value| part.comparison.accepts(&value));
+        let meets =
+            |part: &ConditionPart| self.value_of(&part.subject).is_some_and(|value| part.comparison.accepts(&value));
         condition.parts.iter().all(meets)
     }
 
     /// The signals and variables of a condition that do not have their values: signals, then variables, by name.
     #[must_use]
     pub fn mismatches(&self, condition: &Condition) -> Vec<Mismatch> {
-        let mismatch = |Part { subject, comparison }: &Part| {
+        let mismatch = |ConditionPart { subject, comparison }: &ConditionPart| {
             let actual = self.value_of(subject);
             let differs = actual.as_ref().is_none_or(|actual| !comparison.accepts(actual));
             differs.then(|| Mismatch { name: subject.name().to_owned(), expected: comparison.to_string(), actual })
@@ -69,7 +70,7 @@ impl Controller {
         is_resized: &dyn Fn(&str) -> bool,
         may_come: bool,
     ) -> Vec<Misfit> {
-        let fault = |Part { subject, comparison }: &Part| match subject {
+        let fault = |ConditionPart { subject, comparison }: &ConditionPart| match subject {
             Subject::Signal(path) => self.check_level(path, comparison, may_come).err(),
             Subject::Variable(name) => self.check_variable(name, is_resized, |base| comparison.suits(base)).err(),
         };
@@ -80,42 +81,42 @@ impl Controller {
         self.check_signal(path, may_come)?;
         let io = &self.devices.state.io;
         let kind = io.find(path).and_then(|id| io.signal(id)).map(|signal| signal.kind);
-        let is_truth = matches!(comparison, Comparison::Is(Value::Bool(_)));
+        let is_truth = matches!(comparison, Comparison::Is(ScriptValue::Bool(_)));
         match kind {
-            Some(Kind::Digital) if !is_truth => {
+            Some(SignalKind::Digital) if !is_truth => {
                 Err(format!("`{path}` is digital: compare it with true or false").into())
             }
-            Some(Kind::Analog(_)) if is_truth => {
+            Some(SignalKind::Analog(_)) if is_truth => {
                 Err(format!("`{path}` is analog: compare it with a number or a range").into())
             }
             _ => Ok(()),
         }
     }
 
-    fn value_of(&self, subject: &Subject) -> Option<Value> {
+    fn value_of(&self, subject: &Subject) -> Option<ScriptValue> {
         match subject {
             Subject::Signal(path) => self.level(path),
             Subject::Variable(name) => self.variable_value(name),
         }
     }
 
-    fn level(&self, path: &str) -> Option<Value> {
+    fn level(&self, path: &str) -> Option<ScriptValue> {
         let io = &self.devices.state.io;
         let id = io.find(path)?;
         let value = io.hardware(id)?;
         Some(match io.signal(id)?.kind {
-            Kind::Digital => Value::Bool(value != 0.0),
-            Kind::Analog(_) => Value::Num(value),
+            SignalKind::Digital => ScriptValue::Bool(value != 0.0),
+            SignalKind::Analog(_) => ScriptValue::Num(value),
         })
     }
 
-    fn variable_value(&self, name: &str) -> Option<Value> {
+    fn variable_value(&self, name: &str) -> Option<ScriptValue> {
         let (place, base) = self.variable(name)?;
         let memory = &self.vm.space.memory;
         match base {
-            BaseType::Num => f64::read(memory, place).ok().map(Value::Num),
-            BaseType::Bool => bool::read(memory, place).ok().map(Value::Bool),
-            BaseType::String => Text::read(memory, place).ok().map(|text| Value::Text(text.as_str().to_owned())),
+            BaseType::Num => f64::read(memory, place).ok().map(ScriptValue::Num),
+            BaseType::Bool => bool::read(memory, place).ok().map(ScriptValue::Bool),
+            BaseType::String => Text::read(memory, place).ok().map(|text| ScriptValue::Text(text.as_str().to_owned())),
             _ => None,
         }
     }

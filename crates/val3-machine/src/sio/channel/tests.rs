@@ -221,5 +221,5 @@ fn parameters_have_their_results() {
     assert_eq!(channel.control("bits", SettingValue::Num(8.0)), -5);
     channel.clear();
     assert_eq!(channel.control("port", SettingValue::Num(2001.0)), 0);
-    assert_eq!(peer.settings(), [Setting::Port(2000), Setting::Port(2001)]);
+    assert_eq!(peer.settings(), [LineSetting::Port(2000), LineSetting::Port(2001)]);
 }

@@ -1,7 +1,7 @@
 //! Cartesian moves are exactly on their curves, with the orientation that the curve gives.
 
 use proptest::prelude::*;
-use val3_geometry::{Line, rotation};
+use val3_geometry::{LinePath, rotation};
 
 use super::*;
 
@@ -29,7 +29,7 @@ proptest! {
     fn a_line_is_straight(offset in offset(), angles in prop::array::uniform3(-60.0..60.0_f64)) {
         let [x, y, z] = offset;
         let (start, end) = (arm().flange(&START), moved(x, y, z) * Trsf::new([0.0; 3], angles).isometry());
-        let ideal = Line::between(&start, &end);
+        let ideal = LinePath::between(&start, &end);
         follow(line(end), |share| ideal.at(share))?;
     }
 

@@ -105,7 +105,7 @@ fn a_large_step_is_a_fault_that_needs_a_reset() {
 #[test]
 fn a_deviation_out_of_reach_is_a_fault() {
     let mut motion = on_its_way();
-    let endless = Limits { translation: MillimetresPerSecond(1e9), speed: [1e9; 6], ..fast() };
+    let endless = SpeedLimits { translation: MillimetresPerSecond(1e9), speed: [1e9; 6], ..fast() };
     motion.alter_begin(frame(), endless);
     motion.alter(shift(5000.0, 0.0, 0.0));
     motion.advance(CYCLE);

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::Cause;
-use val3_kinematics::{Configuration, Elbow, Request, Shoulder, Unreachable, Wrist};
+use val3_kinematics::{Configuration, ConfigurationRequest, Elbow, Shoulder, Unreachable, Wrist};
 
 const FREE: RequestedConfiguration = RequestedConfiguration::FREE;
 
@@ -57,13 +57,13 @@ fn a_wrist_passes_straight_out_of_the_plane_of_the_arm_too() {
 #[test]
 fn a_wrist_that_must_stay_cannot_pass_straight() {
     let (start, end) = ([10.0, 0.0, 90.0, 0.0, 40.0, 5.0], [10.0, 5.0, 80.0, 0.0, -35.0, 5.0]);
-    for wrist in [Request::Same, Request::Exactly(Wrist::Positive)] {
+    for wrist in [ConfigurationRequest::Same, ConfigurationRequest::Exactly(Wrist::Positive)] {
         let mut motion = at(start);
         let configuration = RequestedConfiguration { wrist, ..FREE };
         assert_eq!(motion.record(&line_to(arm().flange(&end), configuration)), Err(Cause::Singular));
         assert!(motion.is_empty() && motion.destination() == start, "nothing is recorded");
     }
-    let configuration = RequestedConfiguration { wrist: Request::Exactly(Wrist::Negative), ..FREE };
+    let configuration = RequestedConfiguration { wrist: ConfigurationRequest::Exactly(Wrist::Negative), ..FREE };
     assert_eq!(at(start).record(&line_to(arm().flange(&end), configuration)), Err(Cause::Configuration));
 }
 

@@ -119,7 +119,7 @@ fn follow(reference: &Motion, requests: &[Move], early: f64, choices: &[u8]) -> 
 }
 
 /// Greatest share of a limit of speed that the arm uses between two samples.
-fn used(before: &Sample, after: &Sample, limits: &Limits) -> f64 {
+fn used(before: &Sample, after: &Sample, limits: &SpeedLimits) -> f64 {
     let axes = before.joints.iter().zip(after.joints).zip(limits.speed);
     let fastest = axes.map(|((before, after), limit)| (after - before).abs() / CYCLE.0 / limit).fold(0.0, f64::max);
     fastest.max(after.speed.0 / limits.translation.0)

@@ -57,7 +57,7 @@ fn a_slow_line_is_limited_by_the_speed_of_the_tool() {
     let limits = limits_of(&mut recorded(&[request(line(moved(0.0, 200.0, 0.0)), slow, Blend::Off, 0.0)]));
     assert!(limits[0].0 == SpeedLimit::Translation && limits[0].1 > 480, "{limits:?}");
     let turned = moved(0.0, 0.0, -10.0) * Trsf::new([0.0; 3], [0.0, 0.0, 40.0]).isometry();
-    let slow = Limits { rotation: DegreesPerSecond(20.0), ..fast() };
+    let slow = SpeedLimits { rotation: DegreesPerSecond(20.0), ..fast() };
     let limits = limits_of(&mut recorded(&[request(line(turned), slow, Blend::Off, 0.0)]));
     assert!(limits[0].0 == SpeedLimit::Rotation && limits[0].1 > 480, "{limits:?}");
 }

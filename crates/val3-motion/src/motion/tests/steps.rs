@@ -1,7 +1,7 @@
 //! The stages of moves, and where their blends begin and end.
 
 use super::*;
-use crate::{Corner, MoveEvent, MoveEventKind, PathShape, Shortening};
+use crate::{BlendCorner, MoveEvent, MoveEventKind, PathShape, Shortening};
 use val3_geometry::Vector3;
 
 /// Runs a motion and lists the steps of its moves, a line each: `serial kind`.
@@ -19,9 +19,9 @@ fn moves_are_accounted_for_step_by_step() {
         motion.record(&request(line(moved(0.0, y, z)), fast(), blend, 5.0)).unwrap();
     }
     let corners: Vec<_> = motion.moves().map(|queued| (queued.leave, queued.reach)).collect();
-    let position = |corner: Option<Corner>| corner.map(|corner| (corner.position, corner.distance));
+    let position = |corner: Option<BlendCorner>| corner.map(|corner| (corner.position, corner.distance));
     let [leave, reach] = [moved(0.0, 150.0, 0.0), moved(0.0, 200.0, 50.0)].map(|pose| pose.translation.vector);
-    let near = |is: Option<Corner>, expected: Vector3<f64>| {
+    let near = |is: Option<BlendCorner>, expected: Vector3<f64>| {
         position(is).is_some_and(|(is, distance)| (is - expected).norm() < 1e-9 && distance == Millimetres(50.0))
     };
     assert!(near(corners[0].0, leave) && near(corners[0].1, reach), "{corners:?}");
@@ -75,7 +75,7 @@ fn blend_points_are_at_their_effective_distances() {
     assert!(motion.moves().all(|queued| queued.reach.is_none()));
     motion.record(&request(line(moved(0.0, 200.0, 100.0)), fast(), blend, 8.0)).unwrap();
     motion.record(&request(line(moved(0.0, 0.0, 100.0)), fast(), Blend::Off, 9.0)).unwrap();
-    let distance = |corner: Option<Corner>| corner.map(|corner| (corner.distance.0 * 1e9).round() / 1e9);
+    let distance = |corner: Option<BlendCorner>| corner.map(|corner| (corner.distance.0 * 1e9).round() / 1e9);
     let distances: Vec<_> = motion.moves().map(|queued| [distance(queued.leave), distance(queued.reach)]).collect();
     assert_eq!(distances, [[Some(150.0), Some(50.0)], [Some(50.0), Some(150.0)], [None, None]]);
     for queued in motion.moves() {
@@ -97,7 +97,7 @@ fn ends(moves: &[([f64; 2], [f64; 2])]) -> Vec<Ends> {
         let [leave, reach] = distances.map(Millimetres);
         motion.record(&request(line(moved(0.0, *y, *z)), fast(), Blend::Joint { leave, reach }, 0.0)).unwrap();
     }
-    let end = |corner: Corner| (corner.requested.0, corner.effective().0.round(), corner.shortening);
+    let end = |corner: BlendCorner| (corner.requested.0, corner.effective().0.round(), corner.shortening);
     motion.moves().map(|queued| [queued.leave, queued.reach].map(|corner| corner.map(end))).collect()
 }
 

@@ -1,7 +1,7 @@
 //! Arm file with measured times, created from an arm file without them.
 
 use toml_edit::{Array, DocumentMut, Item, TableLike, Value};
-use val3_kinematics::{Arm, Axis};
+use val3_kinematics::{Arm, AxisLimits};
 use val3_session::ArmFile;
 
 use crate::user_error::UserError;
@@ -37,11 +37,11 @@ pub(super) fn text(base: &ArmFile, measured: &[Option<&AxisTimes>]) -> Result<St
 }
 
 /// Returns the axes with their measured times. A maximum speed below the nominal speed is raised to it.
-fn axes(model: &[Axis], measured: &[Option<&AxisTimes>]) -> Vec<Axis> {
-    let with_times = |(axis, times): (&Axis, &Option<&AxisTimes>)| {
+fn axes(model: &[AxisLimits], measured: &[Option<&AxisTimes>]) -> Vec<AxisLimits> {
+    let with_times = |(axis, times): (&AxisLimits, &Option<&AxisTimes>)| {
         times.map_or(*axis, |times| {
             let nominal_speed = rounded(times.speed.value);
-            Axis {
+            AxisLimits {
                 nominal_speed,
                 maximum_speed: axis.maximum_speed.max(nominal_speed),
                 acceleration: rounded(times.acceleration.value),
@@ -53,8 +53,8 @@ fn axes(model: &[Axis], measured: &[Option<&AxisTimes>]) -> Vec<Axis> {
     model.iter().zip(measured).map(with_times).collect()
 }
 
-fn set_columns(table: &mut dyn TableLike, model: &[Axis], axes: &[Axis]) {
-    let mut set = |name, value: fn(&Axis) -> f64| {
+fn set_columns(table: &mut dyn TableLike, model: &[AxisLimits], axes: &[AxisLimits]) {
+    let mut set = |name, value: fn(&AxisLimits) -> f64| {
         table.insert(name, toml_edit::value(axes.iter().map(value).collect::<Array>()));
     };
     set("nominal_speed", |axis| axis.nominal_speed);

@@ -6,14 +6,14 @@ use val3_check::rule::Rule;
 use val3_lang::page;
 
 use super::log::{Help, Message, ReportingConfiguration, ReportingDescriptor};
-use crate::report::Report;
+use crate::report::CheckReport;
 
 /// Rules with findings, sorted by code.
 pub(super) struct Rules(Vec<&'static Rule>);
 
 impl Rules {
     /// Collects the rules of a report.
-    pub(super) fn of(report: &Report) -> Self {
+    pub(super) fn of(report: &CheckReport) -> Self {
         let codes: BTreeSet<_> = report.findings.iter().map(|finding| finding.code).collect();
         Self(val3_check::rules::all().iter().copied().filter(|rule| codes.contains(rule.code)).collect())
     }

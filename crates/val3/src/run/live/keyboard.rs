@@ -5,7 +5,7 @@ use val3_lang::keys::{KEYS, character};
 
 /// Effect of a keyboard key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Command {
+pub(super) enum KeyCommand {
     /// Presses and releases the pendant key with this code, because terminals do not report the release of keys.
     Tap(u16),
     /// User-Down.
@@ -17,17 +17,17 @@ pub(super) enum Command {
 }
 
 /// Effect of a key, if it has one.
-pub(super) fn command(key: KeyEvent) -> Option<Command> {
+pub(super) fn command(key: KeyEvent) -> Option<KeyCommand> {
     if key.kind == KeyEventKind::Release {
         return None;
     }
     match key.code {
-        KeyCode::Char('c' | 'C') if key.modifiers.contains(KeyModifiers::CONTROL) => Some(Command::Interrupt),
-        KeyCode::F(9) => Some(Command::PreviousPage),
-        KeyCode::F(10) => Some(Command::NextPage),
-        KeyCode::Char(written) => typed(written, key.modifiers).map(Command::Tap),
-        KeyCode::F(number) => named(&format!("F{number}")).map(Command::Tap),
-        code => name(code).and_then(named).map(Command::Tap),
+        KeyCode::Char('c' | 'C') if key.modifiers.contains(KeyModifiers::CONTROL) => Some(KeyCommand::Interrupt),
+        KeyCode::F(9) => Some(KeyCommand::PreviousPage),
+        KeyCode::F(10) => Some(KeyCommand::NextPage),
+        KeyCode::Char(written) => typed(written, key.modifiers).map(KeyCommand::Tap),
+        KeyCode::F(number) => named(&format!("F{number}")).map(KeyCommand::Tap),
+        code => name(code).and_then(named).map(KeyCommand::Tap),
     }
 }
 
@@ -72,7 +72,7 @@ mod tests {
 
     fn tapped(code: KeyCode, modifiers: KeyModifiers) -> Option<u16> {
         match command(KeyEvent::new(code, modifiers))? {
-            Command::Tap(code) => Some(code),
+            KeyCommand::Tap(code) => Some(code),
             other => panic!("{other:?}"),
         }
     }
@@ -121,8 +121,8 @@ mod tests {
     #[test]
     fn some_keys_are_for_the_run_itself() {
         let does = |code, modifiers| command(KeyEvent::new(code, modifiers));
-        assert_eq!(does(KeyCode::Char('c'), KeyModifiers::CONTROL), Some(Command::Interrupt));
-        assert_eq!(does(KeyCode::F(9), KeyModifiers::NONE), Some(Command::PreviousPage));
-        assert_eq!(does(KeyCode::F(10), KeyModifiers::NONE), Some(Command::NextPage));
+        assert_eq!(does(KeyCode::Char('c'), KeyModifiers::CONTROL), Some(KeyCommand::Interrupt));
+        assert_eq!(does(KeyCode::F(9), KeyModifiers::NONE), Some(KeyCommand::PreviousPage));
+        assert_eq!(does(KeyCode::F(10), KeyModifiers::NONE), Some(KeyCommand::NextPage));
     }
 }

@@ -8,7 +8,7 @@ use ratatui::widgets::{Block, Clear, Paragraph, Wrap};
 use val3_lang::ports::{SECOND, Time};
 use val3_machine::controller_state::Robot;
 use val3_machine::event::seconds;
-use val3_machine::screen::{COLUMNS, Cell, Pendant, ROWS};
+use val3_machine::screen::{COLUMNS, Pendant, ROWS, ScreenCell};
 
 use super::journal::Journal;
 
@@ -52,7 +52,7 @@ impl View<'_> {
     }
 
     /// A column of the page. Flashing text keeps its background while it is hidden.
-    fn span<'a>(&self, cell: &'a Cell) -> Span<'a> {
+    fn span<'a>(&self, cell: &'a ScreenCell) -> Span<'a> {
         let seen = !cell.mode.is_flashing() || (self.now / FLASH).is_multiple_of(2);
         let gone = if cell.text.is_empty() { "" } else { " " };
         let style = if cell.mode.is_inverse() { Modifier::REVERSED.into() } else { Style::new() };

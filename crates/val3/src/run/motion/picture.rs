@@ -9,7 +9,7 @@ use val3_machine::controller::Controller;
 use val3_trace::PictureObserver;
 
 use crate::output::file;
-use crate::output::file_kind::FileKind;
+use crate::output::file_kind::OutputFileKind;
 use crate::user_error::UserError;
 
 /// A picture and its output file.
@@ -23,7 +23,7 @@ pub(super) struct PictureFile {
 
 impl PictureFile {
     pub(super) fn open(path: &Utf8Path, has_accelerations: bool, controller: &Controller) -> Result<Self, UserError> {
-        let file = file::create(path, FileKind::Svg, "picture")?;
+        let file = file::create(path, OutputFileKind::Svg, "picture")?;
         Ok(Self { file, path: path.to_owned(), observer: PictureObserver::new(controller), has_accelerations })
     }
 

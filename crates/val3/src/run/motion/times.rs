@@ -17,7 +17,7 @@ use val3_vm::CYCLE;
 
 use super::blends::{self, CutBlend, CutBlends};
 use crate::output::file;
-use crate::output::file_kind::FileKind;
+use crate::output::file_kind::OutputFileKind;
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 use limits::{LimitShare, LimitTimes, cell};
@@ -26,24 +26,24 @@ use limits::{LimitShare, LimitTimes, cell};
 const NO_MOVE: &str = "no move";
 
 /// Times of a run.
-pub(super) struct Times {
+pub(super) struct RunTimes {
     /// Output file for the times as JSON; `None` for a table on the console.
     file: Option<(OutputFile, Utf8PathBuf)>,
     /// Origin of the arm's times: `measured` or `model`.
     origin: &'static str,
-    arm: BTreeMap<Entry, LimitTimes>,
-    tasks: BTreeMap<Entry, Time>,
+    arm: BTreeMap<TimeKey, LimitTimes>,
+    tasks: BTreeMap<TimeKey, Time>,
     blends: CutBlends,
     last: Time,
-    arm_before: Option<(Entry, SpeedLimit)>,
-    tasks_before: Vec<Entry>,
+    arm_before: Option<(TimeKey, SpeedLimit)>,
+    tasks_before: Vec<TimeKey>,
     /// Line of the current move, or of the last move.
     present: Option<CodePlace>,
 }
 
 /// A line and an activity.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-struct Entry {
+struct TimeKey {
     /// Task name; empty for the arm.
     task: String,
     program: String,
@@ -51,7 +51,7 @@ struct Entry {
     what: String,
 }
 
-impl Entry {
+impl TimeKey {
     fn no_move() -> Self {
         Self { task: String::new(), program: String::new(), line: 0, what: NO_MOVE.to_owned() }
     }
@@ -67,13 +67,13 @@ impl Entry {
 
 /// The times as JSON.
 #[derive(Serialize)]
-struct Report {
+struct TimesReport {
     /// Duration in seconds.
     duration: f64,
     /// Origin of the arm's times: `measured` or `model`.
     times: &'static str,
-    arm: Vec<Row>,
-    tasks: Vec<Row>,
+    arm: Vec<TimesRow>,
+    tasks: Vec<TimesRow>,
     /// Limit that applied for most of the time with a move, and a suggestion.
     #[serde(skip_serializing_if = "Option::is_none")]
     advice: Option<String>,
@@ -82,7 +82,7 @@ struct Report {
 }
 
 #[derive(Serialize)]
-struct Row {
+struct TimesRow {
     #[serde(skip_serializing_if = "String::is_empty")]
     task: String,
     program: String,
@@ -94,9 +94,10 @@ struct Row {
     limits: Vec<LimitShare>,
 }
 
-impl Times {
+impl RunTimes {
     pub(super) fn open(path: Option<&Utf8Path>, origin: &'static str) -> Result<Self, UserError> {
-        let open = |path: &Utf8Path| file::create(path, FileKind::Json, "times").map(|file| (file, path.to_owned()));
+        let open =
+            |path: &Utf8Path| file::create(path, OutputFileKind::Json, "times").map(|file| (file, path.to_owned()));
         let file = path.map(open).transpose()?;
         Ok(Self {
             file,
@@ -120,12 +121,12 @@ impl Times {
         let moving = passed.min(CYCLE);
         let before = self.arm_before.replace((arm.clone(), limit));
         self.arm.entry(arm).or_default().add(limit, moving);
-        let (arm, limit) = before.unwrap_or_else(|| (Entry::no_move(), SpeedLimit::End));
+        let (arm, limit) = before.unwrap_or_else(|| (TimeKey::no_move(), SpeedLimit::End));
         self.arm.entry(arm).or_default().add(limit, passed - moving);
         for entry in std::mem::take(&mut self.tasks_before) {
             *self.tasks.entry(entry).or_default() += passed;
         }
-        self.tasks_before = controller.task_positions().into_iter().map(Entry::of_task).collect();
+        self.tasks_before = controller.task_positions().into_iter().map(TimeKey::of_task).collect();
     }
 
     /// Adds the blends in the events.
@@ -134,7 +135,7 @@ impl Times {
     }
 
     /// Current move of the arm, and its activity.
-    fn of_arm(&mut self, controller: &Controller) -> Entry {
+    fn of_arm(&mut self, controller: &Controller) -> TimeKey {
         let arm = controller.arm();
         let present = arm.moves().filter(|(queued, _)| queued.stage >= MoveStage::Started).last();
         if let Some((_, Some(origin))) = present {
@@ -150,7 +151,7 @@ impl Times {
             phase => (self.present, phase.word()),
         };
         let (program, line, _) = place.map(|at| controller.devices.place(at)).unwrap_or_default();
-        Entry { task: String::new(), program, line, what: what.to_owned() }
+        TimeKey { task: String::new(), program, line, what: what.to_owned() }
     }
 
     pub(super) fn close(self) -> Result<(), UserError> {
@@ -159,7 +160,7 @@ impl Times {
         let arm = self.arm.into_iter().map(|(entry, limits)| (entry, limits.total(), limits.shares()));
         let tasks = self.tasks.into_iter().map(|(entry, time)| (entry, time, Vec::new()));
         let (arm, tasks) = (rows(arm), rows(tasks));
-        let report = Report {
+        let report = TimesReport {
             duration: seconds(self.last),
             times: self.origin,
             arm,
@@ -183,12 +184,12 @@ impl Times {
 }
 
 /// Rows of a table, longest times first.
-fn rows(table: impl Iterator<Item = (Entry, Time, Vec<LimitShare>)>) -> Vec<Row> {
+fn rows(table: impl Iterator<Item = (TimeKey, Time, Vec<LimitShare>)>) -> Vec<TimesRow> {
     let mut rows: Vec<_> = table.filter(|(_, time, _)| *time > 0).collect();
     rows.sort_by(|(left, left_time, _), (right, right_time, _)| {
         right_time.cmp(left_time).then_with(|| left.cmp(right))
     });
-    let row = |(Entry { task, program, line, what }, time, limits)| Row {
+    let row = |(TimeKey { task, program, line, what }, time, limits)| TimesRow {
         task,
         program,
         line,
@@ -199,7 +200,7 @@ fn rows(table: impl Iterator<Item = (Entry, Time, Vec<LimitShare>)>) -> Vec<Row>
     rows.into_iter().map(row).collect()
 }
 
-impl Report {
+impl TimesReport {
     fn table(&self) -> String {
         let mut table = format!("times of {:.3} s\n", self.duration);
         self.part(&mut table, "arm", &self.arm);
@@ -209,12 +210,12 @@ impl Report {
         table
     }
 
-    fn part(&self, table: &mut String, name: &str, rows: &[Row]) {
-        let place = |row: &Row| match row.line {
+    fn part(&self, table: &mut String, name: &str, rows: &[TimesRow]) {
+        let place = |row: &TimesRow| match row.line {
             0 => String::new(),
             line => format!("{}:{line}", row.program),
         };
-        let width = |text: fn(&Row) -> &str| rows.iter().map(|row| text(row).chars().count()).max().unwrap_or(0);
+        let width = |text: fn(&TimesRow) -> &str| rows.iter().map(|row| text(row).chars().count()).max().unwrap_or(0);
         let (tasks, whats) = (width(|row| &row.task), width(|row| &row.what));
         let places = rows.iter().map(|row| place(row).chars().count()).max().unwrap_or(0);
         *table += &format!("  {name}\n");

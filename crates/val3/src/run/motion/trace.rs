@@ -6,27 +6,27 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_files::OutputFile;
 use val3_lang::ports::Time;
 use val3_motion::{Sample, SpeedLimit};
-use val3_trace::{Precision, Row, Selection, head_with_limit};
+use val3_trace::{Precision, RowSelection, TraceRow, head_with_limit};
 use val3_vm::CYCLE;
 
 use crate::output::file;
-use crate::output::file_kind::FileKind;
+use crate::output::file_kind::OutputFileKind;
 use crate::user_error::UserError;
 
 /// Output in comma-separated columns.
-pub(super) struct Trace {
+pub(super) struct TraceWriter {
     out: BufWriter<OutputFile>,
     path: Utf8PathBuf,
     axes: usize,
     /// Whether rows are also written while the arm is stopped.
     at_rest: bool,
-    selection: Selection,
+    selection: RowSelection,
 }
 
-impl Trace {
+impl TraceWriter {
     pub(super) fn open(path: &Utf8Path, axes: usize, at_rest: bool) -> Result<Self, UserError> {
-        let out = BufWriter::new(file::create(path, FileKind::Text, "trace")?);
-        let mut trace = Self { out, path: path.to_owned(), axes, at_rest, selection: Selection::default() };
+        let out = BufWriter::new(file::create(path, OutputFileKind::Text, "trace")?);
+        let mut trace = Self { out, path: path.to_owned(), axes, at_rest, selection: RowSelection::default() };
         let written = writeln!(trace.out, "{}", head_with_limit(axes));
         trace.judge(written)?;
         Ok(trace)
@@ -53,7 +53,7 @@ impl Trace {
         if !self.selection.takes(sample.phase) && !self.at_rest {
             return Ok(());
         }
-        let written = writeln!(self.out, "{},{limit}", Row::new(time, sample).line(self.axes, Precision::Exact));
+        let written = writeln!(self.out, "{},{limit}", TraceRow::new(time, sample).line(self.axes, Precision::Exact));
         self.judge(written)
     }
 

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use super::super::limits::Limits;
+use super::super::limits::ServerLimits;
 use super::client::{exchange, get, next, next_json, open, open_from, parts, send, server, stream, text};
 
 /// The answers to requests without a secret.
@@ -15,7 +15,7 @@ fn is_plain_404(answer: &str) -> bool {
 
 #[test]
 fn a_stranger_learns_nothing() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     let (address, secret) = parts(server.operator_page());
     let host = format!("Host: {address}\r\n");
     let wrong = "0".repeat(32);
@@ -45,7 +45,7 @@ fn a_stranger_learns_nothing() {
 
 #[test]
 fn the_page_is_protected() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     let (address, secret) = parts(server.guest_page());
     let answer = get(address, &format!("/{secret}/"), &format!("Host: {address}\r\n")).to_lowercase();
     assert!(answer.starts_with("http/1.1 200 ok\r\n"), "{answer}");
@@ -70,7 +70,7 @@ fn the_page_is_protected() {
 /// Another page in the same browser, and a name that an attacker leads to this machine.
 #[test]
 fn foreign_pages_and_hosts_are_refused() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     let (address, secret) = parts(server.operator_page());
     let port = address.rsplit(':').next().unwrap();
     let rebound = format!("evil.example:{port}");
@@ -87,7 +87,7 @@ fn foreign_pages_and_hosts_are_refused() {
 
 #[test]
 fn guests_cannot_operate() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     let mut guest = open(server.guest_page()).unwrap();
     send(&mut guest, r#"{"id": 1, "command": "pace", "isPaused": true}"#);
     let answer = next_json(&mut guest);
@@ -98,7 +98,8 @@ fn guests_cannot_operate() {
 
 #[test]
 fn a_flood_of_commands_is_refused_and_then_ended() {
-    let limits = Limits { commands_at_once: 20, commands_per_second: 1, refused_commands: 50, ..Limits::default() };
+    let limits =
+        ServerLimits { commands_at_once: 20, commands_per_second: 1, refused_commands: 50, ..ServerLimits::default() };
     let server = server(limits);
     let mut viewer = open(server.operator_page()).unwrap();
     for id in 0..200 {
@@ -117,7 +118,7 @@ fn a_flood_of_commands_is_refused_and_then_ended() {
 /// Answers have their place before a command is passed on.
 #[test]
 fn commands_that_are_not_answered_are_bounded() {
-    let limits = Limits { commands_at_once: 1000, ..Limits::default() };
+    let limits = ServerLimits { commands_at_once: 1000, ..ServerLimits::default() };
     let server = server(limits);
     let mut viewer = open(server.operator_page()).unwrap();
     for id in 0..100 {
@@ -131,7 +132,7 @@ fn commands_that_are_not_answered_are_bounded() {
 
 #[test]
 fn malformed_commands_are_refused_with_a_sentence() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     let mut viewer = open(server.operator_page()).unwrap();
     for command in ["", "{", "[1]", "{}", r#"{"id": {}, "command": "x"}"#, r#"{"id": 1}"#] {
         send(&mut viewer, command);
@@ -146,7 +147,7 @@ fn malformed_commands_are_refused_with_a_sentence() {
 
 #[test]
 fn an_oversized_frame_ends_the_connection() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     let mut viewer = open(server.operator_page()).unwrap();
     let text = format!(r#"{{"id": 1, "command": "operate", "x": "{}"}}"#, "x".repeat(64 << 10));
     send(&mut viewer, &text);
@@ -166,7 +167,7 @@ fn an_oversized_frame_ends_the_connection() {
 fn half_open_connections_are_closed() {
     let header_time = Duration::from_millis(200);
     let (ping_time, silence) = (Duration::from_millis(50), Duration::from_millis(200));
-    let server = server(Limits { header_time, ping_time, silence, ..Limits::default() });
+    let server = server(ServerLimits { header_time, ping_time, silence, ..ServerLimits::default() });
     let (address, secret) = parts(server.operator_page());
     let start = Instant::now();
     // Nothing, half a header, and a header that does not end.
@@ -191,7 +192,7 @@ fn half_open_connections_are_closed() {
 
 #[test]
 fn large_headers_are_refused() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     let (address, secret) = parts(server.operator_page());
     let headers = format!("Host: {address}\r\nX: {}\r\n", "x".repeat(100_000));
     assert!(!get(address, &format!("/{secret}/"), &headers).contains("200 OK"));
@@ -201,7 +202,7 @@ fn large_headers_are_refused() {
 
 #[test]
 fn connections_and_viewers_are_bounded() {
-    let server = server(Limits { viewers: 2, connections: 4, ..Limits::default() });
+    let server = server(ServerLimits { viewers: 2, connections: 4, ..ServerLimits::default() });
     let (address, _) = parts(server.operator_page());
     let viewers: Vec<_> = (0..2).map(|_| open(server.operator_page()).unwrap()).collect();
     assert_eq!(open(server.guest_page()).err(), Some(503));

@@ -7,14 +7,14 @@ use std::time::Duration;
 use tungstenite::http::Request;
 use tungstenite::{Error, WebSocket, client};
 
-use super::super::limits::Limits;
-use super::super::{Message, Server};
+use super::super::limits::ServerLimits;
+use super::super::{Server, StoredMessage};
 
 /// Longer than any test takes.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A server on a free port.
-pub(super) fn server(limits: Limits) -> Server {
+pub(super) fn server(limits: ServerLimits) -> Server {
     Server::with_limits("127.0.0.1:0".parse().unwrap(), limits).unwrap()
 }
 
@@ -24,8 +24,8 @@ pub(super) fn parts(page: &str) -> (&str, &str) {
 }
 
 /// A text message.
-pub(super) fn text(text: &str) -> Message {
-    Message::Text(text.into())
+pub(super) fn text(text: &str) -> StoredMessage {
+    StoredMessage::Text(text.into())
 }
 
 pub(super) fn stream(address: &str) -> TcpStream {

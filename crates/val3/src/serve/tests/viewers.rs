@@ -2,16 +2,16 @@
 
 use std::time::{Duration, Instant};
 
-use super::super::Message;
-use super::super::limits::Limits;
+use super::super::StoredMessage;
+use super::super::limits::ServerLimits;
 use super::client::{next, next_json, open, send, server, text};
 
 #[test]
 fn all_viewers_see_the_same() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     server.publish((0..100).map(|number| text(&format!("{{\"n\":{number}}}"))));
     let early: Vec<_> = (0..4).map(|_| open(server.operator_page()).unwrap()).collect();
-    server.publish([Message::Binary(vec![1, 2, 3].into()), text("{}")]);
+    server.publish([StoredMessage::Binary(vec![1, 2, 3].into()), text("{}")]);
     let late = open(server.guest_page()).unwrap();
     let seen: Vec<Vec<_>> = early
         .into_iter()
@@ -26,7 +26,7 @@ fn all_viewers_see_the_same() {
 #[test]
 fn a_viewer_that_never_reads_costs_nothing() {
     let send_time = Duration::from_millis(200);
-    let server = server(Limits { send_time, viewers: 1, log_bytes: 1 << 20, ..Limits::default() });
+    let server = server(ServerLimits { send_time, viewers: 1, log_bytes: 1 << 20, ..ServerLimits::default() });
     let _silent = open(server.operator_page()).unwrap();
     let message = text(&"x".repeat(100_000));
     let mut longest = Duration::ZERO;
@@ -48,7 +48,7 @@ fn a_viewer_that_never_reads_costs_nothing() {
 
 #[test]
 fn commands_are_answered_to_their_viewer() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     let [mut first, mut second] = [0, 1].map(|_| open(server.operator_page()).unwrap());
     send(&mut first, r#"{"id": 5, "command": "pace", "speed": 2}"#);
     let command = server.wait_for_command(Duration::from_secs(10)).unwrap();
@@ -62,7 +62,7 @@ fn commands_are_answered_to_their_viewer() {
 /// The last messages arrive before the server ends.
 #[test]
 fn viewers_see_the_end() {
-    let server = server(Limits::default());
+    let server = server(ServerLimits::default());
     let mut viewer = open(server.operator_page()).unwrap();
     server.publish((0..1000).map(|_| text("{}")));
     let reader = std::thread::spawn(move || std::iter::from_fn(|| next(&mut viewer)).count());

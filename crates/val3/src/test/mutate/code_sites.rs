@@ -40,19 +40,19 @@ pub(super) fn code_sites(text: &str) -> Vec<Site> {
     let parse = parse(text);
     let Some(code) = code(parse.view()) else { return Vec::new() };
     let escapes = if parse.view().count(|kind| kind == CDATA_OPEN) == 0 { Escapes::Text } else { Escapes::None };
-    let mut search = Search { text, escapes, found: Vec::new() };
+    let mut search = SiteCollector { text, escapes, found: Vec::new() };
     search.node(code);
     search.found
 }
 
 /// The search for mistakes in a text.
-struct Search<'t> {
+struct SiteCollector<'t> {
     text: &'t str,
     escapes: Escapes,
     found: Vec<Site>,
 }
 
-impl Search<'_> {
+impl SiteCollector<'_> {
     fn node(&mut self, node: View<'_>) {
         match node.kind() {
             CALL_STMT | ASSIGN_STMT | EXPR_STMT => self.replace(solid(node), |_| String::new()),

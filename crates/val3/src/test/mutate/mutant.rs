@@ -61,7 +61,11 @@ pub(super) fn mutants(originals: &Originals<'_>) -> Result<Mutants, UserError> {
         let Some(text) = text(file).map(Arc::from) else { continue };
         for site in code_sites(&text) {
             let tests = numbers(&originals.tests, |test| test.executes(file, site.line));
-            mutants.add(Place { file, project_file: &program.project_file, element: None, text: &text }, site, tests);
+            mutants.add(
+                MutatedFile { file, project_file: &program.project_file, element: None, text: &text },
+                site,
+                tests,
+            );
         }
     }
     for file in data_of_projects(originals)? {
@@ -72,7 +76,7 @@ pub(super) fn mutants(originals: &Originals<'_>) -> Result<Mutants, UserError> {
 
 /// A file that gets mistakes.
 #[derive(Clone, Copy)]
-struct Place<'p> {
+struct MutatedFile<'p> {
     file: &'p str,
     project_file: &'p str,
     element: Option<&'p str>,
@@ -91,7 +95,7 @@ struct DataFile {
 }
 
 impl Mutants {
-    fn add(&mut self, place: Place<'_>, site: Site, tests: Vec<usize>) {
+    fn add(&mut self, place: MutatedFile<'_>, site: Site, tests: Vec<usize>) {
         if tests.is_empty() {
             return;
         }
@@ -115,7 +119,7 @@ impl Mutants {
             for site in sites {
                 let of_project = site.path.as_deref().unwrap_or(name);
                 let element = format!("{project}:{}", of_project.split('.').next().unwrap_or(name));
-                let place = Place { file: path, project_file, element: Some(&element), text };
+                let place = MutatedFile { file: path, project_file, element: Some(&element), text };
                 self.add(place, site.clone(), tests.clone());
             }
             if tests.is_empty() {

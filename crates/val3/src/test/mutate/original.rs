@@ -13,10 +13,10 @@ use super::executor::{Execution, Executor};
 use super::used_names::UsedNames;
 use crate::args::TestFormat;
 use crate::printable::one_line;
-use crate::progress::Progress;
+use crate::progress::DelayedProgress;
 use crate::test::discovery::TestFile;
 use crate::test::results::{EarlyEnd, Results};
-use crate::test::tested::Tested;
+use crate::test::tested::TestedTest;
 
 /// How often a test may take its time once a mistake is seeded.
 const SLOWNESS: Time = 10;
@@ -60,7 +60,7 @@ impl Original<'_> {
 /// failure find no mistakes.
 pub(super) fn originals<'t>(conditions: Conditions<'_>, tests: &[TestFile<'t>]) -> (Originals<'t>, Results) {
     let start = Instant::now();
-    let bar = Progress::new("testing", tests.len(), conditions.args.format == TestFormat::Human);
+    let bar = DelayedProgress::new("testing", tests.len(), conditions.args.format == TestFormat::Human);
     let mut executor = Executor::counting(conditions);
     let mut all = Originals { tests: Vec::new(), coverage: Coverage::default() };
     let mut tested = Vec::new();
@@ -77,10 +77,10 @@ pub(super) fn originals<'t>(conditions: Conditions<'_>, tests: &[TestFile<'t>]) 
                     all.coverage.merge(execution.coverage.clone());
                     all.tests.push(original(*test, execution));
                 }
-                tested.push(Tested { wall: begun.elapsed(), ..Tested::of(test.case, result) });
+                tested.push(TestedTest { wall: begun.elapsed(), ..TestedTest::of(test.case, result) });
             }
             Ok(None) => break,
-            Err(error) => tested.push(Tested::unusable(test.case, &error)),
+            Err(error) => tested.push(TestedTest::unusable(test.case, &error)),
         }
         bar.advance();
     }

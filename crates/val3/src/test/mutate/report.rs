@@ -6,7 +6,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 use serde_json::{Value, json};
 
 use super::original::Originals;
-use super::trial::{Trial, Verdict};
+use super::trial::{MutantTrial, Verdict};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
@@ -17,9 +17,9 @@ const NAMED: usize = 3;
 const NAMED_VARIABLES: usize = 10;
 
 /// The mistakes that were tried.
-pub(super) struct Report<'r> {
+pub(super) struct MutationReport<'r> {
     pub(super) originals: &'r Originals<'r>,
-    pub(super) trials: &'r [Trial<'r>],
+    pub(super) trials: &'r [MutantTrial<'r>],
     /// Variables that no test uses.
     pub(super) unused: &'r [String],
     pub(super) paths: &'r Paths,
@@ -27,16 +27,16 @@ pub(super) struct Report<'r> {
 }
 
 /// The numbers of mistakes.
-struct Counts {
+struct MutantCounts {
     found: usize,
     survived: usize,
     not_compiled: usize,
 }
 
-impl Report<'_> {
-    fn counts(&self) -> Counts {
+impl MutationReport<'_> {
+    fn counts(&self) -> MutantCounts {
         let count = |is: fn(&Verdict) -> bool| self.trials.iter().filter(|trial| is(&trial.verdict)).count();
-        Counts {
+        MutantCounts {
             found: count(|verdict| matches!(verdict, Verdict::Found(_))),
             survived: count(|verdict| matches!(verdict, Verdict::Survived(_))),
             not_compiled: count(|verdict| matches!(verdict, Verdict::NotCompiled)),
@@ -55,7 +55,7 @@ impl Report<'_> {
 
     /// Writes each mistake that has survived, and the numbers.
     pub(super) fn human(&self, out: &mut dyn WriteColor) -> io::Result<()> {
-        for Trial { mutant, verdict } in self.trials {
+        for MutantTrial { mutant, verdict } in self.trials {
             let Verdict::Survived(difference) = verdict else { continue };
             let place = format!("{}:{}", self.paths.shown(mutant.file.as_str().into()), mutant.site.line);
             writeln!(out, "{place}: survived: {}", one_line(&mutant.site.change()))?;
@@ -80,7 +80,7 @@ impl Report<'_> {
                 }
             }
         }
-        let Counts { found, survived, not_compiled } = self.counts();
+        let MutantCounts { found, survived, not_compiled } = self.counts();
         let tried = found + survived;
         writeln!(out, "mutants: {tried}, found {found}, survived {survived}, not compiled {not_compiled}")?;
         match self.not_covered() {
@@ -103,7 +103,7 @@ impl Report<'_> {
 
     /// Writes an object with all mistakes.
     pub(super) fn json(&self, out: &mut dyn WriteColor) -> io::Result<()> {
-        let Counts { found, survived, not_compiled } = self.counts();
+        let MutantCounts { found, survived, not_compiled } = self.counts();
         let mutants: Vec<Value> = self.trials.iter().map(|trial| self.described(trial)).collect();
         let object = json!({
             "version": 1,
@@ -118,7 +118,7 @@ impl Report<'_> {
         writeln!(out, "{object:#}")
     }
 
-    fn described(&self, Trial { mutant, verdict }: &Trial<'_>) -> Value {
+    fn described(&self, MutantTrial { mutant, verdict }: &MutantTrial<'_>) -> Value {
         let (verdict, found_by, difference) = match verdict {
             Verdict::Found(number) => ("found", Some(self.name(*number)), None),
             Verdict::Survived(difference) => ("survived", None, difference.as_ref()),

@@ -14,7 +14,7 @@ use super::executor::Executor;
 use super::mutant::Mutant;
 use super::original::Originals;
 use crate::args::TestFormat;
-use crate::progress::Progress;
+use crate::progress::DelayedProgress;
 use crate::sockets::ClosedSockets;
 use crate::test::order::shuffled;
 use crate::test::workers::{Surroundings, threads};
@@ -31,7 +31,7 @@ pub(super) enum Verdict {
 }
 
 /// A mistake that was tried.
-pub(super) struct Trial<'m> {
+pub(super) struct MutantTrial<'m> {
     pub(super) mutant: &'m Mutant,
     pub(super) verdict: Verdict,
 }
@@ -45,10 +45,10 @@ pub(super) fn all<'m>(
     conditions: Conditions<'_>,
     originals: &Originals<'_>,
     mutants: &'m [Mutant],
-) -> Result<Vec<Trial<'m>>, UserError> {
+) -> Result<Vec<MutantTrial<'m>>, UserError> {
     let args = conditions.args;
     let wanted = (args.mutations as usize).min(mutants.len());
-    let bar = Progress::new("mutating", wanted, args.format == TestFormat::Human);
+    let bar = DelayedProgress::new("mutating", wanted, args.format == TestFormat::Human);
     let mut order = shuffled(mutants.len(), args.seed.unwrap_or(SEED)).into_iter();
     let mut done: Vec<(usize, Verdict)> = Vec::new();
     loop {
@@ -61,7 +61,7 @@ pub(super) fn all<'m>(
         done.extend(tried(conditions, originals, &next, &bar)?);
     }
     done.sort_by_key(|(number, _)| *number);
-    let trial = |(number, verdict)| Some(Trial { mutant: mutants.get(number)?, verdict });
+    let trial = |(number, verdict)| Some(MutantTrial { mutant: mutants.get(number)?, verdict });
     Ok(done.into_iter().filter_map(trial).collect())
 }
 
@@ -70,7 +70,7 @@ fn tried(
     conditions: Conditions<'_>,
     originals: &Originals<'_>,
     mutants: &[(usize, &Mutant)],
-    bar: &Progress,
+    bar: &DelayedProgress,
 ) -> Result<Vec<(usize, Verdict)>, UserError> {
     let next = &AtomicUsize::new(0);
     let sockets = conditions.surroundings.sockets;

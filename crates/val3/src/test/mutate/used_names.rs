@@ -17,12 +17,12 @@ use val3_syntax::{SyntaxKind, encoding, parse, xml};
 use SyntaxKind::{COLON, DOT, IDENT};
 
 /// A variable: path of its project file, and its name.
-type Variable = (String, String);
+type UsedVariable = (String, String);
 
 /// Variables that a test uses.
 #[derive(Debug, Clone, Default)]
 pub(super) struct UsedNames {
-    variables: BTreeSet<Variable>,
+    variables: BTreeSet<UsedVariable>,
     /// Names of fields of user types.
     fields: BTreeSet<String>,
 }
@@ -86,7 +86,7 @@ impl UsedNames {
     }
 
     /// Adds the variable to which a name in a project resolves: `nCount`, `lib:nCount`. Returns it if it is new.
-    fn add(&mut self, db: &Database, project: Project, name: &str) -> Option<Variable> {
+    fn add(&mut self, db: &Database, project: Project, name: &str) -> Option<UsedVariable> {
         let path = DataPath::new(name);
         let owner = match path.library() {
             None => project,
@@ -100,7 +100,7 @@ impl UsedNames {
     /// Adds the fathers of used variables, and their fathers.
     fn add_fathers(&mut self, db: &Database) {
         let fathers = fathers(db);
-        let mut next: Vec<Variable> = self.variables.iter().cloned().collect();
+        let mut next: Vec<UsedVariable> = self.variables.iter().cloned().collect();
         while let Some(variable) = next.pop() {
             let Some((project, fathers)) = fathers.get(&variable) else { continue };
             next.extend(fathers.iter().filter_map(|father| self.add(db, *project, father)));
@@ -109,7 +109,7 @@ impl UsedNames {
 }
 
 /// The fathers of all variables, with the projects in which their names resolve.
-fn fathers(db: &Database) -> BTreeMap<Variable, (Project, Vec<String>)> {
+fn fathers(db: &Database) -> BTreeMap<UsedVariable, (Project, Vec<String>)> {
     let mut found = BTreeMap::new();
     for project in Sources::get(db).projects(db).values() {
         for file in data_files(db, *project) {

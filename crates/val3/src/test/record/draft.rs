@@ -2,7 +2,7 @@
 
 use val3_machine::controller::Controller;
 use val3_machine::event::EndReason;
-use val3_machine::io::{Direction, Kind};
+use val3_machine::io::{Direction, SignalKind};
 use val3_machine::script::LineBytes;
 use val3_suite::Failure;
 
@@ -76,7 +76,7 @@ impl<'r> Draft<'r> {
             let signal =
                 io.find(link).and_then(|id| io.signal(id)).filter(|signal| signal.direction == Direction::Output);
             let Some(signal) = signal.filter(|_| !self.run.is_set(link)) else { continue };
-            let level = if signal.kind == Kind::Digital { (*level != 0.0).to_string() } else { number(*level) };
+            let level = if signal.kind == SignalKind::Digital { (*level != 0.0).to_string() } else { number(*level) };
             self.outputs.push(format!("{} = {level}", key(link)));
         }
     }

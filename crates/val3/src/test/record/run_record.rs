@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 use val3_machine::event::EndReason;
-use val3_machine::script::{Action, LineBytes};
+use val3_machine::script::{LineBytes, ScriptAction};
 use val3_suite::ControllerKeys;
 
 /// What has happened in a run.
@@ -56,17 +56,17 @@ pub(super) struct RecordedError {
 
 /// A line of the record.
 #[derive(Deserialize)]
-struct Line {
+struct RecordLine {
     t: f64,
     task: Option<String>,
     #[serde(flatten)]
-    kind: Kind,
+    kind: RecordedKind,
 }
 
 /// The events of a record that a scenario is about.
 #[derive(Deserialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-enum Kind {
+enum RecordedKind {
     Act {
         keys: Map<String, Value>,
     },
@@ -118,7 +118,7 @@ impl RunRecord {
     pub(super) fn read(text: &str) -> Result<Self, String> {
         let mut lines = Vec::new();
         for (number, line) in (1..).zip(text.lines()) {
-            match serde_json::from_str::<Line>(line) {
+            match serde_json::from_str::<RecordLine>(line) {
                 Ok(line) => lines.push(line),
                 // The last line of a run that was killed may be incomplete.
                 Err(error) if error.is_eof() && !text.ends_with('\n') => break,
@@ -128,7 +128,7 @@ impl RunRecord {
         if lines.is_empty() {
             return Err("the file has no events".to_owned());
         }
-        let supplied: BTreeSet<String> = lines.iter().flat_map(Line::supplied).collect();
+        let supplied: BTreeSet<String> = lines.iter().flat_map(RecordLine::supplied).collect();
         let mut run = Self::default();
         lines.into_iter().for_each(|line| run.add(line, &supplied));
         if run.reason == Some(EndReason::Refused) {
@@ -159,39 +159,39 @@ impl RunRecord {
         self.given.iter().any(|(_, given)| matches!(given, Given::Keys(keys) if keys.contains_key("stop")))
     }
 
-    fn add(&mut self, Line { t, task, kind }: Line, supplied: &BTreeSet<String>) {
+    fn add(&mut self, RecordLine { t, task, kind }: RecordLine, supplied: &BTreeSet<String>) {
         self.end = t;
         match kind {
-            Kind::Act { keys } => self.act(t, keys),
-            Kind::Sio { link, dir, bytes } if dir == "out" => self.sent.entry(link).or_default().extend(bytes),
+            RecordedKind::Act { keys } => self.act(t, keys),
+            RecordedKind::Sio { link, dir, bytes } if dir == "out" => self.sent.entry(link).or_default().extend(bytes),
             // The script that has supplied it is repeated itself.
-            Kind::Sio { link, .. } if supplied.contains(&link) => {}
-            Kind::Sio { link, bytes, .. } => {
+            RecordedKind::Sio { link, .. } if supplied.contains(&link) => {}
+            RecordedKind::Sio { link, bytes, .. } => {
                 let bytes = serde_json::to_value(LineBytes::from(bytes.as_slice())).unwrap_or_default();
                 let receive = Value::Object(Map::from_iter([(link, bytes)]));
                 self.given.push((t, Given::Keys(Map::from_iter([("receive".to_owned(), receive)]))));
             }
-            Kind::Line { link, answer } if !is_usual(&answer) && !supplied.contains(&link) => {
+            RecordedKind::Line { link, answer } if !is_usual(&answer) && !supplied.contains(&link) => {
                 self.unusual.insert(link);
             }
-            Kind::Task { state, program } if state == "created" && self.program.is_none() => {
+            RecordedKind::Task { state, program } if state == "created" && self.program.is_none() => {
                 self.program = Some(program);
             }
-            Kind::Power { on } if on && !self.given.iter().any(|(_, given)| given.is_about("power")) => {
+            RecordedKind::Power { on } if on && !self.given.iter().any(|(_, given)| given.is_about("power")) => {
                 self.has_power = true;
             }
-            Kind::Print { text } => add(&mut self.prints, text),
-            Kind::Log { text } => add(&mut self.logs, text),
-            Kind::Popup { text } => add(&mut self.popups, text),
-            Kind::Error { code, program } => add(&mut self.errors, RecordedError { code, task, program }),
-            Kind::Io { link, value } => drop(self.signals.insert(link, value)),
-            Kind::End { reason } => self.reason = Some(reason),
+            RecordedKind::Print { text } => add(&mut self.prints, text),
+            RecordedKind::Log { text } => add(&mut self.logs, text),
+            RecordedKind::Popup { text } => add(&mut self.popups, text),
+            RecordedKind::Error { code, program } => add(&mut self.errors, RecordedError { code, task, program }),
+            RecordedKind::Io { link, value } => drop(self.signals.insert(link, value)),
+            RecordedKind::End { reason } => self.reason = Some(reason),
             _ => {}
         }
     }
 
     fn act(&mut self, t: f64, keys: Map<String, Value>) {
-        let given = match Action::from_json(keys.clone()) {
+        let given = match ScriptAction::from_json(keys.clone()) {
             Ok(_) => Given::Keys(keys),
             Err(_) => Given::Other(Value::Object(keys).to_string()),
         };
@@ -215,10 +215,10 @@ impl Given {
     }
 }
 
-impl Line {
+impl RecordLine {
     /// The lines over which a script has sent something.
     fn supplied(&self) -> Vec<String> {
-        let Kind::Act { keys } = &self.kind else { return Vec::new() };
+        let RecordedKind::Act { keys } = &self.kind else { return Vec::new() };
         keys.get("receive").and_then(Value::as_object).into_iter().flat_map(Map::keys).cloned().collect()
     }
 }

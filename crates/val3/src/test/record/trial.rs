@@ -17,7 +17,7 @@ use crate::sockets::ClosedSockets;
 use crate::user_error::UserError;
 
 /// A scenario that will have this path, and runs the application of this project file.
-pub(super) struct Trial<'t> {
+pub(super) struct ScenarioTrial<'t> {
     pub(super) manifest: &'t Utf8Path,
     pub(super) path: &'t Utf8Path,
 }
@@ -29,7 +29,7 @@ pub(super) struct TrialOutcome {
     pub(super) screen: Vec<String>,
 }
 
-impl Trial<'_> {
+impl ScenarioTrial<'_> {
     /// The application on a controller on which nothing was executed yet.
     pub(super) fn opened(&self) -> Result<Bench, UserError> {
         self.bench(&ControllerKeys::default())

@@ -3,7 +3,7 @@
 use val3_lang::types::BaseType;
 
 use crate::cell::{Tags, guid};
-use crate::xml::{self, Element};
+use crate::xml::{self, XmlElement};
 
 /// Reads the signals by tag; `None` if a tag is no GUID, because links may have another form then.
 pub(super) fn read(text: &str) -> Option<Tags> {
@@ -18,7 +18,7 @@ pub(super) fn read(text: &str) -> Option<Tags> {
 }
 
 /// Adds the signals in an element and in nested modules.
-fn add(element: Element<'_>, tags: &mut Tags) -> Option<()> {
+fn add(element: XmlElement<'_>, tags: &mut Tags) -> Option<()> {
     for inner in element.elements() {
         if inner.name() == "Signal" {
             let tag = inner.value("systemTag")?;
@@ -32,7 +32,7 @@ fn add(element: Element<'_>, tags: &mut Tags) -> Option<()> {
 }
 
 /// Returns the type of a signal; `None` for an array of bits, which could be read as a number.
-fn kind(signal: Element<'_>) -> Option<BaseType> {
+fn kind(signal: XmlElement<'_>) -> Option<BaseType> {
     let elements = signal.value("arrayElements");
     let is_single = elements.is_none_or(|count| matches!(count.trim(), "" | "0" | "1"));
     match signal.value("dataType")?.as_ref() {

@@ -3,7 +3,7 @@
 use val3_lang::types::BaseType;
 
 use crate::cell::Device;
-use crate::xml::{self, Element};
+use crate::xml::{self, XmlElement};
 
 /// Device name in the links.
 pub(super) const DEVICE: &str = "ModbusSrv-0";
@@ -41,7 +41,7 @@ pub(super) fn read(text: &str) -> Option<Device> {
 }
 
 /// Adds the item's names. In older files, links contain the number of elements: `N1_102:8[0]`.
-fn add(item: Element<'_>, module: &str, base: BaseType, device: &mut Device) -> Option<()> {
+fn add(item: XmlElement<'_>, module: &str, base: BaseType, device: &mut Device) -> Option<()> {
     let (name, syntax) = (item.value("Name")?, item.value("Syntaxe")?);
     device.insert(format!("{module}\\{name}"), base);
     if let Some((_, count)) = syntax.split_once(':') {

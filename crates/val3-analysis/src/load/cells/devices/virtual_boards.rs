@@ -3,7 +3,7 @@
 use val3_lang::types::BaseType;
 
 use crate::cell::Device;
-use crate::xml::{self, Element};
+use crate::xml::{self, XmlElement};
 
 /// Device name in the links.
 pub(super) const DEVICE: &str = "VirtualIOBoards";
@@ -15,7 +15,7 @@ const ANALOG: [&str; 4] = ["F", "B", "W", "DW"];
 pub(super) fn read(text: &str) -> Device {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view());
-    let boards = root.into_iter().flat_map(Element::elements).filter(|element| element.name() == "Board");
+    let boards = root.into_iter().flat_map(XmlElement::elements).filter(|element| element.name() == "Board");
     let mut device = Device::default();
     for board in boards {
         let Some(name) = board.value("name") else { continue };
@@ -25,7 +25,7 @@ pub(super) fn read(text: &str) -> Device {
             }
         }
         for (list, sign) in [("AInputs", "%I"), ("AOutputs", "%Q")] {
-            let items = board.elements().filter(|element| element.name() == list).flat_map(Element::elements);
+            let items = board.elements().filter(|element| element.name() == list).flat_map(XmlElement::elements);
             for item in items {
                 let Some(channel) = item.value("channel") else { continue };
                 for letters in letters(item) {
@@ -37,13 +37,13 @@ pub(super) fn read(text: &str) -> Device {
     device
 }
 
-fn channels<'g>(board: Element<'g>, list: &'static str) -> impl Iterator<Item = String> + 'g {
-    let items = board.elements().filter(move |element| element.name() == list).flat_map(Element::elements);
+fn channels<'g>(board: XmlElement<'g>, list: &'static str) -> impl Iterator<Item = String> + 'g {
+    let items = board.elements().filter(move |element| element.name() == list).flat_map(XmlElement::elements);
     items.filter_map(|item| Some(item.value("channel")?.trim().to_owned()))
 }
 
 /// Returns the possible letters for an analog signal: all of them if the format does not determine one.
-fn letters(item: Element<'_>) -> &'static [&'static str] {
+fn letters(item: XmlElement<'_>) -> &'static [&'static str] {
     let value = |name: &str| item.value(name).map(|text| text.trim().to_ascii_lowercase());
     match (value("format").as_deref(), value("bitCount").as_deref()) {
         (Some("float"), _) => &["F"],

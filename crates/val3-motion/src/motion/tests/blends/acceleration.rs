@@ -3,7 +3,7 @@
 use super::*;
 
 /// Runs a motion to its end. Returns the greatest acceleration of each axis from cycle to cycle, as a share of its limit.
-fn greatest_accelerations(motion: &mut Motion, limits: &Limits) -> Joints {
+fn greatest_accelerations(motion: &mut Motion, limits: &SpeedLimits) -> Joints {
     let mut samples = vec![motion.joints(); 2];
     for _ in 0..(motion.time_left().0 / CYCLE.0) as usize + 3 {
         samples.push(motion.advance(CYCLE).joints);

@@ -113,10 +113,10 @@ impl Program {
         if self.arm().is_scara() { [20.0, 60.0, 100.0, 10.0, 0.0, 0.0] } else { START }
     }
 
-    pub(super) fn limits(&self) -> Limits {
+    pub(super) fn limits(&self) -> SpeedLimits {
         let arm = self.arm();
         let axes: [usize; AXES] = std::array::from_fn(|axis| axis);
-        Limits {
+        SpeedLimits {
             speed: axes.map(|axis| arm.nominal_speed(axis)),
             acceleration: axes.map(|axis| arm.nominal_acceleration(axis)),
             deceleration: axes.map(|axis| arm.nominal_deceleration(axis)),

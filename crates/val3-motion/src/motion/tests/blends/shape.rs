@@ -6,7 +6,7 @@ use super::*;
 use crate::blend::BlendCurve;
 use crate::hull::MARGIN;
 use crate::segment::Segment;
-use crate::span::{BlendPart, Curve, Part, Span};
+use crate::span::{BlendPart, Curve, Span, SpanPart};
 
 /// Positions of a curve at which a law is checked.
 const SAMPLES: usize = 200;
@@ -29,7 +29,7 @@ fn segments(program: &Program, requests: &[Move]) -> Vec<Arc<Segment>> {
     let segment = |request: &Move| {
         let segment = motion.path.segment(&Model(&arm), request).unwrap().0;
         if !segment.is_null() {
-            motion.path = Path::starting_at(segment.end());
+            motion.path = PathEnd::starting_at(segment.end());
         }
         Arc::new(segment)
     };
@@ -39,7 +39,7 @@ fn segments(program: &Program, requests: &[Move]) -> Vec<Arc<Segment>> {
 fn corners<'a>(motion: &'a Motion, requests: &'a [Move], segments: &[Arc<Segment>]) -> Vec<Corner<'a>> {
     let spans = motion.timeline.spans.iter().map(|timed| &*timed.span);
     let corner = |span: &'a Span| match span.part {
-        Part::Blend { from, to } if span.range()[0] == 0.0 => {
+        SpanPart::Blend { from, to } if span.range()[0] == 0.0 => {
             let [first, second] = [from.serial as usize, to.serial as usize];
             Some(Corner {
                 arm: &motion.arm,

@@ -2,7 +2,7 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 use val3_lang::ports::InputKind;
-use val3_machine::controller_state::Severity;
+use val3_machine::controller_state::MessageSeverity;
 use val3_machine::event::{Event, EventKind};
 use val3_machine::screen::{PageId, TextMode};
 
@@ -50,7 +50,7 @@ fn the_page_is_drawn_above_the_lines_and_the_state() {
 #[test]
 fn a_pop_up_covers_the_page() {
     let mut pendant = menu();
-    pendant.show_pop_up("The gripper is empty; put a box into it", Severity::Warning);
+    pendant.show_pop_up("The gripper is empty; put a box into it", MessageSeverity::Warning);
     insta::assert_snapshot!(shown(&pendant));
 }
 
