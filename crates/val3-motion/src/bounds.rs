@@ -69,7 +69,7 @@ pub(crate) struct AxisMotion {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct IntervalEnd {
     pub(crate) axes: [AxisMotion; AXES],
-    /// Greatest x by the limits of speed.
+    /// Maximum x permitted by the speed limits.
     pub(crate) top: f64,
 }
 
