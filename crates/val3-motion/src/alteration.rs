@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1.001;
 /// Longest time from an emergency stop to the end of the deviation, in seconds (manual 11.2.6).
 const EMERGENCY: f64 = 0.5;
 
-/// Result of an alter request (manual 11.2.6).
+/// Alter request result (manual 11.2.6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlterStatus {
     /// The request is in effect.

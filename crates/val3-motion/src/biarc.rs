@@ -7,8 +7,8 @@ const STRAIGHT: f64 = 1e-9;
 
 /// Two arcs with a common tangent at their junction.
 ///
-/// The control polygon has one corner on the tangent of each end; the ratio of the two handle lengths is given (section
-/// (a) of the motion model). If the ratio equals the ratio of the distances from the ends to the corner of two lines,
+/// The control polygon has one corner on each end tangent; the ratio of the handle lengths is given (section (a) of the
+/// motion model). If the end tangents meet in a corner and the ratio equals the ratio of the distances to this corner,
 /// the polygon, and with it the curve, stays within the triangle formed by the ends and the corner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Biarc {

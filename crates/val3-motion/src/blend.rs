@@ -36,7 +36,7 @@ const SHORT_END: f64 = 0.3;
 /// Tolerance within which an axis beyond its limit counts as at the limit, in degrees or mm.
 const ROUNDING: f64 = 1e-6;
 
-/// Number of parts of each segment at whose ends the change of orientation is checked.
+/// Number of points per segment at which the change of orientation is checked.
 const ORIENTATIONS: u32 = 32;
 
 /// Curve from a segment's leave point to the next segment's reach point, by u from 0 to 1.
@@ -71,7 +71,7 @@ struct ArcPath {
     ways: [f64; 6],
 }
 
-/// End of a blend, with the rest of its segment up to the corner.
+/// Blend end, with the rest of the segment up to the corner.
 #[derive(Clone, Debug)]
 pub(crate) struct BlendEnd {
     pub(crate) segment: Arc<Segment>,
@@ -115,7 +115,7 @@ impl BlendEnd {
 }
 
 impl BlendCurve {
-    /// Returns the rest of one segment, between the corner and the end of the blend.
+    /// Returns the nominal path between the corner and the blend end.
     pub(crate) fn nominal(end: &BlendEnd) -> Self {
         Self::Nominal(Box::new(end.clone()))
     }
@@ -287,8 +287,8 @@ impl ArcPath {
 
 /// Weight of the arcs in a blend's position, from 0 to 1, by the cosine of the turn between the blend's ends.
 ///
-/// The arm follows an arc at a constant speed, so an arc of more than about two radians takes longer than a stop in the
-/// corner. The sharper the turn, the greater the weight of the sum of both segments, which is slow only at the turn.
+/// The arm follows an arc at a constant speed, so an arc of more than about two radians is slower than a stop in the
+/// corner. For sharper turns, the sum of both segments, which is slow only at the turn, has more weight.
 fn weight_of_arcs(cosine: f64) -> f64 {
     let [round, sharp] = [ROUND_TURN, SHARP_TURN].map(degrees::cos);
     let share = ((cosine - sharp) / (round - sharp)).clamp(0.0, 1.0);

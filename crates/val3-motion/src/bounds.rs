@@ -5,8 +5,8 @@
 //! on the mean, is therefore a half plane of (u, x) at the first point, and the permitted values of u at a given x form
 //! an interval.
 //!
-//! The mean acceleration of an interval is exactly within the limit. If the path bends within the interval, the
-//! acceleration at an end may exceed the limit slightly, so that a coarse plan takes no longer than a fine plan.
+//! An interval's mean acceleration is exactly within the limit. If the path bends within the interval, the acceleration
+//! at an end may exceed the limit slightly, so that a coarse plan is as fast as a fine plan.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -22,7 +22,7 @@ const AT_REST: f64 = 1e-9;
 /// Value of x without a speed limit.
 const FASTEST: f64 = 1e30;
 
-/// Permitted acceleration at an end of an interval, relative to the limit.
+/// Permitted acceleration at the ends of intervals, relative to the limit.
 const AT_END: f64 = 1.012;
 
 /// Interval of u that one axis permits at x: from `low - slope * x` to `high - slope * x`.
@@ -52,7 +52,7 @@ impl AxisBound {
     }
 }
 
-/// Derivatives of an axis along the path at one point, with its acceleration limits.
+/// Axis derivatives along the path at one point, with the acceleration limits.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct AxisMotion {
     /// q′: change of the axis per unit of the path parameter.
@@ -65,7 +65,7 @@ pub(crate) struct AxisMotion {
     pub(crate) deceleration: f64,
 }
 
-/// End of an interval of the path.
+/// Path point at which intervals end and begin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct IntervalEnd {
     pub(crate) axes: [AxisMotion; AXES],
@@ -101,7 +101,7 @@ impl IntervalEnd {
     }
 }
 
-/// Half planes of (u, x) at the start of an interval.
+/// Half planes of (u, x) at an interval's start.
 #[derive(Clone, Debug)]
 pub(crate) struct Bounds<'a> {
     /// Bounds of the axes, without most of the bounds that another bound implies.
@@ -119,7 +119,7 @@ pub(crate) struct BoundsTable {
     intervals: Vec<IntervalBounds>,
 }
 
-/// Bounds of one interval in a [`BoundsTable`].
+/// Interval bounds in a [`BoundsTable`].
 #[derive(Debug)]
 struct IntervalBounds {
     axes: Range<usize>,
@@ -314,7 +314,7 @@ mod tests {
         Bounds::between(&end, &end, STEP)
     }
 
-    /// Bounds of one axis that moves 100 degrees per unit of the parameter.
+    /// Bounds for one axis that moves 100 degrees per unit of the parameter.
     fn straight(speed: f64, acceleration: f64, deceleration: f64) -> Bounds<'static> {
         let axis = AxisMotion { tangent: -100.0, curvature: 0.0, acceleration, deceleration };
         even(&[axis], (speed / 100.0).powi(2))

@@ -164,7 +164,7 @@ fn continues_on_other(solve: impl Solve, [branch, other]: [Configuration; 2], ch
     after <= 1.0 && bend(other) < BEND.min(bend(branch) / 2.0)
 }
 
-/// Argument of the minimum of a function that decreases and then increases (golden-section search).
+/// Minimum point of a function that decreases and then increases (golden-section search).
 fn lowest(mut from: f64, mut to: f64, value: impl Fn(f64) -> f64) -> f64 {
     const SHARE: f64 = 0.618_033_988_749_894_8;
     let inner = |from: f64, to: f64| [to - (to - from) * SHARE, from + (to - from) * SHARE];

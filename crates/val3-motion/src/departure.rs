@@ -12,7 +12,7 @@ use crate::model::{Axes, Model};
 use crate::motion::Motion;
 use crate::request::{Limits, Move};
 
-/// Distance of each axis from the path up to which the arm continues without a connection move, in degrees or mm.
+/// Maximum axis distance from the path for continuing without a connection move, in degrees or mm.
 const ON_PATH: f64 = 1e-3;
 
 /// Speed and acceleration of a connection move, relative to the nominal values (model choice).
@@ -21,7 +21,7 @@ const SLOW: f64 = 0.1;
 /// Maximum speed of the tool centre point in a connection move (model choice).
 const TIP: MillimetresPerSecond = MillimetresPerSecond(250.0);
 
-/// State of an arm that is not on its path.
+/// Arm state away from the path.
 #[derive(Clone, Debug)]
 pub(crate) enum Departure {
     /// The arm still brakes on a path that a reset has removed.
@@ -39,12 +39,13 @@ pub struct Connection {
     pub distance: Millimetres,
     /// Rotation of the tool.
     pub rotation: Degrees,
-    /// Greatest distance of an axis, in degrees or mm.
+    /// Greatest axis distance, in degrees or mm.
     pub axis: f64,
 }
 
 impl Departure {
-    /// Departure of an arm that rests at `axes`; `None` if `axes` equals `target`, the position on the path.
+    /// Creates the departure for an arm that rests at `axes`; `None` if `axes` equals `target`, the position on the
+    /// path.
     pub(crate) fn at(axes: Axes, target: &Axes) -> Option<Self> {
         (axes != *target).then_some(Self::At(axes))
     }

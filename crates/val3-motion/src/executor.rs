@@ -28,7 +28,7 @@ impl Default for Executor {
 }
 
 impl Executor {
-    /// Sets the monitor speed, which takes effect as a ramp, or immediately if the arm rests.
+    /// Sets the monitor speed. The change is a ramp, or immediate if the arm rests.
     pub(crate) fn set_monitor_speed(&mut self, speed: Percent, at_rest: bool) {
         self.chosen = (speed.0 / 100.0).max(0.0);
         if at_rest && !self.is_halting {
@@ -51,7 +51,7 @@ impl Executor {
         self.is_halting
     }
 
-    /// Ends the halt of an arm that has come to rest.
+    /// Ends a halt after the arm has come to rest.
     pub(crate) fn release(&mut self) {
         (self.pace, self.is_halting) = (self.chosen, false);
     }

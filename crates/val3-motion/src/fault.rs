@@ -31,7 +31,7 @@ pub enum Cause {
     Unreachable(Unreachable),
     /// The intermediate point of a circle cannot be reached in any configuration (manual 10.6).
     Intermediate(Unreachable),
-    /// The destination is outside the software limits of an axis.
+    /// The destination exceeds a software limit.
     OutOfRange(Violation),
     /// Near a singularity, an axis would have to jump.
     Singular,
@@ -42,7 +42,7 @@ pub enum Cause {
     Configuration,
     /// The orientation changes by half a turn or more within a Cartesian blend (manual 10.1.2.3).
     Reorientation,
-    /// The speed of an altered path exceeds the limits of `alterBegin` (manual 11.2.6).
+    /// The speed on the altered path exceeds the limits of `alterBegin` (manual 11.2.6).
     AlterSpeed,
     /// The move before a compliant move has a blend (manual 11.1.4).
     BlendBeforeCompliant,

@@ -1,4 +1,4 @@
-//! Gates of a timeline: in step mode the arm comes to rest before each piece of its path and waits for a release.
+//! Timeline gates: in step mode the arm comes to rest before each path piece and waits for a release.
 //!
 //! A piece is the nominal part of a move or the blend around its destination (manual 10.2.2). Gates change only speeds.
 //! The spans, and therefore the positions on the path, are the same as in continuous mode.

@@ -1,9 +1,9 @@
-//! Hull of two nominal pieces in joint space, within which a joint blend stays.
+//! Hull of nominal pieces in joint space, within which a joint blend stays.
 
 use crate::model::{Axes, Model};
 use crate::segment::Segment;
 
-/// Number of parts of a Cartesian piece at whose ends the axes are computed.
+/// Number of parts into which a Cartesian piece is divided to compute its axes.
 const PARTS: u32 = 16;
 
 /// Distance by which a control point may be outside of the hull, relative to the longest side of the hull, because an
@@ -24,8 +24,7 @@ pub(crate) struct Hull {
 }
 
 impl Hull {
-    /// Computes the hull of two pieces of segments, each with its range of σ. A margin is added within the arm's
-    /// limits.
+    /// Computes the hull of segment pieces, each given by its range of σ. A margin is added within the arm's limits.
     pub(crate) fn of_pieces(model: &Model<'_>, pieces: [(&Segment, [f64; 2]); 2]) -> Self {
         let mut hull = Self { least: Axes::repeat(f64::INFINITY), most: Axes::repeat(f64::NEG_INFINITY) };
         for (segment, [from, to]) in pieces {

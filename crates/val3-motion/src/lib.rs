@@ -1,4 +1,4 @@
-//! Motion of an arm: moves in, one sample every 4 ms out (chapter 10 of the manual). The types of a move are defined in
+//! Robot motion: moves in, one sample every 4 ms out (chapter 10 of the manual). The types of a move are defined in
 //! `val3-moves` and re-exported here.
 //!
 //! `Move -> Segment -> Span -> Sample` are separate types. The path is pure geometry and depends only on the moves.

@@ -38,7 +38,7 @@ impl Model<'_> {
         Ok(self.0.inverse_isometry_on(branch, flange, &(*near).into())?.into())
     }
 
-    /// Minimum and maximum position of each axis.
+    /// Minimum and maximum axis positions.
     pub(crate) fn limits(&self) -> [Axes; 2] {
         let mut limits = [Axes::repeat(f64::NEG_INFINITY), Axes::repeat(f64::INFINITY)];
         let [least, most] = &mut limits;
@@ -54,8 +54,8 @@ impl Model<'_> {
         Some(Cause::Unreachable(Unreachable::Limit { axis, position, min, max }))
     }
 
-    /// First axis that would exceed its limit without the full turn that it makes between two neighbouring positions of
-    /// a path; `None` without such an axis.
+    /// First axis that would exceed its limit without its full turn between two neighbouring path positions; `None`
+    /// without such an axis.
     pub(crate) fn limit_behind_turn(&self, before: &Axes, after: &Axes) -> Option<Cause> {
         let turns = full_turns(before, after);
         if turns.amax() > 0.0 { self.beyond_limit(&(after - turns)) } else { None }

@@ -1,4 +1,4 @@
-//! Motion of one arm: recording, planning and execution of moves.
+//! Arm motion: recording, planning and execution of moves.
 
 mod alter;
 mod holds;
@@ -50,7 +50,7 @@ pub struct Motion {
     /// Result of `getMoveId` when all recorded moves are done.
     done_id: f64,
     tool: IsometryMatrix3<f64>,
-    /// State of an arm that has left its path; `None` on the path.
+    /// State of the arm while it is not on its path; `None` on the path.
     departure: Option<Departure>,
     /// Speed of the tool centre point over the last cycle, in mm/s.
     speed: f64,
@@ -86,7 +86,7 @@ pub struct Sample {
 }
 
 impl Motion {
-    /// Creates the motion of an arm that rests at these joints.
+    /// Creates a motion whose arm rests at these joints.
     #[must_use]
     pub fn new(arm: Arc<Arm>, start: Joints) -> Self {
         Self {
@@ -198,7 +198,7 @@ impl Motion {
         self.is_nominal_done() && self.deferred.is_none() && self.fault.is_none()
     }
 
-    /// Motion of an arm that has left its path.
+    /// Motion of the arm while it is not on its path.
     fn moving_away(&mut self) -> Option<&mut Self> {
         self.departure.as_mut().and_then(Departure::motion)
     }

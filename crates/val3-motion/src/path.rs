@@ -93,7 +93,7 @@ impl Path {
         self.open.as_ref().map(|open| open.serial)
     }
 
-    /// Requested leave and reach of the blend of the move in `open_serial`.
+    /// Requested leave and reach for the blend of the move in `open_serial`.
     pub(crate) fn open_distances(&self) -> Option<[Millimetres; 2]> {
         let (leave, reach) = self.open.as_ref()?.blend.distances()?;
         Some([leave, reach].map(Millimetres))
@@ -176,8 +176,7 @@ impl Path {
     }
 
     /// Returns the cause for which the arm cannot follow the blend between two moves; `None` if it can, or without a
-    /// blend. The first move begins at the end of this path, and `reach` is the part of its path that the previous
-    /// blend covers.
+    /// blend. The first move begins at the end of this path, and the previous blend covers `reach` of its path.
     ///
     /// # Errors
     /// Returns the cause if the arm cannot follow one of the two moves.

@@ -1,4 +1,4 @@
-//! Planner: sets the greatest permitted speed at each point of a timeline, and brings the arm to rest.
+//! Planner: sets the greatest permitted speed at each timeline point, and plans halts.
 //!
 //! Two passes as in TOPP-RA: the backward pass computes the greatest speed from which the rest of the path can be
 //! followed, and the forward pass the greatest reachable speed below it. Points that the arm has passed never change.
@@ -22,7 +22,7 @@ impl Timeline {
         let is_gated = mode == MotionMode::Step && self.begins_piece(&timed.span);
         let is_arm_on_path = self.spans.back().is_some_and(|last| !last.is_forgotten);
         self.spans.push_back(TimedSpan { is_gated, ..timed });
-        // A waiting arm stays exactly at the end of its piece.
+        // A waiting arm stays exactly at the end of the piece.
         if was_at_end && !(is_gated && is_arm_on_path) {
             self.spans.drain(..self.spans.len() - 1);
             self.cursor = Default::default();
@@ -76,7 +76,7 @@ impl Timeline {
         }
     }
 
-    /// Brings the arm to rest on its path. `braking` returns the smallest p̈ that the arm can reach at p and ṗ².
+    /// Halts the arm on its path. `braking` returns the smallest p̈ that the arm can reach at p and ṗ².
     ///
     /// `pace` is the arm's fraction of the planned speed. Speeds up to the halt are real speeds, independent of the
     /// monitor speed.
@@ -162,8 +162,8 @@ impl Timeline {
 
 /// Halts the arm at the distance `way` after the point `at`, before the next point.
 ///
-/// Another point is inserted in the middle of the rest of the interval, so that the arm can continue even if it also
-/// has to rest at the end of the interval.
+/// Another point is inserted halfway to the end of the interval, so that the arm can continue even if it also has to
+/// rest at the end of the interval.
 fn halt_after(timed: &mut TimedSpan, at: usize, way: f64) {
     let Some(Interval { from, to }) = timed.interval(at) else { return };
     let step = to.p - from.p;
@@ -255,14 +255,14 @@ fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds<'_>) ->
     is_inside.then_some(Point { p: from.p + way, x, most: x, halt: false })
 }
 
-/// Middle of an interval between two rests, with the greatest speed from rest to rest.
+/// Middle point between two rests, with the greatest speed from rest to rest.
 fn between_rests(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Point {
     let weaker = bounds.highest(0.0).min(-bounds.lowest(0.0));
     let x = bounds.level().min((to.p - from.p) * weaker);
     Point { p: (from.p + to.p) / 2.0, x, most: x, halt: false }
 }
 
-/// Whether a distance ends inside a step, not at one of its ends.
+/// Whether a distance ends strictly inside a step.
 fn is_between(way: f64, step: f64) -> bool {
     way > step * SAME_POINT && way < step * (1.0 - SAME_POINT)
 }

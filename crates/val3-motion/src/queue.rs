@@ -1,4 +1,4 @@
-//! Queue of the recorded moves, and the events of their execution.
+//! Queue of the recorded moves, and execution events.
 
 use std::collections::VecDeque;
 
@@ -206,7 +206,7 @@ impl Queue {
         }
     }
 
-    /// Records that the arm has completed a part of the path. A nominal part ends at the destination of its move.
+    /// Records that the arm has completed a part of the path. A nominal part ends at the move's destination.
     pub(crate) fn end(&mut self, part: &Part, at: Seconds) {
         match part {
             Part::Nominal { serial, .. } => self.finish(*serial, at),

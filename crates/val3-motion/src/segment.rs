@@ -1,4 +1,4 @@
-//! Segment: nominal path of one move, from the previous move's destination to its own destination, corners included.
+//! Segment: a move's nominal path from the previous destination to its own destination, corners included.
 
 use std::sync::Arc as Shared;
 
@@ -18,13 +18,13 @@ pub(crate) const IN_PLACE: f64 = 1e-3;
 /// Distance between the points from which derivatives are computed, as a fraction of the segment.
 const STENCIL: f64 = 1e-3;
 
-/// Number of parts of a segment for the computation of its length and corners.
+/// Number of segment parts for the computation of length and corners.
 const PARTS: usize = 64;
 
-/// Number of parts of a Cartesian segment at whose ends the axes are computed, from the start on.
+/// Number of parts into which a Cartesian segment is divided to compute its axes from the start on.
 const WAYPOINTS: usize = 32;
 
-/// Number of parts of the path to a waypoint at which an axis seems to jump.
+/// Number of parts into which the path to a waypoint is divided if an axis seems to jump there.
 const FINER: usize = 16;
 
 /// The first waypoint is compared with a point whose distance to the start is smaller by this factor.
@@ -60,7 +60,7 @@ struct DeviatedRoute {
 struct PoseRoute {
     curve: PoseCurve,
     branches: Branches,
-    /// Axes at the end of each part of the path, as far as the arm can follow the path.
+    /// Axes at the start and after each part, as far as the arm can follow the path.
     waypoints: Vec<Axes>,
 }
 
@@ -310,7 +310,7 @@ impl Segment {
         self.pose_at(model, sigma).translation.vector
     }
 
-    /// σ at which the tool centre point has covered the fraction `part` of its path, from 0 to 1.
+    /// σ at which the tool centre point has covered the fraction `part` (0 to 1) of the path length.
     fn at_part_of_way(&self, model: &Model<'_>, part: f64) -> f64 {
         if self.is_line() || self.is_arc() || self.is_rotation() || part == 1.0 {
             return part;
@@ -326,7 +326,7 @@ impl Segment {
         1.0
     }
 
-    /// Path length of the tool centre point in mm, extrapolated from chords of two lengths.
+    /// Path length of the tool centre point in mm, extrapolated from coarse and fine chords.
     fn measure(&self, model: &Model<'_>) -> f64 {
         let points = self.points(model);
         let thinned: Vec<_> = points.iter().copied().step_by(2).collect();

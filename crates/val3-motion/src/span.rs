@@ -165,7 +165,7 @@ impl Span {
         [self.from, self.at_knot(self.knots.len().saturating_sub(1))]
     }
 
-    /// Whether the end of the span is the end of a blend or the destination of its move.
+    /// Whether the span ends at the blend's end or at the move's destination.
     pub(crate) fn ends_its_move(&self) -> bool {
         let [_, end] = self.range();
         end > 1.0 - SAME

@@ -14,17 +14,17 @@ const FULL_PACE: f64 = 0.98;
 /// Limit that determines the speed of the arm. Axes count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SpeedLimit {
-    /// Acceleration of an axis.
+    /// Axis acceleration.
     Acceleration(usize),
-    /// Deceleration of an axis, before a slower part of the path or a stop.
+    /// Axis deceleration, before a slower part of the path or a stop.
     Deceleration(usize),
-    /// Speed of an axis.
+    /// Axis speed.
     AxisSpeed(usize),
     /// Speed of the tool centre point (`tvel`).
     Translation,
     /// Rotation speed of the tool (`rvel`).
     Rotation,
-    /// Acceleration of an axis because of the curvature of a blend.
+    /// Axis acceleration caused by a blend's curvature.
     Corner,
     /// Reduced speed of the tool, as in manual mode.
     ReducedSpeed,
@@ -40,7 +40,7 @@ pub enum SpeedLimit {
     Alter,
     /// The arm rests because its next move is not recorded yet.
     NextMove,
-    /// The arm rests at a fault of its path.
+    /// The arm rests at a path fault.
     Fault,
     /// A stop, no power, step mode, or a position away from the path holds the arm.
     Held,
@@ -119,7 +119,7 @@ pub(crate) enum ActingLimit {
     OnPath(PathState),
 }
 
-/// State of an arm on its path, at full monitor speed.
+/// Arm state on the path, at full monitor speed.
 #[derive(Clone, Debug)]
 pub(crate) struct PathState {
     span: Arc<Span>,

@@ -24,7 +24,7 @@ pub(crate) fn speed_limits(axes: &[Axes], tips: &[IsometryMatrix3<f64>], step: f
     without_bulges(&tops.collect::<Vec<_>>()).map(|tops| tops.min()).collect()
 }
 
-/// Maximum x by one limit; infinite for a speed of 0, as of an axis that the arm does not have.
+/// Maximum x by one limit; infinite for a speed of 0, for example if the arm does not have the axis.
 fn allowed(limit: f64, speed: f64) -> f64 {
     if speed == 0.0 { f64::INFINITY } else { (limit / speed).powi(2) }
 }
@@ -47,7 +47,7 @@ fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> Vec<f64> {
 
 /// Lowers the limits of x at knots between which a limit bulges downwards.
 ///
-/// Between two knots x is linear. A limit with a positive second derivative is below this line by an eighth of its
+/// Between two knots x is linear. A limit with a positive second derivative is below this line by an eighth of the
 /// second difference. Twice this value is subtracted, because the second difference of the neighbours is only an
 /// estimate.
 fn without_bulges(limits: &[Speeds]) -> impl Iterator<Item = Speeds> {

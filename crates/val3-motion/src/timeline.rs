@@ -72,7 +72,7 @@ impl TimedSpan {
         Self { span, points, from_rest, is_gated: false, exit_rate: None, is_forgotten: false, reduction: None }
     }
 
-    /// Whether the plan brings the arm to rest before this span.
+    /// Whether the arm rests before this span in the plan.
     pub(crate) fn begins_at_rest(&self) -> bool {
         self.from_rest || self.is_gated
     }

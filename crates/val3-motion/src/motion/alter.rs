@@ -166,7 +166,7 @@ impl Motion {
         Ok(())
     }
 
-    /// Records the moves that have waited for the end of an alterable path.
+    /// Records the deferred moves after the end of the alterable path.
     pub(super) fn record_deferred(&mut self) {
         let Some(deferred) = self.deferred.take() else { return };
         for request in deferred.requests {

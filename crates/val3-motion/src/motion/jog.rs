@@ -15,7 +15,7 @@ const ROUNDS: usize = 3;
 /// Movement requested by the keys of the pendant (manual 8.1, working modes).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Jog {
-    /// Speed of each axis, in degrees or mm per second.
+    /// Axis speeds, in degrees or mm per second.
     Joints(Joints),
     /// Translation of the tool centre point along Cartesian axes, and rotation around them.
     Cartesian {

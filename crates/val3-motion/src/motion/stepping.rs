@@ -1,4 +1,4 @@
-//! Step mode: the arm waits for a release at the end of each path piece (manual 10.2.2).
+//! Step mode: after each path piece, the arm waits for a release (manual 10.2.2).
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::Joints;
@@ -14,8 +14,7 @@ pub enum MotionMode {
     /// The arm does not stop before the end of the determined path.
     #[default]
     Continuous,
-    /// The arm comes to rest at the end of each piece and waits there for a release. The path is the same as in
-    /// continuous mode.
+    /// After each piece, the arm comes to rest and waits for a release. The path is the same as in continuous mode.
     Step,
 }
 

@@ -29,7 +29,7 @@ impl Motion {
     /// Returns the path of the tool centre point from the current position to the last destination, at most `count`
     /// pieces.
     ///
-    /// Moves that wait for the end of an alterable path are not included.
+    /// Deferred moves are not included.
     #[must_use]
     pub fn way_ahead(&self, count: usize) -> Vec<Way> {
         let back = match &self.departure {

@@ -4,7 +4,7 @@ use super::SpanRequest;
 use crate::fault::Cause;
 use crate::model::{Axes, Model, full_turns};
 
-/// Motion of an axis between two knots of the densest grid above which the axis jumps, in degrees or mm.
+/// Axis motion between two knots of the densest grid that counts as a jump, in degrees or mm.
 const JUMP: f64 = 5.0;
 
 /// Returns the axes at each knot, and the cause for which the arm cannot follow the path further.
@@ -29,7 +29,7 @@ pub(super) fn follow(
     (knots, None)
 }
 
-/// Greatest motion of an axis between two knots, in degrees or mm.
+/// Greatest axis motion between two knots, in degrees or mm.
 pub(super) fn widest_of(pair: &[Axes]) -> f64 {
     if let [one, other] = pair { (other - one).amax() } else { 0.0 }
 }

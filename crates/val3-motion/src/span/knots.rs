@@ -1,4 +1,4 @@
-//! Knots of a span with their derivatives and limits, and the check of their density.
+//! Knots of a span with derivatives and limits, and the check of the knot density.
 
 use std::ops::RangeInclusive;
 
@@ -12,7 +12,7 @@ use crate::speed_limits::speed_limits;
 /// Minimum number of knots for the computation of derivatives.
 pub(super) const LEAST_KNOTS: usize = 7;
 
-/// Relative excess of an axis acceleration between two knots above which more knots are necessary.
+/// Relative excess acceleration between two knots above which more knots are necessary.
 const FINE_ACCELERATION: f64 = 0.008;
 
 /// Relative error of the derivative at an end of the path above which more knots are necessary.

@@ -56,7 +56,7 @@ impl Span {
     }
 }
 
-/// Load of an axis by its acceleration q′·u + q″·x.
+/// Axis load by the acceleration q′·u + q″·x.
 fn acceleration_load(axis: usize, motion: &AxisMotion, is_blend: bool, x: f64, u: f64) -> (SpeedLimit, f64) {
     let (along, across) = (motion.tangent * u, motion.curvature * x);
     let acceleration = along + across;

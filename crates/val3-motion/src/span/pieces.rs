@@ -22,10 +22,10 @@ const MOST_INTERVALS: usize = 1600;
 /// Multiple of the minimum number of intervals from which a path is divided if only a part requires more knots.
 const DIVIDED: usize = 4;
 
-/// Minimum range of p of a part.
+/// Minimum p range for parts of a path.
 const LEAST_RANGE: f64 = 1e-4;
 
-/// Motion of an axis between two knots above which more knots are necessary, in degrees or mm.
+/// Axis motion between two knots above which more knots are necessary, in degrees or mm.
 const FINE: f64 = 1.0;
 
 /// Minimum distance of knots that are inserted because of accelerations, in degrees or mm. Rounding errors would
