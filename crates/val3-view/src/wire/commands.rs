@@ -173,7 +173,7 @@ pub struct Recorded {
     pub file: String,
     /// Content of the scenario.
     pub text: String,
-    /// What the scenario does not repeat or expect.
+    /// Differences from the run: input that the scenario does not repeat, and output that it does not expect.
     pub remarks: Vec<String>,
 }
 
