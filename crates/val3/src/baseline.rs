@@ -40,7 +40,7 @@ pub(crate) struct BaselineResult {
     pub(crate) known: usize,
     /// Number of known findings that no longer occur.
     pub(crate) gone: usize,
-    /// Written files, as they are shown to the user, with their numbers of findings.
+    /// Displayed paths of the written files, with their numbers of findings.
     pub(crate) written: Vec<(String, usize)>,
 }
 

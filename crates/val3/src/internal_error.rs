@@ -1,4 +1,4 @@
-//! Reports of bugs of the tools: one message for each location in the code, on standard error.
+//! Bug reports: one message per code location, on the standard error output.
 
 use std::collections::BTreeSet;
 use std::process::ExitCode;

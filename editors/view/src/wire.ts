@@ -37,7 +37,7 @@ export interface Axis {
   speed: number;
 }
 
-/** Distance from a blend end to the destination. */
+/** Distance of one end of a blend to the destination. */
 export interface BlendDistance {
   /** Effective distance, in mm. */
   effective: number;
@@ -268,7 +268,7 @@ export interface PageMessage {
   html: HtmlPage | null;
   /** The 14 lines. */
   lines: readonly string[];
-  /** Text modes by line. */
+  /** Text modes of each line. */
   modes: readonly (readonly (readonly [number, number])[])[];
   /** Text of the pop-up. */
   popUp: string | null;
@@ -296,17 +296,17 @@ export interface QueueEntry {
   blendCutShort: string | null;
   /** Id of the move (`getMoveId`). */
   id: number;
-  /** Pose at the leave point, where the blend around the destination begins. */
+  /** Pose where the blend around the destination begins. */
   leave: readonly number[] | null;
   /** Effective leave distance, in mm. */
   leaveDistance: number | null;
-  /** Stage of the move in a word. */
+  /** Executed part in a word. */
   phase: string;
-  /** Pose at the reach point, where the blend ends. */
+  /** Pose where this blend ends. */
   reach: readonly number[] | null;
   /** Effective reach distance, in mm. */
   reachDistance: number | null;
-  /** Number of the program line that requests the move. */
+  /** Number of the line that requests the move. */
   source: number;
   /** Pose of the tool centre point at the destination. */
   target: readonly number[];
@@ -324,7 +324,7 @@ export interface RecordScenario {
 export interface Recorded {
   /** Path of the scenario. */
   file: string;
-  /** Differences from the run: input that the scenario does not repeat, and output that it does not expect. */
+  /** What the scenario does not repeat or expect. */
   remarks: readonly string[];
   /** Content of the scenario. */
   text: string;
@@ -384,11 +384,11 @@ export interface Scene {
   frames: readonly CellPoint[];
   /** Joint positions with their initial values. */
   joints: readonly JointValue[];
-  /** Speed limit names, by their numbers in samples. */
+  /** Names of the speed limits by their numbers in samples. */
   limits: readonly string[];
   /** Serial lines and sockets. */
   lines: readonly LineInfo[];
-  /** Motion phase names, by their numbers in samples. */
+  /** Names of the phases of motion by their numbers in samples. */
   phases: readonly string[];
   /** Points with their initial values. */
   points: readonly CellPoint[];
@@ -484,13 +484,13 @@ export interface StateMessage {
   power: boolean;
   /** Time in s. */
   t: number;
-  /** Tasks in creation order. */
+  /** Tasks in the order of their creation. */
   tasks: readonly TaskState[];
 }
 
 /** State of a task. */
 export interface TaskState {
-  /** Condition for which the task waits, without the reason why the arm does not move. */
+  /** What the task waits for, without the reason why the arm does not move. */
   awaits: string | null;
   /** Number of the run-time error that has stopped the task. */
   error: number | null;
@@ -500,7 +500,7 @@ export interface TaskState {
   line: number;
   /** Task name. */
   name: string;
-  /** Overrun count of a synchronous task. */
+  /** Number of overruns of a synchronous task. */
   overruns: number;
   /** Period of a synchronous task, in s. */
   period: number | null;
@@ -510,7 +510,7 @@ export interface TaskState {
   program: string;
   /** State in a word. */
   state: string;
-  /** Condition for which the task waits. */
+  /** What the task waits for. */
   waits: string | null;
 }
 
@@ -546,7 +546,7 @@ export interface UserPage {
 
 /** Piece of the remaining path. */
 export interface WayPiece {
-  /** Motion phase. */
+  /** Phase of motion. */
   phase: string;
   /** Points of the tool centre point, in mm. */
   points: readonly (readonly number[])[];

@@ -173,7 +173,7 @@ pub struct Recorded {
     pub file: String,
     /// Content of the scenario.
     pub text: String,
-    /// Differences from the run: input that the scenario does not repeat, and output that it does not expect.
+    /// What the scenario does not repeat or expect.
     pub remarks: Vec<String>,
 }
 

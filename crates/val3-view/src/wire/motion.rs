@@ -26,15 +26,15 @@ pub struct QueueEntry {
     /// Name of the instruction.
     #[serde(rename = "type")]
     pub instruction: Option<String>,
-    /// Number of the program line that requests the move.
+    /// Number of the line that requests the move.
     pub source: u16,
-    /// Stage of the move in a word.
+    /// Executed part in a word.
     pub phase: String,
     /// Pose of the tool centre point at the destination.
     pub target: Pose,
-    /// Pose at the leave point, where the blend around the destination begins.
+    /// Pose where the blend around the destination begins.
     pub leave: Option<Pose>,
-    /// Pose at the reach point, where the blend ends.
+    /// Pose where this blend ends.
     pub reach: Option<Pose>,
     /// Effective leave distance, in mm.
     pub leave_distance: Option<f64>,
@@ -50,7 +50,7 @@ pub struct QueueEntry {
 /// Piece of the remaining path.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct WayPiece {
-    /// Motion phase.
+    /// Phase of motion.
     pub phase: String,
     /// Points of the tool centre point, in mm.
     pub points: Vec<[f64; 3]>,
@@ -67,7 +67,7 @@ pub struct BlendEnds {
     pub reach: Option<BlendDistance>,
 }
 
-/// Distance from a blend end to the destination.
+/// Distance of one end of a blend to the destination.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct BlendDistance {
     /// Distance of the motion descriptor, in mm.

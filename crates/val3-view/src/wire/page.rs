@@ -18,7 +18,7 @@ pub struct PageMessage {
     pub title: Option<String>,
     /// The 14 lines.
     pub lines: Vec<String>,
-    /// Text modes by line.
+    /// Text modes of each line.
     pub modes: Vec<Vec<ModeRun>>,
     /// Column and line of the cursor, from 0.
     pub cursor: Option<[usize; 2]>,

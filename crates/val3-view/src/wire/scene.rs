@@ -17,7 +17,7 @@ pub enum Role {
     Recording,
     /// Operates a debugged run.
     Debugger,
-    /// Reads only the scene; the application does not run.
+    /// Reads the scene of an application that does not run.
     Preview,
 }
 
@@ -47,9 +47,9 @@ pub struct Scene {
     pub signals: Vec<SignalInfo>,
     /// Serial lines and sockets.
     pub lines: Vec<LineInfo>,
-    /// Motion phase names, by their numbers in samples.
+    /// Names of the phases of motion by their numbers in samples.
     pub phases: Vec<String>,
-    /// Speed limit names, by their numbers in samples.
+    /// Names of the speed limits by their numbers in samples.
     pub limits: Vec<String>,
 }
 

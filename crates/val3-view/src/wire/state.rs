@@ -9,7 +9,7 @@ use serde::Serialize;
 pub struct StateMessage {
     /// Time in s.
     pub t: f64,
-    /// Tasks in creation order.
+    /// Tasks in the order of their creation.
     pub tasks: Vec<TaskState>,
     /// Whether the arm has power.
     pub power: bool,
@@ -44,11 +44,11 @@ pub struct TaskState {
     pub priority: Option<u32>,
     /// Period of a synchronous task, in s.
     pub period: Option<f64>,
-    /// Overrun count of a synchronous task.
+    /// Number of overruns of a synchronous task.
     pub overruns: u32,
-    /// Condition for which the task waits.
+    /// What the task waits for.
     pub waits: Option<String>,
-    /// Condition for which the task waits, without the reason why the arm does not move.
+    /// What the task waits for, without the reason why the arm does not move.
     pub awaits: Option<String>,
     /// Number of the run-time error that has stopped the task.
     pub error: Option<u16>,

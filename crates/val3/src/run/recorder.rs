@@ -14,7 +14,7 @@ use crate::serve::Command;
 use crate::test::{ServedRun, record_served};
 use crate::user_error::UserError;
 
-/// Maximum number of events of a run that can be recorded: several hours of a usual cell, about 100 MB.
+/// Maximum number of recorded events: several hours of a usual cell, about 100 MB.
 const MAX_EVENTS: usize = 500_000;
 
 /// Events of a served run, and the scenario that is being written from them.
