@@ -7,7 +7,7 @@ const STRAIGHT: f64 = 1e-9;
 
 /// Two arcs with a common tangent at their junction.
 ///
-/// The control polygon has one corner on each end tangent; the ratio of the handle lengths is given (section (a) of the
+/// The control polygon has one corner on each end tangent, with a given ratio of the handle lengths (section (a) of the
 /// motion model). If the end tangents meet in a corner and the ratio equals the ratio of the distances to this corner,
 /// the polygon, and with it the curve, stays within the triangle formed by the ends and the corner.
 #[derive(Clone, Copy, Debug)]

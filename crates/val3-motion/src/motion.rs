@@ -298,7 +298,7 @@ impl Motion {
         self.fault.as_ref()
     }
 
-    /// Fault of the recorded path when the arm has stopped at it; `None` before.
+    /// Fault of the recorded path if the arm has stopped at it; `None` otherwise.
     #[must_use]
     pub fn stuck(&self) -> Option<&PathFault> {
         self.fault.as_ref().filter(|_| self.timeline.is_at_end() || self.has_altered_fault())

@@ -21,7 +21,7 @@ use crate::paths::{Paths, relative};
 use crate::unread::is_unreadable;
 use crate::user_error::UserError;
 
-/// How the check uses baselines.
+/// Use of baselines in a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Mode {
     /// Omits known findings.
@@ -52,7 +52,7 @@ pub(crate) struct KnownFindings<'a> {
     pub(crate) units: &'a [Unit],
     /// Rule selection of the command line.
     pub(crate) selection: &'a Selection,
-    /// How paths are displayed.
+    /// Path display.
     pub(crate) paths: &'a Paths,
 }
 

@@ -17,7 +17,8 @@ pub(crate) fn connect() {
     set_bug_hook(report);
 }
 
-/// Returns the exit code of a command: 2 after a report, because a result with a bug in it must not pass as clean.
+/// Returns the exit code of a command: 2 after a bug report, because the result may be wrong and must not count as
+/// clean.
 pub(crate) fn exit_code(code: ExitCode) -> ExitCode {
     let has_reported = !REPORTED.lock().unwrap_or_else(PoisonError::into_inner).is_empty();
     if has_reported { ExitCode::from(EXIT_USAGE) } else { code }

@@ -45,7 +45,7 @@ pub enum PieceKind {
 }
 
 impl PieceKind {
-    /// Name of the variant.
+    /// Name in messages and protocols.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -69,7 +69,7 @@ pub enum PieceEnd {
 }
 
 impl PieceEnd {
-    /// Name of the variant.
+    /// Name in messages and protocols.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {

@@ -67,7 +67,7 @@ fn failure(db: &Database, finding: &Diagnostic) -> Failure {
     Failure { message: finding.message.clone(), places: vec![place] }
 }
 
-/// The tests in an application that cannot be tested, or an invalid scenario.
+/// Tests in an application that cannot be tested, or an invalid scenario.
 #[derive(Debug)]
 pub(super) struct RefusedTests {
     /// Project file of the application, or scenario file.
@@ -85,7 +85,7 @@ impl RefusedTests {
         Self { path: manifest.to_owned(), case, refusal }
     }
 
-    /// A scenario.
+    /// Represents an invalid scenario.
     pub(super) fn of_scenario(path: &Utf8Path, error: UserError) -> Self {
         let folder = path.parent().and_then(Utf8Path::file_name).unwrap_or_default();
         let case = TestCase::scenario(folder, path.file_stem().unwrap_or_default(), path.as_str());
@@ -117,7 +117,7 @@ impl RefusedTests {
 }
 
 impl Tested {
-    /// A test whose script is invalid.
+    /// Creates a failed test for an invalid script.
     pub(super) fn unusable(case: &TestCase, error: &UserError) -> Self {
         let place = Place { program: case.program_name(), file: case.file.clone(), line: case.line };
         let failure = Failure { message: error.lines(), places: vec![place] };
