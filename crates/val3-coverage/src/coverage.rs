@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::program::ProgramCoverage;
 use crate::share::Share;
 
-/// Coverage by file path, independent of the order of execution.
+/// Coverage by file path, independent of the execution order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Coverage {
     programs: BTreeMap<String, ProgramCoverage>,

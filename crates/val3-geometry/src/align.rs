@@ -12,9 +12,10 @@ const ALIGNED: f64 = 1e-12;
 
 /// Returns `position`, rotated by the smallest angle that aligns its z axis with the nearest axis of `reference`.
 ///
-/// The candidates are the directions x, y, z, -x, -y, -z of `reference`; among equally near ones the first is chosen in
-/// the order x, y, z, each before its opposite. The angle is at most 54.74°. `x`, `y`, `z` of `position` remain, and
-/// those of `reference` have no effect. An aligned position is returned unchanged.
+/// The candidates are the directions x, y, z, -x, -y, -z of `reference`; among equally near directions, the first is
+/// chosen in the order x, y, z, each before its opposite. The angle is at most 54.74°. The coordinates `x`, `y`, `z` of
+/// `position` are unchanged, and the coordinates of `reference` have no effect. An aligned position is returned
+/// unchanged.
 #[must_use]
 pub fn align(position: &Trsf, reference: &Trsf) -> Trsf {
     let rotation = position.isometry().rotation;

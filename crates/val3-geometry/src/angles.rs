@@ -42,8 +42,8 @@ pub(crate) fn from_rotation(rotation: &Rotation3<f64>) -> [f64; 3] {
 
 /// Returns the angles with `ry` in [-90, 90].
 ///
-/// `rz` is computed from the rotation that remains after `rx` is undone, so that both together are right even near `ry`
-/// = ±90, where each separately is lost in noise.
+/// `rz` is computed from the rotation that remains after `rx` is undone, so that both together are correct even near
+/// `ry` = ±90, where noise dominates each of them.
 fn standard(rotation: &Rotation3<f64>) -> [f64; 3] {
     let m = rotation.matrix();
     let (sin, cos) = (-m.m23, m.m33);
@@ -88,7 +88,7 @@ mod tests {
         from_rotation(&to_rotation(angles))
     }
 
-    /// Angles that controllers wrote into public data files.
+    /// Angles that controllers have written to public data files.
     #[test]
     fn recorded_angles_stay_to_the_bit() {
         for recorded in [

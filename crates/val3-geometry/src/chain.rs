@@ -1,13 +1,13 @@
 //! Placements through fathers (manual 9.4 to 9.6): points in frames, frames in frames, tools on tools.
 //!
 //! A *chain* is a slice of transformations from the inside out: the position itself, then its father, and so on. The
-//! last one is relative to `world`, or for a tool to `flange`. `world` and `flange` are the empty chain.
+//! last transformation is relative to `world`, or to `flange` for a tool. `world` and `flange` are the empty chain.
 //!
 //! Equal transformations at the outer ends of two chains do not affect their relative pose and are omitted from the
 //! computation. Positions in the same frame are therefore compared exactly, without the rounding of a conversion to
 //! `world` and back. It does not matter whether the fathers are the same variables or have the same values.
 //!
-//! The instruction `link` changes the father and leaves the transformation unchanged, so nothing is computed.
+//! The instruction `link` changes only the father and not the transformation, so it needs no computation.
 
 use nalgebra::{IsometryMatrix3, Point3};
 
@@ -97,7 +97,7 @@ mod tests {
         assert_eq!(position(&[TABLE], &[PALLET, TABLE]), PALLET.inverse());
     }
 
-    /// The example of `distance` between two tools (manual 9.3.4) and the sentence about `position` (manual 9.6.3).
+    /// Example of `distance` between two tools (manual 9.3.4), and the sentence about `position` (manual 9.6.3).
     #[test]
     fn a_distance_is_that_of_the_positions() {
         let (first, second) = (Trsf::new([0.0, 0.0, 100.0], [0.0; 3]), Trsf::new([30.0, 40.0, 100.0], [0.0; 3]));
@@ -106,7 +106,7 @@ mod tests {
         assert_eq!(distance(&[first, TABLE], &[second, PALLET, TABLE]), 3400.0_f64.sqrt());
     }
 
-    /// The first example of `compose` (manual 9.6.3).
+    /// First example of `compose` (manual 9.6.3).
     #[test]
     fn a_rotation_turns_a_point_about_the_reference() {
         let turn = Trsf::new([0.0; 3], [0.0, 0.0, 90.0]);
@@ -116,7 +116,7 @@ mod tests {
         assert_eq!(compose(&[point], &[at_point], &turn), Some(Trsf { rz: -90.0, ..point }));
     }
 
-    /// The second example of `compose` (manual 9.6.3).
+    /// Second example of `compose` (manual 9.6.3).
     #[test]
     fn a_translation_moves_a_point_along_the_axes_of_the_reference() {
         let step = Trsf::new([10.0, 0.0, 0.0], [0.0; 3]);

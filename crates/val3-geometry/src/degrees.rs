@@ -5,7 +5,7 @@
 
 use crate::sine::{MANY_TURNS, reduce, sine_and_cosine, sine_of, to_radians};
 
-/// Tangent at odd multiples of 90°, where it has no value: the tangent of the double next to π/2.
+/// Result of `tan` at the poles, odd multiples of 90°: the tangent of the double next to π/2.
 ///
 /// The manual defines no run-time error for `tan`, and a number must not be infinite.
 const TANGENT_AT_POLE: f64 = 1.633123935319537e16;

@@ -19,8 +19,8 @@ pub struct LinePath {
 impl LinePath {
     /// Creates the path from `start` to `end`.
     ///
-    /// If the orientations are half a turn apart, both directions are equally short. The rotation axis is then the one
-    /// whose largest component, in the axes of `start`, is positive.
+    /// If the orientations are half a turn apart, both directions are equally short. The rotation axis is then chosen
+    /// so that its largest component, in the axes of `start`, is positive.
     #[must_use]
     pub fn between(start: &IsometryMatrix3<f64>, end: &IsometryMatrix3<f64>) -> Self {
         Self {

@@ -7,7 +7,7 @@ const NOISE: f64 = 1e-12;
 
 /// Returns the shortest rotation vector, with a length of at most π.
 ///
-/// A half turn has two such vectors; the one whose largest component is positive is returned.
+/// A half turn has two such vectors. The result is the vector whose largest component is positive.
 #[must_use]
 pub fn to_vector(rotation: &Rotation3<f64>) -> Vector3<f64> {
     let m = rotation.matrix();

@@ -24,7 +24,7 @@ pub(crate) fn near(left: &Trsf, right: &Trsf) -> bool {
 /// Checks that both are the same pose.
 ///
 /// # Errors
-/// The failure, for proptest.
+/// Returns the failure for proptest.
 pub(crate) fn assert_near(left: &Trsf, right: &Trsf) -> Result<(), TestCaseError> {
     prop_assert!(near(left, right), "{:?} is not {:?}", left, right);
     Ok(())

@@ -106,7 +106,7 @@ mod tests {
     use super::*;
     use crate::testing::{any_trsf, assert_near, near};
 
-    /// The picture in manual 9.3.2: each angle rotates about an axis that the previous angles have rotated.
+    /// Figure in manual 9.3.2: each angle rotates about an axis that the previous angles have rotated.
     #[test]
     fn angles_turn_one_after_the_other_about_the_new_axes() {
         let whole = Trsf::new([250.0, 350.0, 450.0], [20.0, 10.0, 30.0]);
@@ -124,7 +124,7 @@ mod tests {
         assert_eq!(step * turned, Trsf::new([15.0, 0.0, 0.0], [0.0, 0.0, 90.0]));
     }
 
-    /// The example of `appro` (manual 9.6.3): 100 mm back along z of the destination.
+    /// Example of `appro` (manual 9.6.3): 100 mm back along z of the destination.
     #[test]
     fn an_approach_goes_along_the_axes_of_the_destination() {
         let destination = Trsf::new([400.0, 0.0, 300.0], [180.0, 0.0, 0.0]);

@@ -1,4 +1,4 @@
-//! The deviation of an alterable path (manual 11.2, section (h) of the motion model).
+//! Deviation from an alterable path (manual 11.2, section (h) of the motion model).
 
 use val3_geometry::{IsometryMatrix3, rotation};
 use val3_kinematics::Configuration;
@@ -8,27 +8,27 @@ use crate::fault::Cause;
 use crate::model::{Axes, Model};
 use crate::request::SpeedLimits;
 
-/// Speeds may exceed their limits by this factor, which is rounding.
+/// Factor by which speeds may exceed their limits because of rounding.
 const ROUNDING: f64 = 1.001;
 
-/// An emergency stop ends the deviation after this time in seconds at the latest (manual 11.2.6).
+/// Longest time from an emergency stop to the end of the deviation, in seconds (manual 11.2.6).
 const EMERGENCY: f64 = 0.5;
 
-/// Result of an alter request (manual 11.2.6).
+/// Alter request result (manual 11.2.6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlterStatus {
-    /// The request is in force.
+    /// The request is in effect.
     Done,
     /// The request waits for an alterable move, or for the end of a stop.
     Waiting,
-    /// The request is ignored: the mode is active already, or not active.
+    /// The request is ignored because the mode is already active, or not active.
     Ignored,
-    /// The motion has a fault and needs a reset.
+    /// The motion has a fault and requires a reset.
     Fault,
 }
 
 impl AlterStatus {
-    /// Result of the instruction.
+    /// Return value of the VAL 3 instruction.
     #[must_use]
     pub const fn code(self) -> i8 {
         match self {
@@ -40,12 +40,12 @@ impl AlterStatus {
     }
 }
 
-/// The deviation in force.
+/// Current deviation.
 #[derive(Clone, Debug)]
 pub(crate) struct Alteration {
     reference: AlterReference,
     limits: SpeedLimits,
-    /// The configuration of the path, which no deviation changes.
+    /// Configuration of the path, which no deviation changes.
     branch: Configuration,
     wanted: IsometryMatrix3<f64>,
     applied: IsometryMatrix3<f64>,
@@ -54,14 +54,14 @@ pub(crate) struct Alteration {
     speed: Axes,
     /// Whether `alterEnd` has fixed the deviation for the rest of the path.
     pub(crate) is_ended: bool,
-    /// Whether the deviation was impossible, so that the arm keeps its position until a reset.
+    /// Whether the deviation was impossible. The arm then holds its position until a reset.
     pub(crate) has_failed: bool,
     /// Seconds until a stop locks the deviation.
     pub(crate) locks_in: Option<f64>,
 }
 
 impl Alteration {
-    /// No deviation yet from the path, on which the arm is at `axes`.
+    /// Creates an alteration without a deviation. `axes` is the arm's position on the path.
     pub(crate) fn new(model: &Model<'_>, reference: AlterReference, limits: SpeedLimits, axes: Axes) -> Self {
         Self {
             reference,
@@ -77,22 +77,22 @@ impl Alteration {
         }
     }
 
-    /// Chooses the deviation from the next cycle on.
+    /// Sets the deviation, effective from the next cycle on.
     pub(crate) fn set(&mut self, transformation: IsometryMatrix3<f64>) {
         self.wanted = transformation;
     }
 
-    /// Commanded axes of the arm.
+    /// Commanded axes.
     pub(crate) fn axes(&self) -> Axes {
         self.axes
     }
 
-    /// Whether a cycle changes it even while the arm rests on its path.
+    /// Whether a cycle would change the deviation even while the nominal motion rests.
     pub(crate) fn is_pending(&self) -> bool {
         self.wanted != self.applied || self.locks_in.is_some_and(|left| left > 0.0)
     }
 
-    /// A cycle passes, at whose end the arm would be at `nominal` without the deviation.
+    /// Advances by one cycle. `nominal` is the position at the end of the cycle without the deviation.
     pub(crate) fn advance(
         &mut self,
         model: &Model<'_>,
@@ -110,7 +110,7 @@ impl Alteration {
         Ok(())
     }
 
-    /// The axes for those of the path, with the deviation in force.
+    /// Applies the current deviation to axes on the path.
     pub(crate) fn applied_to(&self, model: &Model<'_>, nominal: &Axes, near: &Axes) -> Result<Axes, Cause> {
         self.deviated(model, &self.applied, nominal, near)
     }
@@ -129,7 +129,7 @@ impl Alteration {
         model.axes_near(self.branch, &self.flange(deviation, &flange), near)
     }
 
-    /// The flange for that of the path, with the deviation in force.
+    /// Applies the current deviation to a flange pose on the path.
     pub(crate) fn applied_to_flange(&self, nominal: &IsometryMatrix3<f64>) -> IsometryMatrix3<f64> {
         self.flange(&self.applied, nominal)
     }
@@ -162,7 +162,8 @@ impl Alteration {
         Ok(())
     }
 
-    /// A stop begins: the deviation is locked after the time that the arm needs with the deceleration of `alterBegin`.
+    /// Starts locking the deviation: it is locked after the braking time that results from the deceleration of
+    /// `alterBegin`.
     pub(crate) fn stop(&mut self, is_emergency: bool) {
         let times = self.speed.iter().zip(self.limits.deceleration).filter(|(speed, _)| **speed != 0.0);
         let time = times.map(|(speed, limit)| speed.abs() / limit).fold(0.0, f64::max);

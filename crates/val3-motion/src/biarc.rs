@@ -1,49 +1,49 @@
-//! Two circular arcs that join two positions with given directions (`blend = Cartesian`).
+//! Biarc: two circular arcs that join two positions with given directions (`blend = Cartesian`).
 
 use nalgebra::Vector3;
 
-/// Below this sine of half the turn an arc counts as a straight line, in which the error is below 1e-9 mm a metre.
+/// Sine of half the turn below which an arc counts as a straight line. The error is then below 1e-9 mm per metre.
 const STRAIGHT: f64 = 1e-9;
 
-/// Two arcs with a common tangent where they meet.
+/// Two arcs with a common tangent at their junction.
 ///
-/// Their control polygon has a corner on the tangent of either end, at distances in a given proportion (section (a) of
-/// the motion model). In proportion to the distances of the ends from the corner of two lines, the polygon and with it
-/// the curve stay within the triangle of that corner.
+/// The control polygon has one corner on each end tangent, with a given ratio of the handle lengths (section (a) of the
+/// motion model). If the end tangents meet in a corner and the ratio equals the ratio of the distances to this corner,
+/// the polygon, and with it the curve, stays within the triangle formed by the ends and the corner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Biarc {
     arcs: [Arc; 2],
 }
 
-/// One end of a [`Biarc`].
+/// End of a [`Biarc`].
 pub(crate) struct BiarcEnd {
     pub(crate) position: Vector3<f64>,
-    /// Direction of the curve there; of length 1.
+    /// Unit vector: direction of the curve at this end.
     pub(crate) direction: Vector3<f64>,
     /// Distance to the corner in mm, above 0.
     pub(crate) distance: f64,
 }
 
-/// A circular arc, or a straight line.
+/// Circular arc or straight line.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
     start: Vector3<f64>,
-    /// Of length 1.
+    /// Unit vector: direction at the start.
     direction: Vector3<f64>,
-    /// Towards the centre; of length 1, or zero for a straight line.
+    /// Unit vector towards the centre; zero for a straight line.
     inwards: Vector3<f64>,
-    /// In mm.
+    /// Radius in mm; 0 for a straight line.
     radius: f64,
-    /// In mm.
+    /// Arc length in mm.
     length: f64,
     end: Vector3<f64>,
 }
 
 impl Biarc {
-    /// Curve between two ends whose handles, the distances to the corners of the control polygon, are in the proportion
-    /// of their `distance`.
+    /// Curve between two ends. The handle lengths, from each end to its corner of the control polygon, are proportional
+    /// to `distance`.
     ///
-    /// `None` where no such curve of less than half a turn for each arc exists, because the direction is reversed.
+    /// `None` if the direction is reversed, so that no such curve with less than half a turn per arc exists.
     pub(crate) fn between(start: &BiarcEnd, end: &BiarcEnd) -> Option<Self> {
         let share = handle_share(start, end)?;
         let [first, last] = [share * start.distance, share * end.distance];
@@ -55,7 +55,7 @@ impl Biarc {
         Some(Self { arcs }).filter(|biarc| biarc.arcs.iter().all(|arc| arc.length > 0.0))
     }
 
-    /// In mm.
+    /// Curve length in mm.
     pub(crate) fn length(&self) -> f64 {
         self.arcs.iter().map(|arc| arc.length).sum()
     }
@@ -66,21 +66,21 @@ impl Biarc {
         first.length
     }
 
-    /// Position after a way in mm from the start.
+    /// Position at an arc length in mm from the start.
     pub(crate) fn at(&self, way: f64) -> Vector3<f64> {
         let [first, second] = &self.arcs;
         if way <= first.length { first.at(way) } else { second.at((way - first.length).min(second.length)) }
     }
 }
 
-/// Length of a handle as a share of the distance of its end: the corners of the control polygon are as far from each
-/// other as both handles are long.
+/// Handle length as a fraction of the end's `distance`. It follows from the condition that the distance between the
+/// corners of the control polygon equals the sum of the two handles.
 fn handle_share(start: &BiarcEnd, end: &BiarcEnd) -> Option<f64> {
     let chord = end.position - start.position;
     let legs = start.direction * start.distance + end.direction * end.distance;
     let square = 2.0 * start.distance * end.distance * (1.0 - start.direction.dot(&end.direction));
     let (linear, constant) = (chord.dot(&legs), chord.norm_squared());
-    // square·k² + 2·linear·k - constant = 0, in the form that stays exact where `square` vanishes.
+    // square·k² + 2·linear·k - constant = 0, in the form that stays exact if `square` is close to 0.
     let root = (linear * linear + square * constant).sqrt();
     Some(constant / (linear + root)).filter(|share| share.is_finite() && *share > 0.0)
 }
@@ -115,7 +115,7 @@ impl Arc {
         }
     }
 
-    /// The position after a way in mm.
+    /// Position at an arc length in mm.
     fn at(&self, way: f64) -> Vector3<f64> {
         if way >= self.length {
             return self.end;
@@ -134,7 +134,7 @@ mod tests {
 
     use super::*;
 
-    /// Corner in the origin, with a turn in degrees.
+    /// Biarc around a corner in the origin, with a turn in degrees.
     fn corner(turn: f64, leave: f64, reach: f64) -> Option<Biarc> {
         let (sin, cos) = val3_geometry::degrees::sin_cos(turn);
         let direction = Vector3::new(cos, sin, 0.0);
@@ -190,7 +190,7 @@ mod tests {
             prop_assert!((0..=100).all(|part| biarc.at(length * f64::from(part) / 100.0).z == 0.0));
         }
 
-        /// In the coordinates along both tangents, the triangle of the corner is `along >= 0`, `along` + `along` <= 1.
+        /// In coordinates along both tangents, the triangle of the corner is `along >= 0`, `along + along <= 1`.
         #[test]
         fn the_curve_stays_within_the_triangle_of_its_corner(
             turn in 1.0..179.0_f64,

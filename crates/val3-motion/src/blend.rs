@@ -1,7 +1,7 @@
-//! The path between two segments: section (a) of the motion model, [ADR 18](../../../docs/adr/0018-blends.md).
+//! Blend curve between two segments: section (a) of the motion model, [ADR 18](../../../docs/adr/0018-blends.md).
 //!
-//! Each end of a blend continues its own segment: it starts and ends with twice the rate at which the rest of the segment
-//! up to the corner would take the whole blend. So the shape never depends on how far the other side reaches.
+//! Each end of a blend continues its own segment. The rate at an end is twice the rate at which the blend would cover
+//! the rest of the segment up to the corner, so the shape at one end does not depend on the distance at the other end.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -17,25 +17,26 @@ use crate::model::{Axes, Model};
 use crate::quintic::{Jet, Quintic, bezier};
 use crate::segment::{Course, IN_PLACE, Segment};
 
-/// From this change of orientation on, in degrees, a Cartesian blend has several solutions (manual 10.1.2.3).
+/// Change of orientation, in degrees, from which a Cartesian blend is ambiguous (manual 10.1.2.3).
 const HALF_TURN: f64 = 180.0 - 0.01;
 
-/// Up to this turn in degrees a Cartesian blend follows only arcs.
+/// Turn, in degrees, up to which a Cartesian blend consists only of arcs.
 const ROUND_TURN: f64 = 100.0;
 
-/// From this turn in degrees on a Cartesian blend has no arcs.
+/// Turn, in degrees, from which a Cartesian blend has no arcs.
 const SHARP_TURN: f64 = 140.0;
 
-/// Cosine of the greatest angle between an end of the arcs and the direction to the corner: that of a quarter circle.
+/// Cosine of the greatest angle between the direction at an end of the arcs and the direction to the corner: 45°, as
+/// for a quarter circle.
 const LEAST_FORWARD: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// Part of a joint blend next to one end that has knots of its own if it is shorter.
+/// Length in u below which the turning part at an end of a joint blend has its own knots.
 const SHORT_END: f64 = 0.3;
 
-/// An axis is at its limit if it exceeds it by less, in degrees or mm.
+/// Tolerance within which an axis beyond its limit counts as at the limit, in degrees or mm.
 const ROUNDING: f64 = 1e-6;
 
-/// Parts of either segment at whose ends the change of orientation is checked.
+/// Number of points per segment at which the change of orientation is checked.
 const ORIENTATIONS: u32 = 32;
 
 /// Curve from a segment's leave point to the next segment's reach point, by u from 0 to 1.
@@ -43,34 +44,34 @@ const ORIENTATIONS: u32 = 32;
 pub(crate) enum BlendCurve {
     Joint(Box<Quintic<6>>),
     Pose(Box<PoseBlend>),
-    /// With a distance of 0 on the other side the nominal path up to the corner or from it, where the arm stops.
+    /// The nominal path on one side of the corner, if the other distance is 0. The arm stops at the corner.
     Nominal(Box<BlendEnd>),
 }
 
-/// The Cartesian blend.
+/// Cartesian blend.
 #[derive(Clone, Debug)]
 pub(crate) struct PoseBlend {
     ends: [BlendEnd; 2],
     corner: IsometryMatrix3<f64>,
-    /// Rates of both ends, as a share of those that the segments up to the corner require.
+    /// Rates at both ends, relative to the rates of the segments up to the corner.
     rate: f64,
     arcs: Option<ArcPath>,
     branch: Configuration,
-    /// Axes at both ends, to the bit those of the segments.
+    /// Axes at both ends, bit-identical to the axes of the segments.
     axes: [Axes; 2],
 }
 
-/// The position along two arcs.
+/// Position along two arcs.
 #[derive(Clone, Debug)]
 struct ArcPath {
     arcs: Biarc,
     /// Share of the arcs in the position, see [`weight_of_arcs`].
     weight: f64,
-    /// Way along the arcs in mm, as control values over u.
+    /// Arc length in mm, as Bézier control values over u.
     ways: [f64; 6],
 }
 
-/// One end of a blend, with the rest of its segment up to the corner.
+/// Blend end, with the rest of the segment up to the corner.
 #[derive(Clone, Debug)]
 pub(crate) struct BlendEnd {
     pub(crate) segment: Arc<Segment>,
@@ -80,17 +81,18 @@ pub(crate) struct BlendEnd {
 }
 
 impl BlendEnd {
-    /// Share of the segment between the end of the blend and the corner.
+    /// Fraction of the segment between the end of the blend and the corner.
     fn share(&self) -> f64 {
         (self.corner - self.sigma).abs()
     }
 
-    /// Whether the blend has no part of the segment.
+    /// Whether the end is at the corner, so that the blend covers no part of the segment.
     pub(crate) fn is_corner(&self) -> bool {
         self.sigma == self.corner
     }
 
-    /// Pose of the tool centre point on the segment, by the share of the rest that is left to the corner.
+    /// Pose of the tool centre point on the segment. `left` is the fraction of the blend's part that remains to the
+    /// corner: 1 at the end of the blend, 0 at the corner.
     fn pose_before_corner(&self, model: &Model<'_>, left: f64) -> IsometryMatrix3<f64> {
         self.segment.pose_at(model, self.sigma_at(left))
     }
@@ -99,10 +101,10 @@ impl BlendEnd {
         self.corner + (self.sigma - self.corner) * left
     }
 
-    /// Value and derivatives of the axes at the end of the blend, whose second derivatives are those of its segment.
+    /// Value and derivatives of the axes at the end of the blend. The second derivatives continue the segment.
     ///
-    /// The rate is twice the rest of the segment unless a control point of the quintic would then be outside of the hull
-    /// of both nominal pieces: close to a singular position axes are locally much faster than on average.
+    /// The rate is twice the rest of the segment, reduced if a control point of the quintic would be outside of the
+    /// hull of both nominal pieces: close to a singular position, axes are locally much faster than on average.
     fn jet(&self, model: &Model<'_>, hull: &Hull) -> Result<Jet<6>, Cause> {
         let [value, first, second] = self.segment.course(model, self.sigma)?.axes;
         let share = self.share();
@@ -113,20 +115,21 @@ impl BlendEnd {
 }
 
 impl BlendCurve {
-    /// The rest of one segment, between its corner and the end of the blend.
+    /// Returns the nominal path between the corner and the blend end.
     pub(crate) fn nominal(end: &BlendEnd) -> Self {
         Self::Nominal(Box::new(end.clone()))
     }
 
-    /// `blend = joint`: smooth in joint space up to the second derivative, within the hull of the nominal pieces.
+    /// Returns the curve for `blend = joint`: continuous in joint space up to the second derivative, and within the
+    /// hull of the nominal pieces.
     pub(crate) fn joint(model: &Model<'_>, from: &BlendEnd, to: &BlendEnd) -> Result<Self, Cause> {
         let hull = Hull::of_pieces(model, [from, to].map(|end| (&*end.segment, [end.sigma, end.corner])));
         Ok(Self::Joint(Box::new(Quintic::between(&from.jet(model, &hull)?, &to.jet(model, &hull)?))))
     }
 
-    /// `blend = Cartesian`: arcs of the tool centre point.
+    /// Returns the curve for `blend = Cartesian`: arcs of the tool centre point.
     ///
-    /// A joint blend where the tool or the configuration changes, for which no such path exists.
+    /// If the tool or the configuration changes, no such path exists, and the result is a joint blend.
     pub(crate) fn cartesian(model: &Model<'_>, from: &BlendEnd, to: &BlendEnd) -> Result<Self, Cause> {
         let courses = [from.segment.course(model, from.sigma)?, to.segment.course(model, to.sigma)?];
         let [branch, other] = courses.each_ref().map(|course| model.configuration(&course.axes[0]));
@@ -142,8 +145,8 @@ impl BlendCurve {
         Ok(Self::Pose(Box::new(blend)))
     }
 
-    /// Values of u that divide the blend into pieces of one scale, with both ends: where the second derivative jumps, and
-    /// behind a short end that turns within a small part of the curve.
+    /// Values of u that divide the blend into pieces of similar scale, both ends included: at jumps of the second
+    /// derivative, and after a short end that turns within a small part of the curve.
     pub(crate) fn pieces(&self) -> Vec<f64> {
         match self {
             Self::Pose(blend) => match &blend.arcs {
@@ -161,10 +164,10 @@ impl BlendCurve {
         }
     }
 
-    /// The axes at u, which are near to `near`.
+    /// Axes at u, on the solution nearest to `near`.
     ///
     /// # Errors
-    /// A pose cannot be reached, or an axis would be outside of its limits.
+    /// Returns the cause if a pose cannot be reached or if an axis would exceed its limits.
     pub(crate) fn axes(&self, model: &Model<'_>, u: f64, near: &Axes) -> Result<Axes, Cause> {
         match self {
             Self::Joint(quintic) => within_limits(model, quintic.at(u)),
@@ -177,12 +180,12 @@ impl BlendCurve {
     }
 }
 
-/// Whether the turn at an end of a quintic needs knots of its own.
+/// Whether the turning part at an end of a quintic requires its own knots.
 fn is_short(end: f64) -> bool {
     end < SHORT_END
 }
 
-/// The axes, which rounding may have moved beyond a limit.
+/// Clamps axes that rounding has moved beyond a limit, and rejects axes that exceed a limit by more.
 fn within_limits(model: &Model<'_>, axes: Axes) -> Result<Axes, Cause> {
     let [least, most] = model.limits();
     let clamped = axes.sup(&least).inf(&most);
@@ -208,8 +211,8 @@ impl PoseBlend {
         Ok(Self { ends: ends.map(BlendEnd::clone), corner, rate, arcs, branch, axes })
     }
 
-    /// Both segments run to their corner and from it, and their differences from the corner add up. So neither a
-    /// position nor an orientation goes beyond those of the segments.
+    /// Pose at u: the sum of both segments' differences from the corner. Neither the position nor the orientation
+    /// therefore exceeds the range of the segments.
     fn pose(&self, model: &Model<'_>, u: f64) -> IsometryMatrix3<f64> {
         let [from, to] = &self.ends;
         let first = from.pose_before_corner(model, self.left(u));
@@ -220,7 +223,7 @@ impl PoseBlend {
         IsometryMatrix3::from_parts(Translation3::from(position), rotation)
     }
 
-    /// Share of the first segment's rest that is left to the corner at u.
+    /// Fraction of the first segment's rest that remains to the corner at u.
     fn left(&self, u: f64) -> f64 {
         bezier([1.0, 1.0 - 0.4 * self.rate, 1.0 - 0.8 * self.rate, 0.0, 0.0, 0.0], u)
     }
@@ -241,9 +244,11 @@ impl PoseBlend {
 }
 
 impl ArcPath {
-    /// The arcs, with the rate of both ends. On arcs alone it is that of a constant speed, if the distances are equal.
+    /// Returns the arcs and the rate at both ends. For a blend that consists only of arcs, with equal distances, the
+    /// rate is the rate of a constant speed.
     ///
-    /// `None` where the tool centre point stays in place on a side, turns back, or follows more than a quarter of a circle.
+    /// `None` if the tool centre point does not move on one side, turns back, or follows more than a quarter of a
+    /// circle.
     fn between(courses: &[Course; 2], ends: [&BlendEnd; 2], corner: &Vector3<f64>) -> Option<(Self, f64)> {
         let [start, end] = [0, 1].map(|side| {
             let course = courses.get(side)?;
@@ -269,7 +274,7 @@ impl ArcPath {
         self.arcs.at(bezier(self.ways, u))
     }
 
-    /// u at which the arcs meet.
+    /// Value of u at the junction of the arcs.
     fn junction(&self) -> f64 {
         let (mut before, mut after) = (0.0, 1.0);
         for _ in 0..60 {
@@ -280,17 +285,18 @@ impl ArcPath {
     }
 }
 
-/// Share of arcs in the position of a blend, by the cosine of the turn between its ends.
+/// Weight of the arcs in a blend's position, from 0 to 1, by the cosine of the turn between the blend's ends.
 ///
-/// An arm passes an arc at a constant speed, so an arc of more than about two radians takes longer than a stop in the
-/// corner. The sharper the turn, the more the position is the sum of both segments, which is slow only where it turns.
+/// The arm follows an arc at a constant speed, so an arc of more than about two radians is slower than a stop in the
+/// corner. For sharper turns, the sum of both segments, which is slow only at the turn, has more weight.
 fn weight_of_arcs(cosine: f64) -> f64 {
     let [round, sharp] = [ROUND_TURN, SHARP_TURN].map(degrees::cos);
     let share = ((cosine - sharp) / (round - sharp)).clamp(0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
 }
 
-/// Checks that the orientation changes by less than half a turn from the leave point over the corner to the reach point.
+/// Checks that the orientation changes by less than half a turn from the leave point through the corner to the reach
+/// point.
 fn check_orientations(model: &Model<'_>, [from, to]: [&BlendEnd; 2]) -> Result<(), Cause> {
     let start = from.pose_before_corner(model, 1.0).rotation.inverse();
     let parts =
@@ -299,7 +305,7 @@ fn check_orientations(model: &Model<'_>, [from, to]: [&BlendEnd; 2]) -> Result<(
     let back = parts(to.clone()).map(|(end, part)| end.pose_before_corner(model, part));
     let turns: Vec<_> = there.chain(back).map(|pose| rotation::to_vector(&(start * pose.rotation))).collect();
     let turns_too_far = turns.iter().any(|turn| turn.norm().to_degrees() >= HALF_TURN);
-    // Beyond half a turn the shortest rotation is the opposite one.
+    // Beyond half a turn, the shortest rotation has the opposite direction.
     let is_opposite = |pair: &[Vector3<f64>]| matches!(pair, [one, next] if (next - one).norm() > PI);
     if turns_too_far || turns.windows(2).any(is_opposite) { Err(Cause::Reorientation) } else { Ok(()) }
 }

@@ -1,4 +1,4 @@
-//! A single blend, without a queue of moves and without times.
+//! Check of a single blend, without a queue and without speeds.
 
 use val3_kinematics::{Arm, Joints};
 use val3_moves::Millimetres;
@@ -8,12 +8,13 @@ use crate::model::Model;
 use crate::path::PathEnd;
 use crate::request::Move;
 
-/// Why an arm at `start` cannot follow the blend between two moves; `None` if it can, or if there is no blend.
+/// Returns the cause for which an arm at `start` cannot follow the blend between two moves; `None` if it can, or
+/// without a blend.
 ///
-/// `reach` is that of the blend before the first move, 0 if the arm begins it from rest.
+/// `reach` is the reach of the blend before the first move, or 0 if the first move begins at rest.
 ///
 /// # Errors
-/// The arm cannot follow one of the moves themselves.
+/// Returns the cause if the arm cannot follow one of the two moves.
 pub fn blend_fault(arm: &Arm, start: Joints, moves: [&Move; 2], reach: Millimetres) -> Result<Option<Cause>, Cause> {
     PathEnd::starting_at(start.into()).blend_fault(&Model(arm), moves, reach)
 }

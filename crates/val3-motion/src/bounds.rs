@@ -1,30 +1,31 @@
-//! The speeds and accelerations that the limits allow between two points of the path.
+//! Bounds on speeds and accelerations between two points of the path.
 //!
-//! With s as the parameter of the path, x = ṡ² and u = s̈, axis j moves at q′ⱼ·√x and accelerates by q′ⱼ·u + q″ⱼ·x.
-//! Between two points u is constant, so x at the second one is x + 2·u·step. Every limit at either point, or in the mean, is
-//! therefore a half plane of (u, x) at the first one, and the values of u that are allowed at a given x are an interval.
+//! With s as the parameter of the path, x = ṡ² and u = s̈, axis j has the speed q′ⱼ·√x and the acceleration q′ⱼ·u +
+//! q″ⱼ·x. Between two points u is constant, so x at the second point is x + 2·u·step. Every limit at either point, or
+//! on the mean, is therefore a half plane of (u, x) at the first point, and the permitted values of u at a given x form
+//! an interval.
 //!
-//! The mean acceleration of an interval is exactly within the limit. Where a path bends within it, the acceleration at an
-//! end may exceed the limit a little, so that a coarse plan takes as little time as a fine one.
+//! An interval's mean acceleration is exactly within the limit. If the path bends within the interval, the acceleration
+//! at an end may exceed the limit slightly, so that a coarse plan is as fast as a fine plan.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-/// Greatest number of arm axes.
+/// Maximum number of arm axes.
 pub(crate) const AXES: usize = 6;
 
-/// Below this share of the fastest axis an axis counts as not moving: its acceleration then limits only x.
+/// Speed relative to the fastest axis below which an axis counts as not moving. Its acceleration then limits only x.
 const AT_REST: f64 = 1e-9;
 
-/// Greatest x where nothing limits the speed.
+/// Value of x without a speed limit.
 const FASTEST: f64 = 1e30;
 
-/// Acceleration at an end of an interval, as a share of its limit.
+/// Permitted acceleration at the ends of intervals, relative to the limit.
 const AT_END: f64 = 1.012;
 
-/// The interval of u that one axis allows at x: from `low - slope * x` to `high - slope * x`.
+/// Interval of u that one axis permits at x: from `low - slope * x` to `high - slope * x`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AxisBound {
     low: f64,
@@ -43,36 +44,38 @@ impl AxisBound {
         self.high - self.slope * x
     }
 
-    /// Whether this bound allows nothing that `other` forbids, for every x from 0 to `top`: both are linear in x.
+    /// Whether this bound is at least as strict as `other` for every x from 0 to `top`. The two ends suffice, because
+    /// both bounds are linear in x.
     fn implies(&self, other: &Self, top: f64) -> bool {
         let is_within = |x| self.low_at(x) >= other.low_at(x) && self.high_at(x) <= other.high_at(x);
         is_within(0.0) && is_within(top)
     }
 }
 
-/// How an axis moves along the path at one point, and what it can do.
+/// Axis derivatives along the path at one point, with the acceleration limits.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct AxisMotion {
-    /// q′: change of the axis for each unit of the path parameter.
+    /// q′: change of the axis per unit of the path parameter.
     pub(crate) tangent: f64,
-    /// q″.
+    /// q″: second derivative by the path parameter.
     pub(crate) curvature: f64,
-    /// Greatest increase of speed, per second squared.
+    /// Acceleration limit, per second squared.
     pub(crate) acceleration: f64,
-    /// Greatest decrease of speed, per second squared.
+    /// Deceleration limit, per second squared.
     pub(crate) deceleration: f64,
 }
 
-/// One end of an interval of the path.
+/// Path point at which intervals end and begin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct IntervalEnd {
     pub(crate) axes: [AxisMotion; AXES],
-    /// Greatest x by the limits of speed.
+    /// Maximum x permitted by the speed limits.
     pub(crate) top: f64,
 }
 
 impl IntervalEnd {
-    /// A point between this one and the next, at a share of their distance: derivatives are linear there.
+    /// Returns the point at a fraction of the distance from this point to the next. Derivatives are interpolated
+    /// linearly.
     pub(crate) fn towards(&self, next: &Self, share: f64) -> Self {
         let between = |one: f64, other: f64| one + (other - one) * share;
         let mut point = *self;
@@ -84,9 +87,9 @@ impl IntervalEnd {
         point
     }
 
-    /// How far accelerations may exceed their limits between this point and its neighbours, as a share of the limits.
+    /// Possible excess of accelerations between this point and its neighbours, relative to the limits.
     ///
-    /// At the greatest x an acceleration between two points is above their mean by an eighth of the second difference.
+    /// At the greatest x, the acceleration between two points exceeds their mean by an eighth of the second difference.
     pub(crate) fn bulge(&self, before: &Self, after: &Self) -> f64 {
         let top = self.axes.iter().map(AxisMotion::at_rest).fold(self.top, f64::min);
         let axes = self.axes.iter().zip(&before.axes).zip(&after.axes);
@@ -98,25 +101,25 @@ impl IntervalEnd {
     }
 }
 
-/// Half planes of (u, x) at the start of an interval.
+/// Half planes of (u, x) at an interval's start.
 #[derive(Clone, Debug)]
 pub(crate) struct Bounds<'a> {
-    /// Without most of those that another one implies.
+    /// Bounds of the axes, without most of the bounds that another bound implies.
     axes: Cow<'a, [AxisBound]>,
-    /// Greatest x by the limits of speed, and by the accelerations of axes that are at rest.
+    /// Maximum x at the start, permitted by the speed limits and by the accelerations of axes at rest.
     top: f64,
-    /// Greatest x by the limits of speed up to the end of the interval.
+    /// Maximum x in the entire interval, permitted by the speed limits.
     level: f64,
 }
 
-/// The bounds of many intervals.
+/// Bounds of consecutive intervals.
 #[derive(Debug)]
 pub(crate) struct BoundsTable {
     axes: Vec<AxisBound>,
     intervals: Vec<IntervalBounds>,
 }
 
-/// The bounds of an interval in a table.
+/// Interval bounds in a [`BoundsTable`].
 #[derive(Debug)]
 struct IntervalBounds {
     axes: Range<usize>,
@@ -125,7 +128,8 @@ struct IntervalBounds {
 }
 
 impl BoundsTable {
-    /// Bounds from each point to the next, which is `step` apart. The last point has those of the preceding interval.
+    /// Computes the bounds from each point to the next, at a distance of `step`. The last point has the bounds of the
+    /// preceding interval.
     pub(crate) fn between(points: &[IntervalEnd], step: f64) -> Self {
         let mut table = Self { axes: Vec::new(), intervals: Vec::with_capacity(points.len()) };
         for (start, end) in points.iter().zip(points.iter().skip(1)) {
@@ -141,21 +145,21 @@ impl BoundsTable {
         table
     }
 
-    /// The bounds from a point on.
+    /// Bounds of the interval that begins at a point.
     pub(crate) fn get(&self, index: usize) -> Option<Bounds<'_>> {
         let IntervalBounds { axes, top, level } = self.intervals.get(index)?;
         Some(Bounds { axes: Cow::Borrowed(self.axes.get(axes.clone())?), top: *top, level: *level })
     }
 }
 
-/// Bounds of the axes that count up to a greatest x.
+/// Bounds of the axes that are relevant up to a greatest x.
 struct AxisBounds {
     axes: ArrayVec<AxisBound, { 3 * AXES }>,
     top: f64,
 }
 
 impl AxisBounds {
-    /// The bounds between two points, with `top` and `level` of [`Bounds`].
+    /// Computes the bounds between two points, with `top` and `level` of [`Bounds`].
     fn between(start: &IntervalEnd, end: &IntervalEnd, step: f64) -> (ArrayVec<AxisBound, { 3 * AXES }>, f64, f64) {
         let (mut top, mut level) = (start.top, start.top.min(end.top));
         let mut bounds = Self { axes: ArrayVec::new(), top: top.min(FASTEST) };
@@ -179,7 +183,7 @@ impl AxisBounds {
         (bounds.axes, top, level)
     }
 
-    /// Adds a bound unless another one implies it.
+    /// Adds a bound unless another bound implies it.
     fn add(&mut self, bound: AxisBound) {
         if !self.axes.iter().any(|other| other.implies(&bound, self.top)) {
             self.axes.push(bound);
@@ -188,33 +192,33 @@ impl AxisBounds {
 }
 
 impl Bounds<'_> {
-    /// The bounds between two points that are `step` apart.
+    /// Computes the bounds between two points at a distance of `step`.
     pub(crate) fn between(start: &IntervalEnd, end: &IntervalEnd, step: f64) -> Self {
         let (axes, top, level) = AxisBounds::between(start, end, step);
         Self { axes: Cow::Owned(axes.to_vec()), top, level }
     }
 
-    /// Greatest x by the limits of speed.
+    /// Maximum x permitted by the speed limits.
     pub(crate) fn top(&self) -> f64 {
         self.top
     }
 
-    /// Greatest x that the limits of speed allow from here to the next knot.
+    /// Maximum x that the speed limits permit up to the next knot.
     pub(crate) fn level(&self) -> f64 {
         self.level
     }
 
-    /// These bounds with x no greater than `top` here, nor than `level` up to the end of the interval.
+    /// Limits x further: to `top` at the start and to `level` up to the end of the interval.
     pub(crate) fn reduced(self, top: f64, level: f64) -> Self {
         Self { top: self.top.min(top), level: self.level.min(level), ..self }
     }
 
-    /// Greatest u at x.
+    /// Maximum u at x.
     pub(crate) fn highest(&self, x: f64) -> f64 {
         self.axes.iter().map(|axis| axis.high_at(x)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Smallest u at x.
+    /// Minimum u at x.
     pub(crate) fn lowest(&self, x: f64) -> f64 {
         self.axes.iter().map(|axis| axis.low_at(x)).fold(f64::NEG_INFINITY, f64::max)
     }
@@ -224,10 +228,11 @@ impl Bounds<'_> {
         self.lowest(x) <= 0.0 && self.highest(x) >= 0.0
     }
 
-    /// The greatest x here from which x can be between 0 and `next` at the following point, `step` further.
+    /// Greatest x at this point from which an x between 0 and `next` is possible at the following point, at a distance
+    /// of `step`.
     ///
-    /// At x = 0 there is always such a u. The width of the interval of u is a concave function of x, so Newton's method from
-    /// above visits a few pairs of edges and ends at its root.
+    /// At x = 0 such a u always exists. The width of the u interval is a concave function of x, so Newton's method,
+    /// started from above, reaches the root after a few pairs of edges.
     pub(crate) fn controllable(&self, step: f64, next: f64) -> f64 {
         let slope = 1.0 / (2.0 * step);
         let halt = AxisBound { low: 0.0, slope, ..AxisBound::NONE };
@@ -246,7 +251,7 @@ impl Bounds<'_> {
                 }
             }
             let meeting = (upper.high - lower.low) / (upper.slope - lower.slope);
-            // Rounding ends the search as well.
+            // Rounding errors end the search as well.
             let is_lower = upper.slope > lower.slope && meeting < x;
             if !is_lower {
                 return x.max(0.0);
@@ -265,27 +270,27 @@ impl AxisMotion {
         Self { acceleration: self.acceleration * share, deceleration: self.deceleration * share, ..self }
     }
 
-    /// Greatest x where the axis does not move.
+    /// Maximum x at a point where the axis does not move.
     fn at_rest(&self) -> f64 {
         self.acceleration.min(self.deceleration) / self.curvature.abs()
     }
 
-    /// The mean over an interval, up to whose end the derivatives change to those of `next`.
+    /// Mean over the interval from this point to `next`.
     fn mean(&self, next: &Self, step: f64) -> Self {
         let tangent = (self.tangent + next.tangent) / 2.0 + (self.curvature - next.curvature) * step / 12.0;
         let curvature = if step > 0.0 { (next.tangent - self.tangent) / step } else { self.curvature };
         if self.tangent * next.tangent > 0.0 {
             return Self { tangent, curvature, ..*self };
         }
-        // An axis that turns back brakes before it and then speeds up.
+        // An axis that reverses brakes first and then accelerates.
         let most = self.acceleration.max(self.deceleration);
         Self { tangent, curvature, acceleration: most, deceleration: most }
     }
 
-    /// The interval of u that the axis allows at x of a point that is `ahead / 2` before it.
+    /// Interval of u that the axis permits, by the x of a point `ahead / 2` before this point.
     fn bound(&self, ahead: f64) -> AxisBound {
         let by_u = self.tangent + ahead * self.curvature;
-        // The speed increases if the axis accelerates in the direction in which it moves.
+        // The speed increases if the axis accelerates in its direction of motion.
         let speeds_up = by_u * self.tangent > 0.0;
         let (up, down) =
             if speeds_up { (self.acceleration, self.deceleration) } else { (self.deceleration, self.acceleration) };
@@ -302,14 +307,14 @@ mod tests {
 
     const STEP: f64 = 0.01;
 
-    /// Bounds of axes whose derivatives are the same at both ends.
+    /// Bounds of axes with the same derivatives at both ends.
     fn even(axes: &[AxisMotion], top: f64) -> Bounds<'static> {
         let mut end = IntervalEnd { axes: [AxisMotion::default(); AXES], top };
         end.axes.iter_mut().zip(axes).for_each(|(axis, given)| *axis = *given);
         Bounds::between(&end, &end, STEP)
     }
 
-    /// One axis that moves 100 degrees for each unit of the parameter.
+    /// Bounds for one axis that moves 100 degrees per unit of the parameter.
     fn straight(speed: f64, acceleration: f64, deceleration: f64) -> Bounds<'static> {
         let axis = AxisMotion { tangent: -100.0, curvature: 0.0, acceleration, deceleration };
         even(&[axis], (speed / 100.0).powi(2))
@@ -337,7 +342,7 @@ mod tests {
         assert_eq!(bounds.controllable(0.1, 0.25), 0.25);
     }
 
-    /// At both ends of the interval the axis keeps to its limits at the greatest x.
+    /// At the greatest x, the axis is within its limits at both ends of the interval.
     #[test]
     fn a_curve_reduces_what_is_controllable() {
         let axis = AxisMotion { tangent: 1.0, curvature: 20.0, acceleration: 5.0, deceleration: 5.0 };

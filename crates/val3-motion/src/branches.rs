@@ -1,4 +1,4 @@
-//! The configuration along a Cartesian path. A path that passes exactly through a singular position may change it
+//! Configuration along a Cartesian path. A path exactly through a singular position may change the configuration
 //! (manual 10.1.4.2, section (k) of the motion model).
 
 use val3_geometry::degrees;
@@ -7,22 +7,23 @@ use val3_kinematics::{Arm, Configuration, ConfigurationRequest, Elbow, Requested
 use crate::fault::Cause;
 use crate::model::Axes;
 
-/// The arm is in a singular position below this distance from it: a sine, or a share of the reach.
+/// Distance from a singular position below which the arm counts as singular: a sine, or a fraction of the arm's reach.
 const SINGULAR: f64 = 1e-6;
 
-/// This near to a change, as a share of the path, the axes are interpolated: one of them is undetermined at the change.
+/// Distance from a change, as a fraction of the path, within which the axes are interpolated because one axis is
+/// undetermined at the change.
 const NEAR: f64 = 1e-6;
 
-/// Distance from a change at which both ways to continue are compared, as a share of the path.
+/// Distance from a change, as a fraction of the path, at which both possible continuations are compared.
 const PROBE: f64 = 1e-4;
 
-/// A way to continue bends less than this, in degrees.
+/// Maximum deviation of a continuation from the extrapolated axes, in degrees.
 const BEND: f64 = 1.0;
 
-/// Steps of the search for the place that is nearest to a singular position.
+/// Steps of the search for the point nearest to a singular position.
 const SEARCH: usize = 80;
 
-/// A part of the configuration.
+/// Part of the configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ConfigurationPart {
     Shoulder,
@@ -31,7 +32,7 @@ pub(crate) enum ConfigurationPart {
 }
 
 impl ConfigurationPart {
-    /// The parts that a destination leaves free.
+    /// Parts of the configuration that a destination does not prescribe.
     pub(crate) fn free(requested: &RequestedConfiguration) -> impl Iterator<Item = Self> + use<> {
         let parts = [
             (Self::Shoulder, requested.shoulder == ConfigurationRequest::Free),
@@ -41,7 +42,7 @@ impl ConfigurationPart {
         parts.into_iter().filter_map(|(part, is_free)| is_free.then_some(part))
     }
 
-    /// How far the arm is from the position in which this part changes: a sine, or a share of the reach.
+    /// Distance from the singular position in which this part changes: a sine, or a fraction of the arm's reach.
     pub(crate) fn distance(self, arm: &Arm, axes: &Axes) -> f64 {
         let sine = |axis: usize| axes.get(axis).map_or(f64::INFINITY, |angle| degrees::sin(*angle).abs());
         match self {
@@ -59,7 +60,8 @@ impl ConfigurationPart {
         }
     }
 
-    /// Whether the arm may be in that position within two steps of a path, after `before` and `near`.
+    /// Whether the arm may pass the singular position of this part within two steps of a path, after `before` and
+    /// `near`.
     pub(crate) fn may_change(self, arm: &Arm, before: Option<&Axes>, near: &Axes) -> bool {
         let distance = self.distance(arm, near);
         let approached = before.map_or(0.0, |before| self.distance(arm, before) - distance);
@@ -93,15 +95,15 @@ impl ConfigurationPart {
     }
 }
 
-/// The configuration by σ.
+/// Configuration by σ.
 #[derive(Clone, Debug)]
 pub(crate) struct Branches {
     start: Configuration,
-    /// Changes with their σ, in their order.
+    /// Configuration changes with their σ, in ascending order.
     changes: Vec<(f64, Configuration)>,
 }
 
-/// The axes of a path at σ on a branch, near to other axes.
+/// Solver for the axes of a path at σ on a branch, near to other axes.
 pub(crate) trait Solve: Fn(Configuration, f64, &Axes) -> Result<Axes, Cause> {}
 
 impl<F: Fn(Configuration, f64, &Axes) -> Result<Axes, Cause>> Solve for F {}
@@ -111,7 +113,7 @@ impl Branches {
         Self { start, changes: Vec::new() }
     }
 
-    /// The axes at σ.
+    /// Axes at σ.
     pub(crate) fn axes(&self, solve: impl Solve, sigma: f64, near: &Axes) -> Result<Axes, Cause> {
         let Some((change, _)) = self.changes.iter().find(|(change, _)| (sigma - change).abs() < NEAR) else {
             return solve(self.at(sigma), sigma, near);
@@ -130,7 +132,7 @@ impl Branches {
         self.changes.iter().rev().find(|(change, _)| *change < sigma).map_or(self.start, |(_, branch)| *branch)
     }
 
-    /// Looks for a change of a part between two values of σ. `near` are the axes at the first.
+    /// Searches for a change of a part between two values of σ. `near` are the axes at the first value.
     pub(crate) fn look_for(
         &mut self,
         part: ConfigurationPart,
@@ -155,7 +157,7 @@ impl Branches {
     }
 }
 
-/// Whether the axes continue evenly beyond a singular position on the second branch rather than on the first.
+/// Whether the axes continue smoothly beyond a singular position on the second branch rather than on the first.
 fn continues_on_other(solve: impl Solve, [branch, other]: [Configuration; 2], change: f64, near: &Axes) -> bool {
     let after = change + PROBE;
     let expected = if change < 2.0 * PROBE {
@@ -169,7 +171,7 @@ fn continues_on_other(solve: impl Solve, [branch, other]: [Configuration; 2], ch
     after <= 1.0 && bend(other) < BEND.min(bend(branch) / 2.0)
 }
 
-/// The place of the lowest value of a function that falls and then rises (golden section).
+/// Minimum point of a function that decreases and then increases (golden-section search).
 fn lowest(mut from: f64, mut to: f64, value: impl Fn(f64) -> f64) -> f64 {
     const SHARE: f64 = 0.618_033_988_749_894_8;
     let inner = |from: f64, to: f64| [to - (to - from) * SHARE, from + (to - from) * SHARE];

@@ -10,24 +10,24 @@ use crate::span::{Reduction, Span};
 /// Acceleration of gravity in m/s²: the nominal force lifts the nominal load.
 const GRAVITY: f64 = 9.81;
 
-/// Distance in metres at which the load resists a rotation of the tool (model choice).
+/// Lever arm in metres at which the load resists a rotation of the tool (model choice).
 const LEVER: f64 = 0.1;
 
-/// Smaller forces do not move the arm, as a share of the nominal force (model choice).
+/// Force below which the arm does not move, as a fraction of the nominal force (model choice).
 const STICTION: f64 = 0.02;
 
-/// The arm is at rest below this share of its greatest speed.
+/// Speed below which the arm is at rest, as a fraction of the greatest speed.
 const AT_REST: f64 = 1e-4;
 
-/// The greatest step of the integration, in seconds.
+/// Maximum step of the integration, in seconds.
 const STEP: f64 = 0.001;
 
-/// A force from outside that acts on the arm.
+/// External force on the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ExternalForce {
-    /// On the tool centre point, in N along the axes of world.
+    /// Force on the tool centre point, in N along the axes of `world`.
     World(Vector3<f64>),
-    /// In N along the path of the move.
+    /// Force along the path of the move, in N.
     Path(f64),
 }
 
@@ -37,34 +37,34 @@ impl Default for ExternalForce {
     }
 }
 
-/// How far the arm is on the path of a compliant move.
+/// State of the arm on the path of a compliant move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Glide {
     pub(crate) p: f64,
-    /// ṗ, negative on the way back.
+    /// ṗ; negative for a backward motion.
     pub(crate) rate: f64,
 }
 
-/// The forces of a cycle.
+/// Forces and speed limits of a cycle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Forces<'a> {
-    /// The force command of the move.
+    /// Force command of the move.
     pub(crate) command: Percent,
     pub(crate) external: ExternalForce,
-    /// The monitor speed, as a share.
+    /// Monitor speed; 1 for 100 %.
     pub(crate) pace: f64,
-    /// The limits of reduced speed, if it is in force.
+    /// Reduced speed limits; `None` at normal speed.
     pub(crate) reduction: Option<&'a Reduction>,
 }
 
 impl Glide {
-    /// The arm at the start of a span.
+    /// State at rest at the start of a span.
     pub(crate) fn at_start(span: &Span) -> Self {
         let [p, _] = span.range();
         Self { p, rate: 0.0 }
     }
 
-    /// Moves on by a duration, at most to the end of the span. Returns whether the arm has moved.
+    /// Advances by a duration, at most to the end of the span. Returns whether the arm has moved.
     pub(crate) fn advance(&mut self, model: &Model<'_>, span: &Span, forces: &Forces<'_>, duration: Seconds) -> bool {
         let (start, mut left) = (self.p, duration.0);
         let tangent = Tangent::at(model, span, start);
@@ -80,10 +80,11 @@ impl Glide {
         self.p != start
     }
 
-    /// Moves on by some seconds under a share of the nominal force.
+    /// Advances by a number of seconds under a fraction of the nominal force.
     fn step(&mut self, (span, bounds): (&Span, &Bounds<'_>), share: f64, (inertia, pace): (f64, f64), seconds: f64) {
         let fastest = bounds.top().sqrt() * pace;
-        // M·p̈ = F - c·ṗ, where the nominal force keeps the greatest speed, by the implicit method of Euler.
+        // Implicit Euler step of M·p̈ = F - c·ṗ. The damping c is chosen so that the nominal force sustains the
+        // greatest speed.
         let (target, lag) = (share * fastest, inertia * fastest / GRAVITY);
         let wanted = (self.rate * lag + target * seconds) / (lag + seconds);
         let x = self.rate * self.rate;
@@ -98,11 +99,11 @@ impl Glide {
     }
 }
 
-/// How the tool moves along the path.
+/// Direction and inertia of the tool along the path.
 struct Tangent {
     /// Direction of the tool centre point in world; zero for a rotation.
     direction: Vector3<f64>,
-    /// Way of the load in metres for each unit of p.
+    /// Distance that the load moves per unit of p, in metres.
     inertia: f64,
 }
 
@@ -120,7 +121,7 @@ impl Tangent {
         }
     }
 
-    /// The force along the path, in N.
+    /// Force component along the path, in N.
     fn along(&self, force: &ExternalForce) -> f64 {
         match force {
             ExternalForce::World(force) => force.dot(&self.direction),

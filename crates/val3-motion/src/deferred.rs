@@ -1,23 +1,24 @@
-//! Moves whose start is not known: they follow an alterable path, which ends wherever `alterEnd` leaves the arm.
+//! Deferred moves: their start is unknown, because they follow an alterable path whose end depends on the deviation at
+//! `alterEnd`.
 
 use std::collections::VecDeque;
 
 use crate::path::PathEnd;
 use crate::request::Move;
 
-/// A request that waits.
+/// Deferred request.
 #[derive(Clone, Debug)]
 pub(crate) enum DeferredRequest {
-    /// A move with its serial number.
+    /// Move with its serial number.
     Move(u64, Box<Move>),
-    /// The last move ends at its destination.
+    /// End of the last move at its destination, without a blend.
     Close,
 }
 
-/// The requests that wait.
+/// Deferred requests.
 #[derive(Clone, Debug)]
 pub(crate) struct Deferred {
     pub(crate) requests: VecDeque<DeferredRequest>,
-    /// The path without any deviation, on which their targets are checked.
+    /// Path without a deviation, on which the requested targets are checked.
     pub(crate) nominal: PathEnd,
 }

@@ -1,5 +1,5 @@
-//! The arm away from its path: after a reset to another start, or moved by hand; and the way back, the connection move
-//! (manual 10.6, section (g) of the motion model).
+//! Departure of the arm from its path, after a reset to another start or a motion by hand, and the connection move back
+//! to the path (manual 10.6, section (g) of the motion model).
 
 use std::sync::Arc;
 
@@ -12,39 +12,40 @@ use crate::model::{Axes, Model};
 use crate::motion::Motion;
 use crate::request::{Move, SpeedLimits};
 
-/// The arm continues without a connection move if no axis is further away from its path, in degrees or mm.
+/// Maximum axis distance from the path for continuing without a connection move, in degrees or mm.
 const ON_PATH: f64 = 1e-3;
 
-/// Speed and acceleration of a connection move, as shares of the nominal ones (model choice).
+/// Speed and acceleration of a connection move, relative to the nominal values (model choice).
 const SLOW: f64 = 0.1;
 
-/// Greatest speed of the tool centre point of a connection move (model choice).
+/// Maximum speed of the tool centre point in a connection move (model choice).
 const TIP: MillimetresPerSecond = MillimetresPerSecond(250.0);
 
-/// Where an arm is that is not on its path.
+/// Arm state away from the path.
 #[derive(Clone, Debug)]
 pub(crate) enum Departure {
-    /// It still brakes on the path that a reset has forgotten.
+    /// The arm still brakes on a path that a reset has removed.
     Braking(Box<Motion>),
-    /// It rests at these axes.
+    /// The arm rests at these axes.
     At(Axes),
-    /// It moves back.
+    /// The arm executes a connection move.
     Connecting(Box<Motion>),
 }
 
-/// The way back to the path.
+/// Distance back to the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Connection {
-    /// Distance of the tool centre point.
+    /// Distance of the tool centre point from the path.
     pub distance: Millimetres,
     /// Rotation of the tool.
     pub rotation: Degrees,
-    /// The greatest way of an axis, in degrees or mm.
+    /// Greatest axis distance, in degrees or mm.
     pub axis: f64,
 }
 
 impl Departure {
-    /// The arm rests at `axes`; none if that is on the path, where `target` is.
+    /// Creates the departure for an arm that rests at `axes`; `None` if `axes` equals `target`, the position on the
+    /// path.
     pub(crate) fn at(axes: Axes, target: &Axes) -> Option<Self> {
         (axes != *target).then_some(Self::At(axes))
     }
@@ -57,7 +58,7 @@ impl Departure {
         }
     }
 
-    /// The motion of the arm, if it moves.
+    /// Motion of the arm; `None` if it rests.
     pub(crate) fn motion(&mut self) -> Option<&mut Motion> {
         match self {
             Self::At(_) => None,
@@ -78,13 +79,13 @@ impl Connection {
         }
     }
 
-    /// Whether the arm is too far away to continue without a connection move.
+    /// Whether the arm is too far from the path to continue without a connection move.
     pub(crate) fn is_needed(&self) -> bool {
         self.axis > ON_PATH
     }
 }
 
-/// The connection move from one joint position to another.
+/// Creates the connection move from one joint position to another.
 pub(crate) fn connection(
     arm: &Arc<Arm>,
     from: Joints,

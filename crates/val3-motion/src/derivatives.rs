@@ -1,4 +1,4 @@
-//! First and second derivatives of values that are known at equal distances, to the fourth order of the distance.
+//! Numerical first and second derivatives of equidistant values, to the fourth order.
 
 use nalgebra::SVector;
 
@@ -34,7 +34,8 @@ const SECOND: [[f64; 5]; 5] = [
     [11.0, -56.0, 114.0, -104.0, 35.0],
 ];
 
-/// The first derivative at each of `values`, which are `step` apart, to the sixth order; zero for fewer than seven values.
+/// Returns the first derivative at each of the `values`, which are `step` apart, to the sixth order; zero for fewer
+/// than seven values.
 pub(crate) fn tangents<const N: usize>(values: &[SVector<f64, N>], step: f64) -> impl Iterator<Item = SVector<f64, N>> {
     let scale = 1.0 / (60.0 * step);
     (0..values.len()).map(move |index| {
@@ -45,8 +46,8 @@ pub(crate) fn tangents<const N: usize>(values: &[SVector<f64, N>], step: f64) ->
     })
 }
 
-/// How far [`tangents`] may be wrong at the first of at least seven values, as a share of the derivative: the last term of
-/// its series. A value without a change has no such share.
+/// Estimates the relative error of [`tangents`] at the first of at least seven values: the last term of the series
+/// divided by the derivative. The result is NaN for constant values.
 pub(crate) fn edge_error<'a, const N: usize>(values: impl Iterator<Item = &'a SVector<f64, N>>) -> f64 {
     let [first, ..] = &TANGENT;
     let terms = values.zip(first).zip(SIXTH_DIFFERENCE);
@@ -57,7 +58,7 @@ pub(crate) fn edge_error<'a, const N: usize>(values: impl Iterator<Item = &'a SV
     difference / derivative
 }
 
-/// The derivatives at one of five values that are `step` apart.
+/// Returns the first and second derivative at one of five values that are `step` apart.
 pub(crate) fn at<const N: usize>(values: &[SVector<f64, N>], index: usize, step: f64) -> [SVector<f64, N>; 2] {
     let weighted = |weights: &[[f64; 5]; 5], divisor: f64| {
         let weights = weights.get(index).copied().unwrap_or_default();

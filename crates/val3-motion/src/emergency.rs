@@ -5,13 +5,13 @@ use crate::derivatives;
 use crate::model::Model;
 use crate::span::Span;
 
-/// Deceleration as a multiple of the nominal one, whatever the move allows (model choice).
+/// Deceleration as a multiple of the nominal deceleration, independently of the move's limits (model choice).
 const STRENGTH: f64 = 2.0;
 
-/// Distance of the points from which derivatives are computed, as a share of the span.
+/// Distance between the points from which derivatives are computed, as a fraction of the span.
 const STENCIL: f64 = 1e-3;
 
-/// The smallest p̈ at p and ṗ².
+/// Returns the smallest p̈ that the arm can reach at p and x = ṗ².
 pub(crate) fn braking(model: &Model<'_>, span: &Span, p: f64, x: f64) -> f64 {
     let [from, to] = span.range();
     let step = (to - from) * STENCIL;

@@ -1,23 +1,23 @@
-//! The executor: follows a timeline, never plans.
+//! Executor: follows a timeline without planning.
 
 use val3_moves::{Percent, Seconds};
 
 use crate::span::Span;
 use crate::timeline::{Cursor, Timeline};
 
-/// Seconds in which the monitor speed rises from 0 to 100 % (model choice).
+/// Ramp time of the monitor speed from 0 to 100 %, in seconds (model choice).
 const RAMP: f64 = 0.25;
 
-/// Follows a timeline at the monitor speed.
+/// Executor of a timeline at the monitor speed.
 ///
 /// The monitor speed stretches time and therefore never changes the path.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Executor {
-    /// Share of full speed that is in force; 1 for 100 %.
+    /// Current fraction of full speed; 1 for 100 %.
     pace: f64,
-    /// Share that the operator has chosen.
+    /// Monitor speed that the operator has set; 1 for 100 %.
     chosen: f64,
-    /// A halt is in force, whose speeds no monitor speed changes.
+    /// Whether the arm halts. The monitor speed does not affect a halt.
     is_halting: bool,
 }
 
@@ -28,7 +28,7 @@ impl Default for Executor {
 }
 
 impl Executor {
-    /// Chooses the monitor speed; it comes into force as a ramp, or immediately while the arm rests.
+    /// Sets the monitor speed. The change is a ramp, or immediate if the arm rests.
     pub(crate) fn set_monitor_speed(&mut self, speed: Percent, at_rest: bool) {
         self.chosen = (speed.0 / 100.0).max(0.0);
         if at_rest && !self.is_halting {
@@ -36,13 +36,13 @@ impl Executor {
         }
     }
 
-    /// A halt comes into force. Returns the share of full speed at which the arm moves.
+    /// Starts a halt. Returns the fraction of full speed at which the arm moves.
     pub(crate) fn halt(&mut self) -> f64 {
         self.is_halting = true;
         std::mem::replace(&mut self.pace, 1.0)
     }
 
-    /// Share of full speed that is in force.
+    /// Current fraction of full speed.
     pub(crate) fn pace(&self) -> f64 {
         self.pace
     }
@@ -51,13 +51,13 @@ impl Executor {
         self.is_halting
     }
 
-    /// The arm, which is at rest, may continue.
+    /// Ends a halt after the arm has come to rest.
     pub(crate) fn release(&mut self) {
         (self.pace, self.is_halting) = (self.chosen, false);
     }
 
-    /// Moves the cursor by a duration. `passage` gets each passage from one span to the next, with the time since the
-    /// beginning. The time is exact while the monitor speed does not change.
+    /// Moves the cursor by a duration. Calls `passage` for each transition from one span to the next, with the time
+    /// since the beginning of the cycle. The time is exact while the monitor speed is constant.
     pub(crate) fn advance(
         &mut self,
         timeline: &mut Timeline,
@@ -90,7 +90,7 @@ impl Executor {
         Advance { moved, end: since(left) }
     }
 
-    /// The duration at full speed that corresponds to `seconds`, while the pace follows its ramp.
+    /// Converts `seconds` to the corresponding duration at full speed, and advances the ramp of the pace.
     pub(crate) fn stretched(&mut self, seconds: f64) -> f64 {
         if self.is_halting {
             return seconds;
@@ -103,23 +103,23 @@ impl Executor {
     }
 }
 
-/// The result of a cycle.
+/// Result of a cycle.
 pub(crate) struct Advance {
     /// Whether the arm has moved.
     pub(crate) moved: bool,
-    /// When the arm came to rest in the cycle, or its duration.
+    /// Time in the cycle at which the arm came to rest; otherwise the duration of the cycle.
     pub(crate) end: Seconds,
 }
 
-/// The result of advancing to the end of an interval at most.
+/// Result of advancing by at most one interval.
 enum IntervalEnd {
-    /// The time is used up within the interval.
+    /// The cycle ended within the interval.
     Within,
-    /// The end of the interval is reached after some seconds.
+    /// The end of the interval was reached after this number of seconds.
     Passed(f64),
-    /// The end of a span is reached, and there is another one.
+    /// The end of a span was reached, and another span follows.
     SpanDone,
-    /// The arm halts, or nothing more is determined.
+    /// The arm halts, or no further path is determined.
     Rests,
 }
 

@@ -1,4 +1,4 @@
-//! Why a path cannot be executed.
+//! Faults of a path.
 
 use std::error::Error;
 use std::fmt;
@@ -6,14 +6,14 @@ use std::fmt;
 use val3_geometry::ArcError;
 use val3_kinematics::{Unreachable, Violation};
 
-/// A recorded path that the arm cannot follow to its end.
+/// Fault of a recorded path that the arm cannot follow to its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathFault {
     /// Number of the move ([`QueuedMove::serial`](crate::QueuedMove::serial)) whose path is impossible.
     pub serial: u64,
-    /// Whether the blend around the destination of the move is impossible, rather than its nominal path.
+    /// Whether the fault is in the blend around the move's destination, not in the nominal path.
     pub is_blend: bool,
-    /// The reason.
+    /// Cause of the fault.
     pub cause: Cause,
 }
 
@@ -24,26 +24,27 @@ impl fmt::Display for PathFault {
     }
 }
 
-/// The fault of a move's path.
+/// Cause of a path fault.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cause {
-    /// A pose on the path cannot be reached in the configuration of the start.
+    /// A pose on the path cannot be reached in the configuration at the start.
     Unreachable(Unreachable),
     /// The intermediate point of a circle cannot be reached in any configuration (manual 10.6).
     Intermediate(Unreachable),
-    /// The destination is outside the software limits of an axis.
+    /// The destination exceeds a software limit.
     OutOfRange(Violation),
     /// Near a singularity, an axis would have to jump.
     Singular,
-    /// Three poses that define no circle.
+    /// The three poses define no circle.
     Arc(ArcError),
-    /// The required configuration differs from that of the start, and the path cannot change it (manual 10.1.4.2).
+    /// The required configuration differs from the configuration at the start, which the path cannot change (manual
+    /// 10.1.4.2).
     Configuration,
     /// The orientation changes by half a turn or more within a Cartesian blend (manual 10.1.2.3).
     Reorientation,
-    /// The speed of an altered path exceeds the limits of `alterBegin` (manual 11.2.6).
+    /// The speed on the altered path exceeds the limits of `alterBegin` (manual 11.2.6).
     AlterSpeed,
-    /// The move before a compliant one has a blend (manual 11.1.4).
+    /// The move before a compliant move has a blend (manual 11.1.4).
     BlendBeforeCompliant,
 }
 

@@ -1,19 +1,19 @@
-//! The box of the axes around two nominal pieces, which a joint blend does not leave.
+//! Hull of nominal pieces in joint space, within which a joint blend stays.
 
 use crate::model::{Axes, Model};
 use crate::segment::Segment;
 
-/// Parts of a Cartesian piece at whose ends its axes are computed.
+/// Number of parts into which a Cartesian piece is divided to compute its axes.
 const PARTS: u32 = 16;
 
-/// A control point may be outside of the hull by this share of its longest side: an axis that moves little may turn back
-/// a little later.
+/// Distance by which a control point may be outside of the hull, relative to the longest side of the hull, because an
+/// axis with a small motion may reverse slightly later.
 pub(crate) const MARGIN: f64 = 0.02;
 
-/// Room in degrees or mm that every axis has: at a limit, the derivatives of an axis that rests are noise.
+/// Tolerance for every axis, in degrees or mm, because at a limit the derivatives of a resting axis are noise.
 const ROUNDING: f64 = 1e-9;
 
-/// Least rate: with a rate of 0 the path would have no direction.
+/// Minimum rate: with a rate of 0 the path would have no direction.
 const LEAST_RATE: f64 = 1e-6;
 
 /// Axis ranges on the nominal pieces of a corner.
@@ -24,14 +24,14 @@ pub(crate) struct Hull {
 }
 
 impl Hull {
-    /// The hull of pieces of segments, each with its range of σ, with a margin inside of the limits of the arm.
+    /// Computes the hull of segment pieces, each given by its range of σ. A margin is added within the arm's limits.
     pub(crate) fn of_pieces(model: &Model<'_>, pieces: [(&Segment, [f64; 2]); 2]) -> Self {
         let mut hull = Self { least: Axes::repeat(f64::INFINITY), most: Axes::repeat(f64::NEG_INFINITY) };
         for (segment, [from, to]) in pieces {
             let parts = if segment.is_straight_in_joints() { 1 } else { PARTS };
             for part in 0..=parts {
                 let sigma = from + (to - from) * f64::from(part) / f64::from(parts);
-                // The blend avoids the corner, which the arm need not reach.
+                // The arm need not be able to reach the corner, because the blend avoids it.
                 if let Ok(axes) = segment.axes(model, sigma) {
                     (hull.least, hull.most) = (hull.least.inf(&axes), hull.most.sup(&axes));
                 }
@@ -45,9 +45,9 @@ impl Hull {
         }
     }
 
-    /// The greatest rate, at most 1, with which the control points next to `value` are within the hull.
+    /// Greatest rate, at most 1, for which the control points next to `value` are within the hull.
     ///
-    /// `first` and `second` are the derivatives for a rate of 1, in a parameter that runs from `value` to the corner.
+    /// `first` and `second` are the derivatives for a rate of 1, by a parameter that runs from `value` to the corner.
     pub(crate) fn greatest_rate(&self, value: &Axes, first: &Axes, second: &Axes) -> f64 {
         let room = [self.most - value, value - self.least].map(|room| room.add_scalar(ROUNDING));
         let rates = room.iter().zip([1.0, -1.0]).flat_map(|(room, sign)| {
@@ -61,10 +61,10 @@ impl Hull {
     }
 }
 
-/// The smallest k above 0 with `linear`·k + `square`·k² = `room`, for `room` of at least 0; infinite without one.
+/// Smallest k > 0 with `linear`·k + `square`·k² = `room`, for `room` ≥ 0; infinite if none exists.
 fn first_exit(linear: f64, square: f64, room: f64) -> f64 {
     let discriminant = linear * linear + 4.0 * square * room;
-    // In this form the smaller of two positive roots is exact where `square` vanishes.
+    // This form of the smaller positive root is exact if `square` is close to 0.
     let divisor = linear + discriminant.sqrt();
     if divisor > 0.0 { 2.0 * room / divisor } else { f64::INFINITY }
 }

@@ -1,8 +1,8 @@
-//! Moves in, samples every 4 ms out: the motion of an arm (chapter 10 of the manual). The vocabulary of a move is
-//! defined in `val3-moves` and exported here as well.
+//! Robot motion: moves in, one sample every 4 ms out (chapter 10 of the manual). The types of a move are defined in
+//! `val3-moves` and re-exported here.
 //!
-//! `Move -> Segment -> Span -> Sample` are separate types. The path is geometry alone and is fixed by the moves; speeds
-//! are planned along it afterwards, and an executor follows them.
+//! `Move -> Segment -> Span -> Sample` are separate types. The path is pure geometry and depends only on the moves.
+//! Speeds are planned along the path afterwards, and an executor follows the plan.
 //!
 //! ```
 //! use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! The motion of one arm: records moves, plans them, and executes them.
+//! Arm motion: recording, planning and execution of moves.
 
 mod alter;
 mod holds;
@@ -32,7 +32,7 @@ use crate::request::Move;
 use crate::speed_limit::{ActingLimit, SpeedLimit};
 use crate::timeline::Timeline;
 
-/// A queue of moves with the state of their execution: plain data, so that a copy is a snapshot.
+/// Queue of moves with the state of their execution. All fields are plain data, so a clone is a snapshot.
 #[derive(Clone, Debug)]
 pub struct Motion {
     arm: Arc<Arm>,
@@ -47,10 +47,10 @@ pub struct Motion {
     fault: Option<PathFault>,
     /// Rest position of the arm while no move is recorded.
     rest: Axes,
-    /// `getMoveId` once everything recorded is done.
+    /// Result of `getMoveId` when all recorded moves are done.
     done_id: f64,
     tool: IsometryMatrix3<f64>,
-    /// State of an arm that is away from the path.
+    /// State of the arm while it is not on its path; `None` on the path.
     departure: Option<Departure>,
     /// Speed of the tool centre point over the last cycle, in mm/s.
     speed: f64,
@@ -59,9 +59,9 @@ pub struct Motion {
     /// Whether the motion is between an emergency stop and the return of power.
     is_braked: bool,
     external_force: ExternalForce,
-    /// Greatest speed of the tool centre point and of the flange; `None` without a limit.
+    /// Maximum speed of the tool centre point and of the flange; `None` without a limit.
     tool_speed: Option<MillimetresPerSecond>,
-    /// The deviation from an alterable path.
+    /// Deviation from an alterable path (alter mode).
     alteration: Option<Alteration>,
     deferred: Option<Deferred>,
     /// Commanded state at the end of the last cycle.
@@ -70,23 +70,23 @@ pub struct Motion {
     acting: ActingLimit,
 }
 
-/// The commanded state at the end of a cycle.
+/// Commanded state at the end of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Commanded joint position.
     pub joints: Joints,
-    /// The tool centre point in world.
+    /// Tool centre point in `world`.
     pub pose: IsometryMatrix3<f64>,
     /// Speed of the tool centre point over the last cycle.
     pub speed: MillimetresPerSecond,
-    /// `getMoveId`.
+    /// Result of `getMoveId`.
     pub id: f64,
-    /// Kind of motion.
+    /// Motion phase.
     pub phase: MotionPhase,
 }
 
 impl Motion {
-    /// An arm that rests at these joints.
+    /// Creates a motion whose arm rests at these joints.
     #[must_use]
     pub fn new(arm: Arc<Arm>, start: Joints) -> Self {
         Self {
@@ -117,8 +117,8 @@ impl Motion {
     /// Records a move.
     ///
     /// # Errors
-    /// The destination cannot be reached, the arm cannot follow the line or circle to it, or the path recorded before
-    /// cannot be followed. Nothing is recorded then.
+    /// Returns the cause if the destination cannot be reached, the arm cannot follow the line or circle to the
+    /// destination, or the path recorded earlier already has a fault. The queue is then unchanged.
     pub fn record(&mut self, request: &Move) -> Result<(), Cause> {
         self.check()?;
         let request = &*self.with_joints(request)?;
@@ -142,19 +142,19 @@ impl Motion {
         Ok(())
     }
 
-    /// The move with a joint position instead of a point as the destination of a joint move. A deferred move keeps this
-    /// joint position, wherever it starts later.
+    /// Returns the move, with the point of a joint move replaced by a joint position. A deferred move keeps this joint
+    /// position, independently of its later start.
     fn with_joints<'a>(&self, request: &'a Move) -> Result<Cow<'a, Move>, Cause> {
         let MovePath::JointToPoint(target) = &request.path else { return Ok(Cow::Borrowed(request)) };
         let joints = self.tail().joints_at(&Model(&self.arm), target, &request.tool)?;
         Ok(Cow::Owned(Move { path: MovePath::Joint(joints), ..request.clone() }))
     }
 
-    /// The path of a move. Only a fault of the blend before it is left in the result.
+    /// Determines the path of a move. A fault in the result is always a fault of the blend before the move.
     ///
     /// # Errors
-    /// The destination cannot be reached, or the arm cannot follow the line or circle to it (manual 10.6). The path is
-    /// unchanged then.
+    /// Returns the cause if the destination cannot be reached, or if the arm cannot follow the line or circle (manual
+    /// 10.6). The path is then unchanged.
     fn determine_or_reject(&mut self, request: &Move, serial: u64) -> Result<Determined, Cause> {
         let path = self.path.clone();
         let determined = self.determine(request, serial)?;
@@ -167,10 +167,10 @@ impl Motion {
         }
     }
 
-    /// Lets the last recorded move end at its destination (`waitEndMove`).
+    /// Ends the last recorded move at its destination, without a blend (`waitEndMove`).
     ///
     /// # Errors
-    /// The recorded path cannot be followed.
+    /// Returns the fault of the recorded path.
     pub fn close(&mut self) -> Result<(), Cause> {
         self.check()?;
         if let Some(deferred) = &mut self.deferred {
@@ -192,19 +192,19 @@ impl Motion {
         self.append(determined, last.unwrap_or_default());
     }
 
-    /// Whether everything recorded is done (`isEmpty`).
+    /// Whether all recorded moves are done (`isEmpty`).
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.is_nominal_done() && self.deferred.is_none() && self.fault.is_none()
     }
 
-    /// The motion of an arm that is not on its path.
+    /// Motion of the arm while it is not on its path.
     fn moving_away(&mut self) -> Option<&mut Self> {
         self.departure.as_mut().and_then(Departure::motion)
     }
 
-    /// Brakes on the path and removes all recorded moves (`resetMotion`).
-    /// The next move starts where the arm comes to rest.
+    /// Brakes on the path and removes all recorded moves (`resetMotion`). The next move starts at the point where the
+    /// arm comes to rest.
     pub fn reset(&mut self) {
         self.queue.forget();
         match self.departure.take() {
@@ -226,7 +226,7 @@ impl Motion {
         (self.fault, self.done_id, self.is_stopped) = (None, 0.0, false);
     }
 
-    /// Brakes on the path, and forgets it from there on.
+    /// Brakes on the path and discards the rest of the path.
     fn cut(&mut self) {
         if self.timeline.compliant().is_some() {
             self.rest = self.axes_on_path();
@@ -236,7 +236,8 @@ impl Motion {
         self.timeline.cut();
     }
 
-    /// As [`Motion::reset`], but the next move starts at `start`, to which a connection move has to lead first.
+    /// Resets as [`Motion::reset`] does, but the next move starts at `start`. The arm first needs a connection move to
+    /// `start`.
     pub fn reset_to(&mut self, start: Joints) {
         self.reset();
         let mut left = Self { timeline: std::mem::take(&mut self.timeline), ..self.clone() };
@@ -247,8 +248,8 @@ impl Motion {
         self.settle_departure();
     }
 
-    /// Moves the arm away from its path, as an operator does by hand. Where no move is left, the next one begins there.
-    /// Nothing happens while it moves on its path.
+    /// Puts the arm at a position away from its path, as an operator does by hand. If no move is pending, the next move
+    /// begins at this position. Has no effect while the arm moves on its path.
     pub fn displace(&mut self, joints: Joints) {
         if self.timeline.rate() > 0.0 || self.is_going() {
             return;
@@ -262,7 +263,7 @@ impl Motion {
         self.commanded = self.axes();
     }
 
-    /// Connection of an arm that rests away from its path.
+    /// Connection move that the arm needs; `None` unless the arm rests away from its path.
     #[must_use]
     pub fn connection(&self) -> Option<Connection> {
         let Some(Departure::At(axes)) = &self.departure else { return None };
@@ -270,10 +271,10 @@ impl Motion {
         Some(connection).filter(Connection::is_needed)
     }
 
-    /// Starts the way back to the path, where the arm rests away from it.
+    /// Starts the connection move to the path if the arm rests away from the path.
     ///
     /// # Errors
-    /// The start of the path is outside the limits of an axis.
+    /// Returns the cause if the start of the path is outside an axis limit.
     pub fn connect(&mut self) -> Result<(), Cause> {
         if let Some(Departure::At(axes)) = self.departure {
             let mut back = departure::connection(&self.arm, axes.into(), self.axes_on_path().into(), self.tool)?;
@@ -284,25 +285,26 @@ impl Motion {
         Ok(())
     }
 
-    /// Reason why the recorded path cannot be followed to its end; the next move is rejected with it.
+    /// Cause for which the recorded path cannot be followed to its end. [`Motion::record`] rejects further moves with
+    /// this cause.
     #[must_use]
     pub fn fault(&self) -> Option<&Cause> {
         self.fault.as_ref().map(|fault| &fault.cause)
     }
 
-    /// [`Motion::fault`] with the move whose path is impossible.
+    /// Fault of the recorded path: [`Motion::fault`] with the affected move.
     #[must_use]
     pub const fn path_fault(&self) -> Option<&PathFault> {
         self.fault.as_ref()
     }
 
-    /// The fault of the recorded path, once the arm rests before the part that it cannot follow.
+    /// Fault of the recorded path if the arm has stopped at it; `None` otherwise.
     #[must_use]
     pub fn stuck(&self) -> Option<&PathFault> {
         self.fault.as_ref().filter(|_| self.timeline.is_at_end() || self.has_altered_fault())
     }
 
-    /// Joint position at which the last recorded move ends and the next move begins.
+    /// Joint position at the end of the last recorded move, where the next move begins.
     #[must_use]
     pub fn destination(&self) -> Joints {
         self.tail().destination().into()
@@ -326,7 +328,7 @@ impl Motion {
         }
     }
 
-    /// Moves on by a duration, one cycle of 4 ms as a rule.
+    /// Advances the motion by a duration, usually one cycle of 4 ms.
     pub fn advance(&mut self, duration: Seconds) -> Sample {
         if let Some(front) = self.timeline.spans.front() {
             self.tool = front.span.tool;
@@ -346,7 +348,7 @@ impl Motion {
         Sample { joints: self.joints(), pose, speed: MillimetresPerSecond(self.speed), id: self.move_id(), phase }
     }
 
-    /// The arm has come to rest away from its path, or is back on it.
+    /// Updates the departure when the arm has come to rest away from its path or has returned to the path.
     fn settle_departure(&mut self) {
         if self.departure.is_none() {
             return;
@@ -368,15 +370,15 @@ impl Motion {
         }
     }
 
-    /// Moves on its path or with a deviation from it. Returns whether the arm has moved.
+    /// Moves the arm on its path or with a deviation. Returns whether the arm has moved.
     fn move_on(&mut self, duration: Seconds) -> bool {
-        // A deviation can move an arm that rests on its path.
+        // A deviation moves the arm even if the nominal motion rests.
         self.acting = ActingLimit::Known(SpeedLimit::Alter);
         let moved = !self.is_at_halt() && !self.has_altered_fault() && self.follow(duration);
         self.deviate(duration) || moved
     }
 
-    /// Follows the timeline, and keeps account of the moves. Returns whether the arm has moved.
+    /// Follows the timeline and updates the stages of the moves. Returns whether the arm has moved.
     fn follow(&mut self, duration: Seconds) -> bool {
         self.release_at_rest();
         if self.timeline.waits_at_gate() {
@@ -418,7 +420,7 @@ impl Motion {
         moved
     }
 
-    /// Follows a compliant move; `None` if no compliant move is executed.
+    /// Follows a compliant move. Returns whether the arm has moved; `None` if the current move is not compliant.
     fn glide(&mut self, duration: Seconds) -> Option<bool> {
         let (timed, command) = self.timeline.compliant()?;
         let (span, reduction) = (Arc::clone(&timed.span), timed.reduction.clone());
@@ -436,24 +438,24 @@ impl Motion {
         Some(moved)
     }
 
-    /// A force that acts on the arm until the next call. Compliant moves yield to it.
+    /// Sets the force that acts on the arm until the next call. Compliant moves yield to the force.
     pub fn set_external_force(&mut self, force: ExternalForce) {
         self.external_force = force;
     }
 
-    /// Whether the arm yields to forces: a compliant move is executed, and nothing holds it (`isCompliant`).
+    /// Whether the arm yields to forces: a compliant move is being executed, and the arm is not held (`isCompliant`).
     #[must_use]
     pub fn is_compliant(&self) -> bool {
         let is_held = self.is_stopped || self.is_braked || self.departure.is_some();
         !is_held && self.timeline.cursor.glide.is_some()
     }
 
-    /// The recorded moves that are not done.
+    /// Recorded moves that are not done.
     pub fn moves(&self) -> impl ExactSizeIterator<Item = &QueuedMove> {
         self.queue.moves()
     }
 
-    /// Events of moves since the last call.
+    /// Returns and clears the move events since the last call.
     pub fn take_events(&mut self) -> Vec<MoveEvent> {
         self.queue.take_events()
     }
@@ -464,7 +466,7 @@ impl Motion {
         self.commanded.into()
     }
 
-    /// `getMoveId` (section (b) of the motion model).
+    /// Result of `getMoveId` (section (b) of the motion model).
     #[must_use]
     pub fn move_id(&self) -> f64 {
         match (self.timeline.spans.front(), self.timeline.p()) {
@@ -474,13 +476,13 @@ impl Motion {
         }
     }
 
-    /// Time until the end of what is determined, at full monitor speed.
+    /// Time until the end of the determined path, at full monitor speed.
     #[must_use]
     pub fn time_left(&self) -> Seconds {
         Seconds(self.timeline.seconds_left())
     }
 
-    /// Whether a cycle would move the arm once it has power and a monitor speed above 0.
+    /// Whether a cycle would move the arm if power is on and the monitor speed is above 0.
     #[must_use]
     pub fn can_go_on(&self) -> bool {
         match &self.departure {
@@ -492,7 +494,7 @@ impl Motion {
         }
     }
 
-    /// Whether a recorded move or a connection move is being executed.
+    /// Whether the arm executes a recorded move or a connection move.
     #[must_use]
     pub fn is_moving(&self) -> bool {
         self.timeline.rate() > 0.0
@@ -541,7 +543,7 @@ impl Motion {
         }
     }
 
-    /// Appends the spans that the move with this number has determined.
+    /// Appends the spans that the move with this serial number has determined.
     fn append(&mut self, determined: Determined, serial: u64) {
         for (span, from_rest) in determined.spans {
             let timed = self.timed(span, from_rest);

@@ -1,4 +1,4 @@
-//! From recorded moves to spans. Only the moves determine the path, and a span is made once they determine it.
+//! Path of the recorded moves. Only the moves determine the path, and a span is created when its moves determine it.
 
 use std::sync::Arc;
 
@@ -15,22 +15,22 @@ use crate::request::{Move, SpeedLimits};
 use crate::segment::{Corners, PoseCurve, Segment};
 use crate::span::{BlendPart, Curve, Pieces, Span, SpanLimits, SpanPart, SpanRequest};
 
-/// An end of a blend is shorter than requested if it is so by more than this, in mm.
+/// Difference from which a blend distance counts as shorter than requested, in mm.
 const SHORTER: f64 = 0.1;
 
-/// A measured distance that differs from the requested one by less, in mm, is equal to it.
+/// Difference below which a measured distance equals the requested distance, in mm.
 const ROUNDING: f64 = 1e-6;
 
-/// The end of the recorded path.
+/// End of the recorded path.
 #[derive(Clone, Debug)]
 pub(crate) struct PathEnd {
-    /// Destination of the move recorded last.
+    /// Destination of the last recorded move.
     destination: Axes,
-    /// The move recorded last, while its path ends at its leave point.
+    /// Last recorded move, while the path ends at its leave point.
     open: Option<OpenCorner>,
 }
 
-/// A move whose corner the next move determines.
+/// Move whose blend depends on the next move.
 #[derive(Clone, Debug)]
 struct OpenCorner {
     segment: Arc<Segment>,
@@ -41,28 +41,28 @@ struct OpenCorner {
     manner: Manner,
     /// σ of the leave point.
     leave: f64,
-    /// Whether the arm has to start from rest at the leave point: there is no span before it.
+    /// Whether the arm starts from rest at the leave point, because no span precedes it.
     at_rest: bool,
 }
 
-/// Spans that a recorded move has determined.
+/// Part of the path that a recorded move has determined.
 #[derive(Debug, Default)]
 pub(crate) struct Determined {
-    /// Spans, and whether the arm rests before each of them.
+    /// Spans, each with whether the arm rests before it.
     pub(crate) spans: Vec<(Arc<Span>, bool)>,
-    /// Why the path cannot be followed beyond them.
+    /// Cause for which the path cannot be followed beyond the spans.
     pub(crate) fault: Option<Cause>,
-    /// Number of the move whose blend is among them.
+    /// Serial number of the move whose blend is among the spans.
     pub(crate) blended: Option<u64>,
-    /// Whether `fault` is the fault of the blend.
+    /// Whether `fault` is in the blend.
     pub(crate) has_blend_fault: bool,
-    /// Where the blend of the move before ends, and where that of this move begins.
+    /// End of the previous move's blend, then start of this move's blend.
     pub(crate) reach: Option<BlendCorner>,
     pub(crate) leave: Option<BlendCorner>,
 }
 
 impl Determined {
-    /// Adds the spans of a path; returns whether the arm can follow it to its end.
+    /// Adds the spans of a path. Returns whether the arm can follow the path to its end.
     fn add(&mut self, model: &Model<'_>, request: SpanRequest, from_rest: bool) -> bool {
         let Pieces { spans, fault } = Pieces::of(model, request);
         let spans = spans.into_iter().enumerate();
@@ -73,22 +73,22 @@ impl Determined {
 }
 
 impl PathEnd {
-    /// A path that starts at these axes.
+    /// Creates a path that starts at these axes.
     pub(crate) fn starting_at(start: Axes) -> Self {
         Self { destination: start, open: None }
     }
 
-    /// Where the last recorded move ends.
+    /// Axes at the end of the last recorded move.
     pub(crate) fn destination(&self) -> Axes {
         self.destination
     }
 
-    /// Whether the path ends at a leave point, where the next move is waited for.
+    /// Whether the path ends at a leave point, because the blend requires the next move.
     pub(crate) fn is_open(&self) -> bool {
         self.open.is_some()
     }
 
-    /// Number of the move at whose leave point the path ends.
+    /// Serial number of the move at whose leave point the path ends.
     pub(crate) fn open_serial(&self) -> Option<u64> {
         self.open.as_ref().map(|open| open.serial)
     }
@@ -99,20 +99,22 @@ impl PathEnd {
         Some([leave, reach].map(Millimetres))
     }
 
-    /// σ of the leave point of a move, while the path ends there.
+    /// σ of a move's leave point, while the path ends there.
     pub(crate) fn leave_of(&self, serial: u64) -> Option<f64> {
         self.open.as_ref().filter(|open| open.serial == serial).map(|open| open.leave)
     }
 
-    /// The path after the last span, if it ends at a leave point: from there, by σ, to the end of its segment.
+    /// Rest of the nominal path after the last span, while the path ends at a leave point: segment, and σ of the leave
+    /// point.
     pub(crate) fn open_end(&self) -> Option<(&Segment, f64)> {
         self.open.as_ref().filter(|open| open.leave < 1.0).map(|open| (&*open.segment, open.leave))
     }
 
-    /// Records a move under a number.
+    /// Records a move under a serial number.
     ///
     /// # Errors
-    /// The destination cannot be reached, or not in this configuration. Nothing is recorded then.
+    /// Returns the cause if the destination cannot be reached, or not in this configuration. The path is then
+    /// unchanged.
     pub(crate) fn record(&mut self, model: &Model<'_>, request: &Move, serial: u64) -> Result<Determined, Cause> {
         let (segment, fault) = self.segment(model, request)?;
         let mut determined = Determined::default();
@@ -173,11 +175,11 @@ impl PathEnd {
         Ok(determined)
     }
 
-    /// Why the arm cannot follow the blend between two moves, the first of which begins here; `reach` of the blend before
-    /// it takes a part of its path. `None` if it can, or if there is no blend.
+    /// Returns the cause for which the arm cannot follow the blend between two moves; `None` if it can, or without a
+    /// blend. The first move begins at the end of this path, and the previous blend covers `reach` of its path.
     ///
     /// # Errors
-    /// The arm cannot follow one of the moves.
+    /// Returns the cause if the arm cannot follow one of the two moves.
     pub(crate) fn blend_fault(
         &self,
         model: &Model<'_>,
@@ -204,7 +206,7 @@ impl PathEnd {
         Ok(determined.fault.filter(|_| determined.has_blend_fault))
     }
 
-    /// Ends the last recorded move without a blend: its path runs on to its destination (`waitEndMove`).
+    /// Ends the last recorded move at its destination, without a blend (`waitEndMove`).
     pub(crate) fn close(&mut self, model: &Model<'_>) -> Determined {
         let mut determined = Determined::default();
         if let Some(open) = self.open.take()
@@ -229,9 +231,9 @@ impl PathEnd {
         determined
     }
 
-    /// Continues with a deviation that stays from here on, where the arm is at `near` at the end of its spans.
+    /// Applies a deviation to the rest of the path. `near` are the axes at the end of the spans.
     ///
-    /// Returns |dq/dσ| there if the path ends at a leave point.
+    /// Returns |dq/dσ| at the leave point if the path ends at one.
     pub(crate) fn deviate(
         &mut self,
         model: &Model<'_>,
@@ -252,7 +254,7 @@ impl PathEnd {
         Ok(Some(tangent.norm()))
     }
 
-    /// The nominal path of a move, and why the arm cannot follow it to the end.
+    /// Nominal path of a move, and the cause for which the arm cannot follow it to the end.
     pub(crate) fn segment(&self, model: &Model<'_>, request: &Move) -> Result<(Segment, Option<Cause>), Cause> {
         let start = self.destination;
         match &request.path {
@@ -274,10 +276,10 @@ impl PathEnd {
         }
     }
 
-    /// Joint position with the tool at a point, as a joint move from the end of the path reaches it.
+    /// Joint position at which a joint move from the end of the path reaches a point.
     ///
     /// # Errors
-    /// The point cannot be reached in a requested configuration.
+    /// Returns the cause if the point cannot be reached in a requested configuration.
     pub(crate) fn joints_at(
         &self,
         model: &Model<'_>,
@@ -297,7 +299,7 @@ impl PathEnd {
         Ok(Segment::joint(model, start, end, request.tool))
     }
 
-    /// The nominal path of a Cartesian move whose destination the arm can reach.
+    /// Nominal path of a Cartesian move, whose destination must be reachable.
     fn cartesian(
         &self,
         model: &Model<'_>,
@@ -310,7 +312,7 @@ impl PathEnd {
         if !destination.configuration.allows(branch, branch) {
             return Err(Cause::Configuration);
         }
-        // Deviations from an alterable path have one configuration.
+        // A deviation from an alterable path does not change the configuration.
         let is_alterable = request.manner == Manner::Alterable;
         let configuration = if is_alterable { RequestedConfiguration::SAME } else { destination.configuration };
         let (segment, fault) = Segment::pose(model, start, curve, request.tool, &configuration);
@@ -321,7 +323,7 @@ impl PathEnd {
     }
 }
 
-/// The nominal path of a move between two values of σ.
+/// Nominal path of a move between two values of σ.
 fn nominal(
     model: &Model<'_>,
     request: &Move,
@@ -340,7 +342,7 @@ fn nominal(
     })
 }
 
-/// Adds the blend from an open corner to the next segment; returns whether it can be followed.
+/// Adds the blend from an open corner to the next segment. Returns whether the arm can follow the blend.
 fn blend(
     model: &Model<'_>,
     open: &OpenCorner,
@@ -352,7 +354,7 @@ fn blend(
     let from = BlendEnd { segment: Arc::clone(&open.segment), sigma: open.leave, corner: 1.0 };
     let join = BlendEnd { segment: Arc::clone(segment), sigma: corners.reach, corner: 0.0 };
     let curve = match open.blend {
-        // The directions of both paths differ at the corner, so the arm stops there.
+        // The directions of the paths differ at the corner, so the arm stops there.
         _ if from.is_corner() => Ok(BlendCurve::nominal(&join)),
         _ if join.is_corner() => Ok(BlendCurve::nominal(&from)),
         Blend::Cartesian { .. } => BlendCurve::cartesian(model, &from, &join),

@@ -1,28 +1,28 @@
-//! The planner: gives the points of a timeline the greatest speeds that the limits allow, and brings the arm to rest.
+//! Planner: sets the greatest permitted speed at each timeline point, and plans halts.
 //!
-//! Two passes as in TOPP-RA: backwards the greatest speed from which the rest of the path can be followed, then forwards
-//! the greatest speed that is below it. Points that the arm has already passed never change. Where the arm ceases to
-//! accelerate or begins to brake between two points, a point is added.
+//! Two passes as in TOPP-RA: the backward pass computes the greatest speed from which the rest of the path can be
+//! followed, and the forward pass the greatest reachable speed below it. Points that the arm has passed never change.
+//! If the acceleration ends or braking begins between two points, a point is inserted.
 
 use crate::bounds::Bounds;
 use crate::motion::MotionMode;
 use crate::span::Span;
 use crate::timeline::{Interval, TimedSpan, Timeline, TimelinePoint, UNPLANNED};
 
-/// Points nearer than this share of their interval are one.
+/// Distance below which two points are the same, as a fraction of the interval.
 const SAME_POINT: f64 = 1e-6;
 
-/// A point of the timeline: number of the span and of the point in it.
+/// Point of the timeline: index of the span, and index of the point in the span.
 pub(crate) type Index = (usize, usize);
 
 impl Timeline {
-    /// Adds a span at the end, which the arm reaches without a stop unless it begins from rest or is gated.
+    /// Appends a span. The arm enters the span without a stop unless the span begins from rest or is gated.
     pub(crate) fn append(&mut self, timed: TimedSpan, mode: MotionMode) {
         let was_at_end = self.is_at_end();
         let is_gated = mode == MotionMode::Step && self.begins_piece(&timed.span);
         let is_arm_on_path = self.spans.back().is_some_and(|last| !last.is_forgotten);
         self.spans.push_back(TimedSpan { is_gated, ..timed });
-        // An arm that waits stays exactly at the end of its piece.
+        // A waiting arm stays exactly at the end of the piece.
         if was_at_end && !(is_gated && is_arm_on_path) {
             self.spans.drain(..self.spans.len() - 1);
             self.cursor = Default::default();
@@ -31,19 +31,19 @@ impl Timeline {
         self.plan_forwards(unchanged);
     }
 
-    /// The first point whose speed may not change: the end of the interval that is executed, or where the arm halts.
+    /// First point with a fixed speed: the end of the current interval, or the point at which the arm halts.
     pub(crate) fn commit(&self) -> Index {
         let halt = |(index, span): (usize, &TimedSpan)| {
             span.points.iter().position(|point| point.halt).map(|point| (index, point))
         };
         let moving = usize::from(self.cursor.elapsed > 0.0 || self.rate() > 0.0);
-        // Without a halt the search would pass every point of the queue. An append to 1,000 moves took 0.83 ms with it and
-        // 0.37 ms without.
+        // Without a halt, the search would visit every point of the queue. Appending to 1,000 moves took 0.83 ms with
+        // the search and 0.37 ms without.
         let halt = if self.has_halt { self.spans.iter().enumerate().find_map(halt) } else { None };
         halt.unwrap_or((0, self.cursor.point + moving))
     }
 
-    /// Sets `most` from the end back to `commit`, or to a point where it does not change. Returns that point.
+    /// Sets `most` from the end back to `commit` or to the first point whose value does not change. Returns this point.
     fn plan_backwards(&mut self, commit: Index) -> Index {
         let mut after: Option<(f64, bool)> = None;
         for index in (commit.0..self.spans.len()).rev() {
@@ -62,7 +62,7 @@ impl Timeline {
         commit
     }
 
-    /// Sets x from a point on, whose own x is kept unless the span begins there.
+    /// Sets x from a point on. The x of this point itself is kept, unless its span begins there.
     fn plan_forwards(&mut self, (first, point): Index) {
         let mut x = self.spans.get(first).and_then(|timed| timed.points.get(point)).map_or(0.0, |point| point.x);
         for index in first..self.spans.len() {
@@ -76,9 +76,10 @@ impl Timeline {
         }
     }
 
-    /// Brings the arm to rest on its path. `braking` returns the smallest p̈ that the arm can do at p and ṗ².
+    /// Halts the arm on its path. `braking` returns the smallest p̈ that the arm can reach at p and ṗ².
     ///
-    /// `pace` is the share of the planned speed at which the arm moves. From here to the halt, speeds are real ones.
+    /// `pace` is the arm's fraction of the planned speed. Speeds up to the halt are real speeds, independent of the
+    /// monitor speed.
     pub(crate) fn halt(&mut self, pace: f64, braking: impl Fn(&Span, f64, f64) -> f64) {
         self.clear_halt();
         self.has_halt = true;
@@ -90,14 +91,14 @@ impl Timeline {
         self.plan_forwards(self.commit());
     }
 
-    /// Lets the arm continue after a halt.
+    /// Ends a halt, so that the arm continues.
     pub(crate) fn release(&mut self) {
         self.clear_halt();
-        // The halt has added points that have no speed yet.
+        // The halt has inserted points without a planned speed.
         self.replan();
     }
 
-    /// Plans everything again that may change.
+    /// Plans all points again whose speed is not fixed.
     pub(crate) fn replan(&mut self) {
         self.spans.iter_mut().flat_map(|span| &mut span.points).for_each(|point| point.most = UNPLANNED);
         let commit = self.plan_backwards(self.commit());
@@ -109,7 +110,7 @@ impl Timeline {
         self.has_halt = false;
     }
 
-    /// Removes the path after a halt, so that the rest of the timeline is the braking.
+    /// Removes the path after a halt, so that only the braking remains.
     pub(crate) fn cut(&mut self) {
         let (index, point) = self.commit();
         self.spans.truncate(index + 1);
@@ -118,7 +119,7 @@ impl Timeline {
         }
     }
 
-    /// Makes the present p a point at which the arm moves at a share of its planned speed.
+    /// Inserts a point at the current p, where the arm moves at the fraction `pace` of the planned speed.
     fn split_at_cursor(&mut self, pace: f64) {
         let (Some(p), rate) = (self.p(), self.rate()) else { return };
         let Some(front) = self.spans.front_mut() else { return };
@@ -133,7 +134,7 @@ impl Timeline {
         }
     }
 
-    /// Brakes from one point to the next. None once the arm is at rest.
+    /// Brakes from one point to the next, and returns the next point; `None` when the arm is at rest.
     fn brake(&mut self, (index, at): Index, braking: impl Fn(&Span, f64, f64) -> f64) -> Option<Index> {
         let ratio = self.ratio(index);
         let timed = self.spans.get_mut(index)?;
@@ -159,10 +160,10 @@ impl Timeline {
     }
 }
 
-/// Halts the arm `way` after the point `at`, before the next one.
+/// Halts the arm at the distance `way` after the point `at`, before the next point.
 ///
-/// A point follows the halt in the middle of the rest of the interval, so that the arm can move on from there even if
-/// it has to rest at the end of the interval too.
+/// Another point is inserted halfway to the end of the interval, so that the arm can continue even if it also has to
+/// rest at the end of the interval.
 fn halt_after(timed: &mut TimedSpan, at: usize, way: f64) {
     let Some(Interval { from, to }) = timed.interval(at) else { return };
     let step = to.p - from.p;
@@ -180,8 +181,8 @@ fn halt_after(timed: &mut TimedSpan, at: usize, way: f64) {
     }
 }
 
-/// Sets `most` from the end of a span, where `end` is possible for x, back to the point `first`, or to a point where it
-/// does not change. Returns that point: nothing changes further back.
+/// Sets `most` from the end of a span, where x may be up to `end`, back to the point `first`. Stops at a point whose
+/// value does not change, because no earlier value changes either, and returns it.
 fn backwards(timed: &mut TimedSpan, first: usize, end: f64) -> Option<usize> {
     let (limit, points) = timed.plan();
     let mut index = points.len().checked_sub(1)?;
@@ -203,7 +204,7 @@ fn backwards(timed: &mut TimedSpan, first: usize, end: f64) -> Option<usize> {
     }
 }
 
-/// Sets x from the point `first` to the end of a span. Returns x at the end.
+/// Sets x from the point `first` to the end of a span. Returns the x at the end.
 fn forwards(timed: &mut TimedSpan, first: usize, start: f64) -> f64 {
     let (limit, points) = timed.plan();
     let (mut index, mut x) = (first, start);
@@ -230,7 +231,7 @@ fn forwards(timed: &mut TimedSpan, first: usize, start: f64) -> f64 {
     }
 }
 
-/// The point at which the arm, at a constant x until then, has to brake in order to be slow enough at the end.
+/// Point at which the arm must begin to brake after a constant x, to be slow enough at the end of the interval.
 fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Option<TimelinePoint> {
     let x = bounds.level();
     if to.most >= x {
@@ -242,7 +243,7 @@ fn begin_of_braking(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Op
     is_inside.then_some(TimelinePoint { p: to.p - way, x, most: x, halt: false })
 }
 
-/// The point from which on x is constant, because more would be too much at one end of the interval.
+/// Point at which the acceleration ends, because a greater x would exceed the maximum at one end of the interval.
 fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> Option<TimelinePoint> {
     let x = from.most.min(to.most);
     if x <= from.x {
@@ -254,14 +255,14 @@ fn end_of_acceleration(Interval { from, to }: &Interval, bounds: &Bounds<'_>) ->
     is_inside.then_some(TimelinePoint { p: from.p + way, x, most: x, halt: false })
 }
 
-/// The middle of an interval at whose ends the arm has to rest, with the greatest speed from rest to rest.
+/// Middle point between two rests, with the greatest speed from rest to rest.
 fn between_rests(Interval { from, to }: &Interval, bounds: &Bounds<'_>) -> TimelinePoint {
     let weaker = bounds.highest(0.0).min(-bounds.lowest(0.0));
     let x = bounds.level().min((to.p - from.p) * weaker);
     TimelinePoint { p: (from.p + to.p) / 2.0, x, most: x, halt: false }
 }
 
-/// Whether a way ends inside a step, apart from both of its ends.
+/// Whether a distance ends strictly inside a step.
 fn is_between(way: f64, step: f64) -> bool {
     way > step * SAME_POINT && way < step * (1.0 - SAME_POINT)
 }

@@ -1,4 +1,4 @@
-//! The recorded moves until they are done, and the events of their execution.
+//! Queue of the recorded moves, and execution events.
 
 use std::collections::VecDeque;
 
@@ -9,7 +9,7 @@ use val3_moves::{Millimetres, MoveStage, PathShape, Seconds};
 use crate::request::Move;
 use crate::span::SpanPart;
 
-/// A recorded move that is not done yet.
+/// Recorded move that is not done.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QueuedMove {
     /// Serial number of the move, unique, in the order of recording.
@@ -20,13 +20,13 @@ pub struct QueuedMove {
     pub shape: PathShape,
     /// Tool centre point at the destination, in `world`.
     pub target: IsometryMatrix3<f64>,
-    /// Intermediate point of a circle, in world, in mm; `None` for other shapes.
+    /// Intermediate point of a circle in `world`, in mm; `None` for other shapes.
     pub intermediate: Option<Vector3<f64>>,
     /// Joint position at the destination.
     pub joints: Joints,
     /// Start of the blend around the destination; `None` without a blend.
     pub leave: Option<BlendCorner>,
-    /// End of that blend, on the path of the next move; `None` before the next move is recorded.
+    /// End of the blend, on the path of the next move; `None` before the next move is recorded.
     pub reach: Option<BlendCorner>,
     /// Requested leave and reach of a blend that [`Motion::close`](crate::Motion::close) has cancelled.
     pub cancelled: Option<[Millimetres; 2]>,
@@ -34,21 +34,21 @@ pub struct QueuedMove {
     pub stage: MoveStage,
 }
 
-/// An end of a blend.
+/// End of a blend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlendCorner {
-    /// Distance to the destination that the move requests.
+    /// Requested distance to the destination.
     pub requested: Millimetres,
-    /// Distance of this point to the destination; 0 for a pure rotation.
+    /// Effective distance to the destination; 0 for a pure rotation.
     pub distance: Millimetres,
-    /// Reason why the distance is shorter than requested; `None` if it is not.
+    /// Reason for a shorter distance than requested; `None` for the requested distance.
     pub shortening: Option<Shortening>,
     /// Tool centre point at this end, in `world`.
     pub position: Vector3<f64>,
 }
 
 impl BlendCorner {
-    /// Distance to the destination within which the arm rounds the corner.
+    /// Distance to the destination from which the arm rounds the corner; 0 if the arm stops at the corner.
     #[must_use]
     pub fn effective(&self) -> Millimetres {
         match self.shortening {
@@ -58,21 +58,21 @@ impl BlendCorner {
     }
 }
 
-/// Why an end of a blend is shorter than requested. Moves are named by their serial numbers.
+/// Reason for a shorter blend distance than requested. Moves are identified by their serial numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shortening {
-    /// The move is too short: it also has the reach of the blend of this move before it.
+    /// The move is too short for its leave and the reach of this previous move.
     SharedWithPrevious(u64),
-    /// The next move is too short: it also has its own leave.
+    /// The next move is too short for the reach and its own leave.
     SharedWithNext(u64),
     /// The path of this move is shorter than the distance.
     ShortMove(u64),
-    /// The other distance of the blend is 0, so that the arm stops at the destination.
+    /// The other distance of the blend is 0, so the arm stops at the destination.
     StopAtCorner,
 }
 
 impl Shortening {
-    /// Serial number of the move that is the reason.
+    /// Serial number of the move that causes the shortening.
     #[must_use]
     pub const fn cause(self) -> Option<u64> {
         match self {
@@ -127,7 +127,7 @@ impl MoveEventKind {
     }
 }
 
-/// The recorded moves.
+/// Queue of the recorded moves.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Queue {
     moves: VecDeque<QueuedMove>,
@@ -206,7 +206,7 @@ impl Queue {
         }
     }
 
-    /// Records that the arm has completed a part of the path. A nominal part ends at the destination of its move.
+    /// Records that the arm has completed a part of the path. A nominal part ends at the move's destination.
     pub(crate) fn end(&mut self, part: &SpanPart, at: Seconds) {
         match part {
             SpanPart::Nominal { serial, .. } => self.finish(*serial, at),

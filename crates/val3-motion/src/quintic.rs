@@ -1,8 +1,8 @@
-//! Polynomials of the fifth degree that join two points with given derivatives (`blend = joint`).
+//! Quintic polynomials between two points with given derivatives (`blend = joint`).
 
 use nalgebra::SVector;
 
-/// A value with its first and second derivative by the parameter.
+/// Value with its first and second derivative by the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Jet<const N: usize> {
     pub(crate) value: SVector<f64, N>,
@@ -10,9 +10,9 @@ pub(crate) struct Jet<const N: usize> {
     pub(crate) second: SVector<f64, N>,
 }
 
-/// The polynomial over [0, 1] with a given jet at either end, by its six Bézier control points.
+/// Polynomial over [0, 1] with a given jet at each end, as six Bézier control points.
 ///
-/// It starts at the first point, ends at the last one, and stays within the convex hull of all.
+/// The curve starts at the first control point, ends at the last, and stays within their convex hull.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quintic<const N: usize> {
     points: [SVector<f64, N>; 6],
@@ -31,8 +31,8 @@ impl<const N: usize> Quintic<N> {
         Self { points }
     }
 
-    /// Distances in u from either end within which the curve turns from the direction of that end to that of the whole:
-    /// where the cubic term becomes as large as the linear one.
+    /// Distances in u from each end within which the curve turns from its direction at the end to the overall
+    /// direction. At this distance, the cubic term equals the linear term.
     pub(crate) fn turns(&self) -> [f64; 2] {
         let [start, first, _, _, last, end] = &self.points;
         let whole = (end - start).norm().max(f64::MIN_POSITIVE);
@@ -44,7 +44,7 @@ impl<const N: usize> Quintic<N> {
     }
 }
 
-/// Polynomial of the fifth degree with these control values.
+/// Value of the quintic polynomial with these control values.
 pub(crate) fn bezier(values: [f64; 6], u: f64) -> f64 {
     values.into_iter().zip(weights(u)).map(|(value, weight)| value * weight).sum()
 }

@@ -1,9 +1,9 @@
-//! The move that a caller records, in numbers only.
+//! Move request, in numbers only.
 
 use val3_geometry::IsometryMatrix3;
 use val3_moves::{Blend, DegreesPerSecond, Manner, MillimetresPerSecond, MovePath};
 
-/// Move with the limits of the arm.
+/// Move with its limits.
 #[derive(Clone, Debug)]
 pub struct Move {
     /// Path and destination.
@@ -16,11 +16,11 @@ pub struct Move {
     pub blend: Blend,
     /// Id that `getMoveId` returns during the move (manual 10.6).
     pub id: f64,
-    /// How the arm follows the path.
+    /// Manner in which the arm follows the path.
     pub manner: Manner,
 }
 
-/// Greatest speeds and accelerations of a move, as absolute values of the arm.
+/// Maximum speeds and accelerations of a move, as absolute values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedLimits {
     /// Axis speeds, in degrees (linear axes: mm) per second.

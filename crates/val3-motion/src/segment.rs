@@ -1,4 +1,4 @@
-//! The nominal path of one move: from the destination of the move before it to its own, corners included.
+//! Segment: a move's nominal path from the previous destination to its own destination, corners included.
 
 use std::sync::Arc as Shared;
 
@@ -12,32 +12,32 @@ use crate::derivatives;
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 
-/// The tool centre point stays in place if it moves less than this, in mm.
+/// Distance below which the tool centre point counts as not moving, in mm.
 pub(crate) const IN_PLACE: f64 = 1e-3;
 
-/// Distance of the points from which derivatives are computed, as a share of the segment.
+/// Distance between the points from which derivatives are computed, as a fraction of the segment.
 const STENCIL: f64 = 1e-3;
 
-/// Parts into which a segment is divided to find its length and its corners.
+/// Number of segment parts for the computation of length and corners.
 const PARTS: usize = 64;
 
-/// Parts into which a Cartesian segment is divided to follow its axes from the start.
+/// Number of parts into which a Cartesian segment is divided to compute its axes from the start on.
 const WAYPOINTS: usize = 32;
 
-/// Parts of the way to a waypoint at which an axis seems to jump.
+/// Number of parts into which the path to a waypoint is divided if an axis seems to jump there.
 const FINER: usize = 16;
 
-/// The first waypoint is compared with a place this much nearer to the start.
+/// The first waypoint is compared with a point whose distance to the start is smaller by this factor.
 const AHEAD: f64 = 8.0;
 
-/// The nominal path; its parameter σ runs from 0 at the start to 1 at the destination.
+/// Nominal path of a move. The parameter σ runs from 0 at the start to 1 at the destination.
 #[derive(Clone, Debug)]
 pub(crate) struct Segment {
     route: Route,
     start: Axes,
     end: Axes,
     tool: IsometryMatrix3<f64>,
-    /// Way of the tool centre point in mm.
+    /// Path length of the tool centre point, in mm.
     length: f64,
 }
 
@@ -48,7 +48,7 @@ enum Route {
     Deviated(Box<DeviatedRoute>),
 }
 
-/// A path with a deviation that does not change any more.
+/// Path with a deviation that no longer changes.
 #[derive(Clone, Debug)]
 struct DeviatedRoute {
     nominal: Shared<Segment>,
@@ -60,11 +60,11 @@ struct DeviatedRoute {
 struct PoseRoute {
     curve: PoseCurve,
     branches: Branches,
-    /// The axes after each part of the path, as far as the arm can follow it.
+    /// Axes at the start and after each part, as far as the arm can follow the path.
     waypoints: Vec<Axes>,
 }
 
-/// The path of the tool centre point of a Cartesian move.
+/// Path of the tool centre point in a Cartesian move.
 #[derive(Clone, Debug)]
 pub(crate) enum PoseCurve {
     Line(LinePath),
@@ -87,21 +87,22 @@ impl PoseCurve {
     }
 }
 
-/// Where the blends before and after a segment end and begin.
+/// Reach point of the previous blend and leave point of the next blend on a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Corners {
-    /// σ at which the blend from the previous move ends; 0 without one.
+    /// σ at which the blend from the previous move ends; 0 without a blend.
     pub(crate) reach: f64,
-    /// σ at which the blend to the next move begins; 1 without one.
+    /// σ at which the blend to the next move begins; 1 without a blend.
     pub(crate) leave: f64,
-    /// Effective distances in mm of both points to the destinations; 0 without a blend.
+    /// Effective distances in mm of the reach point to the start and of the leave point to the destination; 0 without a
+    /// blend.
     pub(crate) distances: [f64; 2],
 }
 
-/// How the path runs on at one point, by σ.
+/// State of the path at one point, with derivatives by σ.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Course {
-    /// The axes with their derivatives.
+    /// Axes, and their first and second derivatives.
     pub(crate) axes: [Axes; 3],
     /// Position of the tool centre point in mm.
     pub(crate) position: Vector3<f64>,
@@ -110,17 +111,18 @@ pub(crate) struct Course {
 }
 
 impl Segment {
-    /// A straight line in joint space.
+    /// Creates a straight line in joint space.
     pub(crate) fn joint(model: &Model<'_>, start: Axes, end: Axes, tool: IsometryMatrix3<f64>) -> Self {
         let mut segment = Self { route: Route::Joint, start, end, tool, length: 0.0 };
         segment.length = segment.measure(model);
         segment
     }
 
-    /// A Cartesian path that the arm follows from `start`. It changes parts of the configuration that are free where it
-    /// passes exactly through a singular position.
+    /// Creates a Cartesian path from `start`. Parts of the configuration that are free may change at points where the
+    /// path passes exactly through a singular position.
     ///
-    /// Where it cannot follow, `end` must be what the program asks for; the fault is found when spans are made.
+    /// If the arm cannot follow the path to its end, the second value is the cause, and the path ends at the last
+    /// waypoint that the arm can reach.
     pub(crate) fn pose(
         model: &Model<'_>,
         start: Axes,
@@ -163,7 +165,7 @@ impl Segment {
         (Self { route, start, end, tool, length }, fault)
     }
 
-    /// A path with the deviation that is in force, near to `near`.
+    /// Creates a path with the current deviation, with axes near to `near`.
     pub(crate) fn deviated(
         model: &Model<'_>,
         nominal: &Shared<Self>,
@@ -188,7 +190,7 @@ impl Segment {
         &self.tool
     }
 
-    /// The axes at σ.
+    /// Axes at σ.
     pub(crate) fn axes(&self, model: &Model<'_>, sigma: f64) -> Result<Axes, Cause> {
         match &self.route {
             _ if sigma == 0.0 => Ok(self.start),
@@ -207,7 +209,7 @@ impl Segment {
         }
     }
 
-    /// The tool centre point at σ, in world.
+    /// Tool centre point at σ, in `world`.
     pub(crate) fn pose_at(&self, model: &Model<'_>, sigma: f64) -> IsometryMatrix3<f64> {
         match &self.route {
             Route::Joint => model.flange(&(self.start + (self.end - self.start) * sigma)) * self.tool,
@@ -219,7 +221,7 @@ impl Segment {
         }
     }
 
-    /// Whether the tool centre point stays in place.
+    /// Whether the tool centre point does not move.
     pub(crate) fn is_rotation(&self) -> bool {
         self.length < IN_PLACE
     }
@@ -238,7 +240,7 @@ impl Segment {
         matches!(&self.route, Route::Pose(route) if matches!(route.curve, PoseCurve::Line(_)))
     }
 
-    /// Whether the move ends where it starts (precision of the arm).
+    /// Whether the move ends at its start, within the precision of the arm.
     pub(crate) fn is_null(&self) -> bool {
         match &self.route {
             Route::Joint => (self.end - self.start).amax() < 1e-9,
@@ -251,11 +253,12 @@ impl Segment {
         }
     }
 
-    /// The corners of the segment: `reach` of the previous move and `leave` of this one, in mm, 0 without a blend.
+    /// Computes the corners of the segment from the previous move's `reach` and this move's `leave`, in mm; 0 without a
+    /// blend.
     ///
-    /// Distances that overlap are reduced in proportion (section (a) of the motion model): both corners meet in one point,
-    /// which divides the way of the tool centre point in the proportion of the distances. A rotation in place is the limit
-    /// of ever shorter moves: the share of the rotation takes the place of the way.
+    /// Overlapping distances are reduced in proportion (section (a) of the motion model): both corners meet at the
+    /// point that divides the path of the tool centre point in the ratio of the distances. For a rotation in place, the
+    /// limit of ever shorter moves, the point divides the angle of rotation instead.
     pub(crate) fn corners(&self, model: &Model<'_>, reach: f64, leave: f64) -> Corners {
         let scale = (self.length / (reach + leave)).min(1.0);
         let [first, last] = [reach, leave].map(|distance| if distance > 0.0 { distance * scale } else { 0.0 });
@@ -263,7 +266,7 @@ impl Segment {
             let meeting = self.at_part_of_way(model, reach / (reach + leave)).clamp(from, to);
             (meeting, meeting)
         };
-        // A search would find the point twice up to rounding.
+        // Two searches would return two points that differ by rounding.
         let (reach, leave) = if scale < 1.0 {
             meet(0.0, 1.0)
         } else {
@@ -276,7 +279,8 @@ impl Segment {
                     (meeting, meeting)
                 }
                 (Some(reach), Some(leave)) if reach < leave => (reach, leave),
-                // Distances overlap on a bent path that is longer than their sum: neither becomes longer than requested.
+                // On a bent path, the distances can overlap although the path is longer than their sum. Neither
+                // distance may exceed the requested value.
                 (reach, leave) => meet(leave.unwrap_or(0.0), reach.unwrap_or(1.0)),
             }
         };
@@ -286,7 +290,7 @@ impl Segment {
         Corners { reach, leave, distances }
     }
 
-    /// The first σ at which the tool centre point is `distance` away from the start.
+    /// First σ at which the tool centre point is `distance` away from the start.
     fn first_at_distance(&self, model: &Model<'_>, distance: f64) -> Option<f64> {
         let start = self.position(model, 0.0);
         let is_away = |sigma: f64| (self.position(model, sigma) - start).norm() >= distance;
@@ -294,7 +298,7 @@ impl Segment {
         Some(boundary(share(part - 1, PARTS), share(part, PARTS), is_away))
     }
 
-    /// The last σ at which the tool centre point is `distance` away from the destination.
+    /// Last σ at which the tool centre point is `distance` away from the destination.
     fn last_at_distance(&self, model: &Model<'_>, distance: f64) -> Option<f64> {
         let end = self.position(model, 1.0);
         let is_away = |sigma: f64| (self.position(model, sigma) - end).norm() >= distance;
@@ -306,7 +310,7 @@ impl Segment {
         self.pose_at(model, sigma).translation.vector
     }
 
-    /// σ at which the tool centre point has covered a part of its way, from 0 to 1.
+    /// σ at which the tool centre point has covered the fraction `part` (0 to 1) of the path length.
     fn at_part_of_way(&self, model: &Model<'_>, part: f64) -> f64 {
         if self.is_line() || self.is_arc() || self.is_rotation() || part == 1.0 {
             return part;
@@ -322,7 +326,7 @@ impl Segment {
         1.0
     }
 
-    /// Way of the tool centre point in mm, from chords of two lengths.
+    /// Path length of the tool centre point in mm, extrapolated from coarse and fine chords.
     fn measure(&self, model: &Model<'_>) -> f64 {
         let points = self.points(model);
         let thinned: Vec<_> = points.iter().copied().step_by(2).collect();
@@ -330,12 +334,12 @@ impl Segment {
         (4.0 * way(&points) - way(&thinned)) / 3.0
     }
 
-    /// Places of the tool centre point at equal distances of σ.
+    /// Positions of the tool centre point at equal steps of σ.
     fn points(&self, model: &Model<'_>) -> Vec<Vector3<f64>> {
         (0..=PARTS).map(|part| self.position(model, share(part, PARTS))).collect()
     }
 
-    /// The path at σ with its derivatives.
+    /// State of the path at σ, with derivatives.
     pub(crate) fn course(&self, model: &Model<'_>, sigma: f64) -> Result<Course, Cause> {
         let first = (sigma - 2.0 * STENCIL).clamp(0.0, 1.0 - 4.0 * STENCIL);
         let index = ((sigma - first) / STENCIL).round();
@@ -349,8 +353,8 @@ impl Segment {
     }
 }
 
-/// The limit at which an axis jumps by a full turn on the way to a waypoint. `None` if it only moves far, as next to a
-/// singular position.
+/// Axis limit because of which an axis jumps by a full turn before a waypoint; `None` if the axis only moves far, as
+/// next to a singular position.
 fn limit_between(
     model: &Model<'_>,
     axes: impl Fn(f64, &Axes) -> Result<Axes, Cause>,
@@ -367,13 +371,13 @@ fn limit_between(
     })
 }
 
-/// The axes of the waypoint before σ.
+/// Axes of the waypoint nearest to σ.
 fn nearest(waypoints: &[Axes], sigma: f64) -> Axes {
     let index = (sigma.clamp(0.0, 1.0) * WAYPOINTS as f64).round() as usize;
     waypoints.get(index).or(waypoints.last()).copied().unwrap_or_default()
 }
 
-/// The distances in mm between points that follow one another.
+/// Distances between consecutive points, in mm.
 fn chords(points: &[Vector3<f64>]) -> Vec<f64> {
     points.windows(2).map(|pair| if let [from, to] = pair { (to - from).norm() } else { 0.0 }).collect()
 }
@@ -382,7 +386,7 @@ fn share(part: usize, parts: usize) -> f64 {
     part as f64 / parts as f64
 }
 
-/// The value next to `outside`, where `is_away` does not hold, from which on it holds up to `inside`.
+/// Boundary between `outside`, where `is_away` is false, and `inside`, where it is true, by bisection.
 fn boundary(mut outside: f64, mut inside: f64, is_away: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..60 {
         let middle = (outside + inside) / 2.0;

@@ -1,7 +1,6 @@
-//! A piece of the path that can be executed, with the limits at its knots.
+//! Span: executable piece of the path, with the limits at its knots.
 //!
-//! A span never changes once it is made. Its knots are at equal distances of the parameter p: σ of a segment, or u of a
-//! blend.
+//! A span is immutable. The knots are equidistant in the parameter p, which is σ of a segment or u of a blend.
 
 mod follow;
 mod knots;
@@ -25,10 +24,10 @@ use crate::model::{Axes, Model};
 use crate::request::SpeedLimits;
 use crate::segment::Segment;
 
-/// Values of p that differ by less are one, as are places between knots.
+/// Difference below which two values of p, or two positions in units of a knot distance, are the same.
 pub(crate) const SAME: f64 = 1e-9;
 
-/// The curve of a span.
+/// Curve of a span.
 #[derive(Clone, Debug)]
 pub(crate) enum Curve {
     Nominal(Arc<Segment>),
@@ -43,7 +42,7 @@ impl Curve {
         }
     }
 
-    /// The tool centre point at p, where the axes are known.
+    /// Tool centre point at p. `axes` are the axes at p.
     fn tip(&self, model: &Model<'_>, p: f64, axes: &Axes, tool: &IsometryMatrix3<f64>) -> IsometryMatrix3<f64> {
         match self {
             Self::Nominal(segment) => segment.pose_at(model, p),
@@ -52,38 +51,38 @@ impl Curve {
     }
 }
 
-/// The part of the recorded moves that a span executes; ids are as in `getMoveId`.
+/// Part of the recorded moves that a span executes. Ids are as in `getMoveId`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum SpanPart {
-    /// The nominal path of a move.
+    /// Nominal path of a move.
     Nominal {
-        /// Number of the move.
+        /// Serial number of the move.
         serial: u64,
         /// Id of the move.
         id: f64,
     },
-    /// The blend from one move to the next.
+    /// Blend from one move to the next.
     Blend {
-        /// The move before the corner.
+        /// Move before the corner.
         from: BlendPart,
-        /// The move after it.
+        /// Move after the corner.
         to: BlendPart,
     },
 }
 
-/// A move of a blend.
+/// Move of a blend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BlendPart {
-    /// Number of the move.
+    /// Serial number of the move.
     pub(crate) serial: u64,
     /// Id of the move.
     pub(crate) id: f64,
-    /// Where its nominal path ends or begins.
+    /// σ at which its nominal path ends or begins.
     pub(crate) sigma: f64,
 }
 
 impl SpanPart {
-    /// The number of the move whose corner it rounds.
+    /// Serial number of the move whose corner a blend rounds; `None` for a nominal part.
     pub(crate) fn blend_of(&self) -> Option<u64> {
         match self {
             Self::Nominal { .. } => None,
@@ -91,7 +90,7 @@ impl SpanPart {
         }
     }
 
-    /// `getMoveId` at p (section (b) of the motion model).
+    /// Result of `getMoveId` at p (section (b) of the motion model).
     pub(crate) fn id_at(&self, p: f64) -> f64 {
         match self {
             Self::Nominal { id, .. } => id + p,
@@ -101,12 +100,12 @@ impl SpanPart {
     }
 }
 
-/// Limits along a span: those before and after its middle.
+/// Limits along a span: before its middle, and after it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpanLimits(pub(crate) [SpeedLimits; 2]);
 
 impl SpanLimits {
-    /// On a blend the smaller speeds count; accelerations are those of the nearer move.
+    /// Returns the limits of a blend: the lower speeds of both moves, and the accelerations of the nearer move.
     pub(crate) fn of_blend(first: &SpeedLimits, second: &SpeedLimits) -> Self {
         let mut speed = first.speed;
         speed.iter_mut().zip(second.speed).for_each(|(speed, other)| *speed = speed.min(other));
@@ -121,7 +120,7 @@ impl SpanLimits {
     }
 }
 
-/// A piece of the path.
+/// Executable piece of the path.
 #[derive(Debug)]
 pub(crate) struct Span {
     pub(crate) curve: Curve,
@@ -135,11 +134,11 @@ pub(crate) struct Span {
     /// Derivatives and limits at each knot.
     interval_ends: Vec<IntervalEnd>,
     bounds: BoundsTable,
-    /// |dq/dp| at both ends.
+    /// |dq/dp| at the start and the end.
     ends: [f64; 2],
 }
 
-/// The ingredients of a span.
+/// Data from which a span is created.
 #[derive(Clone)]
 pub(crate) struct SpanRequest {
     pub(crate) curve: Curve,
@@ -149,7 +148,7 @@ pub(crate) struct SpanRequest {
     pub(crate) limits: SpanLimits,
     /// Range of p.
     pub(crate) range: [f64; 2],
-    /// The axes at the start.
+    /// Axes at the start.
     pub(crate) start: Axes,
 }
 
@@ -161,18 +160,18 @@ impl Span {
         Self { curve, part, manner, tool, limits, from, step, knots, interval_ends, bounds, ends }
     }
 
-    /// The range of p.
+    /// Range of p.
     pub(crate) fn range(&self) -> [f64; 2] {
         [self.from, self.at_knot(self.knots.len().saturating_sub(1))]
     }
 
-    /// Whether its end is the end of a blend, or the destination of its move.
+    /// Whether the span ends at the blend's end or at the move's destination.
     pub(crate) fn ends_its_move(&self) -> bool {
         let [_, end] = self.range();
         end > 1.0 - SAME
     }
 
-    /// p at a knot.
+    /// Value of p at a knot.
     pub(crate) fn at_knot(&self, index: usize) -> f64 {
         self.from + self.step * index as f64
     }
@@ -182,12 +181,12 @@ impl Span {
         self.knots.len()
     }
 
-    /// |dq/dp| at both ends.
+    /// |dq/dp| at the start and the end.
     pub(crate) fn ends(&self) -> [f64; 2] {
         self.ends
     }
 
-    /// The limits from p on to the next knot or to `to`, which is nearer.
+    /// Limits from p to the next knot, or to `to` before the next knot.
     pub(crate) fn bounds_at(&self, p: f64, to: Option<f64>) -> Option<Bounds<'_>> {
         let (index, is_between) = self.knot_before(p);
         let is_whole = !is_between && to.is_none_or(|to| (to - self.at_knot(index + 1)).abs() < SAME * self.step);
@@ -201,18 +200,18 @@ impl Span {
         Some(Bounds::between(&start, &end, to_end - p))
     }
 
-    /// The last knot that is not after p, and whether p is between it and the next one.
+    /// Index of the last knot not after p, and whether p is between this knot and the next.
     fn knot_before(&self, p: f64) -> (usize, bool) {
         let place = ((p - self.from) / self.step).max(0.0);
         let index = ((place + SAME) as usize).min(self.len().saturating_sub(1));
         (index, place > index as f64 + SAME)
     }
 
-    /// The axes at p.
+    /// Axes at p.
     pub(crate) fn axes(&self, model: &Model<'_>, p: f64) -> Axes {
         let place = ((p - self.from) / self.step).max(0.0);
         let knot = |index: usize| self.knots.get(index).or(self.knots.last()).copied().unwrap_or_default();
-        // A path along a limit may exceed it by a hair between two knots that can be reached.
+        // A path along an axis limit may exceed the limit slightly between two reachable knots.
         let between = || {
             let before = knot(place as usize);
             before + (knot(place as usize + 1) - before) * place.fract()
@@ -220,17 +219,17 @@ impl Span {
         self.curve.axes(model, p, &knot(place.round() as usize)).unwrap_or_else(|_| between())
     }
 
-    /// The tool centre point at p, in mm.
+    /// Position of the tool centre point at p, in mm.
     pub(crate) fn tip(&self, model: &Model<'_>, p: f64) -> Vector3<f64> {
         self.curve.tip(model, p, &self.axes(model, p), &self.tool).translation.vector
     }
 
-    /// The axes at the last knot.
+    /// Axes at the last knot.
     pub(crate) fn end(&self) -> Axes {
         self.knots.last().copied().unwrap_or_default()
     }
 
-    /// Whether p belongs to a blend.
+    /// Whether the span is part of a blend.
     pub(crate) fn is_blend(&self) -> bool {
         matches!(self.part, SpanPart::Blend { .. })
     }

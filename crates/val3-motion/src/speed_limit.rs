@@ -1,4 +1,4 @@
-//! The limit that determines the speed of the arm at a moment.
+//! Limit that determines the current speed of the arm.
 
 use std::fmt;
 use std::sync::Arc;
@@ -8,23 +8,23 @@ use crate::model::Model;
 use crate::span::{Reduction, Span};
 use crate::timeline::Timeline;
 
-/// From this share of full speed on, the limits of the path act, and below it the monitor speed.
+/// Fraction of full speed below which the monitor speed counts as the limit; above it, a limit of the path does.
 const FULL_PACE: f64 = 0.98;
 
-/// The limit that determines the speed of the arm. Axes count from 0.
+/// Limit that determines the speed of the arm. Axes count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SpeedLimit {
-    /// Greatest acceleration of an axis.
+    /// Axis acceleration.
     Acceleration(usize),
-    /// Greatest deceleration of an axis, before a slower part of the path or a stop.
+    /// Axis deceleration, before a slower part of the path or a stop.
     Deceleration(usize),
-    /// Greatest speed of an axis.
+    /// Axis speed.
     AxisSpeed(usize),
-    /// Greatest speed of the tool centre point.
+    /// Speed of the tool centre point (`tvel`).
     Translation,
-    /// Greatest rotation speed of the tool.
+    /// Rotation speed of the tool (`rvel`).
     Rotation,
-    /// An axis accelerates as much as it can because a blend bends.
+    /// Axis acceleration caused by a blend's curvature.
     Corner,
     /// Reduced speed of the tool, as in manual mode.
     ReducedSpeed,
@@ -32,7 +32,7 @@ pub enum SpeedLimit {
     MonitorSpeed,
     /// The arm brakes for a stop.
     Stop,
-    /// The arm moves back to its path at the speed of connection moves.
+    /// The arm returns to its path at the speed of connection moves.
     Connection,
     /// A force moves the arm along its path.
     Force,
@@ -40,7 +40,7 @@ pub enum SpeedLimit {
     Alter,
     /// The arm rests because its next move is not recorded yet.
     NextMove,
-    /// The arm rests before a path that it cannot follow.
+    /// The arm rests at a path fault.
     Fault,
     /// A stop, no power, step mode, or a position away from the path holds the arm.
     Held,
@@ -70,7 +70,7 @@ impl SpeedLimit {
         ])
     }
 
-    /// The axis of the limit, from 0; `None` for a limit that has none.
+    /// Axis of the limit, from 0; `None` for a limit without an axis.
     #[must_use]
     pub const fn axis(self) -> Option<usize> {
         match self {
@@ -79,7 +79,7 @@ impl SpeedLimit {
         }
     }
 
-    /// Limit with this name; `None` if no limit has it.
+    /// Limit with this name; `None` if the name is unknown.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::all().find(|limit| limit.to_string() == name)
@@ -110,16 +110,16 @@ impl fmt::Display for SpeedLimit {
     }
 }
 
-/// The source of the speed limit of a cycle. A path limit is computed only when an observer requests it.
+/// Source of a cycle's speed limit. A limit on the path is computed only when an observer requests it.
 #[derive(Clone, Debug)]
 pub(crate) enum ActingLimit {
-    /// The limit itself.
+    /// Limit without further computation.
     Known(SpeedLimit),
     /// The arm followed its path.
     OnPath(PathState),
 }
 
-/// State of an arm on its path, at full monitor speed.
+/// Arm state on the path, at full monitor speed.
 #[derive(Clone, Debug)]
 pub(crate) struct PathState {
     span: Arc<Span>,
@@ -127,14 +127,14 @@ pub(crate) struct PathState {
     pub(crate) p: f64,
     /// ṗ².
     pub(crate) x: f64,
-    /// p̈ of the interval that the arm is in, or at whose end it is.
+    /// p̈ of the current interval, or of the interval that the arm has just completed.
     pub(crate) u: f64,
-    /// Share of full speed at which the arm moves.
+    /// Fraction of full speed at which the arm moves.
     pace: f64,
 }
 
 impl PathState {
-    /// The limit that determines the speed.
+    /// Limit that determines the speed.
     pub(crate) fn speed_limit(&self, model: &Model<'_>) -> SpeedLimit {
         match self.pace < FULL_PACE {
             true => SpeedLimit::MonitorSpeed,
@@ -142,7 +142,7 @@ impl PathState {
         }
     }
 
-    /// The value of the acting limit's quantity as a share of the limit.
+    /// Load of the acting limit: the limited quantity relative to the limit.
     #[cfg(test)]
     pub(crate) fn load(&self, model: &Model<'_>) -> f64 {
         self.span.speed_limit(model, self, self.reduction.as_ref()).1
@@ -150,7 +150,7 @@ impl PathState {
 }
 
 impl Timeline {
-    /// The state of the arm on the path; `None` without one.
+    /// State of the arm on the path; `None` without a path.
     pub(crate) fn state(&self, pace: f64) -> Option<PathState> {
         let front = self.spans.front()?;
         let before = self.cursor.point.checked_sub(1).filter(|_| self.cursor.elapsed == 0.0);

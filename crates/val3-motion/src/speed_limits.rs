@@ -1,4 +1,4 @@
-//! Limits of x = ṡ² by the speeds of the axes and of the tool, so that they hold between knots too.
+//! Limits of x = ṡ² by the speeds of the axes and of the tool. The limits also hold between knots.
 
 use nalgebra::{SVector, Vector3};
 use val3_geometry::{IsometryMatrix3, rotation};
@@ -8,10 +8,10 @@ use crate::derivatives::tangents;
 use crate::model::Axes;
 use crate::request::SpeedLimits;
 
-/// Speeds, or what limits them: axes, tool centre point and rotation of the tool.
+/// Speeds or speed limits of the axes, the tool centre point and the rotation of the tool.
 type Speeds = SVector<f64, { AXES + 2 }>;
 
-/// The limit of x by all speeds at each knot.
+/// Computes the limit of x at each knot by all speeds.
 pub(crate) fn speed_limits(
     axes: &[Axes],
     tips: &[IsometryMatrix3<f64>],
@@ -29,7 +29,7 @@ pub(crate) fn speed_limits(
     without_bulges(&tops.collect::<Vec<_>>()).map(|tops| tops.min()).collect()
 }
 
-/// The greatest x by one limit. An axis that the arm lacks has neither a speed nor a limit.
+/// Maximum x by one limit; infinite for a speed of 0, for example if the arm does not have the axis.
 fn allowed(limit: f64, speed: f64) -> f64 {
     if speed == 0.0 { f64::INFINITY } else { (limit / speed).powi(2) }
 }
@@ -39,7 +39,7 @@ fn speeds(axes: &Axes, translation: f64, rotation: f64) -> Speeds {
     [a, b, c, d, e, f, translation, rotation].into()
 }
 
-/// The speed of rotation at each knot in degrees for each unit of p: the greater one to both sides.
+/// Rotation speed at each knot, in degrees per unit of p: the greater of the speeds before and after the knot.
 fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> Vec<f64> {
     let turn = |pair: &[IsometryMatrix3<f64>]| match pair {
         [one, other] => rotation::angle_between(&one.rotation, &other.rotation).to_degrees() / step,
@@ -50,10 +50,11 @@ fn rotations(tips: &[IsometryMatrix3<f64>], step: f64) -> Vec<f64> {
     (0..tips.len()).map(|index| around(index).iter().copied().fold(0.0, f64::max)).collect()
 }
 
-/// Lowers limits of x where they bulge downwards between knots.
+/// Lowers the limits of x at knots between which a limit bulges downwards.
 ///
-/// Between two knots x is linear. A limit is below that line where its second derivative is positive, by an eighth of
-/// its second difference. Twice as much is taken off, because the second difference of the neighbours is an estimate.
+/// Between two knots x is linear. A limit with a positive second derivative is below this line by an eighth of the
+/// second difference. Twice this value is subtracted, because the second difference of the neighbours is only an
+/// estimate.
 fn without_bulges(limits: &[Speeds]) -> impl Iterator<Item = Speeds> {
     let bulge = |three: &[Speeds]| match three {
         [before, here, after] => {

@@ -1,4 +1,4 @@
-//! Speeds along the determined spans: written by the planner, followed by the executor.
+//! Timeline: speeds along the determined spans, set by the planner and followed by the executor.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use crate::bounds::Bounds;
 use crate::compliant::Glide;
 use crate::span::{Reduction, Span};
 
-/// Spans with their speeds, and the position of the arm. The first span is executed.
+/// Spans with their speeds, and the position of the arm. The arm is on the first span.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Timeline {
     pub(crate) spans: VecDeque<TimedSpan>,
@@ -18,52 +18,52 @@ pub(crate) struct Timeline {
     pub(crate) has_halt: bool,
 }
 
-/// `most` of a point before it is planned.
+/// Value of `most` before planning.
 pub(crate) const UNPLANNED: f64 = f64::NAN;
 
-/// A span with its speeds.
+/// Span with its speeds.
 #[derive(Clone, Debug)]
 pub(crate) struct TimedSpan {
     pub(crate) span: Arc<Span>,
-    /// At least two, by increasing p.
+    /// Points in ascending order of p, at least two.
     pub(crate) points: Vec<TimelinePoint>,
     /// Whether the arm rests before this span.
     pub(crate) from_rest: bool,
-    /// Whether the arm waits before this span until it is released (step mode).
+    /// Whether the arm waits for a release before this span (step mode).
     pub(crate) is_gated: bool,
-    /// |dq/dp| at its end if the arm deviates from it.
+    /// |dq/dp| at the end of the span with a deviation; `None` without a deviation.
     pub(crate) exit_rate: Option<f64>,
-    /// Whether a reset has removed the move, so that the arm only brakes on the span.
+    /// Whether a reset has removed the move. The arm then only brakes on the span.
     pub(crate) is_forgotten: bool,
-    /// Limits of reduced speed; `None` at normal speed.
+    /// Reduced speed limits; `None` at normal speed.
     pub(crate) reduction: Option<Reduction>,
 }
 
-/// The speed at one value of p. Between two points p̈ is constant.
+/// Speed at one value of p. Between two points p̈ is constant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TimelinePoint {
     pub(crate) p: f64,
     /// ṗ².
     pub(crate) x: f64,
-    /// Greatest x from which the arm can follow the rest of the path.
+    /// Maximum x from which the arm can follow the rest of the path.
     pub(crate) most: f64,
-    /// Whether the arm waits at the point until it is released.
+    /// Whether the arm waits at the point for a release.
     pub(crate) halt: bool,
 }
 
 /// Position of the arm in the first span.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Cursor {
-    /// Index of the point that was passed last.
+    /// Index of the last passed point.
     pub(crate) point: usize,
-    /// Seconds since that point.
+    /// Seconds since the last passed point.
     pub(crate) elapsed: f64,
     /// State of a compliant move, which follows no plan.
     pub(crate) glide: Option<Glide>,
 }
 
 impl TimedSpan {
-    /// Creates a span without speeds, which the planner sets.
+    /// Creates a span without speeds; the planner sets them.
     pub(crate) fn new(span: Arc<Span>, from_rest: bool) -> Self {
         let last = span.len() - 1;
         let [_, end] = span.range();
@@ -73,17 +73,17 @@ impl TimedSpan {
         Self { span, points, from_rest, is_gated: false, exit_rate: None, is_forgotten: false, reduction: None }
     }
 
-    /// Whether the plan brings the arm to rest before this span.
+    /// Whether the arm rests before this span in the plan.
     pub(crate) fn begins_at_rest(&self) -> bool {
         self.from_rest || self.is_gated
     }
 
-    /// The points around the interval that begins at `index`.
+    /// Interval that begins at the point `index`.
     pub(crate) fn interval(&self, index: usize) -> Option<Interval> {
         Interval::at(&self.points, index)
     }
 
-    /// The limits, and the points that get their speeds within them.
+    /// Limits of the span, and its points for the planner.
     pub(crate) fn plan(&mut self) -> (SpanLimit<'_>, &mut Vec<TimelinePoint>) {
         (SpanLimit { span: &self.span, reduction: self.reduction.as_ref() }, &mut self.points)
     }
@@ -94,7 +94,7 @@ impl TimedSpan {
     }
 }
 
-/// Limits of the speeds of a span.
+/// Speed limits of a span.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpanLimit<'a> {
     span: &'a Span,
@@ -102,14 +102,14 @@ pub(crate) struct SpanLimit<'a> {
 }
 
 impl<'a> SpanLimit<'a> {
-    /// The limits from the point `index` to the next one.
+    /// Limits from the point `index` to the next.
     pub(crate) fn bounds(&self, points: &[TimelinePoint], index: usize) -> Option<Bounds<'a>> {
         let next = points.get(index + 1).map(|next| next.p);
         self.span.bounds_within(points.get(index)?.p, next, self.reduction)
     }
 }
 
-/// The motion between two points: p̈ is constant.
+/// Motion between two points, with a constant p̈.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Interval {
     pub(crate) from: TimelinePoint,
@@ -117,7 +117,7 @@ pub(crate) struct Interval {
 }
 
 impl Interval {
-    /// The interval that begins at the point `index`.
+    /// Interval that begins at the point `index`.
     pub(crate) fn at(points: &[TimelinePoint], index: usize) -> Option<Self> {
         let (from, to) = (points.get(index)?, points.get(index + 1)?);
         Some(Self { from: *from, to: *to })
@@ -128,25 +128,25 @@ impl Interval {
         2.0 * (self.to.p - self.from.p) / (self.from.x.sqrt() + self.to.x.sqrt())
     }
 
-    /// p after some seconds.
+    /// Value of p after a number of seconds.
     pub(crate) fn p_after(&self, seconds: f64) -> f64 {
         let p = self.from.p + seconds * (self.from.x.sqrt() + 0.5 * self.acceleration() * seconds);
         p.clamp(self.from.p, self.to.p)
     }
 
-    /// ṗ after some seconds.
+    /// Value of ṗ after a number of seconds.
     pub(crate) fn rate_after(&self, seconds: f64) -> f64 {
         (self.from.x.sqrt() + self.acceleration() * seconds).max(0.0)
     }
 
-    /// p̈.
+    /// Constant p̈ of the interval.
     pub(crate) fn acceleration(&self) -> f64 {
         (self.to.x - self.from.x) / (2.0 * (self.to.p - self.from.p))
     }
 }
 
 impl Timeline {
-    /// p in the first span; `None` without a span.
+    /// Current p in the first span; `None` without a span.
     pub(crate) fn p(&self) -> Option<f64> {
         let front = self.spans.front()?;
         match front.interval(self.cursor.point) {
@@ -156,7 +156,7 @@ impl Timeline {
         }
     }
 
-    /// The first span and its force if a compliant move is executed.
+    /// First span and its force during a compliant move; `None` otherwise.
     pub(crate) fn compliant(&self) -> Option<(&TimedSpan, Percent)> {
         let front = self.spans.front()?;
         let is_done = self.cursor.point + 1 >= front.points.len();
@@ -172,12 +172,12 @@ impl Timeline {
         self.cursor = Cursor { point: last, ..Cursor::default() };
     }
 
-    /// p at the end of the last span.
+    /// Value of p at the end of the last span.
     pub(crate) fn end(&self) -> Option<f64> {
         self.spans.back()?.points.last().map(|point| point.p)
     }
 
-    /// ṗ in the first span.
+    /// Current ṗ in the first span.
     pub(crate) fn rate(&self) -> f64 {
         let Some(front) = self.spans.front() else { return 0.0 };
         match front.interval(self.cursor.point) {
@@ -203,7 +203,7 @@ impl Timeline {
         first.max(0.0) + spans.map(|span| span.seconds_from(0)).sum::<f64>()
     }
 
-    /// How ṗ² changes from the span `index` to the one after it: the axes keep their speeds.
+    /// Factor by which ṗ² changes from the span `index` to the next span, so that the axes keep their speeds.
     pub(crate) fn ratio(&self, index: usize) -> Option<f64> {
         let (span, next) = (self.spans.get(index)?, self.spans.get(index + 1)?);
         let ([_, end], [start, _]) = (span.span.ends(), next.span.ends());

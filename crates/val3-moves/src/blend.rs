@@ -1,14 +1,14 @@
-//! The blend of a move at its destination (10.1.2).
+//! Blend around a move's destination (10.1.2).
 
 use crate::units::Millimetres;
 
-/// A corner that begins or ends nearer to its destination, in mm, does so at the destination.
+/// Distance to the destination below which a blend distance counts as 0, in mm.
 const LEAST_CORNER: f64 = 1e-3;
 
 /// Value of the field `blend` of a motion descriptor, without the distances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlendKind {
-    /// A curve in joint space, of free shape.
+    /// A smooth curve in joint space.
     Joint,
     /// The arm stops at the destination.
     Off,
@@ -16,7 +16,7 @@ pub enum BlendKind {
     Cartesian,
 }
 
-/// Blend of a move with its distances: of the tool centre point to the destination.
+/// Blend of a move, with the distances from the tool centre point to the destination.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Blend {
     /// The arm stops at the destination.
@@ -38,7 +38,7 @@ pub enum Blend {
 }
 
 impl Blend {
-    /// Blend of a kind with its distances, which [`BlendKind::Off`] ignores.
+    /// Creates a blend. [`BlendKind::Off`] ignores the distances.
     #[must_use]
     pub const fn new(kind: BlendKind, leave: Millimetres, reach: Millimetres) -> Self {
         match kind {
@@ -48,7 +48,7 @@ impl Blend {
         }
     }
 
-    /// `leave` and `reach` in mm, where less than a thousandth counts as 0; `None` if the arm stops.
+    /// `leave` and `reach` in mm; less than 0.001 mm counts as 0. `None` if the arm stops.
     #[must_use]
     pub fn distances(&self) -> Option<(f64, f64)> {
         let (Self::Joint { leave, reach } | Self::Cartesian { leave, reach }) = self else { return None };

@@ -1,7 +1,8 @@
-//! The vocabulary of a move, from the instruction that requests it to the views that show it.
+//! Types of a move, from the instruction that requests the move to the views that show it.
 //!
 //! Instructions build a [`MovePath`] with a [`Manner`], the planner follows it, and the controller, the debugger and
-//! the pages show its [`PathShape`], [`BlendKind`], [`MoveStage`] and [`MotionPhase`]. Nothing here computes a motion.
+//! the pages show its [`PathShape`], [`BlendKind`], [`MoveStage`] and [`MotionPhase`]. The crate does not compute any
+//! motion.
 //!
 //! Poses are in `world` and tools in `flange`, with lengths in mm. Joint positions are in degrees (linear axes: mm).
 

@@ -1,13 +1,13 @@
-//! How the arm follows the path of a move, and the coordinates of its deviation.
+//! Manner in which the arm follows a move's path, and the coordinates of a deviation.
 
 use val3_geometry::IsometryMatrix3;
 
 use crate::units::Percent;
 
-/// How the arm follows the path of a move.
+/// Manner in which the arm follows a move's path.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Manner {
-    /// Exactly.
+    /// The arm follows the path exactly.
     #[default]
     Rigid,
     /// A force in per cent of the nominal load moves the arm along the path (`movejf`, `movelf`; 11.1). The arm stops

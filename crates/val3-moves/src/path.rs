@@ -1,9 +1,9 @@
-//! The nominal path of a move and its destination.
+//! Nominal path of a move, and its destination.
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Joints, RequestedConfiguration};
 
-/// Nominal path of a move, with its destination.
+/// Nominal path and destination of a move.
 #[derive(Clone, Debug)]
 pub enum MovePath {
     /// `movej` to a joint position: a straight line in joint space.
@@ -13,14 +13,14 @@ pub enum MovePath {
     JointToPoint(MoveTarget),
     /// `movel`: a straight line of the tool centre point.
     Line(MoveTarget),
-    /// `movec`: a circle of the tool centre point through an intermediate pose, which comes first.
+    /// `movec`: a circle of the tool centre point. The first field is the intermediate pose.
     Circle(IsometryMatrix3<f64>, MoveTarget),
 }
 
 /// Point as the destination of a move.
 #[derive(Clone, Debug)]
 pub struct MoveTarget {
-    /// The tool centre point in `world`.
+    /// Tool centre point in `world`.
     pub pose: IsometryMatrix3<f64>,
     /// Configurations in which the arm may reach the pose (9.7).
     pub configuration: RequestedConfiguration,

@@ -1,9 +1,9 @@
-//! Stages of a recorded move, and phases of the motion.
+//! Stages of recorded moves, and motion phases.
 
-/// Stage of the execution of a recorded move, in the order of time.
+/// Execution stage of a recorded move, in chronological order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum MoveStage {
-    /// The move is recorded; the arm is at moves before it.
+    /// The move is recorded, and the arm executes earlier moves.
     Recorded,
     /// The arm follows the nominal path, or waits at its end.
     Started,
@@ -12,7 +12,7 @@ pub enum MoveStage {
 }
 
 impl MoveStage {
-    /// Name in the queue of moves of the debugger and the pages.
+    /// Name in the move queue of the debugger and the pages.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -23,7 +23,7 @@ impl MoveStage {
     }
 }
 
-/// Kind of motion in a cycle.
+/// Motion phase in a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionPhase {
     /// The arm follows the nominal path of a move.
@@ -38,7 +38,7 @@ pub enum MotionPhase {
     Compliant,
     /// The arm brakes on its path.
     Stopping,
-    /// The arm rests: no more path is determined, or it is stopped.
+    /// The arm rests because no further path is determined or because it is stopped.
     Waiting,
 }
 

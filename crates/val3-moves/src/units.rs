@@ -1,25 +1,25 @@
-//! Units of lengths, angles, speeds, times and shares.
+//! Units of length, angle, speed and time, and per cent.
 
-/// A length in mm.
+/// Length in mm.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Millimetres(pub f64);
 
-/// An angle in degrees.
+/// Angle in degrees.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Degrees(pub f64);
 
-/// A speed in mm/s.
+/// Speed in mm/s.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct MillimetresPerSecond(pub f64);
 
-/// A speed of rotation in degrees per second.
+/// Rotation speed in degrees per second.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct DegreesPerSecond(pub f64);
 
-/// A duration or a time in seconds.
+/// Duration or time in seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Seconds(pub f64);
 
-/// A share in per cent, such as the monitor speed.
+/// Ratio in per cent, for example the monitor speed.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Percent(pub f64);

@@ -1,4 +1,4 @@
-//! Rejection of a command of a page.
+//! Rejection of a page's command.
 
 use std::fmt;
 

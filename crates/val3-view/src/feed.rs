@@ -77,7 +77,7 @@ impl Feed {
         feed
     }
 
-    /// Processes the finished cycle that began at `start`, with its events.
+    /// Processes a finished cycle that began at `start`, with its events.
     pub fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
         self.sample(start, controller);
         self.see_events(events, controller);

@@ -66,7 +66,7 @@ fn recorded(queued: &RecordedMove, source: u16) -> QueueEntry {
     }
 }
 
-/// The way of the tool centre point to the last destination, in mm, by pieces.
+/// Path of the tool centre point to the last destination, in mm, by piece.
 fn way_ahead(controller: &Controller) -> Vec<WayPiece> {
     let pieces = controller.arm().motion().way_ahead(PIECES);
     let piece = |PieceAhead { phase, points }: &PieceAhead| {

@@ -97,7 +97,7 @@ impl<'a> PositionComputer<'a> {
         Self { data, memory, by_place, poses: Poses::new(memory) }
     }
 
-    /// Frames, tools or points: all values with this type, without values that have no placement.
+    /// Values of this type (frames, tools or points), except values without a placement.
     pub(crate) fn of_type(&mut self, base: BaseType) -> Vec<CellPoint> {
         let of_base = self.data.iter().filter(|datum| datum.base == base);
         of_base.filter_map(|datum| self.described(datum)).collect()

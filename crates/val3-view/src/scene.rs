@@ -12,7 +12,7 @@ use crate::{arm, signals};
 /// Version of the messages.
 const VERSION: u32 = 1;
 
-/// The phases of motion by their numbers in samples.
+/// Motion phases, by their numbers in samples.
 const PHASES: [MotionPhase; 7] = [
     MotionPhase::Nominal,
     MotionPhase::Blend,

@@ -16,7 +16,7 @@ use crate::user_error::UserError;
 /// projects.
 ///
 /// # Errors
-/// The arm that a `val3.toml` names cannot be used.
+/// The arm in a `val3.toml` cannot be used.
 pub(crate) fn notice(
     db: &Database,
     projects: &[Project],

@@ -21,7 +21,7 @@ use crate::paths::{Paths, relative};
 use crate::unread::is_unreadable;
 use crate::user_error::UserError;
 
-/// How the check uses baselines.
+/// Use of baselines in a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Mode {
     /// Omits known findings.
@@ -40,7 +40,7 @@ pub(crate) struct BaselineResult {
     pub(crate) known: usize,
     /// Number of known findings that no longer occur.
     pub(crate) gone: usize,
-    /// Written files, as they are shown to the user, with their numbers of findings.
+    /// Displayed paths of the written files, with their numbers of findings.
     pub(crate) written: Vec<(String, usize)>,
 }
 
@@ -52,7 +52,7 @@ pub(crate) struct KnownFindings<'a> {
     pub(crate) units: &'a [CheckUnit],
     /// Rule selection of the command line.
     pub(crate) selection: &'a RuleSelection,
-    /// How paths are displayed.
+    /// Path display.
     pub(crate) paths: &'a Paths,
 }
 

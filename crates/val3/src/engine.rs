@@ -180,7 +180,7 @@ impl<'r> Session<'r> {
         WriteScope::new(&self.opened.asked)
     }
 
-    /// How paths are displayed.
+    /// Path display.
     pub(crate) fn paths(&self) -> &Paths {
         &self.opened.paths
     }

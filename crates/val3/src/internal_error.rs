@@ -1,4 +1,4 @@
-//! Reports of bugs of the tools: one message for each location in the code, on standard error.
+//! Bug reports: one message per code location, on the standard error output.
 
 use std::collections::BTreeSet;
 use std::process::ExitCode;
@@ -17,7 +17,8 @@ pub(crate) fn connect() {
     set_bug_hook(report);
 }
 
-/// Returns the exit code of a command: 2 after a report, because a result with a bug in it must not pass as clean.
+/// Returns the exit code of a command: 2 after a bug report, because the result may be wrong and must not count as
+/// clean.
 pub(crate) fn exit_code(code: ExitCode) -> ExitCode {
     let has_reported = !REPORTED.lock().unwrap_or_else(PoisonError::into_inner).is_empty();
     if has_reported { ExitCode::from(EXIT_USAGE) } else { code }

@@ -114,8 +114,8 @@ fn found_under(system: &dyn System, asked: &Utf8Path, unreadable: &mut Vec<(Utf8
     }
 }
 
-/// Whether a `val3.toml` excludes a file from a search in `asked`. If the entire folder is excluded, the user has named
-/// it on purpose.
+/// Whether a `val3.toml` excludes a file from a search in `asked`. The exclusion does not apply if it covers the entire
+/// folder `asked`, because the user has named this folder explicitly.
 fn is_excluded(system: &dyn System, asked: &Utf8Path, path: &Utf8Path) -> bool {
     let folder = path.parent().unwrap_or(Utf8Path::new(""));
     // An invalid configuration is reported when the projects are loaded.

@@ -40,7 +40,7 @@ pub(crate) struct OpenRequest {
     pub(crate) arm: Option<String>,
     /// Baseline of all applications; without it, each `val3.toml` names its application's baseline.
     pub(crate) baseline: Option<Utf8PathBuf>,
-    /// How the check uses baselines.
+    /// Use of baselines in the check.
     pub(crate) mode: Mode,
     /// Number of threads; one for each core by default.
     pub(crate) jobs: Option<u16>,
@@ -58,7 +58,7 @@ pub(crate) struct OpenedWorkspace {
     pub(crate) threads: ThreadPool,
     /// Current folder, absolute.
     pub(crate) current: Utf8PathBuf,
-    /// How paths are displayed.
+    /// Path display.
     pub(crate) paths: Paths,
     /// All files.
     pub(crate) workspace: Workspace,

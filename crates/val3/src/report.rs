@@ -16,7 +16,7 @@ use crate::user_error::UserError;
 
 pub(crate) use finding::{Finding, Related, ReportPosition, ReportRange, ReportedEdit, ReportedFix, SourceFile};
 
-/// How serious a finding is.
+/// Level of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum FindingSeverity {

@@ -1,7 +1,7 @@
-//! `--serve`: the server that shows a run in browsers, with one thread of its own.
+//! `--serve`: server that shows a run in browsers, in a separate thread.
 //!
-//! The loop of the run extends a log and takes commands; it never waits for the server. Each viewer has a cursor in the
-//! log, so that a viewer that does not read costs nothing.
+//! The run loop appends messages to a log and polls commands, and never waits for the server. Each viewer has a cursor
+//! in the log, so a viewer that does not read costs nothing.
 
 mod access;
 mod address;
@@ -38,12 +38,12 @@ pub(crate) use page::PAGE;
 use page::ServedPage;
 use shared::{Shared, SharedLog};
 
-/// Commands of all viewers that wait for the run.
+/// Maximum number of pending commands from all viewers.
 const WAITING_COMMANDS: usize = 256;
 
-/// A server for the viewers of one run. It ends when the value is dropped.
+/// Server for the viewers of a run. Dropping the value ends the server.
 pub(crate) struct Server {
-    /// The address that browsers open, for operators and guests.
+    /// Page addresses for operators and guests.
     pages: [String; 2],
     log: Arc<SharedLog>,
     commands: Receiver<PendingCommand>,
@@ -52,10 +52,10 @@ pub(crate) struct Server {
 }
 
 impl Server {
-    /// Listens on an address, and serves the viewers that come.
+    /// Starts a server that listens on an address.
     ///
     /// # Errors
-    /// The address is not free, or the system refuses something that a server needs.
+    /// The address is in use, or a system resource for the server is not available.
     pub(crate) fn start(address: ServeAddress) -> Result<Self, UserError> {
         Self::with_limits(address, ServerLimits::default())
     }
@@ -85,13 +85,13 @@ impl Server {
         Ok(Self { pages, log, commands, is_over, thread: Some(thread) })
     }
 
-    /// The address of the page for operators.
+    /// Page address for operators.
     pub(crate) fn operator_page(&self) -> &str {
         let [operator, _] = &self.pages;
         operator
     }
 
-    /// The address of the page for guests, who cannot operate.
+    /// Page address for guests, who cannot operate the run.
     pub(crate) fn guest_page(&self) -> &str {
         let [_, guest] = &self.pages;
         guest
@@ -109,18 +109,18 @@ impl Server {
         }
     }
 
-    /// The bytes of the messages in the log.
+    /// Size of the messages in the log, in bytes.
     #[cfg(test)]
     fn log_bytes(&self) -> usize {
         self.log.lock().bytes()
     }
 
-    /// The next command that has arrived.
+    /// Removes and returns the next command; `None` if no command is pending.
     pub(crate) fn next_command(&self) -> Option<PendingCommand> {
         self.commands.try_recv().ok()
     }
 
-    /// Waits for a command, at most for this time.
+    /// Waits for the next command, at most for this time.
     pub(crate) fn wait_for_command(&self, time: Duration) -> Option<PendingCommand> {
         self.commands.recv_timeout(time).ok()
     }
@@ -129,7 +129,7 @@ impl Server {
 impl Drop for Server {
     fn drop(&mut self) {
         self.is_over.send_replace(true);
-        // The thread has ended if the system could not serve.
+        // The thread may have ended already with a system error.
         self.thread.take().map(JoinHandle::join);
     }
 }

@@ -1,4 +1,4 @@
-//! Requests of the alter mode, and the moves that wait for its end.
+//! Alter mode: its requests, and the moves that wait for its end.
 
 use std::collections::VecDeque;
 
@@ -14,12 +14,12 @@ use crate::path::PathEnd;
 use crate::request::{Move, SpeedLimits};
 use crate::timeline::Timeline;
 
-/// Places on each span at which a deviation is followed to the end of its path.
+/// Points per span at which a deviation is followed to the end of the path.
 const PLACES: u32 = 16;
 
-/// The alter mode.
+/// Alter mode.
 impl Motion {
-    /// Enters the alter mode on the executed alterable path (`alterBegin`). `limits` apply to the deviated path.
+    /// Enters the alter mode on the current alterable path (`alterBegin`). `limits` apply to the deviated path.
     pub fn alter_begin(&mut self, reference: AlterReference, limits: SpeedLimits) -> AlterStatus {
         match &self.alteration {
             _ if self.fault.is_some() => AlterStatus::Fault,
@@ -33,7 +33,7 @@ impl Motion {
         }
     }
 
-    /// Chooses the deviation from the next cycle on (`alter`).
+    /// Sets the deviation, effective from the next cycle on (`alter`).
     pub fn alter(&mut self, transformation: IsometryMatrix3<f64>) -> AlterStatus {
         match &mut self.alteration {
             _ if self.fault.is_some() => AlterStatus::Fault,
@@ -48,7 +48,7 @@ impl Motion {
         }
     }
 
-    /// Leaves the alter mode (`alterEnd`). The deviation is kept to the end of the alterable path.
+    /// Ends the alter mode (`alterEnd`). The deviation stays in effect to the end of the alterable path.
     pub fn alter_end(&mut self) -> AlterStatus {
         match &mut self.alteration {
             _ if self.fault.is_some() => AlterStatus::Fault,
@@ -62,7 +62,7 @@ impl Motion {
         }
     }
 
-    /// Time until a stop locks the deviation (`alterStopTime`): negative without a stop, 0 without alter mode.
+    /// Time until a stop locks the deviation (`alterStopTime`): negative without a stop, 0 outside of the alter mode.
     #[must_use]
     pub fn alter_stop_time(&self) -> Seconds {
         let alteration = self.alteration.as_ref().filter(|alteration| !alteration.is_ended && self.fault.is_none());
@@ -76,19 +76,19 @@ impl Motion {
         is_alterable && has_started && !self.is_nominal_done()
     }
 
-    /// Whether a deviation that cannot be done holds the arm until a reset.
+    /// Whether an impossible deviation holds the arm until a reset.
     pub(super) fn has_altered_fault(&self) -> bool {
         self.alteration.as_ref().is_some_and(|alteration| alteration.has_failed)
     }
 
-    /// A stop begins.
+    /// Starts locking the deviation at the beginning of a stop.
     pub(super) fn stop_alteration(&mut self, is_emergency: bool) {
         if let Some(alteration) = &mut self.alteration {
             alteration.stop(is_emergency);
         }
     }
 
-    /// A cycle of the deviation. Returns whether it has moved the arm.
+    /// Executes one cycle of the deviation. Returns whether the arm has moved.
     pub(super) fn deviate(&mut self, duration: Seconds) -> bool {
         let front = self.timeline.spans.front();
         if front.is_some_and(|front| front.span.manner != Manner::Alterable) {
@@ -109,13 +109,14 @@ impl Motion {
         moved
     }
 
-    /// Everything recorded is forgotten. The deviation stays until the arm has braked.
+    /// Discards the recorded moves. The deviation stays until the arm has braked.
     pub(super) fn reset_alteration(&mut self) {
         self.deferred = None;
         let Some(alteration) = self.alteration.as_mut() else { return };
         (alteration.is_ended, alteration.locks_in) = (true, None);
         let axes = alteration.axes();
-        // After a failure the arm rests already. Where the braking cannot deviate, it stops immediately.
+        // After a failure the arm is already at rest. If the braking path cannot be followed with the deviation, the
+        // arm stops immediately.
         let end = if alteration.has_failed { None } else { self.deviated_end().ok() };
         if end.is_none() {
             (self.timeline, self.rest) = (Timeline::default(), axes);
@@ -126,7 +127,7 @@ impl Motion {
         }
     }
 
-    /// Makes the end of a deviation that is over the start of the next move.
+    /// Starts the next move at the end of a completed deviation.
     fn settle_alteration(&mut self) {
         let ended = self.alteration.as_ref().filter(|alteration| alteration.is_ended && !alteration.has_failed);
         if let Some(axes) = ended.map(Alteration::axes).filter(|_| self.is_nominal_done()) {
@@ -141,21 +142,21 @@ impl Motion {
 
 /// Moves after an alterable path.
 impl Motion {
-    /// The end of everything recorded.
+    /// End of the recorded path, deferred moves included.
     pub(super) fn tail(&self) -> &PathEnd {
         self.deferred.as_ref().map_or(&self.path, |deferred| &deferred.nominal)
     }
 
-    /// Whether a move has to wait until the end of the alterable path before it is known.
+    /// Whether a move has to wait because the end of the preceding alterable path is unknown.
     pub(super) fn must_wait(&self, request: &Move) -> bool {
         let is_ended = self.alteration.as_ref().is_some_and(|alteration| alteration.is_ended);
         self.deferred.is_some() || request.manner != Manner::Alterable && self.ends_alterable() && !is_ended
     }
 
-    /// Records a move once the alterable path before it has ended.
+    /// Stores a move until the preceding alterable path has ended.
     ///
     /// # Errors
-    /// It cannot be done from the end of the path without a deviation.
+    /// Returns the cause if the move is impossible from the end of the nominal path, without a deviation.
     pub(super) fn defer(&mut self, request: &Move, serial: u64) -> Result<(), Cause> {
         let mut nominal = self.tail().clone();
         nominal.record(&Model(&self.arm), request, serial)?;
@@ -165,7 +166,7 @@ impl Motion {
         Ok(())
     }
 
-    /// Plans the moves that have waited for the end of an alterable path.
+    /// Records the deferred moves after the end of the alterable path.
     pub(super) fn record_deferred(&mut self) {
         let Some(deferred) = self.deferred.take() else { return };
         for request in deferred.requests {
@@ -185,7 +186,7 @@ impl Motion {
         }
     }
 
-    /// The path of a move, which begins where the deviation of an alterable path before it ends.
+    /// Determines the path of a move, which begins at the deviated end of a preceding alterable path.
     pub(super) fn determine(&mut self, request: &Move, serial: u64) -> Result<Determined, Cause> {
         let is_rigid_after_alterable = request.manner != Manner::Alterable && self.ends_alterable();
         if is_rigid_after_alterable && self.alteration.as_ref().is_some_and(|alteration| alteration.is_ended) {
@@ -200,7 +201,7 @@ impl Motion {
         self.path.record(&Model(&self.arm), request, serial)
     }
 
-    /// Where the path ends with the deviation that is in force.
+    /// End of the path with the current deviation.
     fn deviated_end(&self) -> Result<Axes, Cause> {
         let model = Model(&self.arm);
         let Some(alteration) = &self.alteration else { return Ok(self.path.destination()) };
@@ -218,14 +219,14 @@ impl Motion {
         Ok(near)
     }
 
-    /// Whether the path ends with an alterable part that may still deviate.
+    /// Whether the path ends with an alterable part whose deviation can still change.
     fn ends_alterable(&self) -> bool {
         let last = self.timeline.spans.back().filter(|last| !last.is_forgotten);
         let is_over = self.alteration.is_none() && self.timeline.is_at_end();
         last.is_some_and(|last| last.span.manner == Manner::Alterable) && !is_over
     }
 
-    /// Whether the arm is at the end of the path, apart from deviations and moves that wait.
+    /// Whether the arm is at the end of the path, ignoring deviations and deferred moves.
     pub(super) fn is_nominal_done(&self) -> bool {
         self.timeline.is_at_end() && !self.path.is_open()
     }

@@ -1,4 +1,4 @@
-//! Stops, and what continues after them.
+//! Stop, emergency brake, restart and release of the arm.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::span::Span;
 
 impl Motion {
-    /// Brakes on the path, and stays there until a restart (`stopMove`).
+    /// Brakes on the path and holds the arm until a restart (`stopMove`).
     pub fn stop(&mut self) {
         match self.moving_away() {
             Some(motion) => motion.stop(),
@@ -19,13 +19,14 @@ impl Motion {
         }
     }
 
-    /// Between a stop and a restart.
+    /// Whether the motion is between a stop and a restart.
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
         self.is_stopped
     }
 
-    /// Brakes on the path as hard as the arm can, and stays there until [`Motion::resume`] (power cut, emergency stop).
+    /// Brakes on the path with the arm's greatest deceleration and holds the arm until [`Motion::resume`] (power cut,
+    /// emergency stop).
     pub fn brake(&mut self) {
         if !std::mem::replace(&mut self.is_braked, true) {
             self.stop_alteration(true);
@@ -39,7 +40,7 @@ impl Motion {
         }
     }
 
-    /// Brakes within the limits of the moves, unless the arm brakes already.
+    /// Brakes within the limits of the moves, unless the arm is already braking.
     pub(super) fn halt_as_planned(&mut self) {
         if !self.executor.is_halting() {
             self.halt(|span, p, x| span.bounds_at(p, None).map_or(f64::NEG_INFINITY, |bounds| bounds.lowest(x)));
@@ -55,21 +56,21 @@ impl Motion {
         }
     }
 
-    /// Continues after [`Motion::brake`], unless `stop` holds the arm.
+    /// Continues after [`Motion::brake`], unless the arm is stopped.
     pub fn resume(&mut self) {
         if std::mem::take(&mut self.is_braked) {
             self.release();
         }
     }
 
-    /// Continues after a stop (`restartMove`). Without one it does nothing.
+    /// Continues after a stop (`restartMove`). Has no effect without a stop.
     pub fn restart(&mut self) {
         if std::mem::take(&mut self.is_stopped) {
             self.release();
         }
     }
 
-    /// Continues where nothing holds the arm any more.
+    /// Releases the arm as far as neither a stop nor a brake holds it.
     fn release(&mut self) {
         let (is_stopped, is_braked) = (self.is_stopped, self.is_braked);
         if let Some(alteration) = self.alteration.as_mut().filter(|_| !is_stopped && !is_braked) {
@@ -82,7 +83,7 @@ impl Motion {
         self.release_at_rest();
     }
 
-    /// Ends a halt that nothing needs any more, once it has brought the arm to rest.
+    /// Ends a halt without a remaining hold when the arm has come to rest.
     pub(super) fn release_at_rest(&mut self) {
         let is_held = self.is_stopped || self.is_braked;
         if self.executor.is_halting() && !is_held && self.timeline.rate() == 0.0 {

@@ -1,4 +1,4 @@
-//! The arm is moved by hand.
+//! Jogging: the arm is moved by hand.
 
 use nalgebra::Translation3;
 use val3_geometry::{IsometryMatrix3, Rotation3, Vector3, rotation};
@@ -9,32 +9,33 @@ use super::Motion;
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 
-/// Rounds in which a step by hand is shortened to the limit of speed.
+/// Iterations that shorten a jog step to the speed limit.
 const ROUNDS: usize = 3;
 
-/// The movement that the keys of the pendant ask for (manual 8.1, working modes).
+/// Movement requested by the keys of the pendant (manual 8.1, working modes).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Jog {
-    /// Speed of each axis, in degrees or mm per second.
+    /// Axis speeds, in degrees or mm per second.
     Joints(Joints),
-    /// The tool centre point moves along axes and rotates around them.
+    /// Translation of the tool centre point along Cartesian axes, and rotation around them.
     Cartesian {
-        /// The pose of the tool on the flange.
+        /// Pose of the tool on the flange.
         tool: IsometryMatrix3<f64>,
-        /// The directions of the axes in world; those of the tool if there are none.
+        /// Directions of the axes in `world`; `None` for the axes of the tool.
         frame: Option<Rotation3<f64>>,
-        /// In mm per second.
+        /// Translation speed, in mm per second.
         translation: Vector3<f64>,
-        /// In degrees per second, around the tool centre point.
+        /// Rotation speed around the tool centre point, in degrees per second.
         rotation: Vector3<f64>,
     },
 }
 
 impl Motion {
-    /// Moves the arm away from its path for a duration, as [`Motion::displace`] does.
+    /// Jogs the arm for a duration, away from its path as [`Motion::displace`] does.
     ///
     /// # Errors
-    /// The arm stays where it is: an axis would leave its limits, or the position cannot be reached in this configuration.
+    /// Returns the cause, without moving the arm, if an axis would leave its limits or if the position cannot be
+    /// reached in this configuration.
     pub fn jog(&mut self, jog: &Jog, duration: Seconds) -> Result<(), Cause> {
         let (model, present) = (Model(&self.arm), self.commanded);
         let axes = match jog {
@@ -53,7 +54,8 @@ impl Motion {
         Ok(())
     }
 
-    /// The axes on the way to `axes` that the arm reaches within a duration at the limit of [`Motion::limit_tool_speed`].
+    /// Shortens the step from `present` to `axes` to the distance that [`Motion::limit_tool_speed`] permits in a
+    /// duration.
     fn slowed(&self, present: &Axes, axes: Axes, duration: Seconds) -> Axes {
         let Some(MillimetresPerSecond(most)) = self.tool_speed else { return axes };
         let place = |axes: &Axes| {
@@ -61,7 +63,7 @@ impl Motion {
             [flange.translation.vector, (flange * self.tool).translation.vector]
         };
         let [flange, tip] = place(present);
-        // The way is almost in proportion to the share, so the second round corrects what the first one leaves.
+        // The distance is almost proportional to the step, so further iterations only correct a small remainder.
         (0..ROUNDS).fold(axes, |axes, _| {
             let [next_flange, next_tip] = place(&axes);
             let way = (next_flange - flange).norm().max((next_tip - tip).norm());

@@ -1,11 +1,11 @@
-//! The limit that determines the speed of the arm.
+//! Limit that determines the arm's speed.
 
 use super::{Motion, MotionPhase};
 use crate::model::Model;
 use crate::speed_limit::{ActingLimit, SpeedLimit};
 
 impl Motion {
-    /// The limit that determined the speed at the end of the last cycle.
+    /// Limit that determined the speed at the end of the last cycle.
     #[must_use]
     pub fn speed_limit(&self) -> SpeedLimit {
         match &self.acting {
@@ -14,7 +14,7 @@ impl Motion {
         }
     }
 
-    /// Stores the limit of a cycle in which the arm has not followed its path as planned.
+    /// Stores the acting limit of a cycle in which the arm has not followed the planned speeds.
     pub(super) fn limit(&mut self, phase: MotionPhase) {
         let known = match phase {
             MotionPhase::Waiting => self.limit_at_rest(),

@@ -1,4 +1,4 @@
-//! Reduced speed of the tool, as in manual mode.
+//! Reduced tool speed, as in manual mode.
 
 use std::sync::Arc;
 
@@ -10,10 +10,10 @@ use crate::span::Span;
 use crate::timeline::TimedSpan;
 
 impl Motion {
-    /// Limits the speed of the tool centre point and of the flange; `None` removes the limit. The path stays the same.
+    /// Limits the speed of the tool centre point and of the flange; `None` removes the limit. The path does not change.
     ///
-    /// The limit holds at full monitor speed; a lower monitor speed reduces it in proportion. An arm that moves when the
-    /// limit becomes lower first brakes to rest on its path, then continues by itself.
+    /// The limit applies at full monitor speed, and a lower monitor speed reduces it in proportion. If the limit
+    /// decreases while the arm moves, the arm first brakes to rest on its path and then continues automatically.
     pub fn limit_tool_speed(&mut self, limit: Option<MillimetresPerSecond>) {
         if let Some(motion) = self.moving_away() {
             motion.limit_tool_speed(limit);
@@ -31,7 +31,7 @@ impl Motion {
         self.timeline.replan();
     }
 
-    /// A span for the timeline, with the limits of the speed in force.
+    /// Converts a span for the timeline, with the current tool speed limit.
     pub(super) fn timed(&self, span: Arc<Span>, from_rest: bool) -> TimedSpan {
         self.reduced(TimedSpan::new(span, from_rest))
     }
@@ -52,11 +52,11 @@ mod tests {
     use crate::{Blend, ExternalForce, Jog, Manner, Millimetres, MotionPhase, Move, MovePath, Percent, Seconds};
 
     const LIMIT: Option<MillimetresPerSecond> = Some(MillimetresPerSecond(250.0));
-    /// The limit with rounding, in mm/s.
+    /// The limit with a rounding tolerance, in mm/s.
     const MOST: f64 = 250.001;
     const TURNED: Joints = [60.0, 20.0, 70.0, 40.0, 90.0, 170.0];
 
-    /// A tool whose centre point is 150 mm beside axis 6.
+    /// A tool whose centre point is 150 mm off axis 6.
     fn tool() -> IsometryMatrix3<f64> {
         Trsf::new([150.0, 0.0, 80.0], [0.0; 3]).isometry()
     }
@@ -81,7 +81,7 @@ mod tests {
         motion
     }
 
-    /// The speeds of the tool centre point and the flange in the next cycle, in mm/s.
+    /// Advances by one cycle and returns the speeds of the tool centre point and the flange, in mm/s.
     fn speeds(motion: &mut Motion) -> [f64; 2] {
         let at = |axes: &Joints, tool: &IsometryMatrix3<f64>| {
             (Model(&motion.arm).flange(&(*axes).into()) * tool).translation.vector
@@ -118,7 +118,8 @@ mod tests {
         let [tip, flange] = fastest(&mut slow, 4_000);
         assert!((245.0..=MOST).contains(&tip) && (200.0..=MOST).contains(&flange), "{tip} {flange}");
         assert_eq!((slow.joints(), slow.is_empty()), (START, true));
-        // A tool at the flange does not limit the tip beside it: axis 6 only turns the tool.
+        // Without a tool, a rotation of axis 6 moves neither the flange nor the tool centre point, so the limit has no
+        // effect.
         let mut spin = motion();
         spin.limit_tool_speed(LIMIT);
         let turn = MovePath::Joint([0.0, 0.0, 90.0, 0.0, 90.0, 180.0]);
@@ -152,7 +153,7 @@ mod tests {
         while motion.is_moving() {
             phases.push(motion.phase());
             let now = speeds(&mut motion)[0];
-            // The tool loses at most 20 m/s² × 4 ms in each cycle.
+            // The speed decreases by at most 20 m/s² × 4 ms per cycle.
             assert!(now <= before && before - now < 80.0, "{before} {now}");
             before = now;
         }

@@ -1,4 +1,4 @@
-//! The step mode: the arm waits for a release at the end of each piece of its path (manual 10.2.2).
+//! Step mode: after each path piece, the arm waits for a release (manual 10.2.2).
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::Joints;
@@ -8,25 +8,24 @@ use crate::model::Model;
 use crate::span::{SAME, SpanPart};
 use crate::timeline::TimedSpan;
 
-/// Mode in which the arm passes from one piece of its path to the next.
+/// Transition mode from one path piece to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MotionMode {
-    /// Without a stop, as far as its path is determined.
+    /// The arm does not stop before the end of the determined path.
     #[default]
     Continuous,
-    /// The arm comes to rest at the end of each piece and waits there until it is released. Its positions on the path
-    /// are the positions of the continuous mode.
+    /// After each piece, the arm comes to rest and waits for a release. The path is the same as in continuous mode.
     Step,
 }
 
-/// Piece of the path: the nominal part of a move, or the blend around a destination.
+/// Path piece: the nominal part of a move, or the blend around a destination.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathPiece {
     /// Serial number of the move; in a blend, of the move before the corner.
     pub serial: u64,
-    /// Id of that move.
+    /// Id of this move.
     pub id: f64,
-    /// The part of the move.
+    /// Part of the move.
     pub kind: PieceKind,
     /// Kind of point at which the piece ends.
     pub end: PieceEnd,
@@ -36,17 +35,17 @@ pub struct PathPiece {
     pub pose: IsometryMatrix3<f64>,
 }
 
-/// A part of a move.
+/// Part of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PieceKind {
-    /// Path that the move describes, from the reach point or the destination of the previous move.
+    /// The move's own path, from the reach point or the destination of the previous move.
     Nominal,
-    /// The blend around its destination, from its leave point to its reach point.
+    /// Blend around the destination, from the leave point to the reach point.
     Blend,
 }
 
 impl PieceKind {
-    /// Name of the variant.
+    /// Name in messages and protocols.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -56,21 +55,21 @@ impl PieceKind {
     }
 }
 
-/// The point at which a piece ends.
+/// Kind of point at which a piece ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PieceEnd {
-    /// The leave point, where the blend begins.
+    /// Leave point, where the blend begins.
     Leave,
-    /// The reach point, on the path of the next move.
+    /// Reach point, on the path of the next move.
     Reach,
-    /// The destination of the move.
+    /// Destination of the move.
     Target,
-    /// The last point that the arm can reach: the path cannot be followed further.
+    /// Last reachable point before a fault of the path.
     Fault,
 }
 
 impl PieceEnd {
-    /// Name of the variant.
+    /// Name in messages and protocols.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -82,18 +81,18 @@ impl PieceEnd {
     }
 }
 
-/// The step mode.
+/// Step mode.
 impl Motion {
-    /// The mode.
+    /// Current motion mode.
     #[must_use]
     pub const fn mode(&self) -> MotionMode {
         self.mode
     }
 
-    /// Chooses the mode, also while the arm moves.
+    /// Sets the mode, also while the arm moves.
     ///
-    /// In step mode the arm then finishes the piece that it has begun, or the next one if it is too fast to stop in
-    /// between. In continuous mode nothing waits for a release any more.
+    /// In step mode, the arm then finishes the current piece, or the next piece if it cannot stop at the end of the
+    /// current piece. In continuous mode, all pending pieces are released.
     pub fn set_mode(&mut self, mode: MotionMode) {
         if std::mem::replace(&mut self.mode, mode) != mode {
             match mode {
@@ -103,44 +102,44 @@ impl Motion {
         }
     }
 
-    /// Releases an arm that waits in step mode to the end of the next piece. Returns whether it waits.
+    /// Releases an arm that waits in step mode to the end of the next piece. Returns whether the arm has waited.
     ///
-    /// Nothing happens while it moves to the end of a piece or nothing more is determined.
+    /// Has no effect while the arm moves to the end of a piece, or if no further piece is determined.
     pub fn release_piece(&mut self) -> bool {
         self.timeline.open_gate()
     }
 
-    /// Releases the arm to the end of the path that is determined now.
+    /// Releases the arm to the present end of the determined path.
     pub fn release_determined(&mut self) {
         self.timeline.open_gates();
     }
 
-    /// Whether the arm waits in step mode before a piece that is determined.
+    /// Whether the arm waits in step mode before a determined piece.
     #[must_use]
     pub fn waits_for_release(&self) -> bool {
         self.timeline.waits_at_gate()
     }
 
-    /// Whether the arm has reached the end of its release, or of the determined path.
+    /// Whether the arm has reached the end of the released pieces or of the determined path.
     #[must_use]
     pub fn has_arrived(&self) -> bool {
         !self.is_moving() && (self.timeline.is_at_end() || self.waits_for_release())
     }
 
-    /// Number that grows when a move is recorded or more of the path is determined.
+    /// Counter that increases when a move is recorded or more of the path is determined.
     #[must_use]
     pub const fn revision(&self) -> u64 {
         self.revision
     }
 
-    /// The piece that the arm is in, or at whose end it waits. None if it has begun none since it was last reset or put
-    /// somewhere.
+    /// Current piece, or the piece at whose end the arm waits; `None` if the arm has begun no piece since the last
+    /// reset or displacement.
     #[must_use]
     pub fn piece(&self) -> Option<PathPiece> {
         (self.timeline.next_piece() != Some(0)).then(|| self.piece_from(0)).flatten()
     }
 
-    /// The number of the move whose path the arm is on.
+    /// Serial number of the current move.
     #[must_use]
     pub fn current(&self) -> Option<u64> {
         let front = self.timeline.spans.front().filter(|front| !front.is_forgotten)?;
@@ -194,7 +193,7 @@ impl Motion {
         }
     }
 
-    /// Joints and tool centre point where the blend of a move begins, as far as they are on the path that is not done.
+    /// Joints and tool centre point at the start of a move's blend; `None` if the point is not on the remaining path.
     #[must_use]
     pub fn leave_point(&self, serial: u64) -> Option<(Joints, IsometryMatrix3<f64>)> {
         let spans = || self.timeline.spans.iter();
@@ -205,14 +204,14 @@ impl Motion {
         }
         match spans().find(|timed| timed.span.part.blend_of() == Some(serial)) {
             Some(blend) => Some(self.place_on(blend, blend.points.first()?.p)),
-            // Its nominal part is empty: the blend before ends at its leave point.
+            // The nominal part is empty, so the previous blend ends at the leave point.
             None => self.end_of(
                 spans().rfind(|timed| matches!(timed.span.part, SpanPart::Blend { to, .. } if to.serial == serial))?,
             ),
         }
     }
 
-    /// Joints and tool centre point where the blend of a move ends, once it is determined.
+    /// Joints and tool centre point at the end of a move's blend; `None` if the blend is not determined yet.
     #[must_use]
     pub fn reach_point(&self, serial: u64) -> Option<(Joints, IsometryMatrix3<f64>)> {
         self.end_of(self.timeline.spans.iter().rfind(|timed| timed.span.part.blend_of() == Some(serial))?)

@@ -1,4 +1,4 @@
-//! Timing oracles of section (e) of the motion model, and laws of the path.
+//! Expected times from section (e) of the motion model, and properties of the path.
 
 use std::sync::LazyLock;
 
@@ -34,7 +34,7 @@ pub(super) fn line(pose: IsometryMatrix3<f64>) -> MovePath {
     MovePath::Line(MoveTarget { pose, configuration: RequestedConfiguration::FREE })
 }
 
-/// A property test asks for the arm thousands of times, so its file is read once.
+/// The arm file is read once, because property tests create the arm thousands of times.
 fn arm() -> Arm {
     static ARM: LazyLock<Arm> = LazyLock::new(|| Arm::by_name("TX2-90").unwrap());
     ARM.clone()
@@ -63,7 +63,7 @@ fn joint_moves_take_the_time_of_the_oracle() {
     assert_time(MovePath::Joint(turned), fast(), 0.539623);
     assert_time(MovePath::Joint(turned), limits(50.0, 100.0, 100.0, 99999.0), 0.779245);
     assert_time(MovePath::Joint(turned), limits(100.0, 50.0, 100.0, 99999.0), 0.639623);
-    // Most of the way at a speed that is reached after 0.07 degrees: 90 / 13.25 + 13.25 / 1325.
+    // Mostly at the maximum speed, which is reached after 0.07 degrees: 90 / 13.25 + 13.25 / 1325.
     assert_time(MovePath::Joint(turned), limits(5.0, 100.0, 100.0, 99999.0), 6.802453);
     assert_time(MovePath::Joint([30.0, 20.0, 70.0, -40.0, 60.0, 90.0]), fast(), 0.338062);
 }
@@ -108,7 +108,7 @@ fn the_arm_waits_at_its_leave_point() {
     assert!((sample.id - 15.75).abs() < 1e-9);
 }
 
-/// The example of manual 10.6: 15.8 where 80 % of the way is done.
+/// Example from manual 10.6: 15.8 when 80 % of the path is covered.
 #[test]
 fn the_id_counts_the_share_of_the_way() {
     let mut motion = motion();
@@ -124,14 +124,14 @@ fn the_id_counts_the_share_of_the_way() {
     assert_eq!(motion.move_id(), 16.0);
 }
 
-/// Lets some cycles pass.
+/// Advances by a number of cycles.
 fn wait(motion: &mut Motion, cycles: usize) {
     for _ in 0..cycles {
         motion.advance(CYCLE);
     }
 }
 
-/// All samples of a motion until it is at rest.
+/// Runs a motion until it rests, and returns all samples.
 fn run(motion: &mut Motion, disturb: impl Fn(&mut Motion, usize)) -> Vec<Sample> {
     let mut samples = Vec::new();
     for cycle in 0..10_000 {
@@ -227,7 +227,7 @@ fn closing_a_corner_stops_at_its_point() {
         samples.iter().map(|sample| (sample.pose.translation.vector - target).norm()).fold(f64::INFINITY, f64::min);
     assert!(nearest < 0.5, "{nearest}");
     let slowest = samples[5..samples.len() - 5].iter().map(|sample| sample.speed.0).fold(f64::INFINITY, f64::min);
-    // The arm changes its speed by up to 40 mm/s in a cycle.
+    // The speed changes by up to 40 mm/s per cycle.
     assert!(slowest < 40.0, "{slowest}");
 }
 
@@ -239,7 +239,7 @@ fn overlapping_distances_are_reduced_in_proportion() {
     motion.record(&request(line(moved(0.0, 200.0, 100.0)), fast(), blend, 1.0)).unwrap();
     motion.record(&request(line(moved(0.0, 0.0, 100.0)), fast(), Blend::Off, 2.0)).unwrap();
     let samples = run(&mut motion, |_, _| ());
-    // Both blends share the second line: each gets half of it.
+    // Both blends share the second line, half each.
     let middle = moved(0.0, 200.0, 50.0).translation.vector;
     let nearest =
         samples.iter().map(|sample| (sample.pose.translation.vector - middle).norm()).fold(f64::INFINITY, f64::min);
@@ -290,7 +290,7 @@ mod faults {
         assert!(matches!(refused(MovePath::Circle(moved(0.0, 100.0, 0.0), destination)), Cause::Arc(_)));
     }
 
-    /// A line that the arm cannot follow is an error of its own instruction (manual 10.6, `movel`).
+    /// An impossible line is an error in the instruction that requests it (manual 10.6, `movel`).
     #[test]
     fn a_line_through_the_first_axis_is_refused_at_once() {
         let mut motion = Motion::new(Arc::new(arm()), [0.0, 30.0, 100.0, 0.0, 50.0, 0.0]);
@@ -302,8 +302,8 @@ mod faults {
         motion.record(&request(MovePath::Joint(START), fast(), Blend::Off, 1.0)).unwrap();
     }
 
-    /// Records two lines past axis 1 at a distance of 80 mm, whose blend would cut through the cylinder of 50 mm around
-    /// the axis that the centre of the wrist cannot reach. Returns the blend.
+    /// Records two lines that pass axis 1 at a distance of 80 mm. Their blend would cut through the cylinder of 50 mm
+    /// around the axis, which the wrist centre cannot reach. Returns the blend.
     pub(super) fn cut_through_axis_1(motion: &mut Motion) -> Blend {
         let blend = Blend::Cartesian { leave: Millimetres(200.0), reach: Millimetres(200.0) };
         let flange = Trsf::from(moved(0.0, 0.0, 0.0));
@@ -315,7 +315,7 @@ mod faults {
         blend
     }
 
-    /// An error of a recorded path is that of a blend, which the next move determines.
+    /// A recorded path can only have a fault in a blend, because a blend is determined by the next move.
     #[test]
     fn a_blend_that_cannot_be_followed_brings_the_arm_to_rest_before_it() {
         let mut motion = motion();

@@ -1,19 +1,20 @@
-//! The way ahead of the tool centre point, for pictures.
+//! Remaining path of the tool centre point, for display.
 
 use val3_geometry::Vector3;
 
 use super::{Departure, Motion, MotionPhase};
 use crate::model::Model;
 
-/// Parts of equal length in p into which a piece of the way is divided.
+/// Number of parts, equal in p, into which a piece is divided.
 const PARTS: u32 = 16;
 
-/// A piece of the way ahead.
+/// Piece of the remaining path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PieceAhead {
-    /// The kind of motion on it: [`MotionPhase::Nominal`], [`MotionPhase::Blend`] or [`MotionPhase::Connection`].
+    /// Motion phase: [`MotionPhase::Nominal`], [`MotionPhase::Blend`] or [`MotionPhase::Connection`].
     pub phase: MotionPhase,
-    /// Positions of the tool centre point in world, in mm; the last one is the first one of the next piece.
+    /// Positions of the tool centre point in `world`, in mm. The last position is also the first position of the next
+    /// piece.
     pub points: Vec<Vector3<f64>>,
 }
 
@@ -25,9 +26,10 @@ impl PieceAhead {
 }
 
 impl Motion {
-    /// The way of the tool centre point from here to the last destination, at most `count` pieces.
+    /// Returns the path of the tool centre point from the current position to the last destination, at most `count`
+    /// pieces.
     ///
-    /// Moves that wait for the end of an alterable path have no way yet.
+    /// Deferred moves are not included.
     #[must_use]
     pub fn way_ahead(&self, count: usize) -> Vec<PieceAhead> {
         let back = match &self.departure {

@@ -1,13 +1,13 @@
-//! Axes at equal distances of a path, up to where the arm can follow it.
+//! Axes at equidistant knots of a path, as far as the arm can follow the path.
 
 use super::SpanRequest;
 use crate::fault::Cause;
 use crate::model::{Axes, Model, full_turns};
 
-/// An axis that moves further than this between two of as many knots as there can be jumps, in degrees or mm.
+/// Axis motion between two knots of the densest grid that counts as a jump, in degrees or mm.
 const JUMP: f64 = 5.0;
 
-/// The axes at each knot, and why the arm cannot follow further.
+/// Returns the axes at each knot, and the cause for which the arm cannot follow the path further.
 pub(super) fn follow(
     model: &Model<'_>,
     request: &SpanRequest,
@@ -29,12 +29,12 @@ pub(super) fn follow(
     (knots, None)
 }
 
-/// The greatest way of an axis between two knots, in degrees or mm.
+/// Greatest axis motion between two knots, in degrees or mm.
 pub(super) fn widest_of(pair: &[Axes]) -> f64 {
     if let [one, other] = pair { (other - one).amax() } else { 0.0 }
 }
 
-/// The knots before the first jump.
+/// Removes the knots after the first jump, and returns its cause.
 pub(super) fn without_jump(
     model: &Model<'_>,
     mut knots: Vec<Axes>,
@@ -47,8 +47,8 @@ pub(super) fn without_jump(
     (knots, Some(cause))
 }
 
-/// An axis at its limit jumps by a full turn, because only its other turn is in range. It may do so before its limit:
-/// without the turn, one of the knots after the jump is beyond it.
+/// Returns the cause of a jump. An axis at its limit jumps by a full turn, because only the other turn is in range. The
+/// jump may occur before the limit: without the turn, one of the knots after the jump is beyond the limit.
 fn cause_of_jump(model: &Model<'_>, before: &Axes, after: &[Axes]) -> Cause {
     let Some(first) = after.first() else { return Cause::Singular };
     let turns = full_turns(before, first);

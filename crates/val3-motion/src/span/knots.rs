@@ -1,4 +1,4 @@
-//! Knots of a span with their derivatives and limits, and whether they are dense enough.
+//! Knots of a span with derivatives and limits, and the check of the knot density.
 
 use std::ops::RangeInclusive;
 
@@ -9,25 +9,25 @@ use crate::model::{Axes, Model};
 use crate::request::SpeedLimits;
 use crate::speed_limits::speed_limits;
 
-/// Fewer knots have no derivatives.
+/// Minimum number of knots for the computation of derivatives.
 pub(super) const LEAST_KNOTS: usize = 7;
 
-/// There are more knots where the acceleration of an axis between two could exceed its limit by more than this share.
+/// Relative excess acceleration between two knots above which more knots are necessary.
 const FINE_ACCELERATION: f64 = 0.008;
 
-/// There are more knots where the derivative at an end of the path could be wrong by more than this share.
+/// Relative error of the derivative at an end of the path above which more knots are necessary.
 const FINE_TANGENT: f64 = 1e-3;
 
-/// Knots at equal distances of p, with their derivatives and limits.
+/// Knots equidistant in p, with their derivatives and limits.
 pub(super) struct LimitedKnots {
     pub(super) knots: Vec<Axes>,
     pub(super) interval_ends: Vec<IntervalEnd>,
-    /// |dq/dp| at both ends.
+    /// |dq/dp| at the start and the end.
     pub(super) ends: [f64; 2],
 }
 
 impl LimitedKnots {
-    /// `None` for fewer knots than derivatives require.
+    /// Computes the derivatives and limits of the knots; `None` for fewer than [`LEAST_KNOTS`].
     pub(super) fn new(model: &Model<'_>, request: &SpanRequest, step: f64, knots: Vec<Axes>) -> Option<Self> {
         if knots.len() < LEAST_KNOTS {
             return None;
@@ -43,7 +43,7 @@ impl LimitedKnots {
         Some(Self { knots, interval_ends, ends })
     }
 
-    /// Numbers of the knots next to which derivatives or accelerations are not exact enough.
+    /// Indices of the knots next to which derivatives or accelerations are not exact enough.
     fn coarse_knots(&self) -> impl Iterator<Item = usize> {
         let last = self.knots.len() - 1;
         let inner = self.interval_ends.windows(3).zip(1..).filter_map(|(three, index)| match three {
@@ -55,27 +55,27 @@ impl LimitedKnots {
         first_is_coarse.then_some(0).into_iter().chain(inner).chain(last_is_coarse.then_some(last))
     }
 
-    /// The range of the knots that are not dense enough; `None` if all are.
+    /// Range of the knots that are not dense enough; `None` if all are.
     pub(super) fn coarse_range(&self) -> Option<RangeInclusive<usize>> {
         let mut coarse = self.coarse_knots();
         let first = coarse.next()?;
         Some(first..=coarse.last().unwrap_or(first))
     }
 
-    /// Number of knots before those at the end that are not dense enough.
+    /// Number of knots before the coarse knots at the end.
     pub(super) fn fine_len(&self) -> usize {
         let coarse: Vec<_> = self.coarse_knots().collect();
         let is_next = |fine: usize, index: usize| index + LEAST_KNOTS > fine;
         coarse.into_iter().rev().fold(self.knots.len(), |fine, index| if is_next(fine, index) { index } else { fine })
     }
 
-    /// The bounds from each knot to the next one.
+    /// Bounds from each knot to the next.
     pub(super) fn bounds(&self, step: f64) -> BoundsTable {
         BoundsTable::between(&self.interval_ends, step)
     }
 }
 
-/// The derivatives of the axes and the limits at each knot.
+/// Derivatives of the axes, and limits, at each knot.
 fn interval_ends(tangents: &[Axes], tops: &[f64], step: f64, limits: &[&SpeedLimits]) -> Vec<IntervalEnd> {
     let curvatures = derivatives::tangents(tangents, step);
     let knots = tangents.iter().zip(curvatures).zip(tops).zip(limits);

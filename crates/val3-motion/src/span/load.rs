@@ -1,4 +1,4 @@
-//! The loads of a span: speeds and accelerations as shares of their limits.
+//! Loads of a span: speeds and accelerations relative to their limits.
 
 use val3_geometry::rotation;
 
@@ -7,14 +7,14 @@ use crate::bounds::AxisMotion;
 use crate::model::Model;
 use crate::speed_limit::{PathState, SpeedLimit};
 
-/// Half the distance over which the speed of the tool is measured, as a share of the distance of two knots.
+/// Half the distance over which the tool speed is measured, relative to the distance between two knots.
 const NEARBY: f64 = 0.01;
 
 impl Span {
-    /// The limit with the greatest load, and this load, which is about 1 where the planner reaches a limit.
+    /// Limit with the greatest load, and this load, which is about 1 if the planner reaches a limit.
     ///
-    /// The limit is found by comparison and not by a threshold, because the planner keeps a margin from limits of speed
-    /// that change between two knots.
+    /// The loads are compared with each other, not with a threshold, because the planner keeps a margin from speed
+    /// limits that change between two knots.
     pub(crate) fn speed_limit(
         &self,
         model: &Model<'_>,
@@ -40,8 +40,8 @@ impl Span {
         })
     }
 
-    /// The loads by the speeds of the tool, over a distance around p that is short beside that of two knots: where the
-    /// tool turns back on a blend, its speed at a constant rate of p changes greatly from one knot to the next.
+    /// Loads by the tool speeds, measured around p over a short fraction of the knot distance. If the tool reverses on
+    /// a blend, its speed at a constant ṗ changes strongly from one knot to the next.
     fn tool_loads(&self, model: &Model<'_>, state: &PathState) -> [(SpeedLimit, f64); 2] {
         let [first, last] = self.range();
         let [from, to] = [-NEARBY, NEARBY].map(|share| (state.p + share * self.step).clamp(first, last));
@@ -56,7 +56,7 @@ impl Span {
     }
 }
 
-/// The load of an axis by its acceleration q′·u + q″·x.
+/// Axis load by the acceleration q′·u + q″·x.
 fn acceleration_load(axis: usize, motion: &AxisMotion, is_blend: bool, x: f64, u: f64) -> (SpeedLimit, f64) {
     let (along, across) = (motion.tangent * u, motion.curvature * x);
     let acceleration = along + across;

@@ -1,4 +1,4 @@
-//! Spans of a path with knots that are as dense as each part of the path requires.
+//! Division of a path into spans, each with the knot density that this part of the path requires.
 
 use std::ops::RangeInclusive;
 
@@ -10,45 +10,46 @@ use super::{Curve, Span, SpanRequest};
 use crate::fault::Cause;
 use crate::model::{Axes, Model};
 
-/// Distances between knots of a nominal path, at least.
+/// Minimum number of intervals between the knots of a nominal path.
 const INTERVALS: usize = 32;
 
-/// Distances between knots of a blend, which bends more, at least.
+/// Minimum number of intervals between the knots of a blend, which bends more.
 const BLEND_INTERVALS: usize = 64;
 
-/// Distances between knots at most.
+/// Maximum number of intervals between knots.
 const MOST_INTERVALS: usize = 1600;
 
-/// A path of so many times the least number of knots is divided where only a part of it requires more.
+/// Multiple of the minimum number of intervals from which a path is divided if only a part requires more knots.
 const DIVIDED: usize = 4;
 
-/// Parts of a path are not shorter than this range of p.
+/// Minimum p range for parts of a path.
 const LEAST_RANGE: f64 = 1e-4;
 
-/// There are more knots where an axis would move further than this between two, in degrees or mm.
+/// Axis motion between two knots above which more knots are necessary, in degrees or mm.
 const FINE: f64 = 1.0;
 
-/// Knots are not nearer than this because of accelerations, in degrees or mm: rounding would determine derivatives.
+/// Minimum distance of knots that are inserted because of accelerations, in degrees or mm. Rounding errors would
+/// dominate the derivatives of nearer knots.
 const FINEST: f64 = 1e-3;
 
-/// The spans of a path, up to where the arm can follow.
+/// Spans of a path, as far as the arm can follow the path.
 #[derive(Debug, Default)]
 pub(crate) struct Pieces {
-    /// Consecutive spans; none if the arm cannot follow at all.
+    /// Consecutive spans; empty if the arm cannot follow even the start.
     pub(crate) spans: Vec<Span>,
-    /// Why the arm cannot follow further.
+    /// Cause for which the arm cannot follow the path further.
     pub(crate) fault: Option<Cause>,
 }
 
 impl Pieces {
-    /// The spans of a path.
+    /// Divides a path into spans.
     pub(crate) fn of(model: &Model<'_>, request: SpanRequest) -> Self {
         let mut pieces = Self::default();
         pieces.fault = pieces.add(model, request);
         pieces
     }
 
-    /// Adds the spans of a path. Returns why the arm cannot follow it to the end.
+    /// Adds the spans of a path. Returns the cause for which the arm cannot follow the path to its end.
     fn add(&mut self, model: &Model<'_>, request: SpanRequest) -> Option<Cause> {
         let [from, to] = request.range;
         let least = least_intervals(&request.curve);
@@ -86,7 +87,7 @@ impl Pieces {
         }
     }
 
-    /// Adds the parts of a path between some of its knots.
+    /// Adds the parts of a path between the knots in `cuts`.
     fn add_parts(&mut self, model: &Model<'_>, request: &SpanRequest, knots: &[Axes], cuts: &[usize]) -> Option<Cause> {
         let [from, to] = request.range;
         let last = knots.len() - 1;
@@ -106,14 +107,14 @@ fn least_intervals(curve: &Curve) -> usize {
     }
 }
 
-/// A compliant move is one span, because it follows no plan.
+/// Whether a path can be divided. A compliant move is one span, because it follows no plan.
 fn can_be_divided(request: &SpanRequest) -> bool {
     let [from, to] = request.range;
     to - from > LEAST_RANGE && !matches!(request.manner, Manner::Compliant(_))
 }
 
-/// The knots at which a path is divided so that its coarse part has knots of its own, with both ends. `None` if this part
-/// is more than half of the path.
+/// Knots at which a path is divided to separate its coarse part, both ends included; `None` if this part is more than
+/// half of the path.
 fn cuts(coarse: &RangeInclusive<usize>, intervals: usize) -> Option<Vec<usize>> {
     let (first, last) = (*coarse.start(), *coarse.end());
     let margin = LEAST_KNOTS.max((last - first) / 2);
@@ -126,8 +127,8 @@ fn cuts(coarse: &RangeInclusive<usize>, intervals: usize) -> Option<Vec<usize>> 
     (2 * (to - from) <= intervals).then_some(cuts)
 }
 
-/// Knots up to a fault, without those at the end that are not dense enough: next to a singular position no distance of
-/// knots is. The arm comes to rest before them.
+/// Knots up to a fault, without the coarse knots at the end, before which the arm comes to rest. Next to a singular
+/// position, no knot density suffices.
 fn up_to_fine_end(
     model: &Model<'_>,
     request: &SpanRequest,

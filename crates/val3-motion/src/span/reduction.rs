@@ -1,6 +1,6 @@
 //! Reduced speed: limits along a span for the speed of the tool centre point and of the flange, as in manual mode.
 //!
-//! They limit the plan of a span and are no part of the span, so the path does not depend on them.
+//! These limits apply to the plan of a span and are not part of the span, so the path does not depend on them.
 
 use std::sync::Arc;
 
@@ -13,19 +13,19 @@ use crate::model::{Axes, Model};
 use crate::request::SpeedLimits;
 use crate::speed_limits::speed_limits;
 
-/// Greatest x = ṗ² at each knot of a span.
+/// Maximum x = ṗ² at each knot of a span.
 #[derive(Clone, Debug)]
 pub(crate) struct Reduction(Arc<[f64]>);
 
 impl Reduction {
-    /// Greatest x = ṗ² from the knot `index` to the next one.
+    /// Maximum x = ṗ² from the knot `index` to the next.
     pub(super) fn level(&self, index: usize) -> f64 {
         self.0.iter().skip(index).take(2).copied().fold(f64::INFINITY, f64::min)
     }
 }
 
 impl Span {
-    /// The limits under which neither the tool centre point nor the flange moves faster than `speed`.
+    /// Computes the limits with which neither the tool centre point nor the flange exceeds `speed`.
     pub(crate) fn reduction(&self, model: &Model<'_>, speed: MillimetresPerSecond) -> Reduction {
         let unlimited = [f64::INFINITY; AXES];
         let limits = SpeedLimits {
@@ -43,7 +43,7 @@ impl Span {
         Reduction(tops(&flanges).into_iter().zip(tops(&tips)).map(|(flange, tip)| flange.min(tip)).collect())
     }
 
-    /// The limits from p to the next knot or to `to`, which is nearer; at reduced speed if there is a reduction.
+    /// Limits from p to the next knot, or to `to` before the next knot, with the reduction if one applies.
     pub(crate) fn bounds_within(&self, p: f64, to: Option<f64>, reduction: Option<&Reduction>) -> Option<Bounds<'_>> {
         let bounds = self.bounds_at(p, to)?;
         let Some(Reduction(tops)) = reduction else { return Some(bounds) };

@@ -1,4 +1,4 @@
-//! Programs of moves whose durations are compared. Each is one motion without a stop on its way.
+//! Programs whose durations are compared. Each program is one motion without an intermediate stop.
 
 use std::sync::Arc;
 
@@ -8,20 +8,20 @@ use val3_motion::{
     Blend, DegreesPerSecond, Manner, Millimetres, MillimetresPerSecond, Motion, Move, MovePath, MoveTarget, SpeedLimits,
 };
 
-/// An arm and the moves that it executes.
+/// Arm with a program of moves.
 pub(crate) struct Case {
     pub(crate) name: String,
     arm: Arc<Arm>,
     start: Joints,
     moves: Vec<Move>,
-    /// The tool centre point at the end of the last move.
+    /// Tool centre point at the end of the last move.
     pose: IsometryMatrix3<f64>,
     tool: IsometryMatrix3<f64>,
     speeds: Speeds,
     corner: Blend,
 }
 
-/// The fields of a motion descriptor that limit speeds.
+/// Fields of a motion descriptor that limit speeds.
 #[derive(Clone, Copy)]
 struct Speeds {
     vel: f64,
@@ -40,13 +40,13 @@ impl Case {
         Self { name, arm, start, moves: Vec::new(), pose, tool, speeds, corner: Blend::Off }
     }
 
-    /// The fields `vel`, `accel` and `decel` of the moves that follow.
+    /// Sets the fields `vel`, `accel` and `decel` for the following moves.
     fn effort(mut self, vel: f64, accel: f64, decel: f64) -> Self {
         self.speeds = Speeds { vel, accel, decel, ..self.speeds };
         self
     }
 
-    /// The fields `tvel` and `rvel` of the moves that follow.
+    /// Sets the fields `tvel` and `rvel` for the following moves.
     fn tool_speed(mut self, tvel: f64, rvel: f64) -> Self {
         self.speeds = Speeds { tvel, rvel, ..self.speeds };
         self
@@ -73,7 +73,7 @@ impl Case {
         self.add(MovePath::Joint(joints))
     }
 
-    /// A line to a place at an offset in world, which turns the tool about its own axes.
+    /// Adds a line to a position at an offset in `world`, with a rotation of the tool about its own axes.
     fn line(mut self, offset: [f64; 3], turn: [f64; 3]) -> Self {
         self.pose = self.at(offset, turn);
         let destination = self.destination();
@@ -112,7 +112,7 @@ impl Case {
         self
     }
 
-    /// The arm at the start, with all moves recorded.
+    /// Motion at the start, with all moves recorded.
     pub(crate) fn motion(&self) -> Motion {
         let mut motion = Motion::new(Arc::clone(&self.arm), self.start);
         for request in &self.moves {
@@ -126,7 +126,7 @@ impl Case {
         self.arm.axes()
     }
 
-    /// The limits of a move.
+    /// Limits of a move.
     pub(crate) fn limits(&self, index: usize) -> &SpeedLimits {
         &self.moves[index.min(self.moves.len() - 1)].limits
     }
@@ -134,10 +134,10 @@ impl Case {
 
 const BENT: Joints = [0.0, 0.0, 90.0, 0.0, 90.0, 0.0];
 
-/// An ordinary position of a six-axis arm in which no axis is at a special angle.
+/// General position for six-axis arms, without an axis at a special angle.
 const TURNED: Joints = [25.0, 30.0, 75.0, 20.0, 50.0, -35.0];
 
-/// Every case.
+/// All cases.
 pub(crate) fn all() -> Vec<Case> {
     let mut cases = Vec::new();
     for arm in ["TX2-60L", "TX2-140", "RX160", "TX2-40", "TX2-90"] {
@@ -150,7 +150,7 @@ pub(crate) fn all() -> Vec<Case> {
     cases
 }
 
-/// Moves of a six-axis arm. Ways in mm are those of an arm that reaches 500 mm in [`BENT`], times `size`.
+/// Cases for a six-axis arm. Distances in mm are for an arm that reaches 500 mm in [`BENT`], multiplied by `size`.
 fn six_axis(arm: &str, size: f64) -> Vec<Case> {
     let case = |name, start| Case::new(name, arm, start);
     let mm = |place: [f64; 3]| place.map(|value| value * size);
@@ -233,7 +233,7 @@ fn six_axis(arm: &str, size: f64) -> Vec<Case> {
     ]
 }
 
-/// Moves of a SCARA arm. Ways in mm are those of an arm with links of 620 mm, times `size`.
+/// Cases for a SCARA arm. Distances in mm are for an arm with links of 620 mm, multiplied by `size`.
 fn scara(arm: &str, size: f64) -> Vec<Case> {
     let start = [-30.0, 70.0, 100.0, 20.0, 0.0, 0.0];
     let case = |name| Case::new(name, arm, start);

@@ -1,6 +1,6 @@
-//! Durations of motions against toppra, which computes the time-optimal speeds along the same paths.
+//! Comparison of motion durations with toppra, which computes time-optimal speeds along the same paths.
 //!
-//! `durations.csv` has the results of `durations.py`, which reads the paths that the test `export` writes:
+//! `durations.csv` contains the results of `durations.py`, which reads the paths from the test `export`:
 //! ```text
 //! cargo test -p val3-motion --test toppra -- --ignored
 //! pip install toppra && python crates/val3-motion/tests/toppra/durations.py target/tmp/toppra
@@ -19,10 +19,10 @@ use val3_motion::{MotionPhase, Sample, Seconds, SpeedLimits};
 
 use cases::Case;
 
-/// `case,seconds`
+/// Durations by toppra, as `case,seconds`.
 const DURATIONS: &str = include_str!("durations.csv");
 
-/// Samples of an exported path.
+/// Number of samples in an exported path.
 const SAMPLES: f64 = 6000.0;
 
 const CYCLE: f64 = 0.004;
@@ -54,7 +54,7 @@ fn export() {
     }
 }
 
-/// Samples at equal times, each with the number of its piece between corners and the limits that apply.
+/// Samples at equal time steps, each with the number of its piece between corners and the applicable limits.
 fn samples(case: &Case, count: f64) -> (f64, Vec<(usize, Sample, SpeedLimits)>) {
     let mut motion = case.motion();
     let step = motion.time_left().0 / count;
@@ -76,7 +76,7 @@ fn samples(case: &Case, count: f64) -> (f64, Vec<(usize, Sample, SpeedLimits)>) 
     (step, samples)
 }
 
-/// The limits in a blend: the smaller speeds of both moves, and the accelerations of the nearer one.
+/// Limits in a blend: the lower speeds of both moves, and the accelerations of the nearer move.
 fn corner_limits(case: &Case, index: usize, other: usize) -> SpeedLimits {
     let (mut limits, other) = (*case.limits(index), case.limits(other));
     limits.speed.iter_mut().zip(other.speed).for_each(|(speed, other)| *speed = speed.min(other));
@@ -85,7 +85,8 @@ fn corner_limits(case: &Case, index: usize, other: usize) -> SpeedLimits {
     limits
 }
 
-/// A row a sample: number of the piece, position of the axes, place and rotation matrix of the tool centre point, limits.
+/// CSV with one row per sample: piece number, axis positions, position and rotation matrix of the tool centre point,
+/// limits.
 fn path(case: &Case) -> String {
     let mut text = String::new();
     for (piece, sample, limits) in samples(case, SAMPLES).1 {
@@ -104,8 +105,8 @@ fn path(case: &Case) -> String {
     text
 }
 
-/// At almost any time one limit is reached within 2 %: nothing could be faster. Between two knots a speed is below its limit
-/// where the limit bends.
+/// At almost any time one limit is reached within 2 %, so the motion cannot be faster. Between two knots, a speed is
+/// below a limit that bends.
 #[test]
 fn a_limit_is_reached_at_any_time() {
     let used = cases::all().iter().flat_map(|case| uses(case, 2000.0)).collect::<Vec<_>>();
@@ -113,8 +114,8 @@ fn a_limit_is_reached_at_any_time() {
     assert!(reached > 0.96, "{reached}");
 }
 
-/// The planner keeps to the mean acceleration between two knots, so the acceleration over two cycles may exceed the limit
-/// a little.
+/// The planner limits the mean acceleration between two knots, so the acceleration over two cycles may exceed the limit
+/// slightly.
 #[test]
 fn limits_are_kept_from_cycle_to_cycle() {
     for case in cases::all() {
@@ -124,7 +125,7 @@ fn limits_are_kept_from_cycle_to_cycle() {
     }
 }
 
-/// The greatest share of a limit that is used at each of `count` samples, apart from those where the limits change.
+/// Greatest load at `count` samples, except at samples where the limits change.
 fn uses(case: &Case, count: f64) -> Vec<f64> {
     let (step, samples) = samples(case, count);
     let in_one_piece =
@@ -132,7 +133,7 @@ fn uses(case: &Case, count: f64) -> Vec<f64> {
     samples.windows(3).filter(in_one_piece).map(|window| used(window, step, case.axes())).collect()
 }
 
-/// The greatest share of a limit that three samples use.
+/// Greatest load that follows from three samples.
 fn used(window: &[(usize, Sample, SpeedLimits)], step: f64, axes: usize) -> f64 {
     let [(_, before, _), (_, here, limits), (_, after, _)] = window else { return 0.0 };
     let turn = after.pose.rotation.angle_to(&here.pose.rotation).to_degrees() / step / limits.rotation.0;

@@ -4,7 +4,7 @@ use clap::ValueEnum;
 
 use super::ReportOutput;
 
-/// A form of reports.
+/// Format of coverage reports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum CoverageFormat {
     /// LCOV, for genhtml and services

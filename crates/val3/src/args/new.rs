@@ -26,7 +26,7 @@ pub(crate) struct NewArgs {
     pub(crate) format: NewFormat,
 }
 
-/// Forms of the result of `val3 new`.
+/// Output format of `val3 new`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum NewFormat {
     /// Files, and the next commands

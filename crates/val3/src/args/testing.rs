@@ -13,7 +13,7 @@ use crate::output::OutputContent;
 use crate::output::file_kind::OutputFileKind;
 use crate::test::Shard;
 
-/// A form of results.
+/// Format of test results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum TestFormat {
     /// Text for people

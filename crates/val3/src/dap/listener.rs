@@ -65,7 +65,7 @@ pub(super) fn streams(stream: TcpStream) -> io::Result<(TcpStream, Connection)> 
 }
 
 /// Returns the input of a connection after a check of its first bytes. Pages in browsers can send requests to ports of
-/// this machine, and a debugger can do whatever a program can.
+/// this machine, and a debugger has the rights of a program.
 ///
 /// # Errors
 /// The input does not begin like a debugger client's.

@@ -157,7 +157,7 @@ impl Repository {
     }
 }
 
-/// Path and object of an entry of `git ls-tree`, `100644 blob 1234…<tab>path`, or of `git ls-files --stage`,
+/// Path and object in an entry from `git ls-tree`, `100644 blob 1234…<tab>path`, or from `git ls-files --stage`,
 /// `100644 1234… 0<tab>path`. `None` for links.
 fn blob(entry: &str) -> Option<(&str, &str)> {
     let (head, path) = entry.split_once('\t')?;
@@ -169,7 +169,7 @@ fn blob(entry: &str) -> Option<(&str, &str)> {
     mode.starts_with("100").then_some((path, object))
 }
 
-/// Path of an entry of `git ls-files --stage` with a conflict's stage number (1 to 3), not 0.
+/// Path in an entry from `git ls-files --stage` whose stage number is a conflict's (1 to 3), not 0.
 fn unmerged(entry: &str) -> Option<&str> {
     let (head, path) = entry.split_once('\t')?;
     head.rsplit(' ').next().is_some_and(|stage| matches!(stage, "1" | "2" | "3")).then_some(path)

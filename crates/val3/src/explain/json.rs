@@ -1,4 +1,4 @@
-//! The pages of `val3 explain` as one JSON document.
+//! Pages of `val3 explain` as one JSON document.
 //!
 //! ```json
 //! {"version": 1, "pages": [{"kind": "run-time error", "names": ["123"], "heading": "…", "summary": "…", "page": "…"}]}

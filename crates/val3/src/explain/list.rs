@@ -1,4 +1,4 @@
-//! The list of all pages.
+//! List of all pages.
 
 use std::io;
 

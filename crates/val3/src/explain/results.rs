@@ -1,4 +1,4 @@
-//! The results of a search.
+//! Search results.
 
 use std::io;
 

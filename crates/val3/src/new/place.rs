@@ -19,8 +19,8 @@ pub(super) struct NewLocation {
 }
 
 impl NewLocation {
-    /// Finds the cell in or above `folder`, an absolute path. If there is none, returns a new cell called `name` in
-    /// `folder`.
+    /// Finds the cell in or above `folder`, an absolute path. Without an existing cell, returns a new cell called
+    /// `name` in `folder`.
     ///
     /// # Errors
     /// The folder does not exist.

@@ -139,7 +139,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Explains why time is real and where tasks wait, unless the user sees the controller or a debugger.
+    /// Explains why time is real and where tasks wait, unless the controller or a debugger is visible to the user.
     fn note_waits(&mut self, guide: &mut dyn Guide) {
         if self.observers.is_live() || self.viewers.is_some() || guide.session().is_some() {
             return;
@@ -166,14 +166,14 @@ impl<'a> Course<'a> {
         transition
     }
 
-    /// Advances the clock until something can happen, or a cycle is due that a debugged test has to see. `None` if nothing
-    /// can happen.
+    /// Advances the clock to the next possible event, or to a cycle that a debugged test must process. `None` if no
+    /// event is possible.
     fn next(&mut self, status: RunStatus) -> Option<Delay> {
         let due = self.test.as_ref().and_then(Stages::next_due);
         let pace = Pace { until: self.tempo.pace.until.into_iter().chain(due).min(), ..self.tempo.pace };
         let debugger = &mut self.debugger;
         match status {
-            // Only the client lets tasks continue that are paused one by one.
+            // Only the client can continue individually paused tasks.
             RunStatus::Waiting(None) | RunStatus::Stuck if !debugger.paused_tasks().is_empty() => {
                 Some(Delay::For(ATTENTION))
             }
@@ -187,7 +187,7 @@ impl<'a> Course<'a> {
         DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator }
     }
 
-    /// Runs to the end of a cycle; none if the debugger has stopped the run, or before the cycle is over.
+    /// Runs to the end of a cycle; `None` if the debugger has stopped the run or if the cycle is not complete.
     fn advance(&mut self, guide: &mut dyn Guide) -> Result<Option<RunStatus>, UserError> {
         let start = self.debugger.controller.now();
         // Stepping back removes the limit.

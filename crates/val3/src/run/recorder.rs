@@ -14,7 +14,7 @@ use crate::serve::PendingCommand;
 use crate::test::{ServedRun, record_served};
 use crate::user_error::UserError;
 
-/// Maximum number of events of a run that can be recorded: several hours of a usual cell, about 100 MB.
+/// Maximum number of recorded events: several hours of a usual cell, about 100 MB.
 const MAX_EVENTS: usize = 500_000;
 
 /// Events of a served run, and the scenario that is being written from them.
@@ -22,7 +22,7 @@ pub(super) struct ScenarioRecorder {
     application: Utf8PathBuf,
     controller: ControllerArgs,
     events: Vec<Event>,
-    /// There were more than `MAX_EVENTS` events.
+    /// Whether there were more than `MAX_EVENTS` events.
     is_full: bool,
     writer: Option<JoinHandle<()>>,
 }
@@ -78,7 +78,7 @@ fn recorded(run: &ServedRun, name: &str) -> Result<Map<String, Value>, String> {
     record_served(run, name).map(|recorded| val3_view::response(&recorded)).map_err(|error| error.lines())
 }
 
-/// Whether a scenario repeats or expects such an event.
+/// Whether a scenario repeats or expects events of this kind.
 fn is_recorded(kind: &EventKind) -> bool {
     match kind {
         EventKind::Task { state, .. } => *state == "created",

@@ -1,4 +1,4 @@
-//! The viewers of a run: the messages that they get, and the commands that they send.
+//! Viewers of a run: messages to the viewers, and their commands.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -19,35 +19,36 @@ use crate::serve::{PendingCommand, ServeAddress, Server, StoredMessage, browser}
 use crate::signals::Signals;
 use crate::user_error::UserError;
 
-/// The messages that later ones refer to.
+/// Kinds of messages to which later messages refer.
 const LASTING: [&str; 3] = ["scene", "source", "tool"];
 
 /// Command that writes a scenario of the run.
 const RECORD: &str = "record";
 
-/// Commands that are executed between two cycles. The others wait for the next one.
+/// Maximum number of commands executed between two cycles. Further commands wait for the next cycle.
 const COMMANDS_PER_CYCLE: usize = 64;
 
-/// The bytes of messages after which the whole state follows once more, for viewers that come when the first are dropped.
+/// Size of messages, in bytes, after which the complete state is sent once more, for viewers that connect after the
+/// first messages were dropped.
 const REPETITION: usize = 8 << 20;
 
-/// The viewers of a run.
+/// Viewers of a run.
 pub(super) struct Viewers {
     server: Server,
     feed: Feed,
     operator: Operator,
     recorder: ScenarioRecorder,
-    /// The bytes since the whole state was sent.
+    /// Bytes sent since the last complete state.
     sent: usize,
     /// Commands that have arrived during a wait.
     arrived: VecDeque<PendingCommand>,
 }
 
 impl Viewers {
-    /// Serves a run that has not begun.
+    /// Starts the server before the run begins.
     ///
     /// # Errors
-    /// The address is not free, or the current folder cannot be read.
+    /// The address is in use, or the current folder cannot be read.
     pub(super) fn open(address: ServeAddress, args: &RunArgs, controller: &Controller) -> Result<Self, UserError> {
         let server = Server::start(address)?;
         let page = server.operator_page();
@@ -66,7 +67,7 @@ impl Viewers {
         Ok(viewers)
     }
 
-    /// A cycle that began at `start` is over.
+    /// Publishes a finished cycle that began at `start`.
     pub(super) fn see(&mut self, start: Time, events: &[Event], controller: &Controller) {
         self.feed.see(start, events, controller);
         self.recorder.add_events(start, events);
@@ -78,7 +79,7 @@ impl Viewers {
         self.publish();
     }
 
-    /// The run has ended.
+    /// Publishes the end of the run.
     pub(super) fn see_end(&mut self, events: &[Event], reason: EndReason, exit_code: u8, controller: &Controller) {
         self.feed.see_events(events, controller);
         self.recorder.add_events(controller.now(), events);
@@ -86,7 +87,7 @@ impl Viewers {
         self.publish();
     }
 
-    /// Executes commands that have arrived.
+    /// Executes the pending commands.
     pub(super) fn attend(&mut self, controller: &mut Controller, tempo: &mut Tempo) {
         for command in self.take_commands() {
             if command.name == RECORD {
@@ -123,12 +124,12 @@ impl Viewers {
         result.map_err(|error| error.to_string())
     }
 
-    /// Waits for a command, at most for this time.
+    /// Waits for the next command, at most for this time.
     pub(super) fn wait(&mut self, time: Duration) {
         self.arrived.extend(self.server.wait_for_command(time));
     }
 
-    /// Lets viewers look at the end of the run until a signal arrives.
+    /// Keeps the server running after the end of the run, until a signal arrives.
     pub(super) fn linger(mut self, controller: &Controller, signals: &Signals) {
         to_stderr(|out| writeln!(out, "note: the run has ended; Ctrl-C ends the server"));
         while signals.exit_code().is_none() {
@@ -148,7 +149,7 @@ impl Viewers {
         std::mem::take(&mut self.arrived)
     }
 
-    /// Passes the new messages on.
+    /// Publishes the new messages of the feed.
     fn publish(&mut self) {
         let messages: Vec<StoredMessage> = self.feed.take().into_iter().map(encoded).collect();
         self.sent += messages.iter().map(StoredMessage::bytes).sum::<usize>();

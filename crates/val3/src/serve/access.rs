@@ -1,4 +1,4 @@
-//! Access to a run: secrets in addresses, and the hosts and origins that requests may name.
+//! Access control: secrets in addresses, and the permitted hosts and origins of requests.
 
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 
@@ -9,16 +9,16 @@ use constant_time_eq::constant_time_eq;
 use crate::secret;
 use crate::user_error::UserError;
 
-/// The rights of a viewer.
+/// Role of a viewer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ViewerRole {
-    /// Looks and operates.
+    /// Views and operates the run.
     Operator,
-    /// Looks.
+    /// Only views the run.
     Guest,
 }
 
-/// The things that the server has.
+/// Resource of the server.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Resource {
     /// `/SECRET/`.
@@ -27,24 +27,24 @@ pub(super) enum Resource {
     Socket,
 }
 
-/// The secrets of a server and its address.
+/// Secrets and address of a server.
 pub(super) struct Access {
     operator: String,
     guest: String,
     address: SocketAddr,
 }
 
-/// A request that may be answered.
+/// Permitted request.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Grant {
     pub(super) role: ViewerRole,
     pub(super) resource: Resource,
-    /// The host that the request names, one of this server.
+    /// Host in the request, which is a host of this server.
     pub(super) host: String,
 }
 
 impl Access {
-    /// Access to a server with this address by new secrets.
+    /// Creates the access to a server at this address, with new secrets.
     ///
     /// # Errors
     /// The system has no random numbers.
@@ -52,7 +52,7 @@ impl Access {
         Ok(Self { operator: secret::random()?, guest: secret::random()?, address })
     }
 
-    /// The secret of a role.
+    /// Secret of a role.
     pub(super) fn secret(&self, role: ViewerRole) -> &str {
         match role {
             ViewerRole::Operator => &self.operator,
@@ -60,7 +60,7 @@ impl Access {
         }
     }
 
-    /// Checks a request. There is no reason for a refusal: a stranger learns nothing.
+    /// Checks a request. A rejection has no reason, so that strangers get no information.
     pub(super) fn grant<B>(&self, request: &Request<B>) -> Option<Grant> {
         let (secret, rest) = request.uri().path().strip_prefix('/')?.split_once('/')?;
         let role = self.role(secret)?;
@@ -75,7 +75,7 @@ impl Access {
         (is_plain && is_own).then(|| Grant { role, resource, host: host.to_owned() })
     }
 
-    /// Both comparisons take place, each in a time that depends on no byte.
+    /// Returns the role for a secret. Both comparisons are always executed, in constant time.
     fn role(&self, secret: &str) -> Option<ViewerRole> {
         let [is_operator, is_guest] =
             [&self.operator, &self.guest].map(|known| constant_time_eq(known.as_bytes(), secret.as_bytes()));
@@ -86,7 +86,8 @@ impl Access {
         }
     }
 
-    /// Pages of other servers whose name leads to this machine (DNS rebinding) name another host.
+    /// Whether a host is a host of this server. Pages of other servers whose name resolves to this machine (DNS
+    /// rebinding) have another host.
     fn is_host(&self, host: &str) -> bool {
         let (address, port) = match host.parse::<SocketAddr>() {
             Ok(named) => (Some(named.ip()), named.port()),
@@ -99,14 +100,16 @@ impl Access {
         port == self.address.port() && address.is_none_or(|named| self.is_served(named))
     }
 
-    /// If all addresses of the machine are served, each address is right: only names can be bound to another machine.
+    /// Whether an address is served. If the server listens on all addresses, every address is valid, because only names
+    /// can be rebound to another machine.
     fn is_served(&self, named: IpAddr) -> bool {
         let served = self.address.ip();
         let is_local = named == Ipv4Addr::LOCALHOST || named == Ipv6Addr::LOCALHOST;
         named == served || served.is_unspecified() || served.is_loopback() && is_local
     }
 
-    /// Browsers state the page that opens a socket: only that of this server may.
+    /// Whether a request has this server as its origin. Browsers send the origin of the page that opens a socket, and
+    /// only the page of this server may open it.
     fn is_origin(&self, headers: &HeaderMap, host: &str) -> bool {
         single(headers, ORIGIN).and_then(|origin| origin.strip_prefix("http://")).is_some_and(|origin| origin == host)
     }
@@ -116,7 +119,7 @@ fn is_address(host: &str) -> bool {
     host.trim_matches(['[', ']']).parse::<IpAddr>().is_ok()
 }
 
-/// The value of a header that occurs once.
+/// Value of a header; `None` if it does not occur exactly once.
 fn single(headers: &HeaderMap, name: HeaderName) -> Option<&str> {
     let mut values = headers.get_all(name).iter();
     values.next().filter(|_| values.next().is_none())?.to_str().ok()

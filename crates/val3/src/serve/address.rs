@@ -1,18 +1,18 @@
-//! The address of the server: the argument of `--serve`, and the port that it gets.
+//! Server address: the argument of `--serve`, and the chosen port.
 
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
 use std::str::FromStr;
 
 use crate::user_error::UserError;
 
-/// The port of the server if no address is given. If it is taken, the system chooses one.
+/// Default port. If the port is in use, the system chooses another.
 const PORT: u16 = 8303;
 
-/// The value of `--serve`.
+/// Value of `--serve`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct ServeAddress {
     address: SocketAddr,
-    /// Another port is no substitute.
+    /// Whether the user has set the address, so that no other port may be used.
     is_given: bool,
 }
 
@@ -41,10 +41,10 @@ impl FromStr for ServeAddress {
 }
 
 impl ServeAddress {
-    /// Listens on the address, or on a free port if none is given and the usual one is taken.
+    /// Listens on the address, or on a free port if the user has set none and the default port is in use.
     ///
     /// # Errors
-    /// The port is not free, or the address is none of this machine.
+    /// The port is in use, or the address does not belong to this machine.
     pub(super) fn listen(self) -> Result<TcpListener, UserError> {
         let listener = TcpListener::bind(self.address);
         let listener = match listener {
@@ -58,7 +58,7 @@ impl ServeAddress {
     }
 }
 
-/// An address under which this machine reaches the server.
+/// Address at which this machine can reach the server.
 pub(super) fn reachable(address: SocketAddr) -> SocketAddr {
     match address.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => (Ipv4Addr::LOCALHOST, address.port()).into(),

@@ -1,8 +1,8 @@
-//! `--open`: the page in the browser of the user.
+//! `--open`: opens the page in the user's browser.
 
 use std::process::{Command, Stdio};
 
-/// Opens an address in the browser. Returns whether the program that does it could be started.
+/// Opens an address in the browser. Returns whether the system's opener was started.
 pub(crate) fn open(address: &str) -> bool {
     let mut command = match () {
         () if cfg!(target_os = "macos") => Command::new("open"),

@@ -1,37 +1,37 @@
-//! Commands of viewers, and their answers.
+//! Commands from viewers, and the responses.
 
 use axum::extract::ws::Utf8Bytes;
 use serde_json::{Map, Value, json};
 use tokio::sync::mpsc::OwnedPermit;
 
-/// A command that waits for the loop of the run.
+/// Command that waits for the run loop.
 #[derive(Debug)]
 pub(crate) struct PendingCommand {
-    /// Its name.
+    /// Command name.
     pub(crate) name: String,
-    /// The whole message, with the arguments.
+    /// Entire message, with the arguments.
     pub(crate) message: Map<String, Value>,
     ticket: Ticket,
 }
 
-/// The place of an answer in the queue to the viewer.
+/// Reserved slot for the response in the queue to the viewer.
 #[derive(Debug)]
 struct Ticket {
     id: Value,
     permit: OwnedPermit<Utf8Bytes>,
 }
 
-/// A text message of a viewer.
+/// Text message from a viewer.
 #[derive(Debug, PartialEq)]
 pub(super) struct Parsed {
-    /// The number of the command, or null.
+    /// Number of the command; null if the message has none.
     pub(super) id: Value,
-    /// The name and the message.
+    /// Name and message, or the error.
     pub(super) command: Result<(String, Map<String, Value>), &'static str>,
 }
 
 impl Parsed {
-    /// Takes a message apart.
+    /// Parses a message.
     pub(super) fn of(text: &str) -> Self {
         let Ok(Value::Object(message)) = serde_json::from_str(text) else {
             return Self { id: Value::Null, command: Err("a command is a JSON object") };
@@ -47,19 +47,19 @@ impl Parsed {
 }
 
 impl PendingCommand {
-    /// A command whose answer has a place.
+    /// Creates a command with a reserved slot for the response.
     pub(super) fn new(id: Value, name: String, message: Map<String, Value>, permit: OwnedPermit<Utf8Bytes>) -> Self {
         Self { name, message, ticket: Ticket { id, permit } }
     }
 
-    /// Answers the viewer: with more than that it was done, or with the reason why not.
+    /// Sends the response to the viewer: keys in addition to the confirmation, or the reason for a rejection.
     pub(crate) fn answer(self, result: Result<Map<String, Value>, String>) {
         let Ticket { id, permit } = self.ticket;
         permit.send(answer(&id, result));
     }
 }
 
-/// The message with an answer.
+/// Creates the response message.
 pub(super) fn answer(id: &Value, result: Result<Map<String, Value>, String>) -> Utf8Bytes {
     let (error, more) = match result {
         Ok(more) => (Value::Null, more),

@@ -1,4 +1,4 @@
-//! Connections: each has one request, which is answered with the page, a socket, or 404.
+//! Connections. Each connection has one request, and the response is the page, a socket, or 404.
 
 use std::io;
 use std::net::TcpListener as StdListener;
@@ -22,13 +22,13 @@ use super::page::{not_found, protective_headers};
 use super::shared::Shared;
 use super::viewer;
 
-/// The most bytes of the header of a request.
+/// Maximum size of a request header, in bytes.
 const HEADER_BYTES: usize = 16 << 10;
 
-/// The pause after a connection that the system could not accept, because it lacks something for the moment.
+/// Pause after a failed `accept`, for example because the process temporarily has no free file handle.
 const ACCEPT_PAUSE: Duration = Duration::from_millis(50);
 
-/// Accepts connections until the server ends, and then lets the viewers read the rest.
+/// Accepts connections until the server ends, then waits while the viewers read the remaining messages.
 pub(super) async fn accept(listener: StdListener, shared: Arc<Shared>) -> io::Result<()> {
     let listener = TcpListener::from_std(listener)?;
     let router = Router::new().fallback(answer).with_state(Arc::clone(&shared));
@@ -43,7 +43,7 @@ pub(super) async fn accept(listener: StdListener, shared: Arc<Shared>) -> io::Re
             sleep(ACCEPT_PAUSE).await;
             continue;
         };
-        // Without a permit the connection is closed at once.
+        // Without a permit the connection is closed immediately.
         if let Ok(permit) = Arc::clone(&connections).try_acquire_owned() {
             let request = serve(stream, router.clone(), Arc::clone(&shared));
             tokio::spawn(async move {
@@ -53,14 +53,14 @@ pub(super) async fn accept(listener: StdListener, shared: Arc<Shared>) -> io::Re
         }
     }
     let all = u32::try_from(shared.limits.viewers).unwrap_or(u32::MAX);
-    // Viewers that do not read are left.
+    // Viewers that do not read are disconnected.
     let _ = timeout(shared.limits.action_after_disconnect, shared.places.acquire_many(all)).await;
     Ok(())
 }
 
-/// Serves the one request of a connection. A socket outlives it.
+/// Serves a connection's only request. A socket outlives this function.
 async fn serve(stream: TcpStream, router: Router, shared: Arc<Shared>) {
-    // Without it, small messages wait for their predecessors to arrive.
+    // Without this option, small messages wait until earlier messages are acknowledged.
     let _ = stream.set_nodelay(true);
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
@@ -68,7 +68,7 @@ async fn serve(stream: TcpStream, router: Router, shared: Arc<Shared>) {
         .max_buf_size(HEADER_BYTES)
         .serve_connection(TokioIo::new(stream), TowerToHyperService::new(router))
         .with_upgrades();
-    // The viewer is gone or too slow: nothing is left to do.
+    // After a timeout or a disconnection nothing remains to be done.
     let _ = timeout(shared.limits.request_time, connection).await;
 }
 

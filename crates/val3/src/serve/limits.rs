@@ -1,35 +1,35 @@
-//! The limits that keep viewers from each other and from the run.
+//! Limits that protect the run, and viewers from each other.
 
 use std::time::Duration;
 
-/// The limits of a server.
+/// Server limits.
 #[derive(Debug, Clone)]
 pub(super) struct ServerLimits {
-    /// Viewers at the same time.
+    /// Maximum number of simultaneous viewers.
     pub(super) viewers: usize,
-    /// Connections that have not become viewers.
+    /// Maximum number of connections that are not viewers.
     pub(super) connections: usize,
-    /// The time for the header of a request.
+    /// Timeout for a request header.
     pub(super) header_time: Duration,
-    /// The time for a request and its answer, without the socket that may follow.
+    /// Timeout for a request and its response, excluding a socket that may follow.
     pub(super) request_time: Duration,
-    /// The time for one message to a viewer whose buffers are full.
+    /// Timeout for one message to a viewer whose buffers are full.
     pub(super) send_time: Duration,
-    /// The time between two pings.
+    /// Time between two pings.
     pub(super) ping_time: Duration,
-    /// The time after which a viewer without a sign of life is gone.
+    /// Time without any frame after which a viewer is disconnected.
     pub(super) silence: Duration,
-    /// The time for viewers to read the last messages when the server ends.
+    /// Time in which viewers can read the last messages when the server ends.
     pub(super) action_after_disconnect: Duration,
-    /// The largest message of a viewer in bytes.
+    /// Maximum size of a viewer's message, in bytes.
     pub(super) message_bytes: usize,
-    /// Commands of a viewer in the long run.
+    /// Sustained number of commands per second from a viewer.
     pub(super) commands_per_second: u16,
-    /// Commands of a viewer at once.
+    /// Maximum number of commands in a burst from a viewer.
     pub(super) commands_at_once: u16,
-    /// Refused commands after which a viewer is disconnected.
+    /// Number of consecutive rejected commands after which a viewer is disconnected.
     pub(super) refused_commands: u32,
-    /// Bytes of the log of the run.
+    /// Maximum size of the log, in bytes.
     pub(super) log_bytes: usize,
 }
 

@@ -1,16 +1,16 @@
-//! The messages of a run for its viewers.
+//! Log of the messages for viewers.
 
 use std::collections::VecDeque;
 
 use axum::body::Bytes;
 use axum::extract::ws::Utf8Bytes;
 
-/// A message for viewers.
+/// Message for viewers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum StoredMessage {
     /// A JSON object.
     Text(Utf8Bytes),
-    /// A JSON object that later messages need: it is kept when older messages are dropped.
+    /// A JSON object that later messages require. It is kept when older messages are dropped.
     Lasting(Utf8Bytes),
     /// A batch of samples.
     Binary(Bytes),
@@ -25,28 +25,28 @@ impl StoredMessage {
     }
 }
 
-/// The message in the place of those that were dropped.
+/// Message that replaces dropped messages.
 const GAP: &str = r#"{"kind":"gap"}"#;
 
-/// The messages of a run, bounded in bytes. Viewers have a cursor in it.
+/// Messages of a run, bounded in bytes. Each viewer has a cursor in the log.
 #[derive(Debug, Default)]
 pub(crate) struct MessageLog {
     messages: VecDeque<StoredMessage>,
-    /// The lasting messages among those that were dropped.
+    /// Lasting messages from the dropped part of the log.
     lasting: Vec<StoredMessage>,
-    /// The number of the first message that is left.
+    /// Number of the first message that was not dropped.
     first: u64,
     bytes: usize,
     limit: usize,
 }
 
 impl MessageLog {
-    /// An empty log that keeps this many bytes.
+    /// Creates an empty log with a maximum size in bytes.
     pub(super) fn new(limit: usize) -> Self {
         Self { limit, ..Self::default() }
     }
 
-    /// Adds a message, and removes the oldest ones if the log is full.
+    /// Appends a message, and drops the oldest messages if the log is full.
     pub(crate) fn append(&mut self, message: StoredMessage) {
         self.bytes += message.bytes();
         self.messages.push_back(message);
@@ -60,19 +60,19 @@ impl MessageLog {
         }
     }
 
-    /// The bytes of all messages.
+    /// Size of all messages, in bytes.
     #[cfg(test)]
     pub(super) const fn bytes(&self) -> usize {
         self.bytes
     }
 
-    /// The number of the message after the last one.
+    /// Number of the next message.
     pub(super) fn end(&self) -> u64 {
         self.first + self.messages.len() as u64
     }
 
-    /// At most `count` messages from a cursor on, and moves it. If some of them were dropped, the lasting ones and a `gap` come
-    /// first.
+    /// Returns at most `count` messages from a cursor on, and advances the cursor. If messages at the cursor were
+    /// dropped, the lasting messages and a `gap` come first.
     pub(super) fn messages_since(&self, cursor: &mut u64, count: usize) -> Vec<StoredMessage> {
         let mut messages = Vec::new();
         if *cursor < self.first {

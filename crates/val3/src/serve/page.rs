@@ -1,4 +1,4 @@
-//! The page that shows a run, and the headers that protect it.
+//! Page that shows a run, with protective headers.
 
 use axum::body::Bytes;
 use axum::http::header::{
@@ -10,16 +10,16 @@ use axum::response::{IntoResponse, Response};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use sha2::{Digest, Sha256};
 
-/// The page with its script and its style. It fetches nothing.
+/// Page with its script and style. The page loads no other files.
 pub(crate) const PAGE: &str = include_str!("../../../../editors/view/dist/view.html");
 
-/// The page and the part of its policy that does not depend on the request.
+/// Page response, with the part of the content security policy that does not depend on the request.
 pub(super) struct ServedPage {
     policy: String,
 }
 
 impl ServedPage {
-    /// Computes the policy: only the scripts and styles of the page itself apply.
+    /// Computes the policy, which permits only the scripts and styles in the page.
     pub(super) fn new() -> Self {
         let [scripts, styles] = ["script", "style"].map(|element| sources(PAGE, element));
         let policy = format!(
@@ -29,7 +29,7 @@ impl ServedPage {
         Self { policy }
     }
 
-    /// The answer with the page. `host` is a host of this server, to whose socket the page connects.
+    /// Response with the page. `host` is the host of this server to whose socket the page connects.
     pub(super) fn respond(&self, host: &str) -> Response {
         let mut headers = protective_headers();
         headers.insert(CONTENT_TYPE, HeaderValue::from_static("text/html; charset=utf-8"));
@@ -39,12 +39,12 @@ impl ServedPage {
     }
 }
 
-/// The answer to all requests that are not granted.
+/// Response to all requests that are not permitted.
 pub(super) fn not_found() -> Response {
     (StatusCode::NOT_FOUND, protective_headers()).into_response()
 }
 
-/// The headers of all answers but those that open sockets. A connection has one request.
+/// Headers of all responses except responses that open a socket. A connection has one request.
 pub(super) fn protective_headers() -> HeaderMap {
     let headers = [
         (CONNECTION, "close"),
@@ -58,7 +58,7 @@ pub(super) fn protective_headers() -> HeaderMap {
     headers.into_iter().map(|(name, value)| (name, HeaderValue::from_static(value))).collect()
 }
 
-/// The hashes of the elements with this name, as sources of a policy.
+/// Hashes of the elements with this name, as policy sources.
 fn sources(page: &str, element: &str) -> String {
     let (opening, closing) = (format!("<{element}"), format!("</{element}>"));
     let mut sources = String::new();

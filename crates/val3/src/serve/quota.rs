@@ -1,36 +1,36 @@
-//! The number of commands that a viewer may send.
+//! Rate limit for a viewer's commands.
 
 use std::time::{Duration, Instant};
 
 use super::limits::ServerLimits;
 
-/// The commands that a viewer may still send. It gets new ones over time.
+/// Token bucket for a viewer's commands.
 #[derive(Debug)]
 pub(super) struct Quota {
-    /// Commands that may be sent at once.
+    /// Number of commands that the viewer may send immediately.
     left: f64,
-    /// When `left` was computed.
+    /// Time at which `left` was computed.
     at: Instant,
-    /// Commands that were refused one after the other.
+    /// Number of consecutive rejected commands.
     refused: u32,
     per_second: f64,
     burst: f64,
     patience: u32,
 }
 
-/// The decision on a command.
+/// Decision on a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Admission {
-    /// It is passed on.
+    /// The command is passed to the run.
     Granted,
-    /// It is answered with an error.
+    /// The command is rejected with an error.
     Refused,
-    /// The viewer does not stop: its connection ends.
+    /// The viewer continues to send too many commands and is disconnected.
     Expelled,
 }
 
 impl Quota {
-    /// A full quota.
+    /// Creates a full quota.
     pub(super) fn new(limits: &ServerLimits, now: Instant) -> Self {
         let (per_second, burst) = (f64::from(limits.commands_per_second), f64::from(limits.commands_at_once));
         Self { left: burst, at: now, refused: 0, per_second, burst, patience: limits.refused_commands }
@@ -71,7 +71,7 @@ mod tests {
         assert!((0..20).all(|_| at(0) == Admission::Granted));
         assert_eq!(at(0), Admission::Refused);
         assert_eq!(at(100), Admission::Granted);
-        // After a break of a second the viewer starts again.
+        // After a pause of one second the full quota is available again.
         assert!((0..11).all(|_| at(1200) == Admission::Granted));
         assert!((0..5).all(|_| at(1200) == Admission::Refused));
         assert_eq!(at(1200), Admission::Expelled);

@@ -1,4 +1,4 @@
-//! The parts of a server that its connections share.
+//! State shared by the connections of a server.
 
 use std::sync::mpsc::SyncSender;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -11,24 +11,24 @@ use super::limits::ServerLimits;
 use super::log::MessageLog;
 use super::page::ServedPage;
 
-/// The parts of a server that its connections share.
+/// State shared by the connections of a server.
 pub(super) struct Shared {
     pub(super) access: Access,
     pub(super) page: ServedPage,
     pub(super) limits: ServerLimits,
     pub(super) log: Arc<SharedLog>,
-    /// The way to the loop of the run.
+    /// Channel to the run loop.
     pub(super) commands: SyncSender<PendingCommand>,
-    /// A place for each viewer.
+    /// One permit per viewer.
     pub(super) places: Arc<Semaphore>,
-    /// True when the server ends.
+    /// Whether the server ends.
     pub(super) is_over: watch::Receiver<bool>,
 }
 
-/// The log of a run, which the run extends and viewers read.
+/// Log that the run extends and viewers read.
 pub(super) struct SharedLog {
     log: Mutex<MessageLog>,
-    /// Announces that the log has grown.
+    /// Notification that the log has grown.
     news: watch::Sender<()>,
 }
 
@@ -37,17 +37,17 @@ impl SharedLog {
         Self { log: Mutex::new(log), news: watch::Sender::new(()) }
     }
 
-    /// The log, for a short time.
+    /// Locks the log. The lock must be short.
     pub(super) fn lock(&self) -> MutexGuard<'_, MessageLog> {
         self.log.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Wakes the viewers that have read everything.
+    /// Wakes the viewers that have read all messages.
     pub(super) fn announce(&self) {
         self.news.send_replace(());
     }
 
-    /// Announcements from now on.
+    /// Subscribes to notifications from now on.
     pub(super) fn subscribe(&self) -> watch::Receiver<()> {
         self.news.subscribe()
     }

@@ -1,4 +1,4 @@
-//! The connection of one viewer.
+//! Connection to a viewer.
 
 use std::future::ready;
 use std::sync::Arc;
@@ -16,35 +16,35 @@ use super::log::StoredMessage;
 use super::quota::{Admission, Quota};
 use super::shared::Shared;
 
-/// Messages that are taken from the log at once.
+/// Maximum number of messages read from the log in one call.
 const BATCH: usize = 64;
 
-/// The role in the scene. Names of data have no quotation marks.
+/// Role in the scene. The text is unique, because data names contain no quotation marks.
 const OPERATOR: &str = r#""role":"operator""#;
 
-/// The role of a reader that only looks.
+/// Role of a guest in the scene.
 const GUEST: &str = r#""role":"guest""#;
 
-/// Commands of a viewer that are not answered yet.
+/// Maximum number of a viewer's commands without a response.
 const OPEN_COMMANDS: usize = 64;
 
-/// The end of a connection: with the reason for the viewer, or without if it cannot be reached.
+/// End of a connection, with the reason for the viewer; `None` if the viewer cannot be reached.
 type Departure = Option<(u16, &'static str)>;
 
-/// A viewer of the run.
+/// Viewer of a run.
 pub(super) struct Viewer {
     shared: Arc<Shared>,
     role: ViewerRole,
     socket: WebSocket,
-    /// The position in the log.
+    /// Cursor in the log.
     cursor: u64,
     quota: Quota,
-    /// The last sign of life.
+    /// Time of the last received frame.
     heard: Instant,
     answers: mpsc::Sender<Utf8Bytes>,
 }
 
-/// Serves a viewer until it leaves, does not read, or sends what it must not.
+/// Serves a viewer until it disconnects, stops reading, or violates the protocol.
 pub(super) async fn attend(socket: WebSocket, role: ViewerRole, shared: Arc<Shared>) {
     let (answers, inbox) = mpsc::channel(OPEN_COMMANDS);
     let now = Instant::now();
@@ -77,7 +77,7 @@ impl Viewer {
         }
     }
 
-    /// Sends the next messages of the log. Returns whether there are more.
+    /// Sends the next messages from the log. Returns whether more messages follow.
     async fn send_batch(&mut self) -> Result<bool, Departure> {
         let messages = self.shared.log.lock().messages_since(&mut self.cursor, BATCH);
         let has_more = messages.len() >= BATCH;
@@ -92,7 +92,7 @@ impl Viewer {
         Ok(has_more)
     }
 
-    /// The scene names the role of its reader.
+    /// Replaces the role in the scene by the role of the viewer.
     fn for_role(&self, text: Utf8Bytes) -> Utf8Bytes {
         match self.role {
             ViewerRole::Operator => text,
@@ -100,7 +100,7 @@ impl Viewer {
         }
     }
 
-    /// Sends a frame, unless the viewer does not read.
+    /// Sends a frame. A viewer that does not read in time is disconnected.
     async fn send(&mut self, frame: Frame) -> Result<(), Departure> {
         match timeout(self.shared.limits.send_time, self.socket.send(frame)).await {
             Ok(Ok(())) => Ok(()),
@@ -108,15 +108,15 @@ impl Viewer {
         }
     }
 
-    /// Says goodbye, and waits until the viewer has read everything: a connection that is closed with unread frames of the
-    /// viewer, such as an answer to a ping, is reset, and what the viewer has not read is lost.
+    /// Sends the close frame, and waits until the viewer has read all frames. Closing a socket with unread frames from
+    /// the viewer, for example a pong, would reset the connection and discard frames that the viewer has not read.
     async fn close(mut self, goodbye: Frame) {
         let all_read = async {
             if self.socket.send(goodbye).await.is_ok() {
                 while let Some(Ok(_)) = self.socket.recv().await {}
             }
         };
-        // The connection ends in any case.
+        // The connection ends also after a timeout.
         let _ = timeout(self.shared.limits.send_time, all_read).await;
     }
 
@@ -127,7 +127,7 @@ impl Viewer {
         self.send(Frame::Ping(Bytes::new())).await
     }
 
-    /// Handles a frame of the viewer; none if the connection has ended or is broken.
+    /// Handles a frame from the viewer; `None` if the connection has ended or is broken.
     async fn receive(&mut self, frame: Option<Frame>) -> Result<(), Departure> {
         self.heard = Instant::now();
         match frame {
@@ -138,7 +138,7 @@ impl Viewer {
         }
     }
 
-    /// Control frames count as commands: each takes time and some are answered.
+    /// Counts a control frame as a command, because processing takes time and some control frames have a response.
     fn limit_frames(&mut self) -> Result<(), Departure> {
         match self.quota.admit(Instant::now()) {
             Admission::Granted | Admission::Refused => Ok(()),
@@ -167,7 +167,7 @@ impl Viewer {
         }
     }
 
-    /// Passes a command to the loop of the run.
+    /// Passes a command to the run loop.
     fn pass(&self, command: PendingCommand) -> Result<(), &'static str> {
         self.shared.commands.try_send(command).map_err(|error| match error {
             TrySendError::Full(_) => "the run is busy",
@@ -176,5 +176,5 @@ impl Viewer {
     }
 }
 
-/// The reason for viewers that flood the run.
+/// Close reason for viewers that exceed the quota.
 const FLOOD: (u16, &str) = (close_code::POLICY, "too many commands");

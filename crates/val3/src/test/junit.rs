@@ -138,7 +138,7 @@ fn result(result: &TestResult, paths: &Paths, writer: &mut XmlWriter<'_>) -> io:
     writer.create_element("system-out").write_text_content(BytesText::new(&allowed(&output))).map(drop)
 }
 
-/// Writes the failures of attempts before the one that has passed.
+/// Writes the failures of the attempts before the passed attempt.
 fn flaky_failures(tested: &TestedTest, paths: &Paths, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     tested.earlier.iter().filter(|_| tested.is_flaky()).try_for_each(|failed| {
         let message = failed.failures.first().and_then(|failure| failure.message.lines().next());

@@ -1,6 +1,7 @@
-//! `--mutate`: mistakes that are seeded into the tested programs and their data, and those among them that no test finds.
+//! `--mutate`: seeds mistakes into the tested programs and their data, and reports the mistakes that no test finds.
 //!
-//! A mistake exists in memory alone. It is tried with the tests that execute its line, or lines that name its variable.
+//! A mistake exists only in memory. It is tried with the tests that execute its line, or a line that names its
+//! variable.
 
 mod code_sites;
 mod conditions;
@@ -31,10 +32,10 @@ use original::originals;
 use report::MutationReport;
 use trial::Verdict;
 
-/// Executes the tests, then those mistakes that the arguments ask for, and reports the ones that survive.
+/// Executes the tests, tries the number of mistakes in the arguments, and reports the surviving mistakes.
 ///
 /// # Errors
-/// The format is none of this report, an application can no longer be read, or the report cannot be written.
+/// The report does not support the format, an application can no longer be read, or the report cannot be written.
 pub(super) fn run(
     args: &TestArgs,
     tests: &[TestFile<'_>],
@@ -74,7 +75,8 @@ pub(super) fn run(
     Ok(ExitCode::from(code))
 }
 
-/// The exit code: 0 if the tests have found each mistake that could be executed, 1 if one survives, 2 if none could be.
+/// Exit code: 0 if the tests have found all executable mistakes, 1 if a mistake survives, 2 if no mistake could be
+/// executed.
 fn code<'v>(verdicts: impl Iterator<Item = &'v Verdict>) -> u8 {
     let (mut found, mut survived) = (false, false);
     for verdict in verdicts {
@@ -88,7 +90,7 @@ fn code<'v>(verdicts: impl Iterator<Item = &'v Verdict>) -> u8 {
     }
 }
 
-/// Reports tests that fail without a mistake, or that a signal has ended.
+/// Reports tests that fail without a mistake, or an interruption by a signal.
 fn unmutated(results: &Results, args: &TestArgs, paths: &Paths, color: Color) -> Result<ExitCode, UserError> {
     to_stdout_as(args.format.content(), color, |out| match args.format {
         TestFormat::Json => json::write(results, paths, out),

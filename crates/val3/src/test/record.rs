@@ -1,7 +1,7 @@
-//! `--record`: a scenario from the record of a run.
+//! `--record`: creates a scenario from an event record.
 //!
-//! What came from outside becomes `[[at]]`, and what the run did becomes `[expect]`. The scenario is executed before it is
-//! written, so that it passes: an expectation that the execution does not meet becomes a comment.
+//! External input becomes `[[at]]`, and the effects of the run become `[expect]`. To make sure that the scenario
+//! passes, it is executed before it is written, and an expectation that the execution does not meet becomes a comment.
 
 mod draft;
 mod run_record;
@@ -29,7 +29,7 @@ use crate::output::to_stderr;
 use crate::paths::{Paths, current_folder, relative};
 use crate::user_error::UserError;
 
-/// How often a scenario is executed at most until it passes.
+/// Maximum number of executions until the scenario passes.
 const TRIALS: usize = 4;
 
 /// Scenario to be written.
@@ -49,14 +49,14 @@ struct NewScenario<'r> {
 #[derive(Debug)]
 struct WrittenScenario {
     text: String,
-    /// What the scenario does not repeat or expect.
+    /// Differences from the run: input that the scenario does not repeat, and output that it does not expect.
     remarks: Vec<String>,
 }
 
-/// Writes the scenario of the run whose events the file `record` has.
+/// Writes a scenario from the event record in the file `record`.
 ///
 /// # Errors
-/// A file cannot be read or written, there is a scenario of this name already, or a scenario cannot repeat the run.
+/// A file cannot be read or written, a scenario with this name exists, or a scenario cannot repeat the run.
 pub(super) fn run(args: &TestArgs, record: &Utf8Path, to: Option<&Utf8Path>) -> Result<ExitCode, UserError> {
     let usage = "val3 test --record run.jsonl --to tests/twoBoxes.toml usr/usrapp/palletiser";
     let ([application], Some(to)) = (args.paths.as_slice(), to) else {
@@ -87,7 +87,7 @@ pub(super) fn run(args: &TestArgs, record: &Utf8Path, to: Option<&Utf8Path>) -> 
 }
 
 impl NewScenario<'_> {
-    /// Writes the scenario after an execution in which it has passed.
+    /// Writes the scenario after it has passed in an execution.
     ///
     /// # Errors
     /// The application is outside of the cell, the scenario cannot repeat the run, or the file cannot be written.
@@ -106,7 +106,7 @@ impl NewScenario<'_> {
     }
 }
 
-/// Executes the scenario until it passes. What the execution does not repeat becomes a comment.
+/// Executes the scenario until it passes. Expectations that an execution does not meet become comments.
 fn tried<'r>(mut draft: Draft<'r>, trial: &ScenarioTrial<'_>) -> Result<Draft<'r>, UserError> {
     draft.add_outputs(&trial.opened()?.controller);
     for number in 0..TRIALS {
@@ -119,7 +119,7 @@ fn tried<'r>(mut draft: Draft<'r>, trial: &ScenarioTrial<'_>) -> Result<Draft<'r
                 .with_help("the application may differ from the one of the run, or a line may have had another end"));
         }
         match number {
-            // A run that is not repeated may have shown another page.
+            // If the execution differs from the run, the run may have shown another page.
             0 if is_met => draft.add_screen(&outcome.screen),
             0 => draft.remark("the page at the end is left out, because the execution differs from the run".to_owned()),
             _ if is_met => return Ok(draft),
@@ -130,7 +130,7 @@ fn tried<'r>(mut draft: Draft<'r>, trial: &ScenarioTrial<'_>) -> Result<Draft<'r
         .with_help("lines with a peer outside of the test make runs differ"))
 }
 
-/// Checks that a scenario can be written there.
+/// Checks that a scenario can be written to this path.
 fn check_new(path: &Utf8Path, to: &Utf8Path) -> Result<(), UserError> {
     if path.extension() != Some("toml") {
         return Err(refused(to, "the file of a scenario ends with `.toml`"));
@@ -141,7 +141,7 @@ fn check_new(path: &Utf8Path, to: &Utf8Path) -> Result<(), UserError> {
     }
 }
 
-/// The project file of the application.
+/// Project file of the application.
 fn manifest(path: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     let application = Application::open(&Disk, path, None)?;
     Ok(normalise(application.project().manifest(application.db()).path(application.db())))

@@ -1,4 +1,4 @@
-//! Files that `--update` writes: recorded motion and texts.
+//! Files that `--update` writes: recorded motions and texts.
 
 use std::fmt::Display;
 use std::fs;
@@ -8,29 +8,29 @@ use val3_files::{FileClass, Unreadable, replace};
 
 use crate::user_error::UserError;
 
-/// A file that `--update` has written, or would have written.
+/// File that `--update` has written or left unchanged.
 pub(super) struct RecordedFile {
     pub(super) path: Utf8PathBuf,
-    /// The result of writing it.
+    /// Result in a word, for example `changed:`.
     pub(super) action: &'static str,
 }
 
-/// Contents of one kind.
+/// New content of a recorded file.
 pub(super) struct RecordedContents<'r> {
-    /// The text.
+    /// Content.
     pub(super) text: String,
-    /// Whether a text is of this kind, so that its file may be replaced.
+    /// Returns whether a text has this kind, so that its file may be replaced.
     pub(super) is_known: &'r dyn Fn(&str) -> bool,
-    /// The kind in messages: `recorded motion`.
+    /// Name of the kind in messages, for example `recorded motion`.
     pub(super) kind: &'static str,
-    /// The key of the expectation that names the file.
+    /// Key of the expectation that names the file.
     pub(super) key: &'static str,
 }
 
-/// Writes a file unless it has this text already. Returns what has happened.
+/// Writes a file unless it already has this content. Returns the result in a word.
 ///
 /// # Errors
-/// The file cannot be written, or is of another kind.
+/// The file cannot be written, or its content has another kind.
 pub(super) fn record(path: &Utf8Path, recording: &RecordedContents<'_>) -> Result<&'static str, UserError> {
     let RecordedContents { text, is_known, kind, key } = recording;
     let action = match val3_files::read_text(path, FileClass::Record) {
@@ -48,7 +48,7 @@ pub(super) fn record(path: &Utf8Path, recording: &RecordedContents<'_>) -> Resul
     Ok(action)
 }
 
-/// The error of a file that cannot be written, which the expectation `key` names.
+/// Error for a file that cannot be written. `key` is the expectation that names the file.
 pub(super) fn refused(path: &Utf8Path, key: &str, error: &dyn Display) -> UserError {
     UserError::new(format!("cannot write `{path}`: {error}"))
         .with_help(format!("`{key}` names a file of a folder that you may write to"))

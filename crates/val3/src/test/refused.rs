@@ -68,7 +68,7 @@ fn failure(db: &Database, finding: &Diagnostic) -> Failure {
     Failure { message: finding.message.clone(), places: vec![place] }
 }
 
-/// The tests in an application that cannot be tested, or an invalid scenario.
+/// Tests in an application that cannot be tested, or an invalid scenario.
 #[derive(Debug)]
 pub(super) struct RefusedTests {
     /// Project file of the application, or scenario file.
@@ -86,7 +86,7 @@ impl RefusedTests {
         Self { path: manifest.to_owned(), case, refusal }
     }
 
-    /// A scenario.
+    /// Represents an invalid scenario.
     pub(super) fn of_scenario(path: &Utf8Path, error: UserError) -> Self {
         let folder = path.parent().and_then(Utf8Path::file_name).unwrap_or_default();
         let case = TestCase::scenario(folder, path.file_stem().unwrap_or_default(), path.as_str());
@@ -118,7 +118,7 @@ impl RefusedTests {
 }
 
 impl TestedTest {
-    /// A test whose script is invalid.
+    /// Creates a failed test for an invalid script.
     pub(super) fn unusable(case: &TestCase, error: &UserError) -> Self {
         let place = FailureLocation { program: case.program_name(), file: case.file.clone(), line: case.line };
         let failure = Failure { message: error.lines(), places: vec![place] };

@@ -1,4 +1,4 @@
-// What the run does now, and why nothing moves: one sentence for a person at the screen.
+// Status of the run in one sentence for the user: its present activity, or the reason why the arm does not move.
 
 import type { CellState } from "../panels/shared/cell";
 import type { TaskState } from "../panels/tasks/chart";

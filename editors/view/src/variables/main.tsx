@@ -1,4 +1,4 @@
-// Parameters and locals of the program in the editor, for the view "Variables".
+// Entry of the view "Variables": the parameters and locals of the program in the editor.
 
 import { render } from "preact";
 import type { FromPage, ToPage } from "./messages";

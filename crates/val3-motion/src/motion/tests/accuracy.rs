@@ -1,4 +1,4 @@
-//! Cartesian moves are exactly on their curves, with the orientation that the curve gives.
+//! Cartesian moves are exactly on their curves, with the correct orientation.
 
 use proptest::prelude::*;
 use val3_geometry::{LinePath, rotation};
@@ -9,7 +9,7 @@ fn offset() -> impl Strategy<Value = [f64; 3]> {
     prop::array::uniform3(-200.0..200.0_f64)
 }
 
-/// Executes a move; every sample has to be on `curve`, at the share of the way that its id says.
+/// Executes a move and checks that every sample is on `curve`, at the fraction of the path in its id.
 fn follow(path: MovePath, curve: impl Fn(f64) -> IsometryMatrix3<f64>) -> Result<(), TestCaseError> {
     let mut motion = motion();
     prop_assume!(motion.record(&request(path, fast(), Blend::Off, 0.0)).is_ok() && motion.fault().is_none());

@@ -1,4 +1,4 @@
-//! The alter mode: section (h) of the motion model.
+//! Alter mode: section (h) of the motion model.
 
 use super::*;
 use crate::{AlterReference, AlterStatus, Cause};
@@ -10,7 +10,7 @@ fn alterable(path: MovePath, blend: Blend, id: f64) -> Move {
     Move { manner: Manner::Alterable, ..request(path, limits(100.0, 100.0, 100.0, 200.0), blend, id) }
 }
 
-/// An alterable line of 200 mm along y at 200 mm/s, which takes a second, a little after its start.
+/// Motion on an alterable line of 200 mm along y at 200 mm/s, shortly after the start.
 fn on_its_way() -> Motion {
     let mut motion = motion();
     motion.record(&alterable(line(moved(0.0, 200.0, 0.0)), Blend::Off, 0.0)).unwrap();
@@ -26,7 +26,7 @@ fn shift(x: f64, y: f64, z: f64) -> IsometryMatrix3<f64> {
     IsometryMatrix3::translation(x, y, z)
 }
 
-/// Gives the deviations from 0 to the whole one in some cycles. Returns the samples.
+/// Increases the deviation linearly to the full deviation in a number of cycles. Returns the samples.
 fn ramp(motion: &mut Motion, cycles: u32, deviation: impl Fn(f64) -> IsometryMatrix3<f64>) -> Vec<Sample> {
     let samples = (1..=cycles).map(|cycle| {
         assert_eq!(motion.alter(deviation(f64::from(cycle) / f64::from(cycles))), AlterStatus::Done);
@@ -263,7 +263,7 @@ fn a_copy_of_a_deviating_arm_does_the_same() {
     assert!((0..200).all(|_| motion.advance(CYCLE) == copy.advance(CYCLE)));
 }
 
-/// With a blend, the arm passes from the deviating path to the next move without a stop.
+/// With a blend, the arm does not stop between the deviated path and the next move.
 #[test]
 fn the_arm_does_not_stop_after_an_early_alter_end() {
     let corner = Blend::Joint { leave: Millimetres(30.0), reach: Millimetres(30.0) };

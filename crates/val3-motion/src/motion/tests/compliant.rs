@@ -4,7 +4,7 @@ use super::*;
 use crate::{Cause, ExternalForce, MoveEventKind};
 use val3_geometry::Vector3;
 
-/// A line of 200 mm along y under a force, with a speed of 500 mm/s.
+/// Motion on a line of 200 mm along y under a force, with a maximum speed of 500 mm/s.
 fn pushed(force: f64) -> Motion {
     let mut motion = motion();
     let limits = limits(100.0, 100.0, 100.0, 500.0);

@@ -1,4 +1,4 @@
-//! Configurations along Cartesian moves, and tools that change: sections (a) and (k) of the motion model.
+//! Configurations along Cartesian moves, and tool changes: sections (a) and (k) of the motion model.
 
 use super::*;
 use crate::Cause;
@@ -15,7 +15,8 @@ fn line_to(pose: IsometryMatrix3<f64>, configuration: RequestedConfiguration) ->
     request(MovePath::Line(MoveTarget { pose, configuration }), limits, Blend::Off, 0.0)
 }
 
-/// Runs a move. The arm follows the pose and no axis jumps. Returns the configuration at the end.
+/// Executes a move, and checks that the arm follows the pose and that no axis jumps. Returns the configuration at the
+/// end.
 fn run_evenly(motion: &mut Motion, request: &Move) -> Configuration {
     let mut before = motion.joints();
     motion.record(request).unwrap();
@@ -34,7 +35,7 @@ fn near(is: Joints, expected: Joints) -> bool {
     is.iter().zip(expected).all(|(is, expected)| (is - expected).abs() < 1e-4)
 }
 
-/// The tool swings in the plane of the arm, past the position in which it is in line with the forearm.
+/// The tool swings in the plane of the arm and passes the position in line with the forearm.
 #[test]
 fn a_wrist_that_passes_straight_changes_its_configuration() {
     let (start, end) = ([10.0, 0.0, 90.0, 0.0, 40.0, 5.0], [10.0, 5.0, 80.0, 0.0, -35.0, 5.0]);
@@ -44,7 +45,7 @@ fn a_wrist_that_passes_straight_changes_its_configuration() {
     assert!(near(motion.joints(), end), "{:?}", motion.joints());
 }
 
-/// The tool turns around the centre of the wrist by axis 5 alone.
+/// The tool rotates around the wrist centre, only by axis 5.
 #[test]
 fn a_wrist_passes_straight_out_of_the_plane_of_the_arm_too() {
     let (start, end) = ([10.0, 0.0, 90.0, 25.0, 40.0, 5.0], [10.0, 0.0, 90.0, 25.0, -35.0, 5.0]);
@@ -75,7 +76,7 @@ fn a_wrist_that_starts_straight_chooses_its_side() {
     assert!(near(motion.joints(), end), "{:?}", motion.joints());
 }
 
-/// The centre of the wrist passes over axis 1, at the distance that the arm has from its plane.
+/// The wrist centre passes over axis 1, at the lateral offset of the arm.
 #[test]
 fn an_arm_that_passes_over_its_shoulder_changes_its_configuration() {
     let start = [0.0, 0.0, 60.0, 0.0, 40.0, 0.0];
@@ -98,7 +99,7 @@ fn a_path_beside_the_first_axis_cannot_change_the_configuration() {
     }
 }
 
-/// The centre of the wrist moves on a circle that touches the boundary of the reach from inside.
+/// The wrist centre moves on a circle that touches the boundary of the reach from inside.
 #[test]
 fn an_elbow_that_is_stretched_on_the_way_changes_its_configuration() {
     let stretched = [0.0, 40.0, 0.0, 0.0, 60.0, 0.0];
@@ -131,8 +132,8 @@ fn ordinary_lines_keep_their_configuration() {
     assert_eq!(run_evenly(&mut motion, &line_to(moved(100.0, 200.0, 50.0), FREE)), before);
 }
 
-/// A move with another tool starts where that tool is. `leave` is measured with the tool of the move before the corner,
-/// `reach` with that of the move after it.
+/// A move with another tool starts at the position of this tool. `leave` is measured with the tool of the move before
+/// the corner, and `reach` with the tool of the move after the corner.
 #[test]
 fn each_tool_has_its_own_distances() {
     let tools = [IsometryMatrix3::translation(0.0, 0.0, 100.0), IsometryMatrix3::translation(40.0, 0.0, 200.0)];
@@ -148,7 +149,7 @@ fn each_tool_has_its_own_distances() {
     let tip = |sample: &Sample, tool: usize| (arm().flange(&sample.joints) * tools[tool]).translation.vector;
     let corner = |tool: usize| (targets[0] * tools[tool]).translation.vector;
     let of = |phase| samples.iter().filter(move |sample| sample.phase == phase);
-    // The first part is the line of the first tool, up to 50 mm before its corner.
+    // The first part is the first tool's line, up to 50 mm before the corner.
     let first: Vec<_> = of(MotionPhase::Nominal).filter(|sample| sample.id < 0.9).collect();
     let last = first.last().unwrap();
     let left = (tip(last, 0) - corner(0)).norm();
@@ -161,7 +162,7 @@ fn each_tool_has_its_own_distances() {
     assert!(samples.iter().all(|sample| sample.speed.0 <= 100.1 || sample.phase == MotionPhase::Blend));
 }
 
-/// The tool turns by axis 6 alone, which can take the last orientation only after a full turn back.
+/// The tool rotates only by axis 6, which can reach the last orientation only after a full turn back.
 #[test]
 fn a_turn_that_ends_beyond_a_limit_names_the_axis_and_its_limit() {
     for (from, turn) in [(260.0, 40.0), (260.0, 90.0), (-260.0, -90.0), (260.0, 170.0), (100.0, 178.0)] {

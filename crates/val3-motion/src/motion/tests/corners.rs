@@ -1,8 +1,8 @@
-//! Corners that nearly meet, and corners that are tiny.
+//! Corners that nearly meet, and tiny corners.
 
 use super::*;
 
-/// The duration of three sides of a rectangle; the middle one has this length.
+/// Duration of the motion along three sides of a rectangle. `middle` is the length of the middle side.
 fn around(blend: Blend, middle: f64) -> f64 {
     let mut motion = motion();
     for (y, z) in [(200.0, 0.0), (200.0, middle), (0.0, middle)] {
@@ -17,7 +17,7 @@ const SHAPES: [fn(f64) -> Blend; 2] = [
     |distance| Blend::Joint { leave: Millimetres(distance), reach: Millimetres(distance) },
 ];
 
-/// A blend that ends where the next one begins, up to rounding or a hair, costs no time.
+/// Two blends that meet up to rounding, or with a tiny gap, cost no time.
 #[test]
 fn the_time_does_not_depend_on_whether_corners_just_meet() {
     for shape in SHAPES {
@@ -29,7 +29,7 @@ fn the_time_does_not_depend_on_whether_corners_just_meet() {
     }
 }
 
-/// The smaller a corner, the nearer is the time to that of a stop.
+/// The smaller the corner, the nearer the duration to the duration with a stop.
 #[test]
 fn tiny_corners_take_the_time_of_stops() {
     let stops = around(Blend::Off, 100.0);
@@ -44,7 +44,7 @@ fn tiny_corners_take_the_time_of_stops() {
     }
 }
 
-/// Short moves share their length between large corners.
+/// Short moves divide their length between large corners.
 #[test]
 fn short_moves_between_large_corners_take_a_time() {
     for shape in SHAPES {
@@ -56,8 +56,8 @@ fn short_moves_between_large_corners_take_a_time() {
     }
 }
 
-/// On the bent path of a joint move, distances overlap before their sum is its length. The corner was up to 0.15 mm further
-/// away than requested, and jumped by as much.
+/// Regression: on the bent path of a joint move, distances overlap although their sum is less than the path length. The
+/// corner was up to 0.15 mm further away than requested, and jumped by this distance.
 #[test]
 fn distances_that_overlap_on_a_bent_path_are_never_longer_than_requested() {
     let target = [-2.986009658687185, 7.342225777231432, 79.96852941629367, 4.1410999107694, 105.1989611665278, 0.0];

@@ -1,26 +1,26 @@
-//! Distances of corners computed from the descriptors alone, with which the planner's are compared.
+//! Corner distances computed only from the descriptors, for comparison with the planner.
 
 use val3_geometry::Vector3;
 
 use super::*;
 use crate::{PathPiece, PieceEnd};
 
-/// Chords of a move that is no line.
+/// Number of chords for moves that are not lines.
 const PARTS: i32 = 2000;
 
-/// Way of the tool centre point along a move in mm, from many short chords.
+/// Path length of the tool centre point along a move in mm, from many short chords.
 pub(super) fn length(from: &Joints, request: &Move) -> f64 {
     way(from, request, 0.0)
 }
 
-/// Way of the tool centre point along the rest of a move from a share of its parameter on, in mm.
+/// Path length of the tool centre point from the parameter `first` (0 to 1) to the move's end, in mm.
 fn way(from: &Joints, request: &Move, first: f64) -> f64 {
     let parts = if matches!(request.path, MovePath::Line(_)) { 1 } else { PARTS };
     let place = |part: i32| place(from, request, first + (1.0 - first) * f64::from(part) / f64::from(parts));
     (0..parts).map(|part| (place(part + 1) - place(part)).norm()).sum()
 }
 
-/// Position of the tool centre point at a share of the parameter of a move, in mm.
+/// Position of the tool centre point at the parameter `share` (0 to 1) along a move, in mm.
 fn place(from: &Joints, request: &Move, share: f64) -> Vector3<f64> {
     match &request.path {
         MovePath::Joint(to) => {
@@ -35,7 +35,7 @@ fn place(from: &Joints, request: &Move, share: f64) -> Vector3<f64> {
     }
 }
 
-/// Whether a place on a move is nearer than `reach` to its start and nearer than `leave` to its end, in mm.
+/// Whether a position on a move is nearer than `reach` to its start and nearer than `leave` to its end, in mm.
 fn overlap(from: &Joints, request: &Move, [reach, leave]: [f64; 2]) -> bool {
     let [start, end] = [0.0, 1.0].map(|share| place(from, request, share));
     let is_near_both = |place: Vector3<f64>| (place - start).norm() < reach && (place - end).norm() < leave;
@@ -45,15 +45,16 @@ fn overlap(from: &Joints, request: &Move, [reach, leave]: [f64; 2]) -> bool {
 /// Leave and reach of a move.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Distances {
-    /// In mm.
+    /// Effective distances, in mm.
     pub(super) effective: [f64; 2],
-    /// Whether another corner of the same move takes a part of what the descriptor asks for.
+    /// Whether another corner of the same move reduces the requested distance.
     pub(super) is_reduced: [bool; 2],
-    /// Whether they overlap with another corner on a bent path, although it is long enough: they may be shorter then.
+    /// Whether the distances overlap with another corner on a bent path although the path is long enough. They may then
+    /// be shorter.
     pub(super) is_limit: [bool; 2],
 }
 
-/// The effective distances of a program (manual 10.1.2.3): the blend before a move and the one after it share its length.
+/// Effective distances in a program (manual 10.1.2.3): the blends before and after a move share its length.
 pub(super) fn effective_distances(requests: &[Move], targets: &[Joints]) -> Vec<Distances> {
     let distances = |request: &Move| request.blend.distances().unwrap_or_default();
     let mut found = vec![Distances::default(); requests.len()];
@@ -73,9 +74,9 @@ pub(super) fn effective_distances(requests: &[Move], targets: &[Joints]) -> Vec<
     found
 }
 
-/// The distance in mm at which a piece ends from the corner of its move, and the tolerance.
+/// Distance in mm from the end of a piece to its move's corner, and the tolerance.
 ///
-/// Distances that were reduced are measured along the curve of a joint move, from chords.
+/// Reduced distances are measured along the curve of a joint move, with chords.
 pub(super) fn distance_from_corner(
     piece: &PathPiece,
     requests: &[Move],

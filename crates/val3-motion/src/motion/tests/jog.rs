@@ -1,10 +1,10 @@
-//! An arm that is moved by hand.
+//! Jogging.
 
 use super::*;
 use crate::Jog;
 use val3_geometry::Vector3;
 
-/// An arm that has lost its power on a line along y.
+/// Motion whose arm has lost power on a line along y.
 fn held() -> Motion {
     let mut motion = motion();
     motion.record(&request(line(moved(0.0, 200.0, 0.0)), fast(), Blend::Off, 0.0)).unwrap();
@@ -89,7 +89,7 @@ fn an_arm_that_is_hardly_moved_continues_at_once() {
     assert!((tip(&motion).translation.vector - moved(0.0, 200.0, 0.0).translation.vector).norm() < 1e-6);
 }
 
-/// After a jog of 5 degrees the arm passes the place where it left its path and follows the old path from there.
+/// After a jog of 5 degrees, the arm returns to the position at which it left its path and follows the path from there.
 #[test]
 fn a_jogged_arm_returns_to_where_it_left_its_path() {
     let mut motion = held();

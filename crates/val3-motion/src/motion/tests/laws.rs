@@ -1,4 +1,4 @@
-//! Laws of the position of the arm under random events.
+//! Properties of the arm's position under random events.
 
 use proptest::prelude::*;
 use val3_geometry::Vector3;
@@ -6,7 +6,7 @@ use val3_geometry::Vector3;
 use super::*;
 use crate::{AlterReference, AlterStatus, ExternalForce, Jog};
 
-/// A disturbance of an arm that executes a program.
+/// Disturbance during the execution of a program.
 #[derive(Clone, Debug)]
 enum Event {
     Stop,
@@ -49,7 +49,7 @@ fn happen(motion: &mut Motion, event: &Event) {
     }
 }
 
-/// Nothing holds the arm any more.
+/// Removes all holds.
 fn release(motion: &mut Motion) {
     motion.restart();
     motion.resume();
@@ -67,7 +67,7 @@ fn square(motion: &mut Motion, blend: Blend, manner: Manner) {
     motion.close().unwrap();
 }
 
-/// The distance of a place from the sides of the square, in mm.
+/// Distance from a position to the sides of the square, in mm.
 fn from_square(place: &Vector3<f64>) -> f64 {
     let offset = place - moved(0.0, 0.0, 0.0).translation.vector;
     let beside = |value: f64, from: f64, to: f64| (from - value).max(value - to).max(0.0);
@@ -84,7 +84,7 @@ fn from_square(place: &Vector3<f64>) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
-    /// Rigid and compliant moves: the tool centre point is on the path unless the arm is moved by hand or returns.
+    /// Rigid and compliant moves: the tool centre point is on the path unless the arm is jogged or returns to the path.
     #[test]
     fn an_arm_stays_on_its_path_whatever_happens(
         force in prop_oneof![Just(None), (-300.0..300.0_f64).prop_map(Some)],
@@ -95,7 +95,7 @@ proptest! {
         let mut before = motion.joints();
         let mut id = 0.0;
         for (cycles, event) in &events {
-            // Without a move, the arm may be moved anywhere.
+            // Without a move, a jog has no path to leave.
             if motion.is_empty() && matches!(event, Event::Jog(_)) {
                 continue;
             }
@@ -123,7 +123,7 @@ proptest! {
         prop_assert!((arm().flange(&motion.joints()).translation.vector - moved(0.0, 0.0, 0.0).translation.vector).norm() < 1e-6);
     }
 
-    /// A deviation that is constant shifts the path, stops included.
+    /// A constant deviation shifts the path, stops included.
     #[test]
     fn an_arm_stays_on_its_deviating_path_whatever_happens(
         shift in prop::array::uniform3(-15.0..15.0_f64),
@@ -155,7 +155,7 @@ proptest! {
         }
     }
 
-    /// A copy is a snapshot: it continues exactly as the original does.
+    /// A clone is a snapshot: it continues exactly like the original.
     #[test]
     fn a_copy_continues_as_the_original(events in events(), at in 0..20_usize) {
         let mut motion = motion();

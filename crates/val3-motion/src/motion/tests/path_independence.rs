@@ -58,7 +58,7 @@ pub(super) fn requests(steps: &[Step], vel: f64) -> Vec<Move> {
     steps.iter().zip(ids).map(|(step, id)| request(path(&step.shape), limits, step.blend, id)).collect()
 }
 
-/// The spans of a program that is recorded all at once, if the arm can follow it.
+/// Motion with a completely recorded program; `None` if the arm cannot follow the path.
 pub(super) fn reference(requests: &[Move]) -> Option<Motion> {
     let mut motion = motion();
     requests.iter().try_for_each(|request| motion.record(request)).ok()?;
@@ -66,7 +66,7 @@ pub(super) fn reference(requests: &[Move]) -> Option<Motion> {
     Some(motion)
 }
 
-/// The greatest difference of the arm from the path of the reference, in degrees and mm.
+/// Greatest difference between the arm and the reference path, in degrees or mm.
 pub(super) fn deviation(reference: &Motion, motion: &Motion) -> f64 {
     let (Some(front), Some(p)) = (motion.timeline.spans.front(), motion.timeline.p()) else { return 0.0 };
     let model = Model(&motion.arm);
@@ -81,7 +81,7 @@ pub(super) fn deviation(reference: &Motion, motion: &Motion) -> f64 {
     differences.fold(f64::INFINITY, f64::min)
 }
 
-/// Runs a program, with moves recorded as late as `early` allows, and disturbances by a sequence of choices.
+/// Runs a program whose moves are recorded as late as `early` permits, with disturbances from a sequence of choices.
 fn follow(reference: &Motion, requests: &[Move], early: f64, choices: &[u8]) -> Result<(), TestCaseError> {
     let mut motion = motion();
     let mut waiting = requests.iter();
@@ -118,7 +118,7 @@ fn follow(reference: &Motion, requests: &[Move], early: f64, choices: &[u8]) -> 
     Err(TestCaseError::fail("the program does not end"))
 }
 
-/// Greatest share of a limit of speed that the arm uses between two samples.
+/// Greatest speed between two samples, relative to the speed limit.
 fn used(before: &Sample, after: &Sample, limits: &SpeedLimits) -> f64 {
     let axes = before.joints.iter().zip(after.joints).zip(limits.speed);
     let fastest = axes.map(|((before, after), limit)| (after - before).abs() / CYCLE.0 / limit).fold(0.0, f64::max);
@@ -154,7 +154,7 @@ proptest! {
         let samples = run(&mut motion.unwrap(), |_, _| ());
         for pair in samples.windows(2) {
             let used = used(&pair[0], &pair[1], &requests[0].limits);
-            // A span keeps the limit at its nodes, and a blend exceeds it slightly between them.
+            // A span is within the limit at its knots, and a blend exceeds it slightly between knots.
             prop_assert!(used < 1.000_1, "{} of the limit at {}", used, pair[1].id);
             prop_assert!(pair[0].id <= pair[1].id + 1e-9, "{} after {}", pair[1].id, pair[0].id);
         }

@@ -1,4 +1,4 @@
-//! The reason why the arm cannot follow a path.
+//! Causes for which the arm cannot follow a path.
 
 use proptest::prelude::*;
 use val3_geometry::Vector3;
@@ -7,7 +7,7 @@ use val3_kinematics::Unreachable;
 use super::*;
 use crate::Cause;
 
-/// A line or a circle from the end of the move before, with a turn of the tool.
+/// Line or circle from the end of the previous move, with a tool rotation.
 #[derive(Clone, Debug)]
 struct Path {
     offset: [f64; 3],
@@ -29,7 +29,7 @@ fn start() -> impl Strategy<Value = Joints> {
         .prop_map(|(a, b, c, d, e, f)| [a, b, c, d, e, f])
 }
 
-/// The first reason why an arm cannot follow the paths.
+/// First cause for which an arm cannot follow the paths.
 fn reason(arm: Arm, start: Joints, paths: &[Path]) -> Option<Cause> {
     let mut motion = Motion::new(Arc::new(arm), start);
     for (path, id) in paths.iter().zip(0..) {
@@ -57,7 +57,7 @@ fn reason(arm: Arm, start: Joints, paths: &[Path]) -> Option<Cause> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 400, max_global_rejects: 100_000, ..ProptestConfig::default() })]
 
-    /// If an arm follows a path, only the limit of the axis is the reason why another arm with a narrower axis does not.
+    /// If one arm can follow a path and the same arm with a narrower axis range cannot, the cause is the axis limit.
     #[test]
     fn an_axis_limit_is_never_called_a_singularity(
         start in start(),

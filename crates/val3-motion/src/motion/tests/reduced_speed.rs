@@ -1,17 +1,17 @@
-//! Random programs in which the limit of the tool's speed comes and goes.
+//! Random programs during which the tool speed limit is set and removed.
 
 use proptest::prelude::*;
 
 use super::path_independence::{deviation, reference, requests, step};
 use super::*;
 
-/// The limit, in mm/s.
+/// Limit in mm/s.
 const LIMIT: MillimetresPerSecond = MillimetresPerSecond(250.0);
 
-/// The limit with the error of the speed between two points of the path's grid: at most 0.011 mm/s in 20,000 programs.
+/// Limit in mm/s plus the error between two knots: at most 0.011 mm/s in 20,000 programs.
 const MOST: f64 = 250.02;
 
-/// Runs a program. Every 25 cycles a choice sets the limit, removes it or changes nothing.
+/// Runs a program. Every 25 cycles, a choice sets the limit, removes it or changes nothing.
 fn follow(reference: &Motion, requests: &[Move], choices: &[u8]) -> Result<(), TestCaseError> {
     let mut motion = motion();
     requests.iter().try_for_each(|request| motion.record(request)).unwrap();
@@ -24,7 +24,7 @@ fn follow(reference: &Motion, requests: &[Move], choices: &[u8]) -> Result<(), T
             motion.limit_tool_speed(is_limited.then_some(LIMIT));
         }
         let sample = motion.advance(CYCLE);
-        // A faster arm brakes first.
+        // If the arm is too fast, it brakes first.
         is_slow = is_limited && (is_slow || sample.phase != MotionPhase::Stopping && sample.speed.0 <= MOST);
         prop_assert!(!is_slow || sample.speed.0 <= MOST, "cycle {cycle}: {:?} mm/s", sample.speed);
         prop_assert!(deviation(reference, &motion) < 1e-5, "cycle {cycle}");

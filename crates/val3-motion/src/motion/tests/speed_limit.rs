@@ -1,4 +1,4 @@
-//! The limit that determines the speed, by cycle.
+//! Acting speed limit in each cycle.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ fn names(limits: &[(SpeedLimit, usize)]) -> Vec<SpeedLimit> {
 fn a_short_joint_move_accelerates_and_decelerates_its_slowest_axis() {
     let path = MovePath::Joint([1.0, 2.0, 92.0, 10.0, 90.0, 0.0]);
     let mut motion = recorded(&[request(path, limits(100.0, 100.0, 50.0, 99999.0), Blend::Off, 0.0)]);
-    // Axis 4 takes the longest time. It brakes for twice the time in which it accelerates.
+    // Axis 4 determines the duration. It brakes twice as long as it accelerates.
     let limits = limits_of(&mut motion);
     assert_eq!(names(&limits), [SpeedLimit::Deceleration(3), SpeedLimit::Acceleration(3)], "{limits:?}");
     let counts = [limits[0].1, limits[1].1];
@@ -110,7 +110,7 @@ fn an_arm_at_rest_has_a_reason() {
     assert_eq!(rests(&Motion::restart, 500), SpeedLimit::End);
 }
 
-/// The instruction that records the next move runs after the cycle in which the arm has arrived.
+/// The next move is recorded after the cycle in which the arm has arrived.
 #[test]
 fn the_next_move_does_not_change_the_limit_of_the_last_cycle() {
     let path = MovePath::Joint([10.0, 0.0, 90.0, 0.0, 90.0, 0.0]);
@@ -125,7 +125,7 @@ fn the_next_move_does_not_change_the_limit_of_the_last_cycle() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// The plan is the fastest one, so a limit acts in nearly every cycle.
+    /// The plan is time-optimal, so a limit is reached in nearly every cycle.
     #[test]
     fn the_acting_limit_is_reached(
         corners in prop::collection::vec((-150.0..150.0_f64, -150.0..150.0_f64, -150.0..150.0_f64), 2..6),

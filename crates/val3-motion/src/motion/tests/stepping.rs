@@ -1,4 +1,4 @@
-//! The step mode: the positions are those of the continuous mode, bit for bit, and the arm waits at the ends of pieces.
+//! Step mode: the positions are bit-identical to the continuous mode, and the arm waits at the ends of pieces.
 
 use proptest::prelude::*;
 use val3_geometry::Vector3;
@@ -22,21 +22,21 @@ fn cartesian_blend(leave: f64, reach: f64) -> Blend {
     Blend::Cartesian { leave: Millimetres(leave), reach: Millimetres(reach) }
 }
 
-/// The three moves around a U of manual 10.1.2.
+/// Three moves around a U, from manual 10.1.2.
 fn u_cycle(blend: Blend) -> Vec<Move> {
     let corners = [(0.0, 0.0, -150.0), (0.0, 200.0, -150.0), (0.0, 200.0, 0.0)];
     let requests = corners.into_iter().zip([0.0, 1.0, 2.0]);
     requests.map(|((x, y, z), id)| request(line(moved(x, y, z)), fast(), blend, id)).collect()
 }
 
-/// The four moves of manual 10.2.2.
+/// Four moves from manual 10.2.2.
 fn four_joint_moves(blend: Blend) -> Vec<Move> {
     let targets = [[30.0, 10.0], [40.0, -10.0], [0.0, -20.0], [-30.0, 5.0]];
     let path = |[first, second]: [f64; 2]| MovePath::Joint([first, second, 90.0 - second, 10.0, 90.0, first]);
     targets.into_iter().zip([0.0, 1.0, 2.0, 3.0]).map(|(to, id)| request(path(to), fast(), blend, id)).collect()
 }
 
-/// Runs until the arm has arrived. Each position must be that of a reference at the same place of the path, bit for bit.
+/// Runs until the arm has arrived. Each position must be bit-identical to the reference at the same point of the path.
 #[track_caller]
 fn arrive_along(motion: &mut Motion, reference: &Motion) {
     for _ in 0..20_000 {
@@ -49,7 +49,7 @@ fn arrive_along(motion: &mut Motion, reference: &Motion) {
     panic!("the arm does not arrive");
 }
 
-/// Whether the position is that of a reference at the same place of the path, bit for bit.
+/// Whether the position is bit-identical to the reference at the same point of the path.
 fn is_on(motion: &Motion, reference: &Motion) -> bool {
     let (Some(front), Some(p)) = (motion.timeline.spans.front(), motion.timeline.p()) else { return true };
     let spans = reference.timeline.spans.iter().filter(|other| other.span.part == front.span.part);
@@ -72,7 +72,7 @@ fn assert_waits(motion: &mut Motion) {
     assert!(!motion.can_go_on() && motion.has_arrived());
 }
 
-/// Executes a program move by move, as in manual 10.2.2, and checks where the arm waits.
+/// Executes a program move by move, as in manual 10.2.2, and checks the waiting positions.
 fn step_by_move(requests: &[Move]) {
     let reference = reference(requests).unwrap();
     let targets: Vec<_> = reference.moves().map(|queued| queued.joints).collect();
@@ -85,7 +85,7 @@ fn step_by_move(requests: &[Move]) {
         arrive_along(&mut motion, &reference);
         assert_waits(&mut motion);
         let piece = motion.piece().unwrap();
-        // Where corners meet, a move has no nominal part: the blend before it ends at its leave point.
+        // If corners meet, a move has no nominal part, and the previous blend ends at its leave point.
         let is_blend_before = piece.kind == PieceKind::Blend && piece.serial + 1 == number as u64;
         assert!(piece.serial == number as u64 || is_blend_before);
         assert_eq!(piece.joints, motion.joints());
@@ -95,7 +95,7 @@ fn step_by_move(requests: &[Move]) {
         assert!((distance - leave).abs() < tolerance, "{distance} instead of {leave}");
         if request.blend.distances().is_some() {
             assert!(!motion.is_empty() && motion.next_piece().is_none());
-            // The reference has no leave point at its end.
+            // The reference has no leave point after its last move.
             let leave = reference.leave_point(number as u64).filter(|_| number + 1 < requests.len());
             assert!(leave.is_none_or(|(joints, _)| joints == motion.joints()));
         } else {
@@ -127,7 +127,7 @@ fn the_programs_of_the_manual_stop_at_their_leave_points() {
     step_by_move(&u_cycle(Blend::Off));
 }
 
-/// Lists the pieces that the arm waits at, one release for each.
+/// Lists the pieces at which the arm waits, with one release per piece.
 fn pieces(motion: &mut Motion, reference: &Motion) -> String {
     let mut found = Vec::new();
     while motion.release_piece() {
@@ -171,7 +171,7 @@ fn pieces_are_nominal_parts_and_blends() {
     assert!(motion.is_empty() && motion.next_piece().is_none());
 }
 
-/// The example of manual 10.2.3: `waitEndMove` after the second of four moves.
+/// Example from manual 10.2.3: `waitEndMove` after the second of four moves.
 #[test]
 fn a_closed_corner_ends_a_piece_at_its_target() {
     let requests = four_joint_moves(joint_blend(50.0, 50.0));
@@ -227,7 +227,7 @@ fn steps_of_moves_are_those_of_the_continuous_mode() {
     assert_eq!(kinds(&mut motion), kinds(&mut continuous));
 }
 
-/// At each cycle of a run, the step mode lets the arm finish a piece, within the limits of its axes.
+/// When step mode is set in any cycle of a run, the arm finishes a piece within its axis limits.
 #[test]
 fn the_mode_changes_in_the_middle_of_a_move() {
     let requests = u_cycle(cartesian_blend(40.0, 40.0));
@@ -359,7 +359,7 @@ fn a_compliant_move_waits_for_its_release() {
     assert!(motion.is_empty());
 }
 
-/// A deviation follows the program while the nominal motion waits.
+/// The deviation continues to change while the nominal motion waits.
 #[test]
 fn an_alterable_path_waits_with_its_deviation() {
     let mut motion = stepping();
@@ -418,7 +418,7 @@ fn a_path_that_cannot_be_followed_ends_a_piece_there() {
     assert_eq!(motion.piece().map(|piece| piece.joints), Some(motion.joints()));
 }
 
-/// Something that a user does in a random run.
+/// User action in a random run.
 #[derive(Clone, Copy, Debug)]
 enum Action {
     PathPiece,
@@ -446,7 +446,8 @@ fn action() -> impl Strategy<Value = Action> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 100, max_global_rejects: 100_000, ..ProptestConfig::default() })]
 
-    /// Whatever is released when, the arm passes positions of the continuous run, and it rests at ends of pieces.
+    /// For any sequence of releases, the arm passes only positions of the continuous run and rests at the ends of
+    /// pieces.
     #[test]
     fn steps_never_change_the_path(
         steps in prop::collection::vec(path_independence::step(), 1..6),
@@ -498,7 +499,7 @@ proptest! {
         prop_assert!((motion.axes() - Axes::from(reference.destination())).amax() < 1e-9);
     }
 
-    /// Along random lines and joint moves, each halt is at the distance from the corner that the descriptors ask for.
+    /// Along random lines and joint moves, each halt is at the requested distance from the corner.
     #[test]
     fn halts_are_at_the_distances_of_the_descriptors(
         steps in prop::collection::vec(path_independence::step().prop_filter("no circle", |step| !step.is_circle()), 1..6),

@@ -1,10 +1,10 @@
-//! The stages of moves, and where their blends begin and end.
+//! Stages of moves, and the ends of their blends.
 
 use super::*;
 use crate::{BlendCorner, MoveEvent, MoveEventKind, PathShape, Shortening};
 use val3_geometry::Vector3;
 
-/// Runs a motion and lists the steps of its moves, a line each: `serial kind`.
+/// Runs a motion and lists its move events as `serial kind`.
 fn steps(motion: &mut Motion) -> String {
     let steps = timed(motion);
     steps.iter().map(|step| format!("{} {:?}", step.serial, step.kind)).collect::<Vec<_>>().join(", ")
@@ -37,7 +37,7 @@ fn a_move_to_where_the_arm_is_is_done_at_once() {
     assert_eq!(steps(&mut motion), "0 Started, 0 Done");
 }
 
-/// Runs to the end. Returns the steps, with times since the start.
+/// Runs to the end. Returns the move events, with times since the start.
 fn timed(motion: &mut Motion) -> Vec<MoveEvent> {
     let mut steps = Vec::new();
     for cycle in 0..10_000 {
@@ -87,10 +87,10 @@ fn blend_points_are_at_their_effective_distances() {
     }
 }
 
-/// Leave and reach of each move: requested and effective distance, and the reason.
+/// Leave and reach per move: requested and effective distance, and the reason for a shorter distance.
 type Ends = [Option<(f64, f64, Option<Shortening>)>; 2];
 
-/// Moves from (0, 0) to each place, in mm, with leave and reach.
+/// Executes moves from (0, 0) to each position, in mm, with leave and reach.
 fn ends(moves: &[([f64; 2], [f64; 2])]) -> Vec<Ends> {
     let mut motion = motion();
     for ([y, z], distances) in moves {

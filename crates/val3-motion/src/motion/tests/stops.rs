@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Axis 1 turns by 90 degrees in 0.54 s.
+/// Motion that turns axis 1 by 90 degrees in 0.54 s.
 fn joint_move() -> Motion {
     let mut motion = motion();
     motion.record(&request(MovePath::Joint([90.0, 0.0, 90.0, 0.0, 90.0, 0.0]), fast(), Blend::Off, 0.0)).unwrap();
@@ -30,7 +30,7 @@ fn an_emergency_stop_brakes_twice_as_hard_on_the_path() {
     assert!((soft.joints()[0] - fast.joints()[0]).abs() < 1e-9);
 }
 
-/// A stop outlasts the loss of power, and power that comes back does not restart it.
+/// A stop outlasts a power loss, and the return of power does not restart the motion.
 #[test]
 fn power_and_stops_hold_the_arm_independently() {
     let mut motion = joint_move();
@@ -96,7 +96,7 @@ fn a_zero_monitor_speed_holds_the_arm_on_its_path() {
     assert_eq!(motion.move_id(), 3.0);
 }
 
-/// A stop brakes at real speeds: the monitor speed does not stretch it.
+/// The deceleration of a stop does not depend on the monitor speed.
 #[test]
 fn a_stop_at_a_low_monitor_speed_is_as_hard_as_any_other() {
     let mut motion = joint_move();
@@ -110,7 +110,7 @@ fn a_stop_at_a_low_monitor_speed_is_as_hard_as_any_other() {
     assert!((before - 0.2 * NOMINAL[0]).abs() < 1e-6, "{before}");
     motion.stop();
     let deceleration = (before - speed(&mut motion)) / CYCLE.0;
-    // In the first cycle half of the loss of speed shows.
+    // The first cycle contains half of the deceleration.
     assert!((deceleration - 2.5 * NOMINAL[0]).abs() < 1.0, "{deceleration}");
     motion.restart();
     let samples = run(&mut motion, |_, _| ());

@@ -1,4 +1,4 @@
-//! Requests and viewers that the server does not trust.
+//! Untrusted requests and viewers.
 
 use std::io::{Read as _, Write as _};
 use std::time::{Duration, Instant};
@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::super::limits::ServerLimits;
 use super::client::{exchange, get, next, next_json, open, open_from, parts, send, server, stream, text};
 
-/// The answers to requests without a secret.
+/// Whether a response is the 404 for requests without a secret.
 fn is_plain_404(answer: &str) -> bool {
     answer.starts_with("HTTP/1.1 404 Not Found\r\n") && answer.ends_with("\r\n\r\n")
 }
@@ -35,7 +35,7 @@ fn a_stranger_learns_nothing() {
         let answer = get(address, &path, &host);
         assert!(is_plain_404(&answer), "{path}: {answer}");
     }
-    // A socket without an upgrade, another method, and another target.
+    // A socket request without an upgrade, another method, and another target.
     assert!(is_plain_404(&get(address, &format!("/{secret}/socket"), &format!("{host}Origin: http://{address}\r\n"))));
     let post = format!("POST /{secret}/ HTTP/1.1\r\n{host}Content-Length: 0\r\n\r\n");
     assert!(is_plain_404(&exchange(address, post.as_bytes())));
@@ -67,7 +67,7 @@ fn the_page_is_protected() {
     }
 }
 
-/// Another page in the same browser, and a name that an attacker leads to this machine.
+/// Another page in the same browser, and a host name that an attacker resolves to this machine.
 #[test]
 fn foreign_pages_and_hosts_are_refused() {
     let server = server(ServerLimits::default());
@@ -115,7 +115,7 @@ fn a_flood_of_commands_is_refused_and_then_ended() {
     assert!((20..=25).contains(&passed), "{passed}");
 }
 
-/// Answers have their place before a command is passed on.
+/// The slot for the response is reserved before a command is passed to the run.
 #[test]
 fn commands_that_are_not_answered_are_bounded() {
     let limits = ServerLimits { commands_at_once: 1000, ..ServerLimits::default() };
@@ -140,7 +140,7 @@ fn malformed_commands_are_refused_with_a_sentence() {
         assert!(answer["error"].as_str().unwrap().len() > 10, "{answer}");
     }
     assert!(server.next_command().is_none());
-    // Deep nesting is an error as well, and not a crash.
+    // Deep nesting is an error and not a crash.
     send(&mut viewer, &"[".repeat(60_000));
     assert!(next_json(&mut viewer)["error"].is_string());
 }
@@ -152,7 +152,7 @@ fn an_oversized_frame_ends_the_connection() {
     let text = format!(r#"{{"id": 1, "command": "operate", "x": "{}"}}"#, "x".repeat(64 << 10));
     send(&mut viewer, &text);
     assert_eq!(next(&mut viewer), None);
-    // A frame that only announces its size: no memory is taken for it.
+    // No memory is allocated for a frame that only announces its size.
     let mut viewer = open(server.operator_page()).unwrap();
     let header = [0x81, 0xff, 0, 0, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 1, 2, 3, 4];
     viewer.get_mut().write_all(&header).unwrap();
@@ -170,19 +170,19 @@ fn half_open_connections_are_closed() {
     let server = server(ServerLimits { header_time, ping_time, silence, ..ServerLimits::default() });
     let (address, secret) = parts(server.operator_page());
     let start = Instant::now();
-    // Nothing, half a header, and a header that does not end.
+    // No data, half a header, and a header that does not end.
     for begin in ["", "GET / HT", &format!("GET /{secret}/ HTTP/1.1\r\nHost: {address}\r\nX: ")] {
         let (mut stream, mut answer) = (stream(address), String::new());
         stream.write_all(begin.as_bytes()).unwrap();
         let _ = stream.read_to_string(&mut answer);
         assert!(!answer.contains("200"), "{answer}");
     }
-    // A viewer that never answers a ping: its socket is read without the library, which would answer.
+    // A viewer that never responds to pings. The socket is read without the library, which would respond.
     let mut viewer = open(server.operator_page()).unwrap();
     let mut bytes = Vec::new();
     let _ = viewer.get_mut().read_to_end(&mut bytes);
     assert!(start.elapsed() < Duration::from_secs(10));
-    // One that answers stays.
+    // A viewer that responds stays connected.
     let mut viewer = open(server.operator_page()).unwrap();
     let reader = std::thread::spawn(move || next(&mut viewer));
     std::thread::sleep(silence * 3);

@@ -1,4 +1,4 @@
-//! Browsers and strangers.
+//! Clients for the tests: browsers and strangers.
 
 use std::io::{Read as _, Write as _};
 use std::net::TcpStream;
@@ -10,20 +10,20 @@ use tungstenite::{Error, WebSocket, client};
 use super::super::limits::ServerLimits;
 use super::super::{Server, StoredMessage};
 
-/// Longer than any test takes.
+/// Timeout that is longer than every test.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// A server on a free port.
+/// Starts a server on a free port.
 pub(super) fn server(limits: ServerLimits) -> Server {
     Server::with_limits("127.0.0.1:0".parse().unwrap(), limits).unwrap()
 }
 
-/// The address and the secret in the address of a page.
+/// Server address and secret in a page address.
 pub(super) fn parts(page: &str) -> (&str, &str) {
     page.strip_prefix("http://").unwrap().trim_end_matches('/').split_once('/').unwrap()
 }
 
-/// A text message.
+/// Creates a text message.
 pub(super) fn text(text: &str) -> StoredMessage {
     StoredMessage::Text(text.into())
 }
@@ -37,24 +37,24 @@ pub(super) fn stream(address: &str) -> TcpStream {
 /// Sends bytes and reads until the server closes the connection.
 pub(super) fn exchange(address: &str, request: &[u8]) -> String {
     let (mut stream, mut answer) = (stream(address), Vec::new());
-    // The server may close the connection before it has read everything.
+    // The server may close the connection before it has read the entire request.
     let _ = stream.write_all(request);
     let _ = stream.read_to_end(&mut answer);
     String::from_utf8_lossy(&answer).into_owned()
 }
 
-/// The answer to a request with this path and these headers.
+/// Response to a request with this path and these headers.
 pub(super) fn get(address: &str, path: &str, headers: &str) -> String {
     exchange(address, format!("GET {path} HTTP/1.1\r\n{headers}\r\n").as_bytes())
 }
 
-/// Opens a socket with a page of this server, or the status of the refusal.
+/// Opens a socket from a page of this server. The error is the status of the rejection.
 pub(super) fn open(page: &str) -> Result<WebSocket<TcpStream>, u16> {
     let (address, secret) = parts(page);
     open_from(address, secret, address, &format!("http://{address}"))
 }
 
-/// Opens a socket with a host and an origin.
+/// Opens a socket with this host and origin. The error is the status of the rejection.
 pub(super) fn open_from(address: &str, secret: &str, host: &str, origin: &str) -> Result<WebSocket<TcpStream>, u16> {
     let request = Request::get(format!("ws://{address}/{secret}/socket"))
         .header("Host", host)
@@ -70,7 +70,7 @@ pub(super) fn open_from(address: &str, secret: &str, host: &str, origin: &str) -
     }
 }
 
-/// The next text or binary message; none when the connection has ended.
+/// Next text or binary message; `None` if the connection has ended.
 pub(super) fn next(socket: &mut WebSocket<TcpStream>) -> Option<Vec<u8>> {
     loop {
         match socket.read() {
@@ -82,12 +82,12 @@ pub(super) fn next(socket: &mut WebSocket<TcpStream>) -> Option<Vec<u8>> {
     }
 }
 
-/// The next text message as JSON.
+/// Next text message as JSON.
 pub(super) fn next_json(socket: &mut WebSocket<TcpStream>) -> serde_json::Value {
     serde_json::from_slice(&next(socket).unwrap()).unwrap()
 }
 
-/// Sends a text message. The connection may have ended.
+/// Sends a text message. Returns whether the connection still exists.
 pub(super) fn send(socket: &mut WebSocket<TcpStream>, text: &str) -> bool {
     socket.send(tungstenite::Message::text(text)).is_ok()
 }

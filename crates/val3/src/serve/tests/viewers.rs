@@ -1,4 +1,4 @@
-//! Viewers that see the same, and viewers that do not read.
+//! Viewers with the same messages, and viewers that do not read.
 
 use std::time::{Duration, Instant};
 
@@ -22,7 +22,7 @@ fn all_viewers_see_the_same() {
     assert_eq!((seen[0][0].as_slice(), seen[0][100].as_slice()), (&b"{\"n\":0}"[..], &[1, 2, 3][..]));
 }
 
-/// The log is bounded, and a viewer that does not read neither keeps messages nor delays the run.
+/// The log is bounded. A viewer that does not read neither retains messages nor delays the run.
 #[test]
 fn a_viewer_that_never_reads_costs_nothing() {
     let send_time = Duration::from_millis(200);
@@ -38,7 +38,7 @@ fn a_viewer_that_never_reads_costs_nothing() {
         std::thread::sleep(Duration::from_micros(500));
     }
     assert!(longest < Duration::from_millis(100), "{longest:?}");
-    // Its place is free again.
+    // Its permit is available again.
     let deadline = Instant::now() + Duration::from_secs(10);
     while open(server.operator_page()).is_err() {
         assert!(Instant::now() < deadline);
@@ -59,7 +59,7 @@ fn commands_are_answered_to_their_viewer() {
     assert_eq!(next_json(&mut second)["kind"], "x");
 }
 
-/// The last messages arrive before the server ends.
+/// The viewers receive the last messages before the server ends.
 #[test]
 fn viewers_see_the_end() {
     let server = server(ServerLimits::default());

@@ -1,4 +1,4 @@
-//! The places of a program where a mistake can be seeded.
+//! Locations in a program at which a mistake can be seeded.
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ use SyntaxKind::{
     WHILE_STMT,
 };
 
-/// Replacements of operators and words.
+/// Replacements for operators and words.
 const REPLACEMENTS: [(SyntaxKind, &str); 14] = [
     (EQ2, "!="),
     (NEQ, "=="),
@@ -32,10 +32,10 @@ const REPLACEMENTS: [(SyntaxKind, &str); 14] = [
     (FALSE_KW, "true"),
 ];
 
-/// The largest number that a program can count up by 1.
+/// Largest number to which a program can add 1 exactly.
 const LARGEST: f64 = 1e15;
 
-/// The mistakes that can be seeded into the code of a program, in the order of the text.
+/// Finds the mistakes that can be seeded into a program's code, in source order.
 pub(super) fn code_sites(text: &str) -> Vec<Site> {
     let parse = parse(text);
     let Some(code) = code(parse.view()) else { return Vec::new() };
@@ -45,7 +45,7 @@ pub(super) fn code_sites(text: &str) -> Vec<Site> {
     search.found
 }
 
-/// The search for mistakes in a text.
+/// Search for mistakes in a text.
 struct SiteCollector<'t> {
     text: &'t str,
     escapes: Escapes,
@@ -69,7 +69,7 @@ impl SiteCollector<'_> {
         }
     }
 
-    /// A condition is negated, unless another mistake does the same.
+    /// Adds the negation of a condition, unless another mistake has the same effect.
     fn negate(&mut self, statement: View<'_>) {
         let is_part = |node: &View<'_>| !matches!(node.kind(), BLOCK | CASE_CLAUSE | ELSE_IF_CLAUSE);
         let Some(condition) = statement.children().find(is_part) else { return };
@@ -106,7 +106,7 @@ impl SiteCollector<'_> {
     }
 }
 
-/// The range of a node without the blanks and comments around it.
+/// Range of a node without surrounding blanks and comments.
 fn solid(node: View<'_>) -> Option<Range<usize>> {
     let mut parts = node.children_with_tokens().filter_map(|child| match (child.as_node(), child.as_token()) {
         (Some(node), _) => solid(*node),

@@ -1,4 +1,4 @@
-//! The values of a data file in which a mistake can be seeded.
+//! Values in a data file into which a mistake can be seeded.
 
 use std::borrow::Cow;
 
@@ -9,23 +9,23 @@ use val3_syntax::{parse, xml};
 
 use super::site::{Escapes, Site, line_at};
 
-/// What is added to a coordinate or a joint, in mm or degrees.
+/// Distance added to a coordinate or joint, in mm or degrees.
 const DISTANCE: f64 = 10.0;
 
-/// The least speed that limits no arm, in mm/s or degrees/s.
+/// Minimum speed without effect as a limit for any arm, in mm/s or degrees/s.
 const UNLIMITED: f64 = 9999.0;
 
-/// The largest number that is changed.
+/// Largest number that is changed.
 const LARGEST: f64 = 1e15;
 
-/// A variable with the mistakes that can be seeded into its values.
+/// Variable with the mistakes that can be seeded into its values.
 #[derive(Debug)]
 pub(super) struct DataSites {
     pub(super) name: String,
     pub(super) sites: Vec<Site>,
 }
 
-/// The variables of a data file with their mistakes, in the order of the file.
+/// Finds the variables in a data file and their mistakes, in file order.
 pub(super) fn data_sites(text: &str) -> Vec<DataSites> {
     let parse = parse(text);
     let variables = xml::root(parse.view()).map(written).unwrap_or_default();
@@ -49,7 +49,7 @@ fn site(text: &str, attribute: &WrittenAttribute<'_>) -> Option<Site> {
     })
 }
 
-/// Another value of the same kind; `None` for links and fathers, and for values that are invalid.
+/// Another value of the same kind; `None` for links, fathers and invalid values.
 fn replacement(attribute: &WrittenAttribute<'_>, found: &str) -> Option<Cow<'static, str>> {
     match attribute.meaning.value {
         AttributeValue::Truth => match found.trim() {
@@ -61,7 +61,7 @@ fn replacement(attribute: &WrittenAttribute<'_>, found: &str) -> Option<Cow<'sta
             let number = found.trim().parse().ok().filter(|number: &f64| number.abs() < LARGEST)?;
             match attribute.base {
                 BaseType::Num => Some(number_text(number + 1.0).into()),
-                // Greater values are no limit, so half of them changes nothing.
+                // Greater values are no limit, so halving them would have no effect.
                 BaseType::Mdesc => (number < UNLIMITED).then(|| number_text(number / 2.0).into()),
                 _ => Some(number_text(number + DISTANCE).into()),
             }
@@ -70,7 +70,8 @@ fn replacement(attribute: &WrittenAttribute<'_>, found: &str) -> Option<Cow<'sta
         AttributeValue::Choice(ty) => {
             let present = find_in_file(ty, found.trim())?;
             let mut others = values(ty).filter(|other| other.name != present.name);
-            // Of a configuration, the last value is the opposite of the one before it, and the first ones change little.
+            // The last value of a configuration is the opposite of the value before it. The first values have little
+            // effect.
             let other = if ty == BaseType::Blend { others.next() } else { others.last() };
             other.map(|other| other.file_name.into())
         }

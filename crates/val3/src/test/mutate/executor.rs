@@ -1,4 +1,4 @@
-//! The execution of single tests with the programs as they are, or with a mistake.
+//! Execution of single tests, with the original programs or with a mistake.
 
 use std::rc::Rc;
 use std::sync::Arc;
@@ -20,42 +20,42 @@ use crate::test::workers::Bench;
 use crate::test::{golden, golden_texts};
 use crate::user_error::UserError;
 
-/// Executes tests one after the other.
+/// Executor of tests, one at a time.
 pub(super) struct Executor<'c> {
     conditions: Conditions<'c>,
-    /// Texts of programs in place of those on the disk, by path.
+    /// Program texts that replace the files on the disk, by path.
     edited: Vec<(Utf8PathBuf, Arc<str>)>,
     is_counted: bool,
     bench: Option<Bench>,
 }
 
-/// The execution of a test.
+/// Execution of a test.
 pub(super) struct Execution {
     pub(super) result: TestResult,
-    /// The state at its end.
+    /// State at the end.
     pub(super) state: FinalState,
     pub(super) coverage: Coverage,
-    /// The variables that it uses; none without counted lines.
+    /// Variables that the test uses; empty if lines are not counted.
     pub(super) used: UsedNames,
-    /// The time that a program of the test may take, on the controller's clock in nanoseconds.
+    /// Timeout for each program of the test, on the controller's clock in nanoseconds.
     pub(super) limit: Time,
 }
 
 impl<'c> Executor<'c> {
-    /// With the programs as they are. Their lines are counted.
+    /// Creates an executor for the original programs, which counts their lines.
     pub(super) fn counting(conditions: Conditions<'c>) -> Self {
         Self { conditions, edited: Vec::new(), is_counted: true, bench: None }
     }
 
-    /// With another text of a program.
+    /// Creates an executor that replaces the text of one program.
     pub(super) fn edited(conditions: Conditions<'c>, path: Utf8PathBuf, text: Arc<str>) -> Self {
         Self { conditions, edited: vec![(path, text)], is_counted: false, bench: None }
     }
 
-    /// Executes a test. `limit` replaces that of the test. `None` if a signal has ended it.
+    /// Executes a test. `limit` replaces the timeout of the test. `None` if a signal has ended the execution.
     ///
     /// # Errors
-    /// The file of the test or the application cannot be used.
+    /// The test file or the application cannot be used.
     pub(super) fn execute(&mut self, test: &TestFile<'_>, limit: Option<Time>) -> Result<Option<Execution>, UserError> {
         let args = self.conditions.args;
         let file = ScriptFile::of(test.case)?;
@@ -92,7 +92,7 @@ impl<'c> Executor<'c> {
         UsedNames::of(&bench.suite.application, &executed(&bench.controller), scenario.as_deref())
     }
 
-    /// The application on a controller: that of the test before, if it suits.
+    /// Application on a controller. The controller of the previous test is used again if it suits the test.
     fn bench(&mut self, manifest: &Utf8Path, keys: &ControllerKeys) -> Result<Bench, UserError> {
         let is_same = |bench: &Bench| bench.suite.manifest == manifest && bench.keys == *keys;
         if let Some(bench) = self.bench.take().filter(|bench| is_same(bench) && !bench.has_connections()) {

@@ -1,4 +1,4 @@
-//! Programs and data files with a mistake.
+//! Mutants: programs and data files with a mistake.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -17,47 +17,47 @@ use super::site::Site;
 use super::used_names::{project_file, text};
 use crate::user_error::UserError;
 
-/// A file with a mistake that tests execute or use.
+/// File with a mistake that tests execute or use.
 pub(super) struct Mutant {
-    /// The file.
+    /// Path of the file.
     pub(super) file: String,
-    /// The project file of its application or library.
+    /// Project file of the application or library.
     pub(super) project_file: String,
     pub(super) site: Site,
-    /// The element with the value, in a data file: `pal:nCount[1]`.
+    /// Element with the value in a data file, for example `pal:nCount[1]`; `None` in a program.
     pub(super) element: Option<String>,
-    /// The line with the place, without the blanks around it.
+    /// Line with the mistake, without surrounding blanks.
     pub(super) source: String,
-    /// The numbers of the tests that execute the line or use the variable.
+    /// Indices of the tests that execute the line or use the variable.
     pub(super) tests: Vec<usize>,
-    /// The text of the file without the mistake.
+    /// Original text of the file.
     text: Arc<str>,
 }
 
-/// The mistakes that can be tried.
+/// Mistakes that can be tried.
 #[derive(Default)]
 pub(super) struct Mutants {
-    /// By file and place, programs first.
+    /// Mutants by file and location, programs first.
     pub(super) all: Vec<Mutant>,
-    /// Variables with values in a file that no test uses, with the names of their projects: `pal:nCount`.
+    /// Variables with values in a file that no test uses, prefixed by the project, for example `pal:nCount`.
     pub(super) unused: Vec<String>,
 }
 
 impl Mutant {
-    /// The text of the file with the mistake.
+    /// Text of the file with the mistake.
     pub(super) fn text(&self) -> Arc<str> {
         self.site.applied(&self.text).into()
     }
 }
 
-/// The mistakes in all lines that tests execute, and in the values of all variables that they use.
+/// Collects the mistakes in all lines that tests execute, and in the values of all variables that tests use.
 ///
 /// # Errors
 /// An application whose tests were executed can no longer be read.
 pub(super) fn mutants(originals: &Originals<'_>) -> Result<Mutants, UserError> {
     let mut mutants = Mutants::default();
     for (file, program) in originals.coverage.programs() {
-        // Only a test has written the others, in the memory of the controller.
+        // Other programs exist only in the memory of the controller, where a test has written them.
         let Some(text) = text(file).map(Arc::from) else { continue };
         for site in code_sites(&text) {
             let tests = numbers(&originals.tests, |test| test.executes(file, site.line));
@@ -74,7 +74,7 @@ pub(super) fn mutants(originals: &Originals<'_>) -> Result<Mutants, UserError> {
     Ok(mutants)
 }
 
-/// A file that gets mistakes.
+/// File into which mistakes are seeded.
 #[derive(Clone, Copy)]
 struct MutatedFile<'p> {
     file: &'p str,
@@ -83,12 +83,12 @@ struct MutatedFile<'p> {
     text: &'p Arc<str>,
 }
 
-/// A data file with its variables.
+/// Data file with its variables.
 struct DataFile {
     path: String,
     project_file: String,
     project: String,
-    /// The file declares the fields of a user type.
+    /// Whether the file declares the fields of a user type.
     is_type: bool,
     text: Arc<str>,
     variables: Vec<DataSites>,
@@ -129,7 +129,7 @@ impl Mutants {
     }
 }
 
-/// The data files of all tested projects, sorted by path.
+/// Data files of all tested projects, sorted by path.
 fn data_of_projects(originals: &Originals<'_>) -> Result<Vec<DataFile>, UserError> {
     let manifests: BTreeSet<&Utf8Path> = originals.tests.iter().map(|original| original.test.manifest).collect();
     let mut files = BTreeMap::new();
@@ -152,7 +152,7 @@ fn data_of_projects(originals: &Originals<'_>) -> Result<Vec<DataFile>, UserErro
     Ok(files.into_values().collect())
 }
 
-/// The numbers of the items that are chosen.
+/// Indices of the chosen items.
 fn numbers<T>(items: &[T], is_chosen: impl Fn(&T) -> bool) -> Vec<usize> {
     items.iter().enumerate().filter(|(_, item)| is_chosen(item)).map(|(number, _)| number).collect()
 }

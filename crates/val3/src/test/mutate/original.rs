@@ -1,4 +1,4 @@
-//! The tests without a mistake: what each executes, how long it takes, and what it leaves behind.
+//! Tests without a mistake: executed lines, duration and final state of each test.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::Ordering;
@@ -18,46 +18,46 @@ use crate::test::discovery::TestFile;
 use crate::test::results::{EarlyEnd, Results};
 use crate::test::tested::TestedTest;
 
-/// How often a test may take its time once a mistake is seeded.
+/// Factor by which a test may be slower with a mistake.
 const SLOWNESS: Time = 10;
 
-/// The least time that a test has with a mistake, in nanoseconds.
+/// Minimum timeout of a test with a mistake, in nanoseconds.
 const LEAST: Time = 100_000_000;
 
-/// The tests without a mistake.
+/// Tests without a mistake.
 pub(super) struct Originals<'t> {
-    /// Those that have passed.
+    /// Passed tests.
     pub(super) tests: Vec<Original<'t>>,
-    /// What they have executed together.
+    /// Joint coverage of these tests.
     pub(super) coverage: Coverage,
 }
 
-/// A test without a mistake.
+/// Test without a mistake.
 pub(super) struct Original<'t> {
     pub(super) test: TestFile<'t>,
-    /// The time that its programs may take with a mistake, in nanoseconds.
+    /// Timeout for its programs with a mistake, in nanoseconds.
     pub(super) limit: Time,
     pub(super) state: FinalState,
-    /// The variables that it uses.
+    /// Variables that the test uses.
     pub(super) used: UsedNames,
-    /// The lines that it executes, by file.
+    /// Lines that the test executes, by file.
     lines: BTreeMap<String, BTreeSet<u32>>,
 }
 
 impl Original<'_> {
-    /// Whether it executes a line of a file.
+    /// Whether the test executes a line of a file.
     pub(super) fn executes(&self, file: &str, line: u32) -> bool {
         self.lines.get(file).is_some_and(|lines| lines.contains(&line))
     }
 
-    /// Its name for people.
+    /// Displayed name of the test.
     pub(super) fn name(&self) -> String {
         one_line(&self.test.case.shown_name()).into_owned()
     }
 }
 
-/// Executes tests with the programs as they are, and returns their results beside them. Skipped tests and those with a known
-/// failure find no mistakes.
+/// Executes tests with the original programs. Returns the passed tests and all results. Skipped tests and tests with a
+/// known failure find no mistakes.
 pub(super) fn originals<'t>(conditions: Conditions<'_>, tests: &[TestFile<'t>]) -> (Originals<'t>, Results) {
     let start = Instant::now();
     let bar = DelayedProgress::new("testing", tests.len(), conditions.args.format == TestFormat::Human);

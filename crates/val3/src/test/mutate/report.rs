@@ -1,4 +1,4 @@
-//! The report on mistakes: text, or one JSON object.
+//! Report on mistakes, as text or as one JSON object.
 
 use std::io;
 
@@ -10,13 +10,13 @@ use super::trial::{MutantTrial, Verdict};
 use crate::paths::Paths;
 use crate::printable::one_line;
 
-/// Tests that the text names; the others are counted.
+/// Maximum number of tests that the text names. Further tests are only counted.
 const NAMED: usize = 3;
 
-/// Unused variables that the text names; the others are counted.
+/// Maximum number of unused variables that the text names. Further variables are only counted.
 const NAMED_VARIABLES: usize = 10;
 
-/// The mistakes that were tried.
+/// Report on the tried mistakes.
 pub(super) struct MutationReport<'r> {
     pub(super) originals: &'r Originals<'r>,
     pub(super) trials: &'r [MutantTrial<'r>],
@@ -26,7 +26,7 @@ pub(super) struct MutationReport<'r> {
     pub(super) seed: u64,
 }
 
-/// The numbers of mistakes.
+/// Numbers of mistakes by verdict.
 struct MutantCounts {
     found: usize,
     survived: usize,
@@ -43,7 +43,7 @@ impl MutationReport<'_> {
         }
     }
 
-    /// The lines that no test has executed.
+    /// Number of lines that no test has executed.
     fn not_covered(&self) -> u64 {
         let share = self.originals.coverage.line_share();
         share.total.saturating_sub(share.hit)
@@ -53,7 +53,7 @@ impl MutationReport<'_> {
         self.originals.tests.get(number).map_or_else(String::new, |test| test.name())
     }
 
-    /// Writes each mistake that has survived, and the numbers.
+    /// Writes each surviving mistake, and the numbers.
     pub(super) fn human(&self, out: &mut dyn WriteColor) -> io::Result<()> {
         for MutantTrial { mutant, verdict } in self.trials {
             let Verdict::Survived(difference) = verdict else { continue };
@@ -101,7 +101,7 @@ impl MutationReport<'_> {
         Ok(())
     }
 
-    /// Writes an object with all mistakes.
+    /// Writes a JSON object with all mistakes.
     pub(super) fn json(&self, out: &mut dyn WriteColor) -> io::Result<()> {
         let MutantCounts { found, survived, not_compiled } = self.counts();
         let mutants: Vec<Value> = self.trials.iter().map(|trial| self.described(trial)).collect();

@@ -1,4 +1,4 @@
-//! The trial of mistakes: each with the tests that execute its line, on several threads.
+//! Trial of mistakes on several threads, each mistake with the tests that execute its line.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -20,24 +20,24 @@ use crate::test::order::shuffled;
 use crate::test::workers::{Surroundings, threads};
 use crate::user_error::UserError;
 
-/// What has become of a mistake.
+/// Verdict on a mistake.
 pub(super) enum Verdict {
-    /// The test with this number has failed.
+    /// The test with this index has failed.
     Found(usize),
-    /// No test has failed. The first value that a test has left behind differently, with the number of this test.
+    /// No test has failed. The value is the first difference in a test's final state, with the index of the test.
     Survived(Option<(usize, Difference)>),
-    /// The compiler refuses it.
+    /// The compiler rejects the program.
     NotCompiled,
 }
 
-/// A mistake that was tried.
+/// Tried mistake with its verdict.
 pub(super) struct MutantTrial<'m> {
     pub(super) mutant: &'m Mutant,
     pub(super) verdict: Verdict,
 }
 
-/// Tries so many mistakes as the arguments ask for, without those that do not compile. The seed of the arguments decides
-/// which. The results have the order of the mistakes; a signal ends them early.
+/// Tries the number of mistakes that the arguments request, not counting mistakes that do not compile. The seed in the
+/// arguments determines the choice. Results are in the order of the mistakes; a signal ends the trial early.
 ///
 /// # Errors
 /// A thread has failed.
@@ -65,7 +65,7 @@ pub(super) fn all<'m>(
     Ok(done.into_iter().filter_map(trial).collect())
 }
 
-/// Tries mistakes, each of which has a number, on several threads.
+/// Tries numbered mistakes on several threads.
 fn tried(
     conditions: Conditions<'_>,
     originals: &Originals<'_>,
@@ -104,7 +104,7 @@ fn tried(
     })
 }
 
-/// Tries a mistake. `None` if a signal has ended it.
+/// Tries a mistake. `None` if a signal has ended the trial.
 fn verdict(conditions: Conditions<'_>, originals: &Originals<'_>, mutant: &Mutant) -> Option<Verdict> {
     let text = mutant.text();
     if !is_compiled(mutant, &text) {
@@ -117,7 +117,7 @@ fn verdict(conditions: Conditions<'_>, originals: &Originals<'_>, mutant: &Mutan
         match executor.execute(&original.test, Some(original.limit)) {
             Ok(Some(execution)) if execution.result.has_passed() => {
                 let of_test = || match &mutant.element {
-                    // The value itself differs unless a program has written it.
+                    // The changed value itself differs anyway, unless a program has written it.
                     Some(element) => {
                         execution.state.without(element).first_difference(&original.state.without(element))
                     }
@@ -127,7 +127,7 @@ fn verdict(conditions: Conditions<'_>, originals: &Originals<'_>, mutant: &Mutan
             }
             Ok(Some(_)) => return Some(Verdict::Found(*number)),
             Ok(None) => return None,
-            // The application exceeds a limit of the compiler.
+            // With the mistake, the application exceeds a compiler limit.
             Err(_) => return Some(Verdict::NotCompiled),
         }
     }

@@ -1,4 +1,4 @@
-//! The variables that a test uses: those that its executed lines and its scenario name, and their fathers.
+//! Variables that a test uses: the variables named by its executed lines and its scenario, and their fathers.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,18 +16,18 @@ use val3_syntax::{SyntaxKind, encoding, parse, xml};
 
 use SyntaxKind::{COLON, DOT, IDENT};
 
-/// A variable: path of its project file, and its name.
+/// Variable, by project file path and name.
 type UsedVariable = (String, String);
 
 /// Variables that a test uses.
 #[derive(Debug, Clone, Default)]
 pub(super) struct UsedNames {
     variables: BTreeSet<UsedVariable>,
-    /// Names of fields of user types.
+    /// Field names of user types.
     fields: BTreeSet<String>,
 }
 
-/// A token of code with its line, from 1.
+/// Code token with its line, from 1.
 struct CodeToken<'t> {
     kind: SyntaxKind,
     text: &'t str,
@@ -35,13 +35,13 @@ struct CodeToken<'t> {
 }
 
 impl UsedNames {
-    /// The variables that executed lines and a scenario with this text name.
+    /// Collects the variables named by executed lines and by a scenario with this text.
     pub(super) fn of(application: &Application, executed: &Coverage, scenario: Option<&str>) -> Self {
         let db = application.db();
         let mut used = Self::default();
         for (file, program) in executed.programs() {
             let project = Sources::get(db).projects(db).get(&path_key(&program.project_file)).copied();
-            // Only a test has written the others, in the memory of the controller.
+            // Other programs exist only in the memory of the controller, where a test has written them.
             let (Some(project), Some(text)) = (project, text(file)) else { continue };
             let lines = program.lines.iter().filter(|(_, hits)| **hits > 0).map(|(line, _)| *line).collect();
             used.add_code(db, project, &text, &lines);
@@ -59,7 +59,7 @@ impl UsedNames {
         self.variables.contains(&(project_file.to_owned(), name.to_owned()))
     }
 
-    /// Whether the test uses a field of this name.
+    /// Whether the test uses a field with this name.
     pub(super) fn contains_field(&self, name: &str) -> bool {
         self.fields.contains(name)
     }
@@ -85,7 +85,8 @@ impl UsedNames {
         }
     }
 
-    /// Adds the variable to which a name in a project resolves: `nCount`, `lib:nCount`. Returns it if it is new.
+    /// Adds the variable to which a name in a project resolves: `nCount`, `lib:nCount`. Returns the variable if it is
+    /// new.
     fn add(&mut self, db: &Database, project: Project, name: &str) -> Option<UsedVariable> {
         let path = DataPath::new(name);
         let owner = match path.library() {
@@ -97,7 +98,7 @@ impl UsedNames {
         (is_known && self.variables.insert(variable.clone())).then_some(variable)
     }
 
-    /// Adds the fathers of used variables, and their fathers.
+    /// Adds all ancestors of used variables through their fathers.
     fn add_fathers(&mut self, db: &Database) {
         let fathers = fathers(db);
         let mut next: Vec<UsedVariable> = self.variables.iter().cloned().collect();
@@ -108,7 +109,7 @@ impl UsedNames {
     }
 }
 
-/// The fathers of all variables, with the projects in which their names resolve.
+/// Fathers of all variables, with the projects in which the fathers' names are resolved.
 fn fathers(db: &Database) -> BTreeMap<UsedVariable, (Project, Vec<String>)> {
     let mut found = BTreeMap::new();
     for project in Sources::get(db).projects(db).values() {
@@ -123,18 +124,18 @@ fn fathers(db: &Database) -> BTreeMap<UsedVariable, (Project, Vec<String>)> {
     found
 }
 
-/// The path of a project file.
+/// Path of a project file.
 pub(super) fn project_file(db: &Database, project: Project) -> String {
     project.manifest(db).path(db).to_string()
 }
 
-/// The text of a program or data file; `None` if it cannot be read.
+/// Text of a program or data file; `None` if the file cannot be read.
 pub(super) fn text(file: &str) -> Option<String> {
     let bytes = val3_files::read(file.into(), FileClass::Program).ok()?;
     Some(encoding::decode(bytes).text)
 }
 
-/// Collects the tokens of code. `at` is the last position with its line.
+/// Collects code tokens. `at` is the last offset with its line.
 fn collect<'t>(node: View<'t>, text: &str, at: &mut (usize, u32), tokens: &mut Vec<CodeToken<'t>>) {
     for child in node.children_with_tokens() {
         if let Some(node) = child.as_node() {

@@ -1,4 +1,4 @@
-//! The text of a recorded scenario.
+//! Text of a recorded scenario.
 
 use val3_machine::controller::Controller;
 use val3_machine::event::EndReason;
@@ -10,39 +10,39 @@ use super::run_record::{Given, RecordedError, RunRecord};
 use super::toml_text::{key, number, pendant_key, quoted, value};
 use crate::args::{ControllerArgs, START};
 
-/// The texts of an output that become expectations. Further ones are mostly like these.
+/// Maximum number of texts per output that become expectations. Further texts are mostly similar.
 const TEXTS: usize = 20;
 
-/// The last bytes over a line that become an expectation.
+/// Maximum number of last bytes on a line that become an expectation.
 const BYTES: usize = 200;
 
-/// The seconds that an application may take to end by itself, without a limit of its own.
+/// Time in seconds up to which an application that ends by itself needs no explicit limit.
 const BY_ITSELF: f64 = 50.0;
 
 /// Sentence about a scenario without expectations.
 pub(super) const NOTHING_EXPECTED: &str =
     "Nothing is expected: the run has shown, printed, logged, sent and set nothing that a scenario repeats";
 
-/// A scenario that is written.
+/// Draft of a scenario.
 pub(super) struct Draft<'r> {
     run: &'r RunRecord,
     heading: String,
-    /// The keys before the first table.
+    /// Keys before the first table.
     head: Vec<String>,
-    /// The events from outside.
+    /// External events.
     events: Vec<String>,
-    /// Texts and errors.
+    /// Expected texts and errors.
     expected: Vec<String>,
     outputs: Vec<String>,
-    /// The bytes that go out over lines.
+    /// Expected bytes sent on lines.
     sent: Vec<String>,
     screen: Vec<String>,
-    /// What the scenario does not repeat.
+    /// Differences from the run that the scenario does not repeat.
     remarks: Vec<String>,
 }
 
 impl<'r> Draft<'r> {
-    /// The scenario of a run of the application with this path from the scenario.
+    /// Creates a draft from a run. `application` is the path of the application relative to the scenario.
     pub(super) fn new(heading: &str, application: &str, run: &'r RunRecord, controller: ControllerArgs) -> Self {
         let mut draft = Self {
             run,
@@ -69,7 +69,7 @@ impl<'r> Draft<'r> {
         draft
     }
 
-    /// Adds the outputs at the end, with values of the types that the controller has for them.
+    /// Adds the final output values, formatted by the signal types of the controller.
     pub(super) fn add_outputs(&mut self, controller: &Controller) {
         let io = &controller.devices.state.io;
         for (link, level) in &self.run.signals {
@@ -81,17 +81,17 @@ impl<'r> Draft<'r> {
         }
     }
 
-    /// Adds the page at the end.
+    /// Adds the final user page.
     pub(super) fn add_screen(&mut self, lines: &[String]) {
         self.screen = list("screen =", lines.iter().map(|line| quoted(line)));
     }
 
-    /// Adds a remark on something that the scenario does not repeat.
+    /// Adds a remark about a difference from the run.
     pub(super) fn remark(&mut self, remark: String) {
         self.remarks.push(remark);
     }
 
-    /// What the scenario does not repeat.
+    /// Differences from the run that the scenario does not repeat.
     pub(super) fn remarks(&self) -> &[String] {
         &self.remarks
     }
@@ -102,7 +102,7 @@ impl<'r> Draft<'r> {
         expected.all(|line| line.trim_start().starts_with('#'))
     }
 
-    /// Makes the expectations that are not met comments. Returns a failure that is not of a line of them.
+    /// Turns unmet expectations into comments. Returns the first failure that belongs to no expectation.
     pub(super) fn comment_out<'f>(&mut self, failures: &'f [Failure]) -> Option<&'f Failure> {
         let text = self.text();
         let lines: Vec<&str> = text.lines().collect();
@@ -119,7 +119,7 @@ impl<'r> Draft<'r> {
         other
     }
 
-    /// Makes a line a comment. Returns whether it is one of the expectations.
+    /// Turns a line into a comment. Returns whether the line is an expectation.
     fn disable(&mut self, line: &str) -> bool {
         let all = [&mut self.screen, &mut self.expected, &mut self.outputs, &mut self.sent].into_iter().flatten();
         let found: Vec<&mut String> = all.filter(|own| own.as_str() == line).collect();
@@ -130,7 +130,7 @@ impl<'r> Draft<'r> {
         is_found
     }
 
-    /// The text of the file.
+    /// Text of the file.
     pub(super) fn text(&self) -> String {
         let remarks = self.remarks.iter().map(|remark| format!("# Not repeated: {remark}"));
         let mut lines: Vec<String> = [format!("# {}", self.heading)].into_iter().chain(remarks).collect();
@@ -170,7 +170,7 @@ impl<'r> Draft<'r> {
     }
 }
 
-/// The keys before the first table.
+/// Keys before the first table.
 fn head(application: &str, run: &RunRecord, controller: &ControllerArgs) -> Vec<String> {
     let mut head = vec![format!("application = {}", quoted(application))];
     let mut add = |key: &str, text: String| head.push(format!("{key} {text}"));
@@ -201,7 +201,7 @@ fn head(application: &str, run: &RunRecord, controller: &ControllerArgs) -> Vec<
     head
 }
 
-/// What the run has printed and logged, its messages, and its run-time errors.
+/// Printed and logged texts, messages, and run-time errors of the run, as expectations.
 fn expected(run: &RunRecord) -> Vec<String> {
     let texts = [("print =", &run.prints), ("log =", &run.logs), ("popup =", &run.popups)];
     let lists = texts.into_iter().flat_map(|(key, texts)| {
@@ -220,7 +220,7 @@ fn error(RecordedError { code, task, program }: &RecordedError) -> String {
     format!("{{ code = {code}{task}, program = {} }}", quoted(program))
 }
 
-/// A key with a list, an item a line; nothing without items.
+/// Key with a list, one item per line; empty without items.
 fn list(key: &str, items: impl Iterator<Item = String>) -> Vec<String> {
     let items: Vec<String> = items.map(|item| format!("  {item},")).collect();
     if items.is_empty() {
@@ -229,13 +229,13 @@ fn list(key: &str, items: impl Iterator<Item = String>) -> Vec<String> {
     [format!("{key} [")].into_iter().chain(items).chain(["]".to_owned()]).collect()
 }
 
-/// The last bytes over a line.
+/// Last bytes on a line, as text.
 fn last_bytes(bytes: &[u8]) -> String {
     let last = bytes.get(bytes.len().saturating_sub(BYTES)..).unwrap_or(bytes);
     value(&serde_json::to_value(LineBytes::from(last)).unwrap_or_default())
 }
 
-/// A time with whole milliseconds, not later.
+/// Time rounded down to whole milliseconds.
 fn milliseconds(seconds: f64) -> f64 {
     const ROUNDING: f64 = 1e-6;
     (seconds * 1000.0 + ROUNDING).floor() / 1000.0

@@ -1,4 +1,4 @@
-//! The record of a run (`val3 run --events`), as far as a scenario can repeat it.
+//! Event record of a run (`val3 run --events`), as far as a scenario can repeat it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,45 +8,45 @@ use val3_machine::event::EndReason;
 use val3_machine::script::{LineBytes, ScriptAction};
 use val3_suite::ControllerKeys;
 
-/// What has happened in a run.
+/// Contents of an event record.
 #[derive(Debug, Default)]
 pub(super) struct RunRecord {
-    /// What came from outside, with its time in seconds.
+    /// External input, with the time in seconds.
     pub(super) given: Vec<(f64, Given)>,
-    /// Lines that nothing came in over, but that sent something.
+    /// Lines that have sent bytes and received none.
     pub(super) silent: Vec<String>,
-    /// The program that was started.
+    /// Started program.
     pub(super) program: Option<String>,
-    /// The last time of the record.
+    /// Last time in the record, in seconds.
     pub(super) end: f64,
-    /// Why the run has ended; none if it continues, or if the record breaks off.
+    /// End reason of the run; `None` if the run continues or the record is incomplete.
     pub(super) reason: Option<EndReason>,
-    /// The run continues after the record.
+    /// Whether the run continues after the record.
     pub(super) continues: bool,
     pub(super) prints: Vec<String>,
     pub(super) logs: Vec<String>,
     pub(super) popups: Vec<String>,
-    /// The bytes that went out over each line.
+    /// Sent bytes by line.
     pub(super) sent: BTreeMap<String, Vec<u8>>,
     pub(super) errors: Vec<RecordedError>,
-    /// The last value of each signal that nothing outside has set.
+    /// Last value of each signal that was not set externally.
     pub(super) signals: BTreeMap<String, f64>,
-    /// The power was on at the start.
+    /// Whether power was on at the start.
     has_power: bool,
-    /// Lines that have answered in a way that no script repeats.
+    /// Lines whose responses a script cannot repeat.
     pub(super) unusual: BTreeSet<String>,
 }
 
-/// Something that came from outside.
+/// External input.
 #[derive(Debug)]
 pub(super) enum Given {
-    /// The keys of an `[[at]]`.
+    /// Keys for an `[[at]]` table.
     Keys(Map<String, Value>),
-    /// Something that no script does.
+    /// Input that no script can repeat.
     Other(String),
 }
 
-/// A run-time error that has stopped a task.
+/// Run-time error that has stopped a task.
 #[derive(Debug, PartialEq)]
 pub(super) struct RecordedError {
     pub(super) code: u16,
@@ -54,7 +54,7 @@ pub(super) struct RecordedError {
     pub(super) program: String,
 }
 
-/// A line of the record.
+/// Line of the record.
 #[derive(Deserialize)]
 struct RecordLine {
     t: f64,
@@ -63,7 +63,7 @@ struct RecordLine {
     kind: RecordedKind,
 }
 
-/// The events of a record that a scenario is about.
+/// Events that are relevant for a scenario.
 #[derive(Deserialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 enum RecordedKind {
@@ -111,10 +111,10 @@ enum RecordedKind {
 }
 
 impl RunRecord {
-    /// Reads the text of a record.
+    /// Parses the text of a record.
     ///
     /// # Errors
-    /// It is no record, or the application was not started.
+    /// The text is no record, or the application was not started.
     pub(super) fn read(text: &str) -> Result<Self, String> {
         let mut lines = Vec::new();
         for (number, line) in (1..).zip(text.lines()) {
@@ -149,12 +149,12 @@ impl RunRecord {
         self.continues = self.reason.is_none();
     }
 
-    /// The controller at the start.
+    /// Controller properties at the start.
     pub(super) fn controller_keys(&self) -> ControllerKeys {
         ControllerKeys { power: self.has_power, ..ControllerKeys::default() }
     }
 
-    /// Whether the application was stopped from outside, which the scenario repeats.
+    /// Whether the application was stopped externally. The scenario repeats the stop.
     pub(super) fn is_stopped(&self) -> bool {
         self.given.iter().any(|(_, given)| matches!(given, Given::Keys(keys) if keys.contains_key("stop")))
     }
@@ -164,7 +164,7 @@ impl RunRecord {
         match kind {
             RecordedKind::Act { keys } => self.act(t, keys),
             RecordedKind::Sio { link, dir, bytes } if dir == "out" => self.sent.entry(link).or_default().extend(bytes),
-            // The script that has supplied it is repeated itself.
+            // The script that has sent these bytes is part of the scenario.
             RecordedKind::Sio { link, .. } if supplied.contains(&link) => {}
             RecordedKind::Sio { link, bytes, .. } => {
                 let bytes = serde_json::to_value(LineBytes::from(bytes.as_slice())).unwrap_or_default();
@@ -198,7 +198,7 @@ impl RunRecord {
         self.given.push((t, given));
     }
 
-    /// Whether something outside sets this signal.
+    /// Whether external input sets this signal.
     pub(super) fn is_set(&self, link: &str) -> bool {
         let has = |keys: &Map<String, Value>, key| keys.get(key).is_some_and(|links| links.get(link).is_some());
         let sets = |given: &Given| match given {
@@ -216,20 +216,20 @@ impl Given {
 }
 
 impl RecordLine {
-    /// The lines over which a script has sent something.
+    /// Lines on which a script has sent bytes.
     fn supplied(&self) -> Vec<String> {
         let RecordedKind::Act { keys } = &self.kind else { return Vec::new() };
         keys.get("receive").and_then(Value::as_object).into_iter().flat_map(Map::keys).cloned().collect()
     }
 }
 
-/// Whether a line has answered as one does whose other end is a script.
+/// Whether the response of a line is possible if a script is the other end.
 fn is_usual(answer: &Value) -> bool {
     answer.get("connection").is_some_and(|state| state == "open")
         || answer.get("received").is_some_and(|received| received.get("bytes").is_some())
 }
 
-/// Adds an item that is not there yet.
+/// Adds an item unless the list already contains it.
 fn add<T: PartialEq>(items: &mut Vec<T>, item: T) {
     if !items.contains(&item) {
         items.push(item);

@@ -65,8 +65,8 @@ fn check_name(name: &str) -> Result<(), UserError> {
         .with_help(format!("write 1 to {LONGEST} letters, digits, `_` and `-`")))
 }
 
-/// Folder for scenarios of an application: the nearest folder `tests` beside the application or above it in the cell,
-/// otherwise a new one beside the nearest `val3.toml`, otherwise a new one beside `usr`, otherwise beside the application.
+/// Folder for an application's scenarios: the nearest folder `tests` next to the application or above it in the cell,
+/// otherwise a new folder next to the nearest `val3.toml`, otherwise next to `usr`, otherwise next to the application.
 fn tests_folder(manifest: &Utf8Path) -> Result<Utf8PathBuf, UserError> {
     let application = manifest.parent().unwrap_or(manifest);
     let above = application.parent().unwrap_or(application);

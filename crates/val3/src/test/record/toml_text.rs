@@ -1,15 +1,16 @@
-//! Values in TOML, each in one line.
+//! TOML values, each in one line.
 
 use serde_json::Value;
 use val3_lang::keys::{KEYS, character};
 
-/// A key, in quotes where it needs them.
+/// Formats a key, with quotes if necessary.
 pub(super) fn key(text: &str) -> String {
     let is_bare = !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
     if is_bare { text.to_owned() } else { quoted(text) }
 }
 
-/// A text in quotes: literal ones where it has a backslash or a quotation mark, and nothing that only the others write.
+/// Formats a quoted string. The string is literal if it contains a backslash or a quotation mark and can be written
+/// without escapes.
 pub(super) fn quoted(text: &str) -> String {
     if text.contains(['\\', '"']) && !text.contains(|c: char| c == '\'' || c.is_control()) {
         return format!("'{text}'");
@@ -25,16 +26,16 @@ pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", text.chars().map(escaped).collect::<String>())
 }
 
-/// A number, without a fraction where it has none.
+/// Formats a number, without a fraction if it is whole.
 pub(super) fn number(value: f64) -> String {
-    // The shortest text that is this number.
+    // `to_string` returns the shortest exact text.
     value.to_string()
 }
 
-/// A value in one line.
+/// Formats a value in one line.
 pub(super) fn value(json: &Value) -> String {
     match json {
-        // No number that is not finite is a value of a script.
+        // Only a number that is not finite is null in JSON, and no script contains one.
         Value::Null => "nan".to_owned(),
         Value::Bool(truth) => truth.to_string(),
         Value::Number(amount) => amount.as_f64().map_or_else(|| amount.to_string(), number),
@@ -48,7 +49,7 @@ pub(super) fn value(json: &Value) -> String {
     }
 }
 
-/// A key of the pendant: its name, or its code with its character in a comment.
+/// Formats a pendant key: its name, or its code with the character in a comment.
 pub(super) fn pendant_key(json: &Value) -> String {
     let code = json.as_u64().and_then(|code| u16::try_from(code).ok());
     let name = code.and_then(|code| KEYS.iter().find(|key| key.code == code)).map(|key| quoted(key.name));

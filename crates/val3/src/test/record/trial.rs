@@ -1,4 +1,4 @@
-//! The execution of a scenario before it is written.
+//! Execution of a scenario before it is written.
 
 use std::rc::Rc;
 
@@ -16,21 +16,21 @@ use crate::run::unusable_script;
 use crate::sockets::ClosedSockets;
 use crate::user_error::UserError;
 
-/// A scenario that will have this path, and runs the application of this project file.
+/// Future path of a scenario, and the project file of its application.
 pub(super) struct ScenarioTrial<'t> {
     pub(super) manifest: &'t Utf8Path,
     pub(super) path: &'t Utf8Path,
 }
 
-/// What an execution has given.
+/// Outcome of an execution.
 pub(super) struct TrialOutcome {
     pub(super) failures: Vec<Failure>,
-    /// The title and the lines of the page at the end, without blanks around them and without empty ones.
+    /// Title and lines of the final user page, without surrounding blanks and empty lines.
     pub(super) screen: Vec<String>,
 }
 
 impl ScenarioTrial<'_> {
-    /// The application on a controller on which nothing was executed yet.
+    /// Opens the application on a new controller.
     pub(super) fn opened(&self) -> Result<Bench, UserError> {
         self.bench(&ControllerKeys::default())
     }
@@ -44,7 +44,7 @@ impl ScenarioTrial<'_> {
     /// Executes the scenario with this text.
     ///
     /// # Errors
-    /// The application cannot be executed, or does not have what the scenario names.
+    /// The application cannot be executed, or the scenario names an object that the application does not contain.
     pub(super) fn execute(&self, text: String) -> Result<TrialOutcome, UserError> {
         let path = from_here(self.path)?;
         let scenario = Scenario::parse(path.as_str(), &text).map_err(|error| unusable_script(&path, &error))?;

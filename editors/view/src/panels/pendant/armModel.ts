@@ -1,4 +1,4 @@
-// Computes the joints at which the arm has a pose near its present one. The chain of links comes from the scene.
+// Inverse kinematics: computes the joints for a pose near the present pose. The chain of links is part of the scene.
 
 import type * as wire from "../../wire";
 import { add, aroundAxis, composed, cross, frameOf, inverse, multiplied, type Frame, rotationVector, transposed, turned, type Vector } from "./pose";

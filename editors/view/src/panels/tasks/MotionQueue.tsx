@@ -1,4 +1,4 @@
-// Moves that wait for the arm, and the present one.
+// Motion queue: the present move and the waiting moves.
 
 import type { JSX } from "preact";
 import type { Cell } from "../shared/cell";

@@ -1,8 +1,8 @@
-//! Accelerations from cycle to cycle, and the end of a run.
+//! Accelerations between cycles, and the end of a run.
 
 use super::*;
 
-/// Runs a motion to its end. Returns the greatest acceleration of each axis from cycle to cycle, as a share of its limit.
+/// Runs a motion to its end. Returns each axis' greatest acceleration between cycles, relative to its limit.
 fn greatest_accelerations(motion: &mut Motion, limits: &SpeedLimits) -> Joints {
     let mut samples = vec![motion.joints(); 2];
     for _ in 0..(motion.time_left().0 / CYCLE.0) as usize + 3 {
@@ -15,8 +15,8 @@ fn greatest_accelerations(motion: &mut Motion, limits: &SpeedLimits) -> Joints {
     })
 }
 
-/// Next to the straight arm axes are locally fast without bound. Knots at equal distances did not describe it: axis 3 had
-/// twice its acceleration.
+/// Near the straight arm, axes are locally fast without bound. With equidistant knots, axis 3 reached twice its maximum
+/// acceleration.
 #[test]
 fn accelerations_are_kept_next_to_the_straight_arm() {
     for elbow in [0.1, 0.3, 0.5, 1.0, 1.5, 2.0] {
@@ -38,7 +38,7 @@ fn accelerations_are_kept_next_to_the_straight_arm() {
 proptest! {
     #![proptest_config(cases())]
 
-    /// From cycle to cycle no axis exceeds its acceleration by more than 2 %, and a run ends.
+    /// Between cycles, no axis exceeds its acceleration by more than 2 %, and the run ends.
     #[test]
     fn accelerations_are_kept_at_every_cycle(program in programs()) {
         let (mut motion, _) = program.record();

@@ -1,4 +1,4 @@
-//! A single corner has the fault of the same corner in a queue of moves.
+//! A single blend has the same fault as the same blend in a queue of moves.
 
 use super::*;
 use crate::blend_fault;
@@ -16,11 +16,11 @@ proptest! {
             let [first, second] = pair else { continue };
             let start = alone.destination();
             let stopping = Move { blend: Blend::Off, ..first.clone() };
-            // The part of the path after the leave point may be impossible.
+            // The path after the leave point may be impossible.
             if alone.record(&stopping).is_err() {
                 break;
             }
-            // A move that ends where it begins is no corner.
+            // A move of length 0 has no corner.
             let is_null = alone.path.segment(&Model(&arm), second).is_ok_and(|(segment, _)| segment.is_null());
             if is_null || start == alone.destination() {
                 break;

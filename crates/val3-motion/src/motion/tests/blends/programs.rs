@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// A program for one arm.
+/// Program for one arm.
 #[derive(Clone, Debug)]
 pub(super) struct Program {
     pub(super) arm: &'static str,
@@ -11,7 +11,7 @@ pub(super) struct Program {
     pub(super) moves: Vec<RandomMove>,
 }
 
-/// A move, relative to the position where it starts.
+/// Move relative to its start position.
 #[derive(Clone, Debug)]
 pub(super) struct RandomMove {
     path: RandomPath,
@@ -24,10 +24,10 @@ pub(super) struct RandomMove {
 enum RandomPath {
     /// Joint move to the pose after a transformation by the tool.
     JointTo(Trsf),
-    /// Joint move by an angle of each axis.
+    /// Joint move by these axis angles.
     Joints(Joints),
     Line(Trsf),
-    /// Circle through an intermediate position and to a target, both relative to the start, with a turn of the tool.
+    /// Circle through an intermediate position to a target, both relative to the start, with a tool rotation.
     Circle([Vector3<f64>; 2], Vector3<f64>),
 }
 
@@ -37,12 +37,12 @@ enum RandomBlend {
     Cartesian,
 }
 
-/// A length in mm: nothing, the scatter of taught points, a short move, or a long one.
+/// Length in mm: 0, the scatter of taught points, a short move, or a long move.
 fn length() -> impl Strategy<Value = f64> {
     prop_oneof![Just(0.0), (-20.0..2.3_f64).prop_map(power_of_two), 1.0..60.0_f64, 60.0..250.0_f64]
 }
 
-/// A length in mm of any order of magnitude.
+/// Length in mm, of any order of magnitude.
 fn power_of_two(power: f64) -> f64 {
     (1.0 + power - power.floor()) * 2_f64.powi(power.floor() as i32)
 }
@@ -125,7 +125,7 @@ impl Program {
         }
     }
 
-    /// The recorded moves, and the motion that has recorded them. Moves that the arm cannot reach are left out.
+    /// Records all moves that the arm can execute. Returns the motion and the recorded moves.
     pub(super) fn record(&self) -> (Motion, Vec<Move>) {
         let mut motion = Motion::new(Arc::new(self.arm()), self.start());
         let mut recorded = Vec::new();
@@ -135,7 +135,7 @@ impl Program {
                 recorded.push(request);
             }
         }
-        // A path with a fault has no end.
+        // Closing a path with a fault is an error.
         drop(motion.close());
         (motion, recorded)
     }

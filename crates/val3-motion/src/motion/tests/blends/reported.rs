@@ -1,8 +1,8 @@
-//! Corners whose shape or time was wrong once.
+//! Regression tests for corners whose shape or time was wrong.
 
 use super::*;
 
-/// Motion of a TX2-90 after joint moves to these positions, with a tool beside axis 6.
+/// Motion of a TX2-90 with joint moves to these positions and a tool off axis 6.
 fn joint_moves(tool: &Trsf, targets: &[Joints], blend: Blend) -> Motion {
     let mut motion = motion();
     for (target, id) in targets.iter().zip(0..) {
@@ -17,7 +17,7 @@ fn joint_corner(leave: f64, reach: f64) -> Blend {
     Blend::Joint { leave: Millimetres(leave), reach: Millimetres(reach) }
 }
 
-/// Least and greatest value over a run.
+/// Minimum and maximum value in a run.
 fn range(samples: &[Sample], value: impl Fn(&Sample) -> f64) -> [f64; 2] {
     samples
         .iter()
@@ -25,7 +25,7 @@ fn range(samples: &[Sample], value: impl Fn(&Sample) -> f64) -> [f64; 2] {
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)])
 }
 
-/// An axis that turns the tool about its tip ran to 1169 degrees.
+/// Regression: an axis that turns the tool about its tip moved to 1169 degrees.
 #[test]
 fn a_turn_next_to_a_long_move_stays_within_its_angle() {
     let targets = [[0.0, 0.0, 90.0, 0.0, 90.0, 90.0], [40.0, 0.0, 90.0, 0.0, 90.0, 90.0]];
@@ -41,7 +41,7 @@ fn a_turn_next_to_a_long_move_stays_within_its_angle() {
     assert!(times.iter().all(|time| (time - first).abs() < 0.02), "{times:?}");
 }
 
-/// The blend passed beyond axis 1's limit without a word.
+/// Regression: the blend exceeded the limit of axis 1 without an error.
 #[test]
 fn a_corner_at_the_limit_of_an_axis_stays_within_it() {
     for (leave, reach) in [(20.0, 200.0), (5.0, 300.0)] {
@@ -54,7 +54,8 @@ fn a_corner_at_the_limit_of_an_axis_stays_within_it() {
     }
 }
 
-/// The corner of two lines was passed by up to 36 mm, the U of manual 10.1.2.1 rose 15 mm above its points.
+/// Regression: a blend passed the corner between two lines by up to 36 mm, and the U of manual 10.1.2.1 rose 15 mm
+/// above its points.
 #[test]
 fn corners_of_unequal_distances_do_not_pass_their_points() {
     let pairs = [(50.0, 50.0), (20.0, 50.0), (5.0, 50.0), (1.0, 50.0), (5.0, 200.0), (90.0, 5.0), (50.0, 200.0)];
@@ -74,7 +75,7 @@ fn corners_of_unequal_distances_do_not_pass_their_points() {
     }
 }
 
-/// The arm rested for ever between two knots.
+/// Regression: the arm rested forever between two knots.
 #[test]
 fn a_turn_and_a_move_of_micrometres_end() {
     for micrometres in [1.0, 2.0, 5.0, 10.0, 20.0] {
@@ -94,7 +95,7 @@ fn a_turn_and_a_move_of_micrometres_end() {
     }
 }
 
-/// A blend that ends at its corner exceeded an acceleration five times.
+/// Regression: a blend that ends at its corner exceeded an acceleration by a factor of five.
 #[test]
 fn a_corner_with_one_distance_is_a_stop() {
     let target = |change: Trsf| moved(0.0, 0.0, 0.0) * change.isometry();
@@ -122,7 +123,7 @@ fn a_corner_with_one_distance_is_a_stop() {
     }
 }
 
-/// Duration of two lines from one corner, whose second one turns by an angle and whose tool turns on both.
+/// Duration of two lines with an angle `turn` between them, on both of which the tool rotates.
 fn corner_time(turn: f64, lengths: [f64; 2], tools: [f64; 2], blend: Blend) -> f64 {
     let mut motion = motion();
     let (sin, cos) = val3_geometry::degrees::sin_cos(turn);
@@ -137,7 +138,7 @@ fn corner_time(turn: f64, lengths: [f64; 2], tools: [f64; 2], blend: Blend) -> f
 proptest! {
     #![proptest_config(cases())]
 
-    /// Manual 10.1.2.1: the arm does not stop, so the motion is faster.
+    /// Manual 10.1.2.1: the motion is faster because the arm does not stop.
     #[test]
     fn no_blend_takes_longer_than_a_stop(
         turn in 0.0..180.0_f64,
@@ -153,7 +154,7 @@ proptest! {
         }
     }
 
-    /// The blend next to a move that shrinks tends to the blend next to a turn in place.
+    /// As a move becomes shorter, its blend approaches the blend of a rotation in place.
     #[test]
     fn a_move_that_shrinks_tends_to_a_turn_in_place(
         angle in 5.0..90.0_f64,

@@ -1,4 +1,4 @@
-//! Where a blend may pass.
+//! Region within which a blend stays.
 
 use val3_geometry::degrees;
 
@@ -8,13 +8,13 @@ use crate::hull::MARGIN;
 use crate::segment::Segment;
 use crate::span::{BlendPart, Curve, Span, SpanPart};
 
-/// Positions of a curve at which a law is checked.
+/// Number of positions per curve at which a property is checked.
 const SAMPLES: usize = 200;
 
-/// A blend with the nominal segments that it joins.
+/// Blend with the nominal segments that it joins.
 struct Corner<'a> {
     arm: &'a Arm,
-    /// The first span with its curve.
+    /// First span with the curve.
     span: &'a Span,
     parts: [BlendPart; 2],
     segments: [Arc<Segment>; 2],
@@ -22,7 +22,7 @@ struct Corner<'a> {
     requests: [&'a Move; 2],
 }
 
-/// The nominal segments of a program, by the number of their move.
+/// Nominal segments of a program, by move number.
 fn segments(program: &Program, requests: &[Move]) -> Vec<Arc<Segment>> {
     let mut motion = Motion::new(Arc::new(program.arm()), program.start());
     let arm = Arc::clone(&motion.arm);
@@ -55,7 +55,7 @@ fn corners<'a>(motion: &'a Motion, requests: &'a [Move], segments: &[Arc<Segment
 }
 
 impl Corner<'_> {
-    /// Axes of the blend at equal distances, as far as the arm can follow it.
+    /// Equidistant axes on the blend, as far as the arm can follow it.
     fn axes(&self) -> Vec<Axes> {
         let Curve::Blend(curve) = &self.span.curve else { unreachable!("the span of a blend") };
         let mut near = self.span.axes(&Model(self.arm), 0.0);
@@ -80,12 +80,12 @@ impl Corner<'_> {
         self.axes().iter().map(|axes| Model(self.arm).flange(axes) * tool).collect()
     }
 
-    /// σ of both nominal pieces, from the leave point to the corner and from there to the reach point.
+    /// Ranges of σ of both nominal pieces: from the leave point to the corner, and from the corner to the reach point.
     fn pieces(&self) -> [(usize, f64, f64); 2] {
         [(0, self.parts[0].sigma, 1.0), (1, 0.0, self.parts[1].sigma)]
     }
 
-    /// Values of both nominal pieces.
+    /// Values at points of both nominal pieces.
     fn on_pieces<T>(&self, value: impl Fn(&Segment, f64) -> Option<T>) -> Vec<T> {
         let on = |(side, from, to): (usize, f64, f64)| {
             (0..=SAMPLES)
@@ -95,7 +95,8 @@ impl Corner<'_> {
         self.pieces().into_iter().flat_map(on).collect()
     }
 
-    /// How far the axes leave the hull of the nominal pieces, as a share of its longest side, and in degrees or mm.
+    /// Distance by which the axes leave the hull of the nominal pieces, relative to the longest side of the hull, and
+    /// in degrees or mm.
     fn excess_of_axes(&self) -> (f64, f64) {
         let nominal = self.on_pieces(|segment, sigma| segment.axes(&Model(self.arm), sigma).ok());
         let [least, most] =
@@ -104,8 +105,9 @@ impl Corner<'_> {
         (excess / (most - least).amax().max(1e-9), excess)
     }
 
-    /// How far the tool centre point leaves the hull of the leave point, the corner and the reach point in mm, with the
-    /// intersection of the tangents of a circle. The hull is that of the directions of space in `directions`.
+    /// Distance in mm by which the tool centre point leaves the hull of the leave point, the corner and the reach
+    /// point. For a circle, the hull includes the intersection of the tangents. The hull is evaluated in the directions
+    /// from `directions`.
     fn excess_of_tip(&self) -> (f64, f64) {
         let hull: Vec<_> =
             self.pieces().into_iter().flat_map(|(side, from, to)| self.control_polygon(side, from, to)).collect();
@@ -126,7 +128,7 @@ impl Corner<'_> {
         if !segment.is_arc() {
             return vec![start, end];
         }
-        // More than a third of a turn is divided: the tangents meet far away, or never.
+        // An arc of more than a third of a turn is divided, because its tangents intersect far away or not.
         let middle = at((from + to) / 2.0);
         let chord = (start + end) / 2.0;
         let [tall, half] = [(middle - chord).norm(), (end - start).norm() / 2.0];
@@ -140,7 +142,7 @@ impl Corner<'_> {
         vec![start, chord + outward * half * degrees::tan(half_turn), end]
     }
 
-    /// Whether a piece is more than a quarter of a circle.
+    /// Whether a piece covers more than a quarter of a circle.
     fn has_wide_arc(&self) -> bool {
         let is_wide = |(side, from, to): (usize, f64, f64)| {
             let at = |sigma: f64| self.segments[side].pose_at(&Model(self.arm), sigma).translation.vector;
@@ -151,7 +153,7 @@ impl Corner<'_> {
         self.pieces().into_iter().any(is_wide)
     }
 
-    /// Rotation of the tool from the corner in degrees: the most in the blend, and the most on the nominal pieces.
+    /// Greatest rotation of the tool relative to the corner, in degrees: in the blend, and on the nominal pieces.
     fn turns(&self) -> [f64; 2] {
         let corner = self.segments[0].pose_at(&Model(self.arm), 1.0).rotation;
         let turn = |pose: &IsometryMatrix3<f64>| rotation::angle_between(&corner, &pose.rotation).to_degrees();
@@ -160,7 +162,7 @@ impl Corner<'_> {
     }
 }
 
-/// Directions that cover the sphere evenly (golden spiral).
+/// Evenly distributed directions (golden spiral).
 fn directions() -> Vec<Vector3<f64>> {
     const COUNT: usize = 400;
     const GOLDEN_ANGLE: f64 = 137.507_764_05;
@@ -193,12 +195,13 @@ proptest! {
         let is_joint = |request: &Move| matches!(request.path, MovePath::Joint(_));
         for corner in corners(&motion, &requests, &segments).iter().filter(|corner| matches!(corner.curve(), BlendCurve::Pose(_))) {
             let [turn, nominal] = corner.turns();
-            // On other paths than lines the orientation may return, and both pieces may be away from it at once.
+            // On paths other than lines the orientation may return, and both pieces may differ from the corner at the
+            // same time.
             let most = if corner.requests.iter().all(|request| matches!(request.path, MovePath::Line(_))) { nominal } else { 2.0 * nominal };
             prop_assert!(turn <= most + 1e-6, "{turn} degrees instead of {nominal} at move {}", corner.parts[0].serial);
             if !corner.requests.iter().any(|request| is_joint(request)) && !corner.has_wide_arc() {
                 let (excess, size) = corner.excess_of_tip();
-                // The tangents of a circle lie outside of it.
+                // The tangents of a circle are outside of the circle.
                 let tolerance = if corner.segments.iter().any(|segment| segment.is_arc()) { 0.02 * size } else { 0.0 };
                 prop_assert!(excess < tolerance + 1e-6, "{excess} mm at move {}", corner.parts[0].serial);
             }
@@ -220,7 +223,7 @@ proptest! {
     }
 }
 
-/// Direction of the axes at an end of a span. `None` if rounding determines it, because the move is tiny.
+/// Direction of the axes at one span end; `None` if the move is so short that rounding errors dominate.
 fn direction_at(motion: &Motion, span: &Span, at_end: bool) -> Option<Axes> {
     let model = Model(&motion.arm);
     let [from, to] = span.range();
