@@ -72,7 +72,7 @@ impl Format {
     /// Parses the name of a format.
     ///
     /// # Errors
-    /// 70: none of the 14 formats has the name.
+    /// 70 for an unknown format name; 14 formats exist.
     pub fn parse(name: &str) -> Result<Self> {
         use Encoding::{Double, Signed, Single, Unsigned};
         use Order::{HighFirst, LowFirst};
@@ -96,7 +96,7 @@ impl Format {
         Ok(Self { encoding, order })
     }
 
-    /// Size of an encoded number, in bytes.
+    /// Encoded size in bytes.
     #[must_use]
     pub fn width(self) -> usize {
         match self.encoding {
