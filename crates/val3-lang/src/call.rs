@@ -105,7 +105,7 @@ pub struct Call<'c> {
 }
 
 impl<'c> Call<'c> {
-    /// Creates a call with these arguments, whose value is written to `result`.
+    /// Creates a call with these arguments and the destination `result` for its value.
     #[inline]
     pub fn new(
         (memory, ports, tasks): (&'c mut Memory, &'c mut dyn Ports, &'c mut dyn Tasks),

@@ -33,7 +33,8 @@ pub trait Ports: Io + Serial + Screen + Robot + Motion + Media {
     /// the running task.
     fn task(&mut self, task: TaskNumber, name: &str, change: TaskChange, at: Option<CodePlace>);
 
-    /// Returns the number of the input, output or serial line with a path as in files (`BasicIO-1\%I0`).
+    /// Returns the number of the input, output or serial line with this path as in files (`BasicIO-1\%I0`); `None` if
+    /// it does not exist.
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32>;
 }
 

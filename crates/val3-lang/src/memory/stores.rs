@@ -182,7 +182,7 @@ impl Stores {
         store.nums.get_mut(lane)
     }
 
-    /// Element of a two-dimensional array of numbers or truth values.
+    /// Element in a two-dimensional number or bool array.
     #[inline(always)]
     #[must_use]
     pub fn element2(&self, view: View, at: [f64; 2]) -> Option<&f64> {

@@ -1,4 +1,4 @@
-//! Run-time handlers of operators that are no operations of the virtual machine.
+//! Run-time handlers of operators that have no operation in the virtual machine.
 //!
 //! Their arguments are the operands, from left to right; an assignment that only reads has only the value.
 

@@ -1,4 +1,5 @@
-//! Serial lines and sockets (3.7). No function waits: a waiting instruction calls it again in each turn of its task.
+//! Serial lines and sockets (3.7). No function waits: a waiting instruction calls the function again in every turn of
+//! its task.
 
 use super::Time;
 use crate::fault::Result;
