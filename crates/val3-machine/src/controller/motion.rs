@@ -113,8 +113,8 @@ impl Controller {
 
     /// Sets the mode of the motion, also while the arm moves.
     ///
-    /// In step mode the arm first finishes the current piece. It then comes to rest at the end of each piece and waits
-    /// there until it is released. In continuous mode it does not wait.
+    /// In step mode the arm first finishes the current piece. It then stops at the end of every piece and waits there
+    /// until it is released. In continuous mode it does not wait.
     pub fn set_motion_mode(&mut self, mode: MotionMode) {
         self.devices.state.arm.set_mode(mode);
     }
@@ -207,7 +207,7 @@ impl Controller {
         CodeSource { instruction, at, program, line, file }
     }
 
-    /// Records the moves that are not done at the end of the application, and the fault of their path.
+    /// Records the unfinished moves at the end of the application, and the fault of the remaining path.
     pub fn record_dropped_moves(&mut self) {
         let now = self.now();
         self.devices.record_dropped_moves(now);

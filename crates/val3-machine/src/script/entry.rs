@@ -72,7 +72,7 @@ pub(crate) struct Entry {
     /// The delay in a `then`.
     #[serde(skip_serializing)]
     pub(super) after: Option<Seconds>,
-    /// Inputs and outputs that get a value from the hardware.
+    /// Inputs and outputs that receive a value from the hardware.
     #[serde(default)]
     pub(super) io: BTreeMap<String, Level>,
     /// Inputs and outputs that the operator locks.
@@ -124,7 +124,7 @@ pub(crate) struct Entry {
     pub(super) receive: BTreeMap<String, LineBytes>,
 }
 
-/// Immediate action of the cell or the operator. It has the keys of an `[[at]]`, without `t`.
+/// Immediate action of the cell or the operator, with the keys of `[[at]]` except `t`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Action(pub(crate) Entry);
 

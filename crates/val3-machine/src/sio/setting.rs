@@ -86,7 +86,7 @@ impl Setting {
     }
 }
 
-/// Parameter with the kinds of lines that support it, and the parser of its value.
+/// Parameter, the kinds of lines that support it, and the parser for values.
 struct Row {
     name: &'static str,
     kinds: &'static [LineKind],

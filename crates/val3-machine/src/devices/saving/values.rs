@@ -1,4 +1,4 @@
-//! Converts global data to file content: values with the attributes of their types.
+//! Converts global data to file content: values with attributes according to their types.
 
 use val3_bytecode::DataDef;
 use val3_data::{Content, SavedData, SavedField, SavedValue, number_text};
@@ -10,7 +10,7 @@ use val3_vm::Instance;
 
 use super::links::{LinkPath, Links, index};
 
-/// Reader of an application's or library's data.
+/// Reader for an application's or library's data.
 pub(super) struct Saver<'s> {
     pub(super) memory: &'s Memory,
     pub(super) instance: &'s Instance,
@@ -202,7 +202,7 @@ impl<'l> LoadedValue<'l> {
     }
 }
 
-/// Returns the value numbers of a container with the keys of an element: `7`, `2,1`, `home`.
+/// Returns a container's value numbers, each with the key as written in files: `7`, `2,1`, `home`.
 fn keys(shape: &Shape) -> Vec<(u32, String)> {
     match shape {
         Shape::Collection(keys) => keys.iter().map(|(key, number)| (*number, key.to_string())).collect(),
