@@ -64,16 +64,16 @@ pub trait Motion {
     /// licence.
     fn record_move(&mut self, request: &MoveRequest) -> Result<Option<f64>>;
 
-    /// `isEmpty`: whether all recorded moves are done.
+    /// Whether all recorded moves are done (`isEmpty`).
     fn is_empty(&mut self) -> bool;
 
-    /// `isSettled`: whether the arm has settled.
+    /// Whether the arm has settled at its position (`isSettled`).
     fn is_settled(&mut self) -> bool;
 
     /// Whether the controller commands no motion.
     fn is_at_rest(&mut self) -> bool;
 
-    /// `isCompliant`: whether a compliant move is in progress.
+    /// Whether a compliant move is in progress (`isCompliant`).
     fn is_compliant(&mut self) -> bool;
 
     /// `waitEndMove`: ends the last recorded move without a blend. Returns whether the arm has arrived.
@@ -82,10 +82,10 @@ pub trait Motion {
     /// 150 if a recorded move cannot be executed.
     fn arrive(&mut self) -> Result<bool>;
 
-    /// `stopMove`.
+    /// `stopMove`: stops the arm on its path.
     fn stop_move(&mut self);
 
-    /// `restartMove`.
+    /// `restartMove`: releases the arm.
     fn restart_move(&mut self);
 
     /// `resetMotion`; the next move starts at `start`, or at the arm's position.
@@ -97,7 +97,7 @@ pub trait Motion {
     /// 250 without the licence.
     fn reset_turn(&mut self, reference: [f64; 6]) -> Result<[f64; 6]>;
 
-    /// `getMoveId`.
+    /// `getMoveId`: returns the current move's id and its progress.
     fn move_id(&mut self) -> f64;
 
     /// `setMoveId`: sets the id of the next move.
@@ -118,6 +118,6 @@ pub trait Motion {
     /// `alterEnd`: returns -3 to 1.
     fn end_alter(&mut self) -> i8;
 
-    /// `alterStopTime`, in seconds.
+    /// `alterStopTime`: returns the time in seconds.
     fn alter_stop_time(&mut self) -> f64;
 }

@@ -15,10 +15,10 @@ pub trait Robot {
     /// Whether the power is off and is not being switched on.
     fn is_power_off(&mut self) -> bool;
 
-    /// `isPowered`.
+    /// Whether the arm has power (`isPowered`).
     fn is_powered(&mut self) -> bool;
 
-    /// `isCalibrated`.
+    /// Whether all axes are calibrated (`isCalibrated`).
     fn is_calibrated(&mut self) -> bool;
 
     /// `workingMode`: returns the mode, 0 to 4, and the state in this mode.
@@ -30,7 +30,7 @@ pub trait Robot {
     /// `safetyFault`: returns the faulty signal's name; `None` without a fault.
     fn safety_fault(&mut self) -> Option<Text>;
 
-    /// `getMonitorSpeed`, in per cent.
+    /// `getMonitorSpeed`: returns the monitor speed in per cent.
     fn monitor_speed(&mut self) -> f64;
 
     /// `setMonitorSpeed`: returns -3 to 0.
@@ -48,28 +48,28 @@ pub trait Robot {
     /// Writes a message to the event log, with level 1 to 3. `false` if the message is lost (`logMsg`).
     fn log(&mut self, text: &str, level: f64) -> bool;
 
-    /// `getProfile`.
+    /// `getProfile`: returns the active profile's name.
     fn profile(&mut self) -> Text;
 
     /// `setProfile`: returns 0 to 4.
     fn set_profile(&mut self, login: &str, password: &str) -> u8;
 
-    /// `getLanguage`.
+    /// `getLanguage`: returns the active language.
     fn language(&mut self) -> Text;
 
     /// `setLanguage`: returns `false` for a language that is not installed.
     fn set_language(&mut self, language: &str) -> bool;
 
-    /// `getSafeRefStatus` (s8).
+    /// `getSafeRefStatus`: returns the state of the safety referencing (s8).
     fn safe_reference(&mut self) -> f64;
 
-    /// `hasCpuExtPowerSupply` (s8).
+    /// Whether the processor has a separate power supply (`hasCpuExtPowerSupply`; s8).
     fn has_external_supply(&mut self) -> bool;
 
     /// `setSafetyRestart`: whether the restart is accepted (s8).
     fn restart_safety(&mut self) -> bool;
 
-    /// `wakeUpRobot` (s8).
+    /// `wakeUpRobot`: returns its result (s8).
     fn wake_up(&mut self) -> f64;
 
     /// `getJntRef`: returns the reference position with this name; zeros for an unknown name (s8).

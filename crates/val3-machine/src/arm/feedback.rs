@@ -70,7 +70,7 @@ impl Feedback {
         std::array::from_fn(|axis| difference(&commanded, &self.measured, axis))
     }
 
-    /// `isSettled`.
+    /// Whether the arm has settled (`isSettled`).
     pub(super) fn is_settled(&self) -> bool {
         self.in_place >= SETTLING
     }
