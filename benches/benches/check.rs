@@ -1,6 +1,6 @@
 //! Check of a large workspace: `cargo bench --bench check`.
 //!
-//! Targets on two cores of an ordinary machine, with 100,000 code lines:
+//! Targets on an ordinary machine with two cores, for 100,000 code lines:
 //! - `cold`: reading and checking all files, 500,000 code lines/s;
 //! - `edited_body`: checking one program after an edit in its code, under 1 ms;
 //! - `edited_body_everywhere`: computing the findings of the entire workspace after such an edit.

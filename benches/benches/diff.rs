@@ -1,8 +1,8 @@
 //! Comparison between two backups: `cargo bench --bench diff`.
 //!
-//! Target on one core of an ordinary machine: under one second for the comparison, and for the report in each format.
-//! The backups contain 10,000 points in 100 frames, which all differ because the frames and the points were moved.
-//! Equal files are not read.
+//! Target on a single core in an ordinary machine: under one second for the comparison, and for the report in each
+//! format. The backups contain 10,000 points in 100 frames, which all differ because the frames and the points were
+//! moved. Equal files are not read.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
 #![allow(clippy::expect_used, reason = "a benchmark may fail loudly")]

@@ -1,5 +1,5 @@
-//! Typical short programs of robots in comparison with Lua 5.4: `cargo bench --bench ordinary`. Program names after
-//! `--` select programs.
+//! Typical short robot programs in comparison with Lua 5.4: `cargo bench --bench ordinary`. Program names after `--`
+//! select programs.
 //!
 //! A program is a listing (the format of `val3-test`) and a Lua file with the same name in `benches/programs/ordinary`.
 //! Global data are globals in Lua, values of user types are tables. The output contains the milliseconds of both,

@@ -1,6 +1,6 @@
 //! Parsing without analysis: `cargo bench --bench parse`.
 //!
-//! Target on one core of an ordinary machine: 60 MB/s over the programs of a workspace. The time is proportional to the
+//! Target on a single core in an ordinary machine: 60 MB/s for a workspace's programs. The time is proportional to the
 //! text: each row of `one_long_program` has ten times the text of the previous row and shows the same MB/s.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]

@@ -12,7 +12,7 @@ pub const APPLICATIONS: &str = "usr/usrapp/";
 /// Reads the files of the controller in `examples/NAME/usr`, sorted by path.
 ///
 /// # Panics
-/// The cell or one of its files cannot be read.
+/// The cell or a file in it cannot be read.
 #[track_caller]
 pub fn files(name: &str) -> Cell {
     let root = examples().join(name);
@@ -26,7 +26,7 @@ pub fn files(name: &str) -> Cell {
 /// 1.
 ///
 /// # Errors
-/// There is no such file or line, or more than one such line.
+/// The file or line does not exist, or several lines contain the text.
 pub fn place_of(cell: &Cell, file: &str, text: &str) -> Result<(String, usize), String> {
     let path = format!("{APPLICATIONS}{file}");
     let content = text_of(cell, &path)?;
@@ -41,7 +41,7 @@ pub fn place_of(cell: &Cell, file: &str, text: &str) -> Result<(String, usize), 
 /// Returns the text of the file at `path`, with its byte order mark.
 ///
 /// # Errors
-/// There is no such file, or it is not in UTF-8.
+/// The file does not exist, or is not in UTF-8.
 pub fn text_of(cell: &Cell, path: &str) -> Result<String, String> {
     let (_, bytes) = cell.iter().find(|(known, _)| known == path).ok_or_else(|| format!("no file {path}"))?;
     String::from_utf8(bytes.clone()).map_err(|error| error.to_string())

@@ -1,4 +1,4 @@
-//! Code actions at many places of the example cells, which must keep the laws of refactorings.
+//! Code actions at many positions in the example cells, which must keep the laws of refactorings.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 
@@ -21,7 +21,7 @@ use val3_ide::{SourceChange, assists, resolve_assist};
 use val3_syntax::TextRange;
 use val3_tests::cell;
 
-/// Assists that are offered at some place in the palletiser.
+/// Assists that are offered somewhere in the palletiser.
 const ALWAYS_OFFERED: [&str; 6] =
     ["extract-program", "inline-program", "switch-to-if", "surround-for", "extract-constant", "toggle-access"];
 

@@ -93,7 +93,7 @@ fn check_links(html: &Utf8Path, pages: &BTreeMap<String, String>) {
     }
 }
 
-/// Returns the path of an address on a page.
+/// Returns the path for an address on a page.
 fn joined(page: &str, address: &str) -> String {
     let mut parts: Vec<&str> = page.split('/').collect();
     parts.pop();

@@ -13,7 +13,7 @@ use desk::Desk;
 use val3_ide::{DataEdit, DataTables, Dialect};
 use val3_tests::cell;
 
-/// One of this number of changes of the same kind is checked for errors.
+/// Number of changes of the same kind, of which one is checked for errors.
 const CHECKED: usize = 6;
 
 /// Opens an s6 file with data of every type that can be declared in it.

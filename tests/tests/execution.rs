@@ -24,8 +24,7 @@ mod turns;
 mod user_types;
 mod waiting;
 
-/// Returns an application's output until its end, and the numbers of its tasks' errors. A second run must have the same
-/// events.
+/// Returns an application's entire output and the error numbers of its tasks. A second run must have the same events.
 #[track_caller]
 fn run(listing: &str) -> String {
     let [first, second] = [(), ()].map(|()| Running::start(listing).to_the_end());

@@ -1,4 +1,4 @@
-//! The targets of `fuzz` with the seeds of their corpus: no panic, and the laws hold. Fuzzing itself needs another
+//! The `fuzz` targets with the seeds in their corpus: no panic, and the laws hold. Fuzzing itself needs another
 //! compiler.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]

@@ -156,7 +156,7 @@ fn anonymous(reason: &str) -> String {
     (0..).zip(reason.split('`')).map(|(place, part)| if place % 2 == 0 { part } else { "…" }).collect()
 }
 
-/// Applies each kind of change at some locations, or at all of them.
+/// Applies each kind of change at `count` random locations; `None` means all locations.
 fn outcomes(cell: &mut ChangedCell, count: Option<usize>) -> BTreeMap<Kind, Outcomes> {
     let programs = cell.programs();
     let mut chance = Chance(1);

@@ -34,7 +34,7 @@ fn is_about_structure(kind: &ProblemKind) -> bool {
     matches!(kind, UnexpectedElement { .. } | MissingAttribute { .. } | MissingElement { .. })
 }
 
-/// Where the lines of a text start.
+/// Start offsets of a text's lines.
 struct LineStarts(Vec<u32>);
 
 impl LineStarts {

@@ -85,8 +85,7 @@ fn all_units(db: &dyn Db, projects: &[Project]) -> Vec<CheckUnit> {
     units
 }
 
-/// Findings because of which the controller's compiler rejects a project, at each rule's default level and in the order
-/// of the project's files.
+/// Findings with which the controller's compiler rejects a project, at the rules' default levels and in file order.
 ///
 /// The language determines them ([`ProblemKind::is_refused`]). Settings, excluded files and suppression comments have
 /// no influence.
@@ -94,7 +93,7 @@ pub fn refusals(db: &dyn Db, project: Project) -> Vec<Diagnostic> {
     all_units(db, &[project]).into_iter().flat_map(|unit| unit_refusals(db, unit)).collect()
 }
 
-/// Findings because of which the controller's compiler rejects a unit, which need not be listed in its project.
+/// Findings with which the controller's compiler rejects a unit, which need not be listed in the project.
 pub fn unit_refusals(db: &dyn Db, unit: CheckUnit) -> Vec<Diagnostic> {
     let settings = WorkspaceSettings::default();
     let mut refusals = Vec::new();
@@ -135,12 +134,12 @@ impl Sum for Checked {
     }
 }
 
-/// Faults in a unit that are found without lints: faults of its text, its declarations and its types.
+/// A unit's faults that are found without lints: in the text, the declarations and the types.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct UnitFaults {
     found: Vec<Diagnostic>,
     /// Whether the unit has faults, reported or not. In this case lints do not run, because most of their findings
-    /// would be consequences of the faults.
+    /// would be consequences.
     any: bool,
 }
 
@@ -162,7 +161,7 @@ pub fn check_local(db: &dyn Db, unit: CheckUnit, settings: &WorkspaceSettings, f
     Check::new(db, unit, settings).alone(faults)
 }
 
-/// Third stage of [`check_unit`]: lints that read the whole application.
+/// Third stage of [`check_unit`]: lints that read the entire application.
 pub fn check_in_application(
     db: &dyn Db,
     unit: CheckUnit,
@@ -396,8 +395,8 @@ impl<'db> Check<'db> {
             ProblemKind::MissingAttribute { default: Some(_), .. } => (true, Severity::Warning),
             // The path may name another medium, a connection, or a part of a cell.
             ProblemKind::UnresolvedPath { near: None, .. } => (true, Severity::Info),
-            // No public document lists every instruction of s8. A name that resembles a known one is still a
-            // misspelling, and a name of another language is no instruction of any version.
+            // No public document lists every instruction of s8. A name that resembles a known name is still a
+            // misspelling, and a name from another language is not an instruction in any version.
             ProblemKind::UnknownInstruction { name, near: None, is: None } => {
                 let is_new = project::items(self.db, project).version.language() >= 8;
                 (is_new && foreign_names::remedy(name).is_none(), Severity::Warning)

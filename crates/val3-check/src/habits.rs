@@ -3,7 +3,7 @@
 use val3_lang::foreign_names::remedy;
 use val3_syntax::TextSlice;
 
-/// Advice for a line with a syntax error that is a known construct of another language.
+/// Advice for a line with a syntax error that is a known construct in a different language.
 pub(crate) fn advice(line: &str) -> Option<&'static str> {
     let line = line.trim();
     let code = line.split("//").next().unwrap_or(line).trim();

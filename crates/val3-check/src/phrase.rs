@@ -35,7 +35,7 @@ pub(crate) fn name_kind(kind: NameKind) -> &'static str {
     }
 }
 
-/// Name of an XML part.
+/// Name for an XML part.
 pub(crate) fn xml_part(part: XmlPart) -> &'static str {
     match part {
         XmlPart::Comment => "the comment",

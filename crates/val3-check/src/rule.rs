@@ -47,8 +47,8 @@ pub struct Rule {
 pub(crate) enum Lint {
     /// In each program without faults.
     Program(fn(&ProgramView<'_>, &mut Findings)),
-    /// In each program without faults, with access to the other programs of its application. All rules about the state
-    /// of the arm are of this kind, so that the state is computed once.
+    /// In each program without faults, with access to the application's other programs. All rules about the arm's state
+    /// have this kind, so that the state is computed once.
     Member(fn(&ProgramView<'_>, &mut Findings)),
     /// In each `.dtx`.
     Data(fn(&DataFile<'_>, &mut Findings)),

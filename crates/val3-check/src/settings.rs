@@ -1,4 +1,4 @@
-//! Rules and levels of an application, according to its `val3.toml` and the command line.
+//! An application's rules and levels, according to `val3.toml` and the command line.
 
 mod selectors;
 

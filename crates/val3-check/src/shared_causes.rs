@@ -16,7 +16,7 @@ enum SharedCause<'db> {
     /// A name that variables share with a program or library. Stand-in libraries have the same programs with the same
     /// parameters as the libraries that they replace.
     Name(&'db str),
-    /// A library whose project does not list the used items: the location of its list.
+    /// A library whose project does not list the used items: location of the list.
     Library(FileRange),
     /// An unreadable file of a cell: the folder of the cell's `Disk://`, and the file's path in the cell.
     CellFile(&'db Utf8Path, &'db str),

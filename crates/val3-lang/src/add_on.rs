@@ -23,7 +23,7 @@ use crate::{
 /// An add-on's instructions for one kind of arm.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AddOnTable {
-    /// VAL 3 version in the table, as written.
+    /// VAL 3 version as written in the table.
     pub version: Option<String>,
     instructions: Vec<AddOnInstruction>,
     /// Index in `instructions` by name.

@@ -1,8 +1,8 @@
 //! An instruction call at run time: its arguments, and its access to the controller.
 //!
-//! The handler of a form is a function whose parameters have the types of its syntax line ([`FromArgument`]), and whose
+//! A form's handler is a function whose parameters have the types in its syntax line ([`FromArgument`]), and whose
 //! result has the line's type ([`InstructionValue`]). It accesses data through the memory and everything else through
-//! [`Ports`] and [`Tasks`]. A waiting instruction is called again in each turn of its task until it is done.
+//! [`Ports`] and [`Tasks`]. A waiting instruction is called again in every turn of its task until it is done.
 
 mod from_argument;
 mod handler_result;
@@ -105,7 +105,7 @@ pub struct Call<'c> {
 }
 
 impl<'c> Call<'c> {
-    /// Creates a call with these arguments, whose value is written to `result`.
+    /// Creates a call with these arguments and the destination `result` for its value.
     #[inline]
     pub fn new(
         (memory, ports, tasks): (&'c mut Memory, &'c mut dyn Ports, &'c mut dyn Tasks),

@@ -2,13 +2,15 @@
 
 /// Declares the instruction of a file.
 ///
-/// The doc comment is its page. The head line gives name, family and manual section, then the clauses
-/// `blocking`, `role(effect on the recorded moves)`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
-/// a form: `function` (only yields a value) or `modifier` (can be a statement), parameters as in a syntax line, `->
-/// type` for a value, `on library` for a form of a library identifier, `since major` for a younger form, `seen
-/// in_programs` for a form that the manual does not print, `= function` for its handler, whose parameters are those of the line ([`FromArgument`](crate::call::FromArgument)). Instead of a
-/// type a parameter says `any`, `Whole`, `Slot`, `Item` ([`Shape`](crate::instruction::Shape)) or `program` (the call
-/// of a program).
+/// The doc comment is the instruction's page. The head line contains name, family and manual section, then the clauses
+/// `blocking`, `role(effect on the recorded moves)`, `errors [numbers]`, `since major`, `until major` and `with_add_on
+/// "name"`.
+///
+/// Every further line is a form: `function` (only returns a value) or `modifier` (can be a statement), parameters as in
+/// a syntax line, `-> type` for a value, `on library` for a form of a library identifier, `since major` for a form in
+/// later versions, `seen in_programs` for a form that the manual does not contain, `= function` for the handler, whose
+/// parameters have the types in the line ([`FromArgument`](crate::call::FromArgument)). In place of a type, a parameter
+/// has `any`, `Whole`, `Slot`, `Item` ([`Shape`](crate::instruction::Shape)) or `program` (a program call).
 macro_rules! instruction {
     (
         $(#[doc = $line:literal])*
@@ -46,7 +48,7 @@ macro_rules! instruction {
 }
 pub(crate) use instruction;
 
-/// [`MotionRole`](crate::motion::MotionRole) of an instruction: `Arrive`, or `Move` with its path.
+/// [`MotionRole`](crate::motion::MotionRole) of an instruction: `Arrive`, or `Move` with a path.
 macro_rules! role {
     (Move $path:ident) => {
         $crate::motion::MotionRole::Move($crate::motion::RequestedPath::$path)

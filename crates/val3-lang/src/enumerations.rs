@@ -62,7 +62,7 @@ pub fn find_in_file(ty: BaseType, name: &str) -> Option<&'static Enumerator> {
     values(ty).find(|row| row.file_name.eq_ignore_ascii_case(name))
 }
 
-/// Kind of the blend with this number in memory: the position of its enumerator. Other numbers are the default.
+/// Blend kind with this number in memory, which is the enumerator's position. Other numbers are the default.
 #[must_use]
 pub const fn blend_of(number: f64) -> BlendKind {
     match number {

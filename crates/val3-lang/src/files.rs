@@ -180,7 +180,7 @@ const DATA: &[ElementPage] = &[
     root("dataList", "DataNameSpace", &[]),
 ];
 
-/// A data element of the old dialect is named after its type, and its size is the number of its values.
+/// A data element in the old dialect has its type as name, and its size is the number of values.
 const OLD_DATA: ElementPage = item(
     "",
     &[required("name"), optional("public", "false").of(TRUTH), optional("privilege", "0"), optional("size", "1")],

@@ -43,8 +43,8 @@ pub struct Overload {
     pub params: &'static [InstructionParam],
     /// Type of the result; `None` without a result.
     pub result: Option<BaseType>,
-    /// Whether the form can be a statement. Forms of one name may differ: `insert` modifies a container, but only
-    /// returns the new string for a string.
+    /// Whether the form can be a statement. Forms with the same name may differ: `insert` modifies a container, but
+    /// only returns the new string for a string.
     pub class: CallClass,
     /// First major version with this form, if it was added after the instruction.
     pub since: Option<u8>,
@@ -171,7 +171,7 @@ impl Instruction {
         }
     }
 
-    /// The add-on that brings the instruction, if it comes with one.
+    /// Add-on that contains the instruction.
     #[must_use]
     pub fn add_on(&self) -> Option<&'static str> {
         match self.availability {

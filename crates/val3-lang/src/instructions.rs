@@ -1,6 +1,6 @@
 //! Instruction catalogue: all instructions with their forms and pages.
 //!
-//! An instruction is one file in the folder of its family, and one line here.
+//! An instruction is one file in its family's folder, and one line here.
 
 use std::sync::LazyLock;
 
@@ -347,10 +347,10 @@ pub const FROM_BINARY: &str = "fromBinary";
 /// Changes a parameter of a serial line or socket (3.7.3).
 pub const SIO_CTRL: &str = "sioCtrl";
 
-/// Changes one dimension of an array (2.5.5). Arguments: array, dimension, size.
+/// Changes one array dimension (2.5.5). Arguments: array, dimension, size.
 pub const RESIZE: &str = "resize";
 
-/// Returns the size of an array.
+/// Returns an array's size.
 pub const SIZE: &str = "size";
 
 /// Cancels the recorded moves.
@@ -377,10 +377,10 @@ pub const ON_GRIPPERS: [&str; 2] = ["open", "close"];
 /// Raises a number to a power (3.2.3). Arguments: base, exponent.
 pub const POWER: &str = "power";
 
-/// Instructions that change the size of an array (2.5.4, 2.5.5). None of them accepts a local array.
+/// Instructions that change array sizes (2.5.4, 2.5.5). They reject local arrays.
 const RESIZING: [&str; 4] = ["insert", "delete", "append", RESIZE];
 
-/// Whether the instruction changes the size of its array argument.
+/// Whether the instruction changes its array argument's size.
 #[must_use]
 pub fn resizes(name: &str) -> bool {
     RESIZING.contains(&name)
@@ -414,7 +414,7 @@ pub fn takes_any_key(name: &str) -> bool {
     matches!(name, IS_DEFINED | "next" | "prev")
 }
 
-/// Whether the instruction returns a point in the frame of its argument (9.6.3).
+/// Whether the instruction returns a point in its argument's frame (9.6.3).
 #[must_use]
 pub fn gives_point_in_frame(name: &str) -> bool {
     matches!(name, "here" | "jointToPoint")

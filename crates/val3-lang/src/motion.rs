@@ -1,97 +1,96 @@
-//! The meaning of instructions for the arm: which record moves, which wait for it, and which need a reference (9, 10).
+//! Effects of instructions on the arm: recording moves, waiting for them, and required references (9, 10).
 //!
-//! The program runs ahead of the arm: a move is recorded, and the arm makes it later (10.2).
+//! The program runs ahead of the arm: a move is recorded first and executed later (10.2).
 
 use crate::enumerations::Enumerator;
 use crate::instruction::{ArgumentForm, Family, Instruction, InstructionParam, Overload};
 use crate::types::{BaseType, ValueAttribute};
 
-/// The field of a motion descriptor with the speed of the axes in per cent of the nominal one, and its attribute in data
+/// Motion descriptor field for the axis speed, in per cent of the nominal speed, and the field's attribute in data
 /// files (10.5.1).
 pub const AXIS_SPEED: &str = "vel";
 
-/// The effect of an instruction on the recorded moves.
+/// Effect of an instruction on recorded moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MotionRole {
     /// Records a move.
     Move(RequestedPath),
-    /// Waits until the arm has made every recorded move. The arm stops there: a blend of the last one is lost
-    /// (9.5.4, 10.1.2.2).
+    /// Waits until all recorded moves are done. The arm stops there: the last move's blend is lost (9.5.4, 10.1.2.2).
     Arrive,
-    /// Stops the arm; what is recorded waits until it may go on (10.6).
+    /// Stops the arm; recorded moves wait until it is released (10.6).
     Stop,
-    /// Lets a stopped arm go on (10.6).
+    /// Releases a stopped arm (10.6).
     Restart,
-    /// Forgets every recorded move; a stopped arm may go on (10.6, 11.5.2).
+    /// Discards all recorded moves and releases a stopped arm (10.6, 11.5.2).
     Reset,
-    /// Tells where the arm is at this moment (9.2.3, 9.6.3).
+    /// Returns the arm's current position (9.2.3, 9.6.3).
     Position,
-    /// Tells how far the arm has got with the recorded moves (10.4, 10.6).
+    /// Returns the progress of recorded moves (10.4, 10.6).
     Progress,
 }
 
-/// The path of a move.
+/// Path of a move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum RequestedPath {
     /// All axes start and arrive together; the arm may change its configuration.
     Joint,
-    /// A line or circle of the tool: the arm keeps its configuration (10.1.4.2).
+    /// A line or circle of the tool; the configuration does not change (10.1.4.2).
     Cartesian,
-    /// The arm gives way to forces. It stops at both ends of the move, whatever the blend says (11.1.4).
+    /// The arm yields to forces. It stops at both ends of the move, independent of the blend (11.1.4).
     Compliant,
-    /// Altered while the arm moves (11.2).
+    /// Path that is altered while the arm moves (11.2).
     Altered,
 }
 
-/// The instruction moves the arm or asks how it is built or where it is.
+/// Whether the instruction needs an arm: it moves the arm, or uses its position or geometry.
 #[must_use]
 pub fn needs_arm(instruction: &Instruction) -> bool {
     matches!(instruction.family, Family::Motion | Family::Geometry | Family::Options)
 }
 
-/// The position of the target among the arguments of a move: its last point or joint.
+/// Returns the target's position among a move's arguments: the last point or joint.
 #[must_use]
 pub fn target(form: &Overload) -> Option<usize> {
     form.params.iter().rposition(|param| matches!(param.ty, Some(BaseType::Point | BaseType::Joint)))
 }
 
-/// The position of the motion descriptor among the arguments of a move.
+/// Returns the motion descriptor's position among a move's arguments.
 #[must_use]
 pub fn descriptor(form: &Overload) -> Option<usize> {
     form.params.iter().position(|param| param.ty == Some(BaseType::Mdesc))
 }
 
-/// The position of the tool among the arguments of a move.
+/// Returns the tool's position among a move's arguments.
 #[must_use]
 pub fn tool(form: &Overload) -> Option<usize> {
     form.params.iter().position(|param| param.ty == Some(BaseType::Tool))
 }
 
-/// `instruction` yields the point that it is given, moved by a transformation along the axes of that point (9.6.3).
+/// Whether `instruction` returns its argument point, moved by a transformation along the point's own axes (9.6.3).
 #[must_use]
 pub fn moves_along_own_axes(instruction: &Instruction) -> bool {
     instruction.name == "appro"
 }
 
-/// The point that `instruction` yields is reached in the configuration of the point it is given (9.6.3).
+/// Whether the returned point has the configuration of the argument point (9.6.3).
 #[must_use]
 pub fn keeps_configuration(instruction: &Instruction) -> bool {
     matches!(instruction.name, "appro" | "compose")
 }
 
-/// The move continues around its target instead of stopping there (10.1.2.1).
+/// Whether the move blends into the next move instead of stopping at its target (10.1.2.1).
 #[must_use]
 pub fn is_blend(choice: &Enumerator) -> bool {
     choice.ty == BaseType::Blend && choice.name != "off"
 }
 
-/// The attribute of a motion descriptor says whether and how the corner at the target is rounded (10.1.2).
+/// Whether this motion descriptor attribute determines the blend at the target (10.1.2).
 #[must_use]
 pub fn rounds_corner(attribute: &ValueAttribute) -> bool {
     matches!(attribute.field, "blend" | "leave" | "reach")
 }
 
-/// The configuration is asked for outright, instead of being kept or left to the arm (9.7.2).
+/// Whether the configuration is explicitly set, instead of `same` or `free` (9.7.2).
 #[must_use]
 pub fn is_definite(choice: &Enumerator) -> bool {
     matches!(choice.ty, BaseType::Shoulder | BaseType::Elbow | BaseType::Wrist)
@@ -99,8 +98,8 @@ pub fn is_definite(choice: &Enumerator) -> bool {
         && !choice.name.ends_with("free")
 }
 
-/// The run-time error for a value of this type without a reference frame or tool (9.4 to 9.6); `None` for types that
-/// have no reference.
+/// Returns the run-time error for a value of this type without a reference frame or tool (9.4 to 9.6); `None` for types
+/// without references.
 #[must_use]
 pub fn missing_reference(ty: BaseType) -> Option<u16> {
     match ty {
@@ -111,8 +110,8 @@ pub fn missing_reference(ty: BaseType) -> Option<u16> {
     }
 }
 
-/// Whether `instruction` fails where the argument for `param` has no reference: each move does, and any other
-/// instruction for which the manual names such an error.
+/// Whether `instruction` fails if the argument for `param` has no reference. This applies to moves, and to other
+/// instructions for which the manual lists this error.
 #[must_use]
 pub fn needs_reference(instruction: &Instruction, param: &InstructionParam) -> bool {
     let Some(error) = param.ty.and_then(missing_reference) else { return false };

@@ -1,4 +1,4 @@
-//! Poses of points, frames and tools in millimetres, and move requests with them (9.6.3, 10.6, 11.1, 11.2).
+//! Poses of points, frames and tools in mm, and move requests with these poses (9.6.3, 10.6, 11.1, 11.2).
 
 use val3_geometry::{IsometryMatrix3, Trsf, chain};
 use val3_kinematics::Joints;
@@ -13,13 +13,13 @@ use crate::runtime_errors::{ANOTHER_ARM, INVALID_PARAMETER};
 use crate::types::Arm;
 use crate::values::{ConfigValue, MdescValue};
 
-/// The greatest force of a compliant move, in per cent of the nominal load (11.1.4).
+/// Maximum force of a compliant move, in per cent of the nominal load (11.1.4).
 const GREATEST_FORCE: f64 = 1000.0;
 
 /// Path of a joint move to a joint position.
 ///
 /// # Errors
-/// 81.
+/// 81 for a controller with another kind of arm.
 pub(crate) fn joint_path(call: &mut Call<'_>, joint: Joints) -> Result<MovePath> {
     check_arm(call)?;
     Ok(MovePath::Joint(joint))
@@ -28,7 +28,7 @@ pub(crate) fn joint_path(call: &mut Call<'_>, joint: Joints) -> Result<MovePath>
 /// Path of a joint move to a point.
 ///
 /// # Errors
-/// 81, 161 to 163.
+/// 81 for a controller with another kind of arm, 161 to 163 if the pose cannot be computed.
 pub(crate) fn joint_path_to_point(call: &mut Call<'_>, point: PointRef) -> Result<MovePath> {
     check_arm(call)?;
     Ok(MovePath::JointToPoint(move_target(call, point)?))
@@ -37,7 +37,7 @@ pub(crate) fn joint_path_to_point(call: &mut Call<'_>, point: PointRef) -> Resul
 /// Straight path to a point.
 ///
 /// # Errors
-/// 81, 161 to 163.
+/// 81 for a controller with another kind of arm, 161 to 163 if the pose cannot be computed.
 pub(crate) fn line(call: &mut Call<'_>, point: PointRef) -> Result<MovePath> {
     check_arm(call)?;
     Ok(MovePath::Line(move_target(call, point)?))
@@ -46,13 +46,13 @@ pub(crate) fn line(call: &mut Call<'_>, point: PointRef) -> Result<MovePath> {
 /// Circular path through an intermediate point to a point.
 ///
 /// # Errors
-/// 81, 161 to 163.
+/// 81 for a controller with another kind of arm, 161 to 163 if the pose cannot be computed.
 pub(crate) fn circle(call: &mut Call<'_>, intermediate: PointRef, point: PointRef) -> Result<MovePath> {
     check_arm(call)?;
     Ok(MovePath::Circle(pose_of_point(call, intermediate)?, move_target(call, point)?))
 }
 
-/// Records a move and returns its id; the task waits while no more moves can be recorded.
+/// Records a move and returns its id. The task waits while no more moves can be recorded.
 ///
 /// # Errors
 /// 100 to 106, 150, 154, 160, 164, 250.
@@ -70,18 +70,18 @@ pub(crate) fn record(
     Ok(call.ports.record_move(&request)?.map_or(Flow::Wait(Wait::FOR_OTHERS), Flow::Done))
 }
 
-/// A compliant manner with a force in per cent of the nominal load.
+/// Returns the compliant manner with a force in per cent of the nominal load.
 ///
 /// # Errors
-/// 70 beyond 1000 per cent.
+/// 70 if the force exceeds 1000 per cent in either direction.
 pub(crate) fn compliant(force: f64) -> Result<Manner> {
     if force.abs() <= GREATEST_FORCE { Ok(Manner::Compliant(Percent(force))) } else { Err(Fault(INVALID_PARAMETER)) }
 }
 
-/// The positions of the application are for the kind of arm that the controller has.
+/// Checks that the application's positions are for the controller's kind of arm.
 ///
 /// # Errors
-/// 81 if they are not.
+/// 81 for another kind of arm.
 pub(crate) fn check_arm(call: &mut Call<'_>) -> Result<()> {
     let own = if call.ports.arm().is_scara() { Arm::Scara } else { Arm::SixAxis };
     if call.arm.is_some_and(|arm| arm != own) { Err(Fault(ANOTHER_ARM)) } else { Ok(()) }
@@ -92,7 +92,7 @@ fn move_target(call: &Call<'_>, point: PointRef) -> Result<MoveTarget> {
     Ok(MoveTarget { pose: pose_of_point(call, point)?, configuration })
 }
 
-/// A point in `world`.
+/// Returns a point's pose in `world`.
 ///
 /// # Errors
 /// 161 to 163.
@@ -100,7 +100,7 @@ pub(crate) fn pose_of_point(call: &Call<'_>, point: PointRef) -> Result<Isometry
     references::of_point(call.memory, point).map(|way| pose(call, &way))
 }
 
-/// A frame in `world`.
+/// Returns a frame's pose in `world`.
 ///
 /// # Errors
 /// 161, 163.
@@ -108,7 +108,7 @@ pub(crate) fn pose_of_frame(call: &Call<'_>, frame: FrameRef) -> Result<Isometry
     references::of_frame(call.memory, frame).map(|way| pose(call, &way))
 }
 
-/// A tool centre point on the flange.
+/// Returns a tool centre point's pose on the flange.
 ///
 /// # Errors
 /// 160, 164.
@@ -116,7 +116,7 @@ pub(crate) fn pose_of_tool(call: &Call<'_>, tool: ToolRef) -> Result<IsometryMat
     references::of_tool(call.memory, tool).map(|way| pose(call, &way))
 }
 
-/// A transformation of the application in millimetres.
+/// Converts a transformation from the application's length unit to mm.
 pub(crate) fn in_millimetres(call: &Call<'_>, trsf: &Trsf) -> IsometryMatrix3<f64> {
     trsf.scaled(call.unit.millimetres()).isometry()
 }
@@ -127,7 +127,7 @@ fn pose(call: &Call<'_>, way: &[Trsf]) -> IsometryMatrix3<f64> {
     pose
 }
 
-/// The place of a tool at a joint position, as a point in a frame with the configuration of the arm there.
+/// Returns a tool's pose at a joint position, as a point in `frame` with the arm's configuration.
 ///
 /// # Errors
 /// 160, 161, 163, 164.

@@ -2,7 +2,7 @@
 //!
 //! The manual contains one table for each type, in ascending order of precedence (3.1.2, 3.2.2, 3.4.2, 3.5.2, 3.7.2,
 //! 9.2.2, 9.3.3, 9.4.3, 9.5.3, 9.6.2, 9.7.3, 10.5.2). The tables are consistent with each other and with these groups,
-//! in which the operators of one group have equal precedence and are left-associative:
+//! in which all operators in a group have equal precedence and are left-associative:
 //!
 //! ```text
 //! or  <  and  <  xor  <  == !=  <  >= > <= <  <  - +  <  % / *  <  unary - !
@@ -150,8 +150,8 @@ pub fn binary(op: BinaryOp, left: BaseType, right: BaseType) -> Option<BaseType>
     }
 }
 
-/// Type of both operands of an operator if they are written in braces; `None` if the operator does not determine it.
-/// Transformations are the only structures that can be multiplied.
+/// Type of both operands if they are written in braces; `None` if the operator does not determine it. Transformations
+/// are the only structures that can be multiplied.
 #[must_use]
 pub fn structure(op: BinaryOp) -> Option<BaseType> {
     (op == BinaryOp::Multiply).then_some(BaseType::Trsf)

@@ -1,7 +1,7 @@
-//! Ports: the interfaces through which instructions reach outside the program. The controller implements them.
+//! Ports: interfaces through which instructions access everything outside the program. The controller implements them.
 //!
-//! The catalogue names them and never runs them; the virtual controller gives each a body. Times are in nanoseconds of
-//! the controller's clock.
+//! Handlers of instructions call the ports; this crate contains no implementation, except for tests. Times are in
+//! nanoseconds on the controller's clock.
 
 mod io;
 mod media;
@@ -24,115 +24,117 @@ use crate::memory::View;
 use crate::types::BaseType;
 use crate::values::Text;
 
-/// Everything outside programs and their data.
+/// All ports of the controller.
 pub trait Ports: IoPort + Serial + Screen + Robot + MotionPort + MediaPort {
-    /// The origin of the next calls. The runtime sets it before each instruction.
+    /// Sets the origin of the next calls. The runtime calls this before each instruction.
     fn origin(&mut self, origin: Origin);
 
-    /// A task was created, has ended, or has changed its state. `at` is where it is; `None` for the one that runs.
+    /// Reports that a task was created, has ended or has changed its state. `at` is the task's current line; `None` for
+    /// the running task.
     fn task(&mut self, task: TaskNumber, name: &str, change: TaskChange, at: Option<CodePlace>);
 
-    /// The number of an input, output or line by its path in a file (`BasicIO-1\%I0`); `None` where there is none.
+    /// Returns the number of the input, output or serial line with this path as in files (`BasicIO-1\%I0`); `None` if
+    /// it does not exist.
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32>;
 }
 
-/// A task, by its number in the order of creation.
+/// Task number, in the order of creation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct TaskNumber(pub u64);
 
-/// Where and when something happens.
+/// Time and code line of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Origin {
-    /// When.
+    /// Time.
     pub time: Time,
-    /// The task.
+    /// Task.
     pub task: TaskNumber,
-    /// The line.
+    /// Line.
     pub at: CodePlace,
 }
 
-/// A line of a program in memory.
+/// Line of a program in memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct CodePlace {
-    /// The application or library, by number.
+    /// Number of the application or library.
     pub instance: u16,
-    /// The program, by number.
+    /// Number of the program.
     pub program: u16,
-    /// The first operation of the line.
+    /// Index of the line's first operation.
     pub line: u32,
 }
 
-/// An event of a task.
+/// Change in a task's state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TaskChange {
-    /// It was created.
+    /// Created.
     Created,
-    /// Its program has ended.
+    /// The task's program has ended.
     Ended,
-    /// It was halted.
+    /// Suspended.
     Halted,
-    /// It continues.
+    /// Resumed.
     Resumed,
-    /// It was killed.
+    /// Killed.
     Killed,
-    /// An error has stopped it.
+    /// Stopped by a run-time error.
     Failed(Fault),
 }
 
-/// Work of the run time for an instruction after its handler; the resulting code is the value of the instruction (6.6).
+/// Work that the runtime performs after an instruction's handler; the resulting code is the instruction's value (6.6).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RuntimeRequest {
     /// Loads a library under an identifier (6.7).
     Load {
-        /// The identifier, by number.
+        /// Number of the library identifier.
         library: u16,
-        /// The path as the program writes it.
+        /// Path as the program writes it.
         path: Text,
-        /// The public password, where the library is encrypted.
+        /// Public password, for an encrypted library.
         password: Text,
     },
     /// Saves a library, or the application itself.
     Save {
-        /// The identifier, by number.
+        /// Number of the library identifier; `None` for the application itself.
         library: Option<u16>,
-        /// Where to; where it was loaded from if nothing is said.
+        /// Destination; `None` for the path from which the library was loaded.
         path: Option<Text>,
     },
 }
 
-/// Tasks and libraries, as the task that calls sees them: those of its own application or library (5.3).
+/// Tasks and libraries of the calling task's application or library (5.3).
 pub trait Tasks {
-    /// The result of `taskStatus`.
+    /// Returns the result of `taskStatus`.
     fn status(&self, name: &str) -> i16;
 
-    /// Halts a task.
+    /// Suspends a task.
     ///
     /// # Errors
-    /// 30 if there is no such task.
+    /// 30 if the task does not exist.
     fn suspend(&mut self, name: &str) -> Result<()>;
 
-    /// Resumes a halted task `skip` lines after its line.
+    /// Resumes a suspended task `skip` lines after its current line.
     ///
     /// # Errors
-    /// 30 if there is no such task, 90 if there is no such line.
+    /// 30 if the task does not exist, 90 if the line does not exist.
     fn resume(&mut self, name: &str, skip: f64) -> Result<()>;
 
-    /// Ends a task; nothing happens where there is none. It is gone when the turn of the caller ends.
+    /// Kills a task, if it exists. It is removed at the end of the caller's turn.
     fn kill(&mut self, name: &str);
 
-    /// Global data by the name that `getData` takes, without its index: `name`, `library:name`.
+    /// Finds global data by the name in `getData` without index: `name`, `library:name`.
     ///
     /// # Errors
-    /// That of `getData`: -1 no such data, -2 no such library identifier.
+    /// Result of `getData`: -1 for unknown data, -2 for an unknown library identifier.
     fn data(&self, name: &str) -> std::result::Result<View, i16>;
 
-    /// Asks for what only the run time can do.
+    /// Requests work from the runtime.
     fn request(&mut self, request: RuntimeRequest);
 
-    /// The path that a library was loaded from; of the application itself without an identifier. Empty where nothing
-    /// is loaded.
+    /// Returns the path from which a library was loaded, or the application's path without an identifier. Empty if no
+    /// library is loaded.
     fn path(&self, library: Option<u16>) -> String;
 
-    /// Whether a library has public data of this name, or with `()` after it a public program (6.7).
+    /// Whether a library has public data with this name, or a public program if `()` follows the name (6.7).
     fn exports(&self, library: u16, symbol: &str) -> bool;
 }

@@ -3,7 +3,7 @@
 /// Prefix of test names.
 const TEST: &str = "test";
 
-/// Program that is executed before each test of its application.
+/// Program that is executed before each test in its application.
 pub const SETUP: &str = "setup";
 
 /// Program that is executed after each test.
@@ -18,13 +18,13 @@ pub const ASSERTIONS: &str = "val3assert";
 /// Program of the library that every failed assertion calls with its message.
 pub const FAILURE: &str = "fail";
 
-/// Whether a program of an application with tests is a test.
+/// Whether a program in an application with tests is a test.
 #[must_use]
 pub fn is_test(program: &str) -> bool {
     program.starts_with(TEST)
 }
 
-/// Whether a program of an application with tests is executed by name: a test, `setup` or `teardown`.
+/// Whether a program in an application with tests is executed by name: a test, `setup` or `teardown`.
 #[must_use]
 pub fn is_executed(program: &str) -> bool {
     is_test(program) || [SETUP, TEARDOWN].contains(&program)

@@ -95,13 +95,13 @@ impl Version {
         self.major >= 7
     }
 
-    /// Whether collections and arrays of two and three dimensions exist (s7 on).
+    /// Whether collections and multidimensional arrays exist (from s7 on).
     #[must_use]
     pub fn has_collections(self) -> bool {
         self.major >= 7
     }
 
-    /// Whether `dio = dio` copies the state of an input to an output (before s7; 3.5.2).
+    /// Whether `dio = dio` copies an input's state to an output (before s7; 3.5.2).
     #[must_use]
     pub fn assigns_dio_to_dio(self) -> bool {
         self.major < 7

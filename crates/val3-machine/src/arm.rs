@@ -52,7 +52,7 @@ pub struct RobotArm {
     model: Arc<Arm>,
     /// Whether the settings or the cell name the model. Otherwise it is the default model for the kind of arm.
     is_chosen: bool,
-    /// The note for the user when a program first needs the arm.
+    /// Note for the user when a program first needs the arm.
     notice: Option<String>,
     motion: Motion,
     /// Instructions of the moves that are not done, by serial number.
@@ -63,7 +63,7 @@ pub struct RobotArm {
     connects_by_itself: bool,
     /// Whether the operator has requested the return to the path.
     connects_on_request: bool,
-    /// The state after the last cycle.
+    /// State after the last cycle.
     sample: Sample,
     feedback: Feedback,
     latch: Option<Latch>,
@@ -78,9 +78,9 @@ pub struct RobotArm {
 /// Reason why a move is not recorded.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MoveError {
-    /// A move recorded before cannot be done.
+    /// A move that was recorded before cannot be executed.
     Earlier(Cause),
-    /// This move cannot be done.
+    /// This move cannot be executed.
     Refused(Cause),
 }
 
@@ -109,7 +109,7 @@ impl RobotArm {
         if is_scara { DEFAULT_SCARA } else { DEFAULT_SIX_AXIS }
     }
 
-    /// Notes that the cell names an unknown arm; the default arm remains.
+    /// Records that the cell names an unknown arm; the default arm remains.
     pub fn miss(&mut self, name: &str) {
         self.notice = Some(format!(
             "the arm `{name}` of arm.cfx is unknown: this run has a {}; describe yours in a file (--arm FILE.toml)",
@@ -220,7 +220,7 @@ impl RobotArm {
     }
 }
 
-/// The state of the arm.
+/// Arm state.
 impl RobotArm {
     /// Commanded joint position.
     #[must_use]
@@ -234,7 +234,7 @@ impl RobotArm {
         self.feedback.measured()
     }
 
-    /// The state after the last cycle.
+    /// State after the last cycle.
     #[must_use]
     pub const fn sample(&self) -> &Sample {
         &self.sample
@@ -336,7 +336,7 @@ impl RobotArm {
     /// Records a move of the instruction at a line and returns its id; `None` while no more moves can be recorded.
     ///
     /// # Errors
-    /// The move, or a move recorded before, cannot be done.
+    /// The move, or a move that was recorded before, cannot be executed.
     pub fn record(&mut self, request: &MoveRequest, at: CodePlace) -> Result<Option<f64>, MoveError> {
         if let Some(cause) = self.motion.fault() {
             return Err(MoveError::Earlier(cause.clone()));
@@ -359,7 +359,7 @@ impl RobotArm {
     /// done.
     ///
     /// # Errors
-    /// A recorded move cannot be done.
+    /// A recorded move cannot be executed.
     pub fn arrive(&mut self, at: CodePlace) -> Result<bool, MoveError> {
         self.motion.close().map_err(MoveError::Earlier)?;
         for cancelled in self.motion.moves().filter(|queued| queued.cancelled.is_some()) {
@@ -390,22 +390,22 @@ impl RobotArm {
         self.next_id = 0.0;
     }
 
-    /// `setMoveId`: the id of the next move.
+    /// `setMoveId`: sets the id of the next move.
     pub fn set_next_move(&mut self, id: f64) {
         self.next_id = id;
     }
 
-    /// `alterBegin`: its result.
+    /// `alterBegin`: returns its result.
     pub fn begin_alter(&mut self, reference: AlterReference, limits: &MdescValue) -> i8 {
         self.motion.alter_begin(reference, request::limits(&self.model, limits)).code()
     }
 
-    /// `alter`: its result.
+    /// `alter`: returns its result.
     pub fn alter(&mut self, transformation: &IsometryMatrix3<f64>) -> i8 {
         self.motion.alter(*transformation).code()
     }
 
-    /// `alterEnd`: its result.
+    /// `alterEnd`: returns its result.
     pub fn end_alter(&mut self) -> i8 {
         self.motion.alter_end().code()
     }
@@ -452,7 +452,7 @@ impl RobotArm {
         self.feedback.advance(self.sample.joints);
     }
 
-    /// Events of moves since the last call, with their instructions.
+    /// Removes and returns move events with their instructions.
     pub fn take_events(&mut self) -> Vec<(MoveEvent, Option<MoveOrigin>)> {
         let events = self.motion.take_events();
         events.into_iter().map(|event| (event, self.origins.get(&event.serial).copied())).collect()
@@ -470,7 +470,8 @@ impl RobotArm {
         }
     }
 
-    /// Fault of the path before which the arm has come to rest since the last call, with the move's instruction.
+    /// Returns the fault of the path before which the arm has come to rest since the last call, with the move's
+    /// instruction.
     pub fn take_fault(&mut self) -> Option<(PathFault, Option<MoveOrigin>)> {
         let is_new = !std::mem::replace(&mut self.has_reported_fault, self.motion.stuck().is_some());
         self.motion.stuck().filter(|_| is_new).cloned().map(|fault| self.with_origin(fault))

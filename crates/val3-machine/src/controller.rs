@@ -322,7 +322,7 @@ impl Controller {
         self.script.next_due()
     }
 
-    /// Whether an error has stopped a task and nothing has changed that.
+    /// Whether a task is still stopped by an error.
     #[must_use]
     pub fn has_failed_tasks(&self) -> bool {
         self.vm.tasks().iter().any(|task| matches!(task.state, TaskState::Failed(_)))
@@ -347,8 +347,7 @@ impl Controller {
         self.vm.tasks().iter().any(|task| Some(task.id) == self.lead)
     }
 
-    /// Whether the application has tasks. Tasks of its libraries do not keep it running: they are killed after `stop`
-    /// (2.1.3).
+    /// Whether the application has tasks. Library tasks do not keep it running: they are killed after `stop` (2.1.3).
     fn has_tasks(&self) -> bool {
         self.vm.tasks().iter().any(|task| task.owner == self.application)
     }

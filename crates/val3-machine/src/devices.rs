@@ -140,7 +140,7 @@ impl Devices {
         }
     }
 
-    /// Stores the loaded files of an application or library, so that it can be saved.
+    /// Stores the loaded files of the instance, so that it can be saved.
     pub fn keep_files(&mut self, instance: InstanceId, path: &str) {
         if let Ok(files) = self.outside.files(path) {
             self.state.loaded.keep_files(instance.0, files);

@@ -238,7 +238,7 @@ pub enum EventKind {
     },
 }
 
-/// End reason in the record of a run: the serialised form of a [`RunStatus`].
+/// End reason in a run's record: the serialised form of an [`Outcome`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EndReason {
@@ -246,7 +246,7 @@ pub enum EndReason {
     Finished,
     /// The application was stopped from outside.
     Stopped,
-    /// The time of the run was up.
+    /// The run has reached its time limit.
     Limit,
     /// No task could continue, or the controller does not support an instruction.
     Error,

@@ -1,6 +1,6 @@
-//! A script of events from outside during a run: `val3 run --script`.
+//! Script of external events during a run: `val3 run --script`.
 //!
-//! A script is a TOML file. Each `[[at]]` contains the time `t` of an event, in seconds since the start, and the event:
+//! A script is a TOML file. Each `[[at]]` contains an event and its time `t`, in seconds since the start:
 //!
 //! ```toml
 //! [[at]]

@@ -1,4 +1,4 @@
-//! Shapes of an arm for viewers, without effect on the motion.
+//! Arm shapes for viewers, without effect on the motion.
 
 use std::sync::Arc;
 

@@ -62,7 +62,7 @@ fn fault(file: &ConfigFile, instruction: &str, message: String, help: String) ->
 /// A message with its help.
 type AddOnFault = (String, String);
 
-/// Checks that a program can be called in place of an instruction.
+/// Checks that a program can replace an instruction.
 fn check(
     db: &Database,
     user: Project,

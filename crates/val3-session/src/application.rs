@@ -22,11 +22,11 @@ use crate::settings::ControllerSettings;
 use crate::stand_ins::{self, StandIn, StandInFault};
 use crate::{arm, controller, grants, io_library, readable};
 
-/// An application with everything that it references.
+/// An application and its referenced libraries and files.
 pub struct Application {
     workspace: Workspace,
     project: Project,
-    /// Libraries that are loaded in place of others.
+    /// Libraries that are loaded in place of other libraries.
     stand_ins: Vec<StandIn>,
 }
 
@@ -117,7 +117,7 @@ impl Application {
         val3_check::refusals(self.db(), self.project)
     }
 
-    /// Checks that all files of the application, of the projects that it loads, and of its cell were read.
+    /// Checks that all files of the application, its loaded projects and its cell were read.
     ///
     /// # Errors
     /// If a file cannot be read.
@@ -155,8 +155,7 @@ impl Application {
         io_library::missing(self.db(), self.project)
     }
 
-    /// Opens a controller with `image` in memory and the inputs, outputs, lines and folders of its cell. No task runs
-    /// yet.
+    /// Opens a controller with `image` in memory and the cell's inputs, outputs, lines and folders. No task runs yet.
     ///
     /// # Errors
     /// If a setting is invalid, if a folder or line cannot be opened, or if memory is insufficient.

@@ -23,7 +23,7 @@ pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
     }
 }
 
-/// Sets the arm and the language of the controller from the cell around `disk`; `chosen` takes precedence for the arm.
+/// Sets the controller's arm and language from the cell around `disk`; the arm in `chosen` has precedence.
 ///
 /// # Errors
 /// If a file of the cell cannot be read.

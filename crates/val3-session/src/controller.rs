@@ -1,4 +1,4 @@
-//! Opens an application's controller, with the devices of its cell and the settings of the caller and of `val3.toml`.
+//! Opens an application's controller, with the cell's devices and the settings from the caller and `val3.toml`.
 
 use std::sync::Arc;
 

@@ -46,7 +46,7 @@ const PRINT: &str = "?";
 /// An application on a controller, and the database from which it was compiled.
 pub struct Evaluator {
     application: Application,
-    /// Application files as they were read, with the program and the data file of the evaluated code.
+    /// Application files with the content that was read, and the program and data file of the evaluated code.
     files: OverlayFs<Disk>,
     manifest: Utf8PathBuf,
     execution: Execution,
@@ -252,8 +252,7 @@ impl Evaluator {
     }
 }
 
-/// Stores the files as they were read, because the data in memory originate from them even if the files change on the
-/// disk.
+/// Stores the content that was read, because the data in memory originate from it even if the files change on the disk.
 fn keep(db: &Database, files: &mut OverlayFs<Disk>) {
     for file in Sources::get(db).files(db).values() {
         let path = file.path(db);

@@ -31,10 +31,10 @@ use effects::effect;
 use scratch::Scratch;
 use target::{EvaluationContext, Targets};
 
-/// Number of lines that statements execute between two checks for cancellation, which takes about a millisecond.
+/// Number of lines that statements execute between two checks for cancellation, about one millisecond of execution.
 const PORTION: u32 = 100_000;
 
-/// Limit of portions that statements may execute, which takes about half a second.
+/// Maximum number of portions that statements may execute, about half a second of execution.
 const PORTIONS: usize = 500;
 
 /// Prefix that turns an expression into a statement.

@@ -77,7 +77,7 @@ impl CellMedia {
         Ok(())
     }
 
-    /// Controller path for the folder or project file of an application or library. If it is outside `Disk`, the
+    /// Controller path for an application's or library's folder or project file. If it is outside `Disk`, the
     /// surrounding folder becomes a root.
     fn place(&mut self, folder: &Utf8Path, path: &Utf8Path) -> Result<String, SessionError> {
         let (root, around) = match inside(folder, &self.disk) {

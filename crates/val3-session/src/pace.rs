@@ -76,7 +76,7 @@ impl Pace {
     }
 
     /// Advances the clock of a run with an end while no line has a peer. Peers can still connect, because lines are
-    /// read between the jumps. A replay makes the same jumps, because it depends on the same states.
+    /// read between the jumps. A replay repeats the same jumps, because it depends on the same states.
     fn skip_unconnected(&self, controller: &mut Controller, wake: Option<Time>) {
         if let Some(until) = self.until
             && !self.attended

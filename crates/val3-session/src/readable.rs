@@ -1,4 +1,4 @@
-//! Readability of an application, of everything that it loads, and of its cell.
+//! Readability of an application's files, including loaded projects and the cell.
 
 use val3_analysis::db::{Db, File, FileStatus, Project, Sources};
 use val3_analysis::items::faults::text_faults;
@@ -7,8 +7,8 @@ use val3_syntax::document;
 
 use crate::error::SessionError;
 
-/// Checks that all files of the application, of the projects that it loads, and of its cell were read. Without them,
-/// the run would differ from a run on a controller.
+/// Checks that all files of the application, its loaded projects and its cell were read. Without them, the run would
+/// differ from a run on a controller.
 ///
 /// # Errors
 /// The first unreadable file, with the reason.

@@ -25,7 +25,7 @@ pub(crate) fn failed_assertion(logged: String, task: Option<TaskNumber>, control
     Failure { message, places: task.map(|task| places(controller, task)).unwrap_or_default() }
 }
 
-/// Message of a task's current assertion; `None` outside of an assertion, or if it has unknown parameters.
+/// Message of a task's current assertion; `None` outside of assertions, or if its parameters are unknown.
 fn message(controller: &Controller, task: TaskNumber) -> Option<String> {
     let programs = frames(&controller.vm, task).into_iter().take_while(|frame| frame.application == NAME);
     let programs: Vec<_> = programs.zip(0..).collect();

@@ -1,4 +1,4 @@
-//! Test cases of an application.
+//! Application test cases.
 
 use val3_bytecode::{Image, Program};
 use val3_lang::test_names::is_test;

@@ -13,8 +13,8 @@ use val3_session::Application;
 
 use crate::library::NAME;
 
-/// Returns the execution counts of tested programs since a controller's initial state: programs of each loaded
-/// application and library, without test applications, tests and `val3assert`.
+/// Returns the execution counts of tested programs since a controller's initial state: programs in loaded applications
+/// and libraries, without test applications, tests and `val3assert`.
 #[must_use]
 pub fn counted(controller: &Controller, application: &Application) -> Coverage {
     of_programs(controller, |image, program| {
@@ -28,7 +28,7 @@ pub fn executed(controller: &Controller) -> Coverage {
     of_programs(controller, |_, _| true)
 }
 
-/// Returns the projects that are tested: those of an application, without test applications and `val3assert`.
+/// Returns the tested projects: all projects of an application except test applications and `val3assert`.
 #[must_use]
 pub fn tested_projects(application: &Application) -> Vec<Project> {
     let db = application.db();

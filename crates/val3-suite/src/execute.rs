@@ -84,8 +84,8 @@ fn execute_program(
     }
 }
 
-/// Advances the clock after a cycle until something can happen, a cycle is due, or the run ends. Returns whether anything
-/// can.
+/// Advances the clock after a cycle until something can happen, a cycle is due, or the run ends. Returns whether
+/// anything can still happen.
 pub(crate) fn wait(controller: &mut Controller, status: RunStatus, due: Option<Time>, end: Time) -> bool {
     let pace = Pace { until: due.into_iter().chain([end]).min(), ..Pace::default() };
     match status {

@@ -113,7 +113,7 @@ impl Expectations {
         texts && values && course && files && motion
     }
 
-    /// Expectations that no run of the application can meet, because of their names or times.
+    /// Expectations that cannot be met in any run of the application, because of names or times.
     pub(crate) fn faults(&self, fit: &Fit<'_>) -> Vec<ExpectationFault> {
         let states =
             self.last_state().faults(fit).into_iter().chain(self.at.iter().flat_map(|state| state.faults(fit)));

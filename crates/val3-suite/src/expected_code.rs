@@ -25,7 +25,7 @@ impl ExpectedCode {
         Self { code, places: expecting.map_or_else(test, |task| places(controller, task)) }
     }
 
-    /// Extends the failure of another error with the expected error.
+    /// Adds the expected error to the failure for a different error.
     pub(crate) fn instead(&self, mut failure: Failure) -> Failure {
         failure.message += &format!("\n  instead of {}, which `expectError` expects", self.described());
         let here = self

@@ -17,6 +17,6 @@ pub struct FailureLocation {
     pub program: String,
     /// File.
     pub file: String,
-    /// Line of the file, from 1.
+    /// Line in the file, from 1.
     pub line: u32,
 }

@@ -10,7 +10,7 @@ use crate::unfinished::places_of;
 /// Returns the failure if this event kills the task with this name. Its places are the call stack of the killing task.
 pub(crate) fn killed(event: &Event, name: &str, controller: &Controller) -> Option<Failure> {
     let EventKind::Task { state: "killed", name: killed, program, line, file, .. } = &event.kind else { return None };
-    // At the end of an application, its tasks are killed without a killing task.
+    // Tasks that are killed at the end of their application have no killing task.
     let killer = event.task.as_deref().filter(|_| killed == name)?;
     let here = FailureLocation { program: program.clone(), file: file.clone(), line: *line };
     if killer == name {

@@ -1,6 +1,6 @@
 //! Tests of VAL 3 applications: finds tests, and executes each on its own controller.
 //!
-//! A test is a program or a scenario. A scenario is a file with the environment of an application and expectations.
+//! A test is a program or a scenario: a file with expectations and the environment in which an application runs.
 //!
 //! A test program has a name that begins with `test`, in an application that is named `…Test` or is in a folder
 //! `tests`. Its assertions are programs of the library `val3assert`, which is plain VAL 3: a failure is a line in the

@@ -175,7 +175,7 @@ impl Scenario {
         Ok(Self { script, run, controller_keys, tags, limit, skip, known_failure, expectations, source })
     }
 
-    /// Role of a file in a test folder or next to programs, according to its text.
+    /// Role of a file in a test folder or next to programs, determined from its text.
     #[must_use]
     pub fn role(text: &str) -> TestFileRole {
         #[derive(Deserialize)]

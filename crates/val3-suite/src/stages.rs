@@ -119,7 +119,7 @@ impl Stages {
         self.observer.next_due()
     }
 
-    /// Adds the events of a cycle, or of a part of it, that began at `start`. They are processed at the end of the
+    /// Adds events from a cycle, or a part of a cycle, that began at `start`. They are processed at the end of the
     /// cycle.
     pub fn see_part(&mut self, start: Time, events: &[Event], controller: &Controller) {
         // A debugger may have stepped back to a time before the cycle.

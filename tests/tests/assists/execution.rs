@@ -128,7 +128,7 @@ fn an_inlined_variable_has_the_value_of_the_expression() {
     }
 }
 
-/// Returns the code with values of the conditions that execute each side of each branch.
+/// Returns variants of the code for all values of the condition variables, so that every branch side is executed.
 fn with_values(code: &str) -> impl Iterator<Item = String> {
     (0..8).map(move |bits| {
         let value = |bit: u32| bits >> bit & 1 == 1;

@@ -108,7 +108,7 @@ fn tools_without_output_are_errors() {
     }
 }
 
-/// In s5 and s6 a tool names the `dio` of its gripper: in a library, or by the controller's name for the signal.
+/// In s5 and s6 a tool names the gripper's `dio`: in a library, or by the controller's name for the signal.
 #[test]
 fn a_tool_of_the_old_dialect_sets_its_output() {
     let tool = |alias: &str, name: &str| {

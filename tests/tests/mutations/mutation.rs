@@ -46,7 +46,7 @@ pub(crate) const fn lost(name: &'static str, file: &'static str, code: &'static 
 }
 
 impl Mutation {
-    /// Sets other lines for the finding than the edited one.
+    /// Sets expected lines that differ from the edited line.
     pub(crate) const fn at(mut self, places: &'static [(&'static str, &'static str)]) -> Mutation {
         self.places = places;
         self

@@ -235,8 +235,7 @@ impl<T: FixTarget> Round<'_, T> {
     }
 }
 
-/// Splits the fixes into the first half of each file's fixes and the second half, which is empty if each file has one
-/// fix.
+/// Splits the fixes into the first and the second half per file; the second half is empty if no file has two fixes.
 fn halves_of_files(fixes: Vec<&Fix>) -> (Vec<&Fix>, Vec<&Fix>) {
     let file = |fix: &Fix| fix.edits.first().map(|edit| edit.place.file);
     let mut counts: FxHashMap<Option<File>, usize> = FxHashMap::default();

@@ -178,7 +178,7 @@ impl<'a> Site<'a> {
 
 /// Replaces `name` with `near`, as a guess.
 pub(crate) fn rename(site: &Site<'_>, name: &str, near: Option<&str>) -> Option<Fix> {
-    // A name of another language is no misspelling.
+    // A name from another language is not a misspelling.
     let near = near.filter(|_| remedy(name).is_none())?;
     let part = site.part(name)?;
     Some(Fix::guess(format!("write `{near}`"), vec![site.replace(part, near)]))

@@ -16,8 +16,8 @@ pub(crate) fn type_name(db: &dyn Db, base: Base) -> SmolStr {
     }
 }
 
-/// Wording for a `what` of this type whose name does not begin with the configured prefix, which consists of its
-/// `scope` and the letters of the type.
+/// Wording for a `what` with this type whose name does not begin with the configured prefix: the letters for `scope`
+/// and for the type.
 pub(crate) fn check_name(options: &Options, what: &str, ty: &str, scope: &str, name: &str) -> Option<Wording> {
     let letters = options.prefixes.get(ty)?;
     let prefix = format!("{scope}{letters}");

@@ -376,7 +376,8 @@ impl ProgramView<'_> {
         path(self.body, id).filter(|path| self.is_constant_path(path))
     }
 
-    /// Whether neither a program of an application without faults nor another application changes the value.
+    /// Whether the value is constant: the application has no faults, and no program in this or another application
+    /// changes it.
     fn is_constant_path(&self, path: &str) -> bool {
         self.is_closed(root(path)) && !is_changed(self.db, self.project, path)
     }

@@ -20,7 +20,7 @@ use super::motion::ArmCall;
 use super::variable_use::VariableUse;
 use super::{Call, LocalUse, MotionFacts};
 
-/// A program without faults, with the results of its analysis.
+/// A program without faults, and its analysis results.
 pub(crate) struct ProgramView<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,

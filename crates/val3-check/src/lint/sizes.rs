@@ -7,8 +7,8 @@ use val3_analysis::resizing::is_resized;
 use super::ProgramView;
 
 impl ProgramView<'_> {
-    /// Number of elements of a one-dimensional array, from a constant index on, if it is certain: the size of a local
-    /// array, or of private data whose size the application never changes.
+    /// Number of elements in a one-dimensional array, from a constant index on, if it is certain: for a local array, or
+    /// for private data whose size the application never changes.
     pub(crate) fn certain_size(&self, id: ExprId) -> Option<u32> {
         let (array, start) = match self.body.expr(id) {
             Expr::Index(array, index) => match **index {

@@ -40,7 +40,7 @@ pub enum ArchiveContent {
     Unknown(String),
 }
 
-/// Words the finding about the archive `name`; `path` opens it from the current folder.
+/// Returns the wording of the finding about the archive `name`; `path` opens it from the current folder.
 pub(crate) fn word(name: &str, path: &str, content: &ArchiveContent) -> Wording {
     let (reason, help) = match content {
         ArchiveContent::Projects(1) => ("it contains a project".to_owned(), named(path)),

@@ -36,7 +36,7 @@ rule! {
     V0204 "argument-count" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(callee: &str, expected: &[usize], found: usize, forms: &[SmolStr]) -> Wording {
     let given = match found {
         0 => "none is given".to_owned(),

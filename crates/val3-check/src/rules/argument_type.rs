@@ -37,7 +37,7 @@ rule! {
     V0203 "argument-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(callee: &str, parameter: &str, expected: &[SmolStr], found: &str) -> Wording {
     let types: Vec<_> = expected.iter().map(|ty| a(ty)).collect();
     if callee == WAIT && found == "num" {

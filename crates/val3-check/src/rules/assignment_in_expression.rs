@@ -36,7 +36,7 @@ rule! {
     V0023 "assignment-in-expression" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "`=` assigns a value and is not allowed inside an expression",

@@ -1,4 +1,4 @@
-//! V0202: a value assigned to a variable of another type.
+//! V0202: an assignment of a value with the wrong type.
 
 use crate::{conversion, diagnostic::Wording, english::a, rule::rule};
 
@@ -28,7 +28,7 @@ rule! {
     V0202 "assignment-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(target: &str, value: &str) -> Wording {
     Wording::new(
         format!("{} cannot be assigned to {}", a(value), a(target)),

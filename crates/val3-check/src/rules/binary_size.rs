@@ -59,8 +59,8 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     }
 }
 
-/// Checks the size of an array. `bytes` is the size of each value, if the number counts values but is often mistaken
-/// for a number of bytes.
+/// Checks an array's size. `bytes` is the size of a value, if the number counts values but is often mistaken for a
+/// number of bytes.
 fn check_array(program: &ProgramView<'_>, array: ExprId, needed: f64, bytes: Option<f64>, found: &mut Findings) {
     let Some(size) = program.certain_size(array).filter(|size| f64::from(*size) < needed) else { return };
     let counts_bytes = bytes.is_some_and(|bytes| needed == bytes * f64::from(size));

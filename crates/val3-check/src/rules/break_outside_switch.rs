@@ -34,7 +34,7 @@ rule! {
     V0017 "break-outside-switch" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "`break` closes a branch of `switch`, and no branch is open",

@@ -41,7 +41,7 @@ rule! {
     V0019 "case-after-default" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "`default` must be the last branch of its `switch`",

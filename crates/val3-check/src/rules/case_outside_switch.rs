@@ -41,7 +41,7 @@ rule! {
     V0018 "case-outside-switch" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "`case` and `default` belong inside `switch`",

@@ -33,7 +33,7 @@ rule! {
     V0213 "case-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(expected: &str, found: &str) -> Wording {
     Wording::new(
         format!("this `case` is {}, but its `switch` is {}", a(found), a(expected)),

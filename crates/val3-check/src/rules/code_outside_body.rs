@@ -44,7 +44,7 @@ rule! {
     V0029 "code-outside-body" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "this code is outside `begin` and `end`",

@@ -32,7 +32,7 @@ rule! {
     V0024 "comment-after-code" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "a comment cannot follow code on the same line",

@@ -30,7 +30,7 @@ rule! {
     V0207 "condition-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(keyword: &str, found: &str) -> Wording {
     let mut advice = conversion::advice(found, "bool");
     if advice.is_empty() {

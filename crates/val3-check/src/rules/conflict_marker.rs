@@ -30,7 +30,7 @@ rule! {
     V0004 "conflict-marker" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "a merge conflict is not resolved",

@@ -37,7 +37,7 @@ rule! {
     V0206 "container-mismatch" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(callee: &str, parameter: &str, expected: &str, found: &str) -> Wording {
     let (takes, got) = (container(expected), container(found));
     Wording::new(

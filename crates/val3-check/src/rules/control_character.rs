@@ -29,7 +29,7 @@ rule! {
     V0007 "control-character" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(character: char) -> Wording {
     let name = match character {
         '\0' => ", NUL,",

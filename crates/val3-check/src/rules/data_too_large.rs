@@ -31,7 +31,7 @@ rule! {
     V0539 "data-too-large" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(DataSize { name, bytes, total }: &DataSize) -> Wording {
     let (limit, help) = (megabytes(MEMORY), "reduce array sizes, or read large data from files");
     if *bytes > MEMORY {

@@ -57,7 +57,7 @@ fn check(program: &ProgramView<'_>, found: &mut Findings) {
     }
 }
 
-/// Instruction call that is a statement, or the value of an assignment.
+/// Instruction call that is a statement, or an assignment's value.
 fn statement<'p>(program: &'p ProgramView<'_>, stmt: &Stmt) -> Option<&'p Call<'p>> {
     let call = match stmt.kind {
         StmtKind::Expr(call) => call,

@@ -26,7 +26,7 @@ rule! {
     V0022 "double-unary" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "two unary operators follow each other",

@@ -45,7 +45,7 @@ rule! {
     V0503 "duplicate-entry" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(what: FileRole, name: &str) -> Wording {
     match what {
         FileRole::Library => declared_twice("library identifier", name),

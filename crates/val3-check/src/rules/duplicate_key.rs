@@ -42,7 +42,7 @@ rule! {
     V0513 "duplicate-key" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(key: &str) -> Wording {
     Wording::new(format!("the key `{key}` has two values"), "the second value", "keep one of the two")
 }

@@ -33,7 +33,7 @@ rule! {
     V0108 "duplicate-name" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, what: NameKind) -> Wording {
     Wording::new(format!("the {} `{name}` is declared twice", name_kind(what)), "declared again", "")
 }

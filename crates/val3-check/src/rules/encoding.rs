@@ -33,7 +33,7 @@ rule! {
     V0005 "encoding" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(fault: EncodingFault) -> Wording {
     match fault {
         EncodingFault::NotUtf8 => Wording::new(

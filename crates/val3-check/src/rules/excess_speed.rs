@@ -1,4 +1,4 @@
-//! V0415: a speed in a motion descriptor beyond the maximum speed of an axis.
+//! V0415: a motion descriptor with a speed above an axis's maximum speed.
 
 use val3_kinematics::{Arm, ExcessSpeed};
 use val3_lang::motion::AXIS_SPEED;

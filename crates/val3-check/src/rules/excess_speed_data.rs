@@ -1,4 +1,4 @@
-//! V0416: a speed in a motion descriptor of a data file beyond the maximum speed of an axis.
+//! V0416: a motion descriptor in a data file with a speed above an axis's maximum speed.
 
 use val3_analysis::items::limits::limits;
 use val3_lang::motion::AXIS_SPEED;

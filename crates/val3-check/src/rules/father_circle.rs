@@ -49,7 +49,7 @@ rule! {
     V0522 "father-circle" Error
 }
 
-/// Words the finding. The first name is repeated at the end of `chain`.
+/// Returns the wording of the finding. The first name is repeated at the end of `chain`.
 pub(crate) fn word(chain: &[SmolStr]) -> Wording {
     let names: Vec<String> = chain.iter().map(|name| format!("`{name}`")).collect();
     let message = match names.as_slice() {

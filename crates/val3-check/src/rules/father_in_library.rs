@@ -50,7 +50,7 @@ rule! {
     V0523 "father-in-library" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(father: &str) -> Wording {
     Wording::new(
         format!("the father `{father}` belongs to a library"),

@@ -49,7 +49,7 @@ rule! {
     V0524 "father-index" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(father: &str, size: &str) -> Wording {
     Wording::new(
         format!("the father `{father}` is outside its array of size `{size}`"),

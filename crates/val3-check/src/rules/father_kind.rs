@@ -47,7 +47,7 @@ rule! {
     V0521 "father-kind" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(father: &str, expected: &str, found: &str) -> Wording {
     let help = match expected {
         "frame" => "the father at the root of all frames is `world[0]`",
@@ -61,7 +61,7 @@ pub(crate) fn word(father: &str, expected: &str, found: &str) -> Wording {
     )
 }
 
-/// Words the finding about data with the name of `world` or `flange`.
+/// Returns the wording of the finding about data with the name of `world` or `flange`.
 pub(crate) fn hidden(name: &str, expected: &str, found: &str, uses: usize) -> Wording {
     let uses = count(uses, "value");
     Wording::new(

@@ -55,7 +55,7 @@ rule! {
     V0520 "father-missing" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(father: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("the father `{father}` does not exist"),

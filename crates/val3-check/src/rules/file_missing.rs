@@ -33,7 +33,7 @@ rule! {
     V0501 "file-missing" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(what: FileRole, path: &str) -> Wording {
     Wording::new(format!("the {} `{path}` is not on the disk", file_role(what)), "no such file", help(what, path))
 }

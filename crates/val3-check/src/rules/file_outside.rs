@@ -29,7 +29,7 @@ rule! {
     V0509 "file-outside" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(what: FileRole, path: &str) -> Wording {
     let (place, label, help) = match what {
         FileRole::Program | FileRole::Data | FileRole::Project => (

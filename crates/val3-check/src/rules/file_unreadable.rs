@@ -32,7 +32,7 @@ rule! {
     V0502 "file-unreadable" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(path: &str, reason: &str) -> Wording {
     Wording::new(
         format!("the file `{path}` cannot be read: {reason}"),
@@ -41,7 +41,7 @@ pub(crate) fn word(path: &str, reason: &str) -> Wording {
     )
 }
 
-/// Words the finding about a file of the cell.
+/// Returns the wording of the finding about a file of the cell.
 pub(crate) fn word_cell_file(path: &str, reason: &str) -> Wording {
     Wording::new(
         format!("the file `usr/{path}` of the cell cannot be read: {reason}"),

@@ -26,7 +26,7 @@ rule! {
     V0543 "file-without-project" Info
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str) -> Wording {
     Wording::new(
         format!(

@@ -31,7 +31,7 @@ rule! {
     V0219 "for-bound" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(keyword: &str, found: &str) -> Wording {
     let bound = match keyword {
         "to" => "last value",

@@ -30,7 +30,7 @@ rule! {
     V0218 "for-counter" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(found: &str) -> Wording {
     match found {
         "num" => Wording::new("the counter of `for` must be a variable", "a value, not a variable", String::new()),

@@ -31,17 +31,17 @@ rule! {
     V0030 "for-syntax" Error
 }
 
-/// Words the fault of a counter that is not followed by `=`.
+/// Returns the wording for a counter that is not followed by `=`.
 pub(crate) fn no_assignment(found: &str) -> Wording {
     part("`=`", "after the counter", found)
 }
 
-/// Words the fault of a first value that is not followed by `to`.
+/// Returns the wording for a first value that is not followed by `to`.
 pub(crate) fn no_to(found: &str) -> Wording {
     part("`to`", "after the first value", found)
 }
 
-/// Words the fault of a `step` that is not followed by a value.
+/// Returns the wording for a `step` that is not followed by a value.
 pub(crate) fn no_step(found: &str) -> Wording {
     part("a value", "after `step`", found)
 }

@@ -36,7 +36,7 @@ rule! {
     V0026 "foreign-spelling" Error
 }
 
-/// Words the finding; `instead` is empty if the word must be removed.
+/// Returns the wording of the finding; `instead` is empty if the word must be removed.
 pub(crate) fn word(found: &str, instead: &str) -> Wording {
     if instead.is_empty() {
         return Wording::new(format!("VAL 3 has no `{found}`"), "remove it", "");

@@ -54,7 +54,7 @@ rule! {
     V0607 "implementation-different" Error
 }
 
-/// Words the finding. `expected` and `found` are declarations as syntax lines.
+/// Returns the wording of the finding. `expected` and `found` are declarations as syntax lines.
 pub(crate) fn word(alias: &str, library: &str, item: &str, what: NameKind, expected: &str, found: &str) -> Wording {
     let what = name_kind(what);
     Wording::new(

@@ -53,7 +53,7 @@ rule! {
     V0605 "implementation-missing" Error
 }
 
-/// Words the finding; `items` are sorted by name.
+/// Returns the wording of the finding; `items` are sorted by name.
 pub(crate) fn word(alias: &str, library: &str, items: &[(NameKind, SmolStr)]) -> Wording {
     match items {
         [(what, item)] => one(alias, library, item, *what),

@@ -54,7 +54,7 @@ rule! {
     V0606 "implementation-private" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(alias: &str, library: &str, item: &str, what: NameKind) -> Wording {
     let what = name_kind(what);
     Wording::new(

@@ -26,7 +26,7 @@ rule! {
     V0210 "index-count" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, expected: usize, found: usize) -> Wording {
     let places = vec!["…"; expected].join(",");
     Wording::new(

@@ -26,7 +26,7 @@ rule! {
     V0208 "index-missing" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, ty: &str) -> Wording {
     let container = container(ty);
     let (needs, brackets) = match ty.chars().filter(|&sign| sign == ',').count() {

@@ -29,7 +29,7 @@ rule! {
     V0209 "index-not-allowed" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, ty: &str, callee: Option<&str>) -> Wording {
     let index = if ty.contains('"') { "key" } else { "index" };
     match callee {

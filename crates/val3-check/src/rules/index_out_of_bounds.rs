@@ -30,7 +30,7 @@ rule! {
     V0212 "index-out-of-bounds" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, index: i64, size: usize) -> Wording {
     let possible = match size {
         0 => "no index is possible".to_owned(),

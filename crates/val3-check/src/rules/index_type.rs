@@ -26,7 +26,7 @@ rule! {
     V0211 "index-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, expected: &str, found: &str) -> Wording {
     let (container, place) = match expected {
         "string" => ("a collection", "key"),

@@ -81,7 +81,7 @@ pub(super) fn lack(call: Call<'_>, version: Version) -> Option<MissingFeature> {
     }
 }
 
-/// Words the finding. `owner` states whose version it is.
+/// Returns the wording of the finding. `owner` states whose version it is.
 fn word(instruction: &Instruction, lack: &MissingFeature, version: Version, owner: &str) -> Wording {
     let name = instruction.name;
     let what = if lack.is_form { format!("this form of `{name}`") } else { format!("`{name}`") };

@@ -38,7 +38,7 @@ rule! {
     V0506 "invalid-attribute" Error
 }
 
-/// Words the finding. `expected` is read after "must be".
+/// Returns the wording of the finding. `expected` is read after "must be".
 pub(crate) fn word(element: &str, attribute: &str, value: &str, expected: &str) -> Wording {
     Wording::new(
         format!("the attribute `{attribute}` of `{element}` is `{value}`, but must be {expected}"),

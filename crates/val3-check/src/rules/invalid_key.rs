@@ -42,7 +42,7 @@ rule! {
     V0514 "invalid-key" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(key: &str, dims: usize) -> Wording {
     let (form, example, dimensions) = match dims {
         0 => return empty_key(),
@@ -57,7 +57,7 @@ pub(crate) fn word(key: &str, dims: usize) -> Wording {
     )
 }
 
-/// Words the fault of an empty key, the only invalid collection key (2.3.4).
+/// Returns the wording for an empty key, the only invalid collection key (2.3.4).
 fn empty_key() -> Wording {
     Wording::new("the key of a collection cannot be empty", "", "")
 }

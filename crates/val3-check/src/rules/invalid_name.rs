@@ -22,7 +22,7 @@ rule! {
     V0110 "invalid-name" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str) -> Wording {
     Wording::new(
         reason(name),

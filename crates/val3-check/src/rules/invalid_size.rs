@@ -38,7 +38,7 @@ rule! {
     V0517 "invalid-size" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(size: &str) -> Wording {
     Wording::new(
         format!("the size `{size}` is not a list of one to three whole numbers separated by blanks"),

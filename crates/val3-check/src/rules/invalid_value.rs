@@ -42,7 +42,7 @@ rule! {
     V0510 "invalid-value" Error
 }
 
-/// Words the finding. `expected` is read after "must be".
+/// Returns the wording of the finding. `expected` is read after "must be".
 pub(crate) fn word(ty: &str, attribute: &str, value: &str, expected: &str) -> Wording {
     Wording::new(
         format!("`{attribute}` of type `{ty}` is `{value}`, but must be {expected}"),

@@ -61,7 +61,7 @@ rule! {
     V0526 "io-link-kind" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(link: &str, expected: &str, found: &str) -> Wording {
     Wording::new(
         format!("the data is `{expected}`, but its link `{link}` names `{found}`"),

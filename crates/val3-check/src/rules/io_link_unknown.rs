@@ -64,7 +64,7 @@ rule! {
     V0525 "io-link-unknown" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(link: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("the cell has no input or output `{link}`"),

@@ -41,7 +41,7 @@ rule! {
     V0512 "key-out-of-range" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(key: &str, size: &str) -> Wording {
     Wording::new(
         format!("the key `{key}` is outside the array of size `{size}`"),

@@ -34,7 +34,7 @@ rule! {
     V0701 "keyword-spelling" Info
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(found: &str, canonical: &str) -> Wording {
     Wording::new(format!("the keyword `{found}` is usually written `{canonical}`"), format!("write `{canonical}`"), "")
 }

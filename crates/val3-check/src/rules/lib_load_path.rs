@@ -40,7 +40,7 @@ rule! {
     V0604 "lib-load-path" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(path: &str) -> Wording {
     Wording::new(
         format!("there is no library at the path `{path}`"),

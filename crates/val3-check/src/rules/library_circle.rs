@@ -42,7 +42,7 @@ rule! {
     V0530 "library-circle" Error
 }
 
-/// Words the finding. The first project is repeated at the end of `chain`.
+/// Returns the wording of the finding. The first project is repeated at the end of `chain`.
 pub(crate) fn word(chain: &[SmolStr]) -> Wording {
     let names: Vec<String> = chain.iter().map(|name| format!("`{name}`")).collect();
     let message = match names.as_slice() {

@@ -41,7 +41,7 @@ rule! {
     V0602 "library-item-private" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(alias: &str, item: &str, what: NameKind) -> Wording {
     Wording::new(
         format!("the {} `{item}` of the library `{alias}` is private", name_kind(what)),

@@ -48,7 +48,7 @@ rule! {
     V0601 "library-item-unknown" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(alias: &str, item: &str, what: NameKind, near: Option<&str>) -> Wording {
     Wording::new(
         format!("the library `{alias}` has no {} `{item}`", name_kind(what)),
@@ -57,7 +57,7 @@ pub(crate) fn word(alias: &str, item: &str, what: NameKind, near: Option<&str>) 
     )
 }
 
-/// Words the finding that the library's project does not list the used items.
+/// Returns the wording of the finding that the library's project does not list the used items.
 pub(crate) fn left_out(alias: &str, missing: &[SmolStr], unlisted: &[SmolStr], uses: usize) -> Wording {
     let (label, help) = if unlisted.is_empty() {
         ("its project is empty", format!("list the programs and data of `{alias}` in its project"))

@@ -38,7 +38,7 @@ rule! {
     V0603 "library-never-loaded" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(alias: &str) -> Wording {
     Wording::new(
         format!("the library `{alias}` is used, but nothing loads it"),

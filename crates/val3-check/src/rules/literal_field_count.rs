@@ -31,7 +31,7 @@ rule! {
     V0215 "literal-field-count" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(ty: &str, expected: usize, found: usize) -> Wording {
     let (fields, values) = (count(expected, "field"), count(found, "value"));
     let help = built_in::layout(ty).map(|layout| format!("the fields are `{layout}`"));

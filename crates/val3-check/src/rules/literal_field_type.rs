@@ -26,7 +26,7 @@ rule! {
     V0216 "literal-field-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(ty: &str, field: &str, expected: &str, found: &str) -> Wording {
     Wording::new(
         format!("the field `{field}` of `{ty}` is {}, not {}", a(expected), a(found)),

@@ -29,7 +29,7 @@ rule! {
     V0217 "literal-without-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(expected: Option<&str>) -> Wording {
     match expected {
         Some(expected) => Wording::new(

@@ -1,4 +1,4 @@
-//! V0333: a loop that uses an index beyond the end of an array.
+//! V0333: a loop that uses an index beyond the array's end.
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
 use val3_analysis::effects::{AccessKind, RootVariable};
@@ -71,7 +71,7 @@ fn for_loop<'p>(program: &ProgramView<'_>, stmt: &'p Stmt) -> Option<CountingLoo
     let is_by_one = step.is_none_or(|step| program.body.number(step) == Some(1.0));
     let start = program.body.number(start).filter(|start| start.fract() == 0.0 && *start >= 0.0)?;
     let is_run = program.body.number(limit).is_none_or(|limit| limit >= start && limit.fract() == 0.0);
-    // The block of an empty array is not executed; a start beyond 0 may exceed the array size.
+    // The block is not executed for an empty array; a start beyond 0 may exceed the array size.
     let is_run = is_run && (start == 0.0 || program.body.number(limit).is_some());
     let writes = writes(program, stmt, counter);
     (is_by_one && is_run && writes == 0).then_some(CountingLoop { counter, limit, block })

@@ -43,7 +43,7 @@ rule! {
     V0104 "missing-add-on" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, add_on: Option<&str>, cell_lists_others: bool) -> Wording {
     let (add_on, table) = match add_on {
         Some(add_on) => (format!("the add-on `{add_on}`"), format!("`val3.{add_on}.*.cfx`")),

@@ -45,7 +45,7 @@ rule! {
     V0505 "missing-attribute" Error
 }
 
-/// Words the finding. `written` is the unknown attribute that is probably a misspelling.
+/// Returns the wording of the finding. `written` is the unknown attribute that is probably a misspelling.
 pub(crate) fn word(element: &str, attribute: &str, default: Option<&str>, written: Option<&str>) -> Wording {
     let label = match default {
         Some(default) => format!("`{attribute}` is missing: `{default}` is assumed"),

@@ -35,12 +35,12 @@ rule! {
     V0028 "missing-begin-end" Error
 }
 
-/// Words the fault of code without `begin`.
+/// Returns the wording for code without `begin`.
 pub(crate) fn no_begin() -> Wording {
     Wording::new("the code of the program does not start with `begin`", "`begin` belongs here", "")
 }
 
-/// Words the fault of code without `end`.
+/// Returns the wording for code without `end`.
 pub(crate) fn no_end() -> Wording {
     Wording::new(
         "the code of the program does not finish with `end`",
@@ -49,7 +49,7 @@ pub(crate) fn no_end() -> Wording {
     )
 }
 
-/// Words the fault of code without `begin` and `end`.
+/// Returns the wording for code without `begin` and `end`.
 pub(crate) fn neither() -> Wording {
     Wording::new(
         "the code of the program has neither `begin` nor `end`",
@@ -58,7 +58,7 @@ pub(crate) fn neither() -> Wording {
     )
 }
 
-/// Words the fault of a program without code.
+/// Returns the wording for a program without code.
 pub(crate) fn no_code() -> Wording {
     Wording::new(
         "the program has no code",

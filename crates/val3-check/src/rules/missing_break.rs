@@ -45,7 +45,7 @@ rule! {
     V0016 "missing-break" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "a branch of `switch` is not closed with `break`",

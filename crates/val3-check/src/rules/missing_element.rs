@@ -37,7 +37,7 @@ rule! {
     V0536 "missing-element" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(parent: &str, element: &str) -> Wording {
     Wording::new(format!("the element `{parent}` has no `{element}`"), format!("`{element}` is missing"), help(element))
 }

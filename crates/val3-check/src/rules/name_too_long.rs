@@ -28,7 +28,7 @@ rule! {
     V0109 "name-too-long" Info
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, limit: usize) -> Wording {
     let length = name.chars().count();
     Wording::new(

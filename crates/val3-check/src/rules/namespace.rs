@@ -41,7 +41,7 @@ rule! {
     V0537 "namespace" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(element: &str, found: &str, expected: &str) -> Wording {
     Wording::new(
         format!("the namespace of `{element}` is `{expected}`, not `{found}`"),

@@ -26,7 +26,7 @@ rule! {
     V0006 "nesting-too-deep" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "brackets, blocks or elements are nested too deeply",

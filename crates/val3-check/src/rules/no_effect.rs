@@ -32,7 +32,7 @@ rule! {
     V0220 "no-effect" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "this line computes a value and does not use it",

@@ -125,7 +125,7 @@ fn is_linked(linked: &ReferencedVariables, name: &str) -> bool {
     ends.into_iter().any(|end| name.get(..end).is_some_and(|whole| linked.contains(whole)))
 }
 
-/// Local variable or a field of it, without indexes: the elements of an array are not distinguished.
+/// Local variable or a field of it, without indexes: array elements are not distinguished.
 fn local(program: &ProgramView<'_>, id: ExprId) -> Option<SmolStr> {
     matches!(program.effects.root(id)?, RootVariable::Local(_)).then(|| program.path_without_indexes(id))
 }

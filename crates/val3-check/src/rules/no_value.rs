@@ -26,7 +26,7 @@ rule! {
     V0221 "no-value" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(callee: &str) -> Wording {
     Wording::new(
         format!("`{callee}` returns no value"),

@@ -37,7 +37,7 @@ rule! {
     V0112 "not-a-value" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, is: NameKind) -> Wording {
     Wording::new(format!("`{name}` is {}, not a value", a_name_kind(is)), "not a value", instead(name, is))
 }

@@ -26,7 +26,7 @@ rule! {
     V0224 "not-assignable" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new("a value can only be assigned to a variable", "not a variable", String::new())
 }

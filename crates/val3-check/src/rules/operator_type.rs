@@ -27,7 +27,7 @@ rule! {
     V0201 "operator-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(op: &str, left: Option<&str>, right: &str) -> Wording {
     match left {
         Some(left) => Wording::new(

@@ -41,7 +41,7 @@ rule! {
     V0560 "page-binding" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(fault: &PageFault) -> Wording {
     match fault {
         PageFault::NoJson { expected } => Wording::new(

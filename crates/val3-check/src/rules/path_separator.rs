@@ -39,7 +39,7 @@ rule! {
     V0538 "path-separator" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(path: &str) -> Wording {
     Wording::new(
         format!("the path `{path}` is written with `\\`"),

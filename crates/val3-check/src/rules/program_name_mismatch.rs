@@ -46,7 +46,7 @@ rule! {
     V0508 "program-name-mismatch" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(program: &str, file: &str) -> Wording {
     Wording::new(
         format!("the program is called `{program}`, but its file is `{file}.pgx`"),

@@ -24,7 +24,7 @@ rule! {
     V0111 "reserved-name" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str) -> Wording {
     Wording::new(
         format!("`{name}` is {} and cannot be used as a name", meaning(name)),

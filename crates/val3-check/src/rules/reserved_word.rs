@@ -26,7 +26,7 @@ rule! {
     V0025 "reserved-word" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(word: &str) -> Wording {
     Wording::new(format!("`{word}` is a keyword of VAL 3 and cannot be a name"), "a keyword", "")
 }

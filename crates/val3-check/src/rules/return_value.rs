@@ -28,7 +28,7 @@ rule! {
     V0027 "return-value" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "a program returns no value",

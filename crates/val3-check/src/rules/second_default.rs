@@ -44,7 +44,7 @@ rule! {
     V0020 "second-default" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new("`switch` has a second `default`", "could never run", "keep one of them")
 }

@@ -37,7 +37,7 @@ rule! {
     V0021 "statement-before-case" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "an instruction is between `switch` and its first `case`",

@@ -23,7 +23,7 @@ rule! {
     V0223 "string-too-long" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(bytes: usize) -> Wording {
     Wording {
         message: format!("this text has {bytes} bytes; a `string` holds 128"),

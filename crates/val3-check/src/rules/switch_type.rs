@@ -34,7 +34,7 @@ rule! {
     V0214 "switch-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(found: &str) -> Wording {
     let help = match built_in::parse(found) {
         Some(_) => conversion::advice(found, "num"),

@@ -32,7 +32,7 @@ rule! {
     V0010 "syntax" Error
 }
 
-/// Words the fault of an unexpected text. `found` is empty at the end of a line.
+/// Returns the wording for an unexpected text. `found` is empty at the end of a line.
 pub(crate) fn expected(expected: Expected, found: &str) -> Wording {
     let what = part(expected);
     Wording::new(
@@ -74,7 +74,7 @@ fn form(expected: Expected) -> &'static str {
     }
 }
 
-/// Words the fault of text after a complete value or instruction.
+/// Returns the wording for text after a complete value or instruction.
 pub(crate) fn trailing(found: &str) -> Wording {
     Wording::new(
         format!("`{}` cannot follow here", shortened(found)),
@@ -87,7 +87,7 @@ pub(crate) fn trailing(found: &str) -> Wording {
     )
 }
 
-/// Words the fault of a character that VAL 3 does not use.
+/// Returns the wording for a character that VAL 3 does not use.
 pub(crate) fn invalid_character(character: char) -> Wording {
     Wording::new(
         format!("VAL 3 does not use the character {}", shown(character)),

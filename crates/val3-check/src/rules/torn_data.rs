@@ -1,4 +1,4 @@
-//! V0344: data written field by field in one task and read as a whole in another.
+//! V0344: data that a task writes field by field and another task reads completely.
 
 use smol_str::SmolStr;
 use val3_analysis::application::summary;

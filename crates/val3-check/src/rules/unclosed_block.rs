@@ -36,7 +36,7 @@ rule! {
     V0014 "unclosed-block" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(block: &str, missing: &str) -> Wording {
     let label = match missing {
         "until" => "`until` and a condition belong here".to_owned(),
@@ -45,7 +45,7 @@ pub(crate) fn word(block: &str, missing: &str) -> Wording {
     Wording::new(format!("`{block}` has no `{missing}`"), label, "")
 }
 
-/// Words the fault of a `do` block that ends with `while`, as in other languages.
+/// Returns the wording for a `do` block that ends with `while`, as in other languages.
 pub(crate) fn do_while() -> Wording {
     Wording::new(
         "a `do` block ends with `until`, not with `while`",
@@ -66,7 +66,7 @@ pub(crate) fn end_with_until(site: &Site<'_>) -> Option<Fix> {
     Some(Fix::guess("write `until !(…)`", vec![site.replace(keyword, "until !("), site.replace(end, ")")]))
 }
 
-/// Words the fault of a block that ends before its `inner` block.
+/// Returns the wording for a block that ends before its `inner` block.
 pub(crate) fn crossed(inner: &str, early: &str, late: &str) -> Wording {
     Wording::new(
         format!("`{early}` is before the `{late}` of the `{inner}` inside its block"),

@@ -34,7 +34,7 @@ rule! {
     V0011 "unclosed-bracket" Error
 }
 
-/// Words the finding; `missing` is the closing bracket.
+/// Returns the wording of the finding; `missing` is the closing bracket.
 pub(crate) fn word(missing: char) -> Wording {
     Wording::new(
         format!("the bracket `{}` is not closed on its line", opening_bracket(missing)),

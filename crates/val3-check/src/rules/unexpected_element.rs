@@ -70,7 +70,7 @@ const ELEMENTS: &[&str] = &[
 /// Program element and its parent, in both dialects.
 const PROGRAMS: &[(&str, &str)] = &[("Program", "Programs"), ("program", "programList")];
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, parent: &str) -> Wording {
     if PROGRAMS.contains(&(name, parent)) {
         return Wording::new(

@@ -44,7 +44,7 @@ rule! {
     V0535 "unknown-attribute" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(element: &str, attribute: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("the element `{element}` has no attribute `{attribute}`"),

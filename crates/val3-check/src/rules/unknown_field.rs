@@ -34,7 +34,7 @@ rule! {
     V0107 "unknown-field" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(ty: &str, field: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("{} has no field `{field}`", a(ty)),

@@ -37,7 +37,7 @@ rule! {
     V0103 "unknown-instruction" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, near: Option<&str>, is: Option<NameKind>) -> Wording {
     match is {
         Some(is) => Wording::new(

@@ -37,7 +37,7 @@ rule! {
     V0105 "unknown-library" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(alias: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("the project declares no library identifier `{alias}`"),

@@ -27,7 +27,7 @@ rule! {
     V0101 "unknown-name" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("`{name}` is not declared: no local variable, parameter or data has this name"),

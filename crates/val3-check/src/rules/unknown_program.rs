@@ -40,7 +40,7 @@ rule! {
     V0102 "unknown-program" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, near: Option<&str>, is: Option<NameKind>) -> Wording {
     match is {
         Some(is) => {

@@ -32,7 +32,7 @@ rule! {
     V0703 "unknown-suppression" Warning
 }
 
-/// Words the fault of a comment without a known form.
+/// Returns the wording for a comment without a known form.
 pub(crate) fn form() -> Wording {
     Wording::new(
         "a comment with `val3:` needs `allow(…)`, `allow-program(…)` or `no-coverage`",
@@ -42,7 +42,7 @@ pub(crate) fn form() -> Wording {
     )
 }
 
-/// Words the fault of `allow-program` after code.
+/// Returns the wording for `allow-program` after code.
 pub(crate) fn misplaced() -> Wording {
     Wording::new(
         "`allow-program` is after the first line of code",
@@ -51,13 +51,13 @@ pub(crate) fn misplaced() -> Wording {
     )
 }
 
-/// Words the fault of an unknown rule. `near` is the rule that was probably intended.
+/// Returns the wording for an unknown rule. `near` is the rule that was probably intended.
 pub(crate) fn rule(word: &str, near: Option<&str>) -> Wording {
     let help = did_you_mean_or(near, "`val3 explain` lists all codes and names");
     Wording::new(format!("no rule has the code or name `{word}`"), "this silences nothing", help)
 }
 
-/// Words the fault of a rule that comments cannot silence.
+/// Returns the wording for a rule that comments cannot silence.
 pub(crate) fn never_silenced(word: &str) -> Wording {
     Wording::new(
         format!("`{word}` cannot be silenced by a comment"),

@@ -32,7 +32,7 @@ rule! {
     V0106 "unknown-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(name: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("`{name}` is neither a type of VAL 3 nor a user type of this project"),

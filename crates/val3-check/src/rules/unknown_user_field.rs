@@ -54,7 +54,7 @@ rule! {
     V0515 "unknown-user-field" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(ty: &str, field: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("the user type `{ty}` has no field `{field}`"),

@@ -43,7 +43,7 @@ rule! {
     V0511 "unknown-value-attribute" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(ty: &str, attribute: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("a value of type `{ty}` has no attribute `{attribute}`"),

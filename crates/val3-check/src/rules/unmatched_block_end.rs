@@ -35,7 +35,7 @@ rule! {
     V0015 "unmatched-block-end" Error
 }
 
-/// Words the fault of the keyword `found` without an open `opener`.
+/// Returns the wording for the keyword `found` without an open `opener`.
 pub(crate) fn word(found: &str, opener: &str) -> Wording {
     Wording::new(
         format!("`{found}` belongs to no `{opener}`"),
@@ -44,7 +44,7 @@ pub(crate) fn word(found: &str, opener: &str) -> Wording {
     )
 }
 
-/// Words the fault of `else` or `elseIf` after `else`.
+/// Returns the wording for `else` or `elseIf` after `else`.
 pub(crate) fn else_after_else() -> Wording {
     Wording::new(
         "`else` must be the last branch of its `if`",

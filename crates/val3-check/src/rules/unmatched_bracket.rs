@@ -32,7 +32,7 @@ rule! {
     V0012 "unmatched-bracket" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(bracket: char) -> Wording {
     let opening = opening_bracket(bracket);
     Wording::new(

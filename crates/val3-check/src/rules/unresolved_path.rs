@@ -50,7 +50,7 @@ rule! {
     V0608 "unresolved-path" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(what: FileRole, path: &str, root: &str, near: Option<&str>) -> Wording {
     let is_disk = root.eq_ignore_ascii_case("Disk");
     let why = if is_disk && near.is_none() {

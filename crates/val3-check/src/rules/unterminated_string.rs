@@ -26,7 +26,7 @@ rule! {
     V0013 "unterminated-string" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
         "the string has no closing quote",

@@ -33,7 +33,7 @@ rule! {
     V0702 "unused-suppression" Warning
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(rule: &str, whole_program: bool) -> Wording {
     let place = if whole_program { "in this program" } else { "in the line below" };
     Wording::new(format!("`{rule}` is not found {place}"), "this silences nothing", "remove it")

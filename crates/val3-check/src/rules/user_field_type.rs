@@ -53,7 +53,7 @@ rule! {
     V0516 "user-field-type" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(ty: &str, field: &str, expected: &str, found: &str) -> Wording {
     Wording::new(
         format!("the field `{field}` of `{ty}` is `{expected}`, but this value is `{found}`"),

@@ -35,7 +35,7 @@ rule! {
     V0205 "variable-expected" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(callee: &str, parameter: &str) -> Wording {
     Wording::new(
         format!("`{callee}` takes `{parameter}` by reference and needs a variable here"),

@@ -1,4 +1,4 @@
-//! V0222: a position of another kind of arm.
+//! V0222: a position for another kind of arm.
 
 use crate::{diagnostic::Wording, english::a, rule::rule};
 
@@ -29,7 +29,7 @@ rule! {
     V0222 "wrong-arm" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(found: &str, expected: &str) -> Wording {
     Wording::new(
         format!("{} is needed here, not {}", a(expected), a(found)),

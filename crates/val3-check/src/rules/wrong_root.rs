@@ -37,7 +37,7 @@ rule! {
     V0504 "wrong-root" Error
 }
 
-/// Words the finding.
+/// Returns the wording of the finding.
 pub(crate) fn word(expected: FileRole, found: &str) -> Wording {
     let [root, old_root] = roots(expected);
     Wording::new(

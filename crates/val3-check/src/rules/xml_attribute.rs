@@ -42,8 +42,8 @@ rule! {
     V0003 "xml-attribute" Error
 }
 
-/// Words the fault of an attribute without `=` or without a value in quotes. `name` is a character or a value if no
-/// name precedes it.
+/// Returns the wording for an attribute without `=` or without a value in quotes. `name` is a character or a value if
+/// there is no name before it.
 pub(crate) fn malformed(name: &str) -> Wording {
     if !name.starts_with(|first: char| first.is_alphabetic() || first == '_') {
         return Wording::new(
@@ -55,7 +55,7 @@ pub(crate) fn malformed(name: &str) -> Wording {
     Wording::new(format!("the attribute `{name}` has no value in quotes"), format!("expected `{name}=\"…\"`"), "")
 }
 
-/// Words the fault of a repeated attribute.
+/// Returns the wording for a repeated attribute.
 pub(crate) fn duplicate(name: &str) -> Wording {
     Wording::new(
         format!("the attribute `{name}` appears twice in one tag"),

@@ -44,7 +44,7 @@ rule! {
     V0001 "xml-structure" Error
 }
 
-/// Words the fault of the element `name` without an end tag.
+/// Returns the wording for the element `name` without an end tag.
 pub(crate) fn unclosed(name: &str) -> Wording {
     Wording::new(
         format!("the element `<{name}>` is not closed"),
@@ -53,7 +53,7 @@ pub(crate) fn unclosed(name: &str) -> Wording {
     )
 }
 
-/// Words the fault of an end tag `name` without an open element.
+/// Returns the wording for an end tag `name` without an open element.
 pub(crate) fn unmatched(name: &str) -> Wording {
     Wording::new(
         format!("the end tag `</{name}>` closes nothing"),
@@ -62,7 +62,7 @@ pub(crate) fn unmatched(name: &str) -> Wording {
     )
 }
 
-/// Words the fault of an XML part without an end mark.
+/// Returns the wording for an XML part without an end mark.
 pub(crate) fn unterminated(part: XmlPart) -> Wording {
     let (end, help) = match part {
         XmlPart::Comment => ("`-->`", ""),
@@ -74,7 +74,7 @@ pub(crate) fn unterminated(part: XmlPart) -> Wording {
     Wording::new(format!("{} has no end", xml_part(part)), format!("{end} is missing"), help)
 }
 
-/// Words the fault of no root element, or several.
+/// Returns the wording for no root element, or several.
 pub(crate) fn root_element() -> Wording {
     Wording::new(
         "an XML file has exactly one root element",

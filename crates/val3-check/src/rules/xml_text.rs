@@ -51,7 +51,7 @@ rule! {
     V0002 "xml-text" Error
 }
 
-/// Words the fault of a stray `<`, or of text where only elements are allowed.
+/// Returns the wording for a stray `<`, or for text where only elements are allowed.
 pub(crate) fn stray_text() -> Wording {
     Wording::new(
         "this text does not belong in the XML of the file",
@@ -60,7 +60,7 @@ pub(crate) fn stray_text() -> Wording {
     )
 }
 
-/// Words the fault of `&name;` that XML does not define, or of a bare `&`.
+/// Returns the wording for `&name;` that XML does not define, or for a bare `&`.
 pub(crate) fn unknown_entity(text: &str) -> Wording {
     if text.len() > 1 && text.ends_with(';') {
         return Wording::new(
@@ -72,7 +72,7 @@ pub(crate) fn unknown_entity(text: &str) -> Wording {
     Wording::new("`&` has a special meaning in XML and must be escaped", "write `&amp;`", "")
 }
 
-/// Words the fault of a document type declaration.
+/// Returns the wording for a document type declaration.
 pub(crate) fn doctype() -> Wording {
     Wording::new(
         "a document type declaration does not belong in a VAL 3 file",
@@ -81,7 +81,7 @@ pub(crate) fn doctype() -> Wording {
     )
 }
 
-/// Words the fault of `]]>` in a line of code.
+/// Returns the wording for `]]>` in a line of code.
 pub(crate) fn early_section_end() -> Wording {
     Wording::new(
         "`]]>` ends the code section in the middle of a line",

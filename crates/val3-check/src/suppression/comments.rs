@@ -15,8 +15,8 @@ use super::can_be_silenced;
 use crate::diagnostic::{Diagnostic, Fix, FixEdit};
 use crate::fix::Site;
 
-/// Changes that silence findings: one for each line of code with findings, and one for a program with findings outside
-/// of its lines of code. Findings that no comment can silence are omitted.
+/// Changes that silence findings: one for each code line with findings, and one for a program with findings outside of
+/// its code lines. Findings that no comment can silence are omitted.
 pub(crate) fn silencing(db: &dyn Db, found: &[Diagnostic]) -> Vec<Fix> {
     let mut places: BTreeMap<(&str, TextSize, bool), (SilencedCode, BTreeSet<&str>)> = BTreeMap::new();
     for diagnostic in found.iter().filter(|diagnostic| can_be_silenced(diagnostic.rule)) {

@@ -74,7 +74,7 @@ fn the_examples_of_the_language_are_clean() {
     let glossary = glossary::ENTRIES.iter().map(|entry| (entry.stem, entry.page));
     for (name, text) in instructions.chain(statements).chain(glossary) {
         for example in page::examples(text) {
-            // The table of an add-on is not part of its page.
+            // The add-on's table is not part of the page.
             let found: Vec<_> =
                 check_for(None, &example).into_iter().filter(|finding| finding.code != "V0104").collect();
             if !found.is_empty() {

@@ -1,4 +1,4 @@
-//! A page, and the kind of its subject.
+//! A page and its kind of subject.
 
 /// A page.
 #[derive(Debug, Clone, PartialEq, Eq)]

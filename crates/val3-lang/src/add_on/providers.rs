@@ -1,6 +1,6 @@
 //! Known instructions of add-ons, so that a finding can name the add-on that a cell does not have.
 
-/// Add-ons, best known first, with the names of their instructions without `$`.
+/// Add-ons, best known first, with instruction names without `$`.
 #[rustfmt::skip]
 static PROVIDERS: [(&str, &str); 6] = [
     ("Expansion", "\
@@ -35,7 +35,7 @@ static PROVIDERS: [(&str, &str); 6] = [
 
 /// Add-ons that are known to contain the instruction, best known first; `name` includes `$`.
 ///
-/// Empty for an instruction of an unknown add-on. The table of an installed add-on lists its actual instructions.
+/// Empty for an instruction in an unknown add-on. The table of an installed add-on lists its actual instructions.
 pub fn providers(name: &str) -> impl Iterator<Item = &'static str> {
     let name = name.strip_prefix('$').unwrap_or_default();
     PROVIDERS.iter().filter(move |(_, names)| names.split(' ').any(|known| known == name)).map(|(add_on, _)| *add_on)

@@ -168,8 +168,8 @@ impl Memory {
         Ok(())
     }
 
-    /// Changes the size of a dimension, counted from 1; elements keep their indexes (2.5.5). The size is that of the
-    /// part in the view.
+    /// Changes the size of a dimension, counted from 1; elements keep their indexes (2.5.5). The size is the size of
+    /// the part in the view.
     ///
     /// # Errors
     /// 40 beyond `limit` elements or without memory, 70 for a local array, a collection, a missing dimension or a size
@@ -193,7 +193,7 @@ impl Memory {
         self.rearrange(view.store, old, new, dims)
     }
 
-    /// Moves the elements of an array to their positions in an array with other sizes.
+    /// Moves array elements to their positions for other sizes.
     fn rearrange(&mut self, id: StoreId, old: [u32; 3], new: [u32; 3], dims: u8) -> Result<()> {
         let store = self.store(id)?;
         let (kind, owner, before) = (store.kind.clone(), store.owner, store.bytes());

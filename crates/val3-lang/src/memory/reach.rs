@@ -29,7 +29,7 @@ impl Memory {
         }
     }
 
-    /// Sets the current library of each identifier that an application or library declares, by number.
+    /// Sets the current libraries for the identifiers that an application or library declares, by number.
     pub fn declare_libraries(&mut self, project: u16, libraries: Vec<u16>) {
         let at = usize::from(project);
         if self.libraries.len() <= at {
@@ -101,7 +101,7 @@ mod tests {
         PartInit { kind: Arc::new(kind), shape, values: Vec::new() }
     }
 
-    /// A user type with one field, an array of two frames.
+    /// User type with one field: an array of two frames.
     fn station() -> PartInit {
         let row = init(ValueType::builtin(BaseType::Frame, None), ContainerShape::array(2));
         init(

@@ -77,7 +77,7 @@ impl Store {
         std::mem::swap(&mut self.parts, &mut other.parts);
     }
 
-    /// Copies the values of another array with the same type and sizes in place. Returns `false` for other containers.
+    /// Copies another array's values in place, if type and sizes are equal. Returns `false` for other containers.
     pub(super) fn overwrite(&mut self, from: &Self) -> bool {
         let alike = match (&self.shape, &from.shape) {
             (ContainerShape::Array { sizes, .. }, ContainerShape::Array { sizes: others, .. }) => sizes == others,
@@ -137,8 +137,8 @@ impl Store {
         }
     }
 
-    /// Lane of an element in a one-dimensional array of numbers. Each element has one lane, so an index beyond the size
-    /// is a lane beyond `nums`.
+    /// Lane of an element in a one-dimensional number array. Each element has one lane, so an index beyond the size is
+    /// a lane beyond `nums`.
     #[inline(always)]
     pub(super) fn lane1(&self, view: View, index: f64) -> Option<usize> {
         match self.shape {
@@ -220,7 +220,7 @@ impl PartInit {
     }
 }
 
-/// Element number, by index in a view of an array with `size` elements.
+/// Element number for an index in a view of an array with `size` elements.
 #[inline]
 pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
     within(index, size.saturating_sub(view.start)).map(|at| at + view.start)

@@ -48,7 +48,7 @@ impl Stores {
         parts.into_iter().for_each(|part| self.remove(part));
     }
 
-    /// Exchanges the values of two containers with the same type.
+    /// Exchanges the values of two containers with equal types.
     ///
     /// # Errors
     /// 20 if one of them does not exist.
@@ -166,7 +166,7 @@ impl Stores {
         self.living_mut(view.store)?.texts.get_mut(view.start as usize)
     }
 
-    /// Element of an array of numbers or truth values.
+    /// Element in a number or bool array.
     #[inline(always)]
     #[must_use]
     pub fn element(&self, view: View, index: f64) -> Option<&f64> {
@@ -182,7 +182,7 @@ impl Stores {
         store.nums.get_mut(lane)
     }
 
-    /// Element of a two-dimensional array of numbers or truth values.
+    /// Element in a two-dimensional number or bool array.
     #[inline(always)]
     #[must_use]
     pub fn element2(&self, view: View, at: [f64; 2]) -> Option<&f64> {

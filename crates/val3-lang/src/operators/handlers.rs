@@ -1,4 +1,4 @@
-//! Run-time handlers of operators that are no operations of the virtual machine.
+//! Run-time handlers of operators that have no operation in the virtual machine.
 //!
 //! Their arguments are the operands, from left to right; an assignment that only reads has only the value.
 
@@ -124,7 +124,7 @@ fn each(a: [f64; 6], b: [f64; 6], compute: impl Fn(f64, f64) -> f64) -> [f64; 6]
     result
 }
 
-/// Whether the condition holds for all axes of an arm; missing axes are ignored.
+/// Whether the condition is true for all existing axes.
 fn all<const AXES: usize>(a: [f64; 6], b: [f64; 6], suits: impl Fn(f64, f64) -> bool) -> bool {
     a.into_iter().zip(b).take(AXES).all(|(a, b)| suits(a, b))
 }

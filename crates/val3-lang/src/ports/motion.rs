@@ -1,7 +1,7 @@
 //! The arm and its recorded moves (9.2.3, 9.6.3, 10.6, 11).
 //!
 //! Poses are in `world`, tools in `flange`, both in millimetres. A joint position is six numbers, in degrees or
-//! millimetres; those that the arm lacks are 0.
+//! millimetres; numbers without an axis are 0.
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Dh};
@@ -10,113 +10,114 @@ use val3_moves::{AlterReference, Manner, MovePath};
 use crate::fault::Result;
 use crate::values::MdescValue;
 
-/// Move as an instruction requests it.
+/// Move request of an instruction.
 #[derive(Debug, Clone)]
 pub struct MoveRequest {
-    /// Name of the instruction: `movel`.
+    /// Instruction name, such as `movel`.
     pub instruction: &'static str,
     /// Path with its destination.
     pub path: MovePath,
-    /// The tool centre point.
+    /// Tool centre point.
     pub tool: IsometryMatrix3<f64>,
     /// Speeds, accelerations and blend; lengths in millimetres.
     pub descriptor: MdescValue,
-    /// How the arm follows the path.
+    /// Manner in which the arm follows the path.
     pub manner: Manner,
 }
 
-/// The arm.
+/// Arm and its motion.
 pub trait MotionPort {
-    /// Its model.
+    /// Returns the arm's model.
     fn arm(&mut self) -> &Arm;
 
-    /// `setDH`: changes its geometry. `false` where the parameters differ too much from those of the arm type.
+    /// `setDH`: changes the arm's geometry. `false` if the parameters differ too much from the arm type's parameters.
     ///
     /// # Errors
     /// 250 without the licence.
     fn set_dh(&mut self, dh: &Dh) -> Result<bool>;
 
-    /// `herej`: where the controller wants each axis.
+    /// `herej`: returns the commanded joint position.
     fn commanded_joint(&mut self) -> [f64; 6];
 
-    /// Where the encoders find each axis.
+    /// Returns the joint position as measured by the encoders.
     fn measured_joint(&mut self) -> [f64; 6];
 
-    /// `getJointForce`: torque of each axis in Nm, force of a linear axis in N.
+    /// `getJointForce`: returns the axes' torques in Nm; forces in N for linear axes.
     fn joint_force(&mut self) -> [f64; 6];
 
-    /// `setLatch`: the next rising edge of an input keeps the position.
+    /// `setLatch`: arms the latch, which stores the position at the input's next rising edge.
     ///
     /// # Errors
-    /// 70 an input without latch, 123 without a link.
+    /// 70 for an input without latch, 123 without a link.
     fn arm_latch(&mut self, input: Option<u32>) -> Result<()>;
 
-    /// `getLatch`: the position that the latch has kept.
+    /// `getLatch`: returns the position that the latch has stored.
     fn latched_joint(&mut self) -> Option<[f64; 6]>;
 
-    /// `getSpeed`: of the tip of a tool, in millimetres a second.
+    /// `getSpeed`: returns the speed of a tool centre point, in mm/s.
     fn speed(&mut self, tool: &IsometryMatrix3<f64>) -> f64;
 
-    /// Records a move, and gives its id; `None` while no more moves can be recorded.
+    /// Records a move and returns its id; `None` while no more moves can be recorded.
     ///
     /// # Errors
-    /// 150 a move recorded before cannot be done, 154 this one cannot, 250 without the licence.
+    /// 150 if an earlier recorded move cannot be executed, 154 if this move cannot be executed, 250 without the
+    /// licence.
     fn record_move(&mut self, request: &MoveRequest) -> Result<Option<f64>>;
 
-    /// `isEmpty`: every recorded move is done.
+    /// Whether all recorded moves are done (`isEmpty`).
     fn is_empty(&mut self) -> bool;
 
-    /// `isSettled`.
+    /// Whether the arm has settled at its position (`isSettled`).
     fn is_settled(&mut self) -> bool;
 
-    /// The controller commands no motion.
+    /// Whether the controller commands no motion.
     fn is_at_rest(&mut self) -> bool;
 
-    /// `isCompliant`.
+    /// Whether a compliant move is in progress (`isCompliant`).
     fn is_compliant(&mut self) -> bool;
 
-    /// `waitEndMove`: the last recorded move ends without a blend. Whether the arm has got there.
+    /// `waitEndMove`: ends the last recorded move without a blend. Returns whether the arm has arrived.
     ///
     /// # Errors
-    /// 150 a recorded move cannot be done.
+    /// 150 if a recorded move cannot be executed.
     fn arrive(&mut self) -> Result<bool>;
 
-    /// `stopMove`.
+    /// `stopMove`: stops the arm on its path.
     fn stop_move(&mut self);
 
-    /// `restartMove`.
+    /// `restartMove`: releases the arm.
     fn restart_move(&mut self);
 
-    /// `resetMotion`; the next move starts at `start`, or wherever the arm is.
+    /// `resetMotion`; the next move starts at `start`, or at the arm's position.
     fn reset_motion(&mut self, start: Option<[f64; 6]>);
 
-    /// `resetTurn` of an arm at rest: forgets whole turns of the last axis.
+    /// `resetTurn` for an arm at rest: removes full turns of the last axis.
     ///
     /// # Errors
     /// 250 without the licence.
     fn reset_turn(&mut self, reference: [f64; 6]) -> Result<[f64; 6]>;
 
-    /// `getMoveId`.
+    /// `getMoveId`: returns the current move's id and its progress.
     fn move_id(&mut self) -> f64;
 
-    /// `setMoveId`: the id of the next move.
+    /// `setMoveId`: sets the id of the next move.
     fn set_move_id(&mut self, id: f64);
 
-    /// `autoConnectMove`: the present choice.
+    /// `autoConnectMove`: whether connection moves are automatic.
     fn connects_by_itself(&mut self) -> bool;
 
-    /// `autoConnectMove`: makes a choice.
+    /// `autoConnectMove`: switches automatic connection moves on or off.
     fn connect_by_itself(&mut self, active: bool);
 
-    /// `alterBegin`: its result, -3 to 1.
+    /// `alterBegin`: returns -3 to 1.
     fn begin_alter(&mut self, reference: AlterReference, limits: &MdescValue) -> i8;
 
-    /// `alter`: its result, -3 to 1.
+    /// `alter`: returns -3 to 1.
     fn alter(&mut self, transformation: &IsometryMatrix3<f64>) -> i8;
 
-    /// `alterEnd`: its result, -3 to 1.
+    /// `alterEnd`: returns -3 to 1.
     fn end_alter(&mut self) -> i8;
 
-    /// `alterStopTime`, in seconds.
+    /// `alterStopTime`: returns the time in seconds.
     fn alter_stop_time(&mut self) -> f64;
 }

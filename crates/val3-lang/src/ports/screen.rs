@@ -1,115 +1,115 @@
-//! The pendant: user pages, keys and messages (4).
+//! Pendant: user pages, keys and messages (4).
 
 use crate::fault::Result;
 use crate::keys;
 use crate::memory::Place;
 
-/// The number of the page that instructions without a screen use; it always exists (4.2.1).
+/// Number of the page for instructions without a `screen` argument; this page always exists (4.2.1).
 pub const DEFAULT_PAGE: u32 = 0;
 
-/// The kind of input that the operator is asked for.
+/// Kind of input requested from the operator.
 #[derive(Debug, Clone, PartialEq)]
 pub enum InputKind {
-    /// Any key; it is not shown.
+    /// Any key, which is not shown.
     Key,
     /// Return or a menu key for yes, Esc for no; other keys do nothing (`userPageConfirm`).
     Confirmation,
-    /// A text, at first this one, which is shown at the cursor.
+    /// Text with this initial value, shown at the cursor.
     Text(String),
-    /// A number, at first this one.
+    /// Number with an initial value.
     Number {
-        /// Its value.
+        /// Initial value.
         value: f64,
-        /// The value as `put` shows it.
+        /// Initial value as formatted by `put`.
         shown: String,
     },
 }
 
-/// How a `get` ended.
+/// Result of a `get`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InputResult {
-    /// The code of the key that ended it: the result of `get`.
+    /// Code of the key that ended the input: the result of `get`.
     pub key: u16,
-    /// The new value of the variable.
+    /// New value of the variable.
     pub entry: OperatorInput,
 }
 
 impl InputResult {
-    /// The operator has accepted: any key but Esc has ended it.
+    /// Whether the operator accepted the input: any key except Esc.
     #[must_use]
     pub fn is_accepted(&self) -> bool {
         self.key != keys::ESC
     }
 }
 
-/// The input of the operator.
+/// Operator input.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OperatorInput {
-    /// The variable keeps its value: Esc, or no variable, or a text that is no number.
+    /// The variable is unchanged: Esc, no variable, or a text that is not a number.
     Unchanged,
-    /// The text accepted with Return or a menu key.
+    /// Text accepted with Return or a menu key.
     Text(String),
-    /// The number accepted with Return or a menu key.
+    /// Number accepted with Return or a menu key.
     Number(f64),
 }
 
-/// The pendant. Pages go by their numbers: [`DEFAULT_PAGE`], or what [`create_page`](Self::create_page) gives.
+/// Pendant. A page number is [`DEFAULT_PAGE`] or a result of [`create_page`](Self::create_page).
 pub trait Screen {
-    /// Shows a line of text that `?` prints.
+    /// Shows a line that `?` prints.
     fn print(&mut self, text: &str);
 
-    /// A new page, for the `screen` variable at this place.
+    /// Creates a page for the `screen` variable at this place.
     fn create_page(&mut self, variable: Place) -> u32;
 
     /// Shows a page (`userPage`).
     fn show_page(&mut self, page: u32);
 
-    /// Keeps the operator on the user pages, or no longer (`userPage`).
+    /// Sets whether the operator cannot leave the user pages (`userPage`).
     fn fix_page(&mut self, fixed: bool);
 
-    /// Moves the cursor of a page, modulo 40 and 14 (`gotoxy`).
+    /// Moves a page's cursor, modulo 40 and 14 (`gotoxy`).
     fn go_to(&mut self, page: u32, x: f64, y: f64);
 
-    /// Empties a page (`cls`).
+    /// Clears a page (`cls`).
     fn clear(&mut self, page: u32);
 
-    /// Chooses how text that follows looks (`setTextMode`).
+    /// Sets the style of subsequent text (`setTextMode`).
     ///
     /// # Errors
-    /// 70 for a number that is no mode.
+    /// 70 for an unknown mode.
     fn set_text_mode(&mut self, page: u32, mode: f64) -> Result<()>;
 
     /// Writes text at the cursor, and goes to the next line if `ends_line` (`put`, `putln`).
     fn put(&mut self, page: u32, text: &str, ends_line: bool);
 
-    /// Changes the title of a page (`title`).
+    /// Sets a page's title (`title`).
     fn set_title(&mut self, page: u32, text: &str);
 
-    /// Shows a message until the operator confirms it; `level` is its kind, 1 to 3 (`popUpMsg`).
+    /// Shows a message with level 1 to 3 until the operator confirms it (`popUpMsg`).
     fn pop_up(&mut self, text: &str, level: f64);
 
-    /// Begins to ask the operator on a page for the task that runs (`get`); what it was asking for before is given up.
+    /// Requests operator input on a page for the running task (`get`). Cancels the task's earlier request.
     fn begin_reading(&mut self, page: u32, asked: InputKind);
 
-    /// Begins to ask the operator a question above the pages for the task that runs (`userPageConfirm`,
-    /// `userPagePrompt`); what it was asking for before is given up.
+    /// Requests operator input above all pages for the running task (`userPageConfirm`, `userPagePrompt`). Cancels the
+    /// task's earlier request.
     fn begin_question(&mut self, text: &str, asked: InputKind);
 
-    /// The answer to what the task that runs has asked; `None` while the operator has not ended it.
+    /// Removes and returns the result of the running task's request; `None` until the operator ends the input.
     fn take_answer(&mut self) -> Option<InputResult>;
 
-    /// The last key that was pressed while the page was shown, since the call before (`getKey`).
+    /// Removes and returns the last key that was pressed while the page was shown, since the previous call (`getKey`).
     fn take_key(&mut self, page: u32) -> Option<u16>;
 
-    /// A key is held down, and the page is shown (`isKeyPressed`).
+    /// Whether a key is held down while the page is shown (`isKeyPressed`).
     fn is_key_pressed(&mut self, page: u32, code: f64) -> bool;
 
-    /// The columns that a text takes (`getDisplayLen`).
+    /// Returns a text's width in columns (`getDisplayLen`).
     fn display_columns(&mut self, text: &str) -> usize;
 
-    /// Shows a page made with HTML; the result of `userPage` (s8).
+    /// Shows an HTML page and returns the result of `userPage` (s8).
     fn show_html(&mut self, page: &str) -> i8;
 
-    /// Changes a property of an element of a page made with HTML (`userPageSet`).
+    /// Sets an element's property on an HTML page (`userPageSet`).
     fn set_html(&mut self, page: &str, id: &str, attribute: &str, value: &str);
 }

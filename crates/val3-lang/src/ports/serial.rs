@@ -1,26 +1,27 @@
-//! Serial lines and sockets (3.7). Nothing here waits: an instruction that has to asks again in its next turn.
+//! Serial lines and sockets (3.7). No function waits: a waiting instruction calls the function again in every turn of
+//! its task.
 
 use super::Time;
 use crate::fault::Result;
 use crate::values::Text;
 
-/// Serial lines and sockets of the controller, by the number that a variable holds.
+/// Serial lines and sockets of the controller, identified by the number in a variable.
 ///
-/// `waited` is how long the instruction has waited already.
+/// `waited` is the instruction's elapsed waiting time.
 pub trait Serial {
-    /// `text = line`: the next string.
+    /// `text = line`: receives the next string.
     ///
     /// # Errors
     /// 123 without a link, 125 after the timeout.
     fn receive_text(&mut self, port: Option<u32>, waited: Time) -> Result<Reply<Text>>;
 
-    /// `number = line`: the next byte.
+    /// `number = line`: receives the next byte.
     ///
     /// # Errors
     /// 123 without a link, 125 after the timeout.
     fn receive_byte(&mut self, port: Option<u32>, waited: Time) -> Result<Reply<u8>>;
 
-    /// `sioGet`: at most `most` bytes; `None` after the timeout.
+    /// `sioGet`: receives at most `most` bytes; `None` after the timeout.
     ///
     /// # Errors
     /// 123 without a link.
@@ -39,30 +40,30 @@ pub trait Serial {
         waited: Time,
     ) -> Result<Reply<Option<usize>>>;
 
-    /// `clearBuffer`: how many bytes were thrown away; `None` for a socket that is closed.
+    /// `clearBuffer`: returns the number of discarded bytes; `None` for a closed socket.
     ///
     /// # Errors
     /// 123 without a link.
     fn clear_line(&mut self, port: Option<u32>) -> Result<Option<usize>>;
 
-    /// `sioCtrl`: its result.
+    /// `sioCtrl`: sets a parameter and returns the result.
     ///
     /// # Errors
     /// 123 without a link.
     fn control_line(&mut self, port: Option<u32>, parameter: &str, value: LineValue) -> Result<i8>;
 }
 
-/// The answer of a line.
+/// Result of a call to a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reply<T> {
-    /// This.
+    /// Completed, with this value.
     Done(T),
-    /// Nothing yet; after this time from the start of the instruction, something in any case.
+    /// Not completed. It will be completed at the latest after this time since the instruction's start.
     Wait(Option<Time>),
 }
 
 impl<T> Reply<T> {
-    /// The same answer with another value.
+    /// Converts the value.
     pub fn map<U>(self, change: impl FnOnce(T) -> U) -> Reply<U> {
         match self {
             Self::Done(value) => Reply::Done(change(value)),
@@ -71,24 +72,24 @@ impl<T> Reply<T> {
     }
 }
 
-/// The data to send.
+/// Data to send.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Outgoing<'o> {
-    /// A text, followed by the end of string of the line.
+    /// Text, followed by the line's end of string.
     Text(&'o str),
-    /// A byte for each number: the nearest whole one modulo 256.
+    /// A byte for each number: the nearest integer modulo 256.
     Numbers(&'o [f64]),
 }
 
-/// The value of a parameter.
+/// Parameter value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LineValue {
-    /// A truth value.
+    /// Bool.
     Bool(bool),
-    /// A number.
+    /// Number.
     Num(f64),
-    /// A text.
+    /// Text.
     Text(Text),
-    /// A value that no parameter takes.
+    /// Value that no parameter accepts.
     Other,
 }

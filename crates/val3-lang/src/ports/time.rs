@@ -1,14 +1,14 @@
-//! Time of the controller.
+//! Controller time.
 
-/// Nanoseconds since the controller was started.
+/// Time in nanoseconds since the controller's start.
 pub type Time = u64;
 
-/// Nanoseconds of a second.
+/// Nanoseconds in a second.
 pub const SECOND: Time = 1_000_000_000;
 
-/// Seconds in nanoseconds; 0 below zero.
+/// Converts seconds to nanoseconds; negative values to 0.
 #[must_use]
 pub fn nanoseconds(seconds: f64) -> Time {
-    // The cast ends at both bounds of the range, and makes 0 of what is no number.
+    // The cast saturates at both bounds and converts NaN to 0.
     (seconds * SECOND as f64).round() as Time
 }

@@ -140,7 +140,7 @@ static MDESC: [ValueAttribute; 8] = [
     ValueAttribute::number("reach", "reach", 50.0),
 ];
 
-/// Attributes of a value of this type, in the order in which files write them.
+/// Attributes of a value with this type, in file order.
 ///
 /// Empty for `screen`, which has no value in files, and for the field types. An unknown arm or an arm of another kind
 /// counts as six-axis.
@@ -166,7 +166,7 @@ pub fn attributes(ty: BaseType, arm: Option<Arm>) -> &'static [ValueAttribute] {
     }
 }
 
-/// Finds an attribute of a value of this type by name.
+/// Finds an attribute of this type by name.
 #[must_use]
 pub fn attribute(ty: BaseType, arm: Option<Arm>, name: &str) -> Option<&'static ValueAttribute> {
     attributes(ty, arm).iter().find(|attribute| attribute.name == name)

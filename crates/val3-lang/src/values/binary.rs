@@ -72,7 +72,7 @@ impl BinaryFormat {
     /// Parses the name of a format.
     ///
     /// # Errors
-    /// 70: none of the 14 formats has the name.
+    /// 70 for an unknown format name; 14 formats exist.
     pub fn parse(name: &str) -> Result<Self> {
         use ByteOrder::{HighFirst, LowFirst};
         use Encoding::{Double, Signed, Single, Unsigned};
@@ -96,7 +96,7 @@ impl BinaryFormat {
         Ok(Self { encoding, order })
     }
 
-    /// Size of an encoded number, in bytes.
+    /// Encoded size in bytes.
     #[must_use]
     pub fn width(self) -> usize {
         match self.encoding {

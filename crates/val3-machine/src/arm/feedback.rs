@@ -10,7 +10,7 @@ use crate::event::seconds;
 /// Time constant of the lag, in seconds (model choice).
 const LAG: f64 = 0.008;
 
-/// Greatest position error of an axis that is in place, in degrees or mm: 1 % of the greatest position error (model
+/// Maximum position error of an axis that is in place, in degrees or mm: 1 % of the maximum position error (model
 /// choice).
 const IN_PLACE: f64 = 0.01;
 
@@ -70,7 +70,7 @@ impl Feedback {
         std::array::from_fn(|axis| difference(&commanded, &self.measured, axis))
     }
 
-    /// `isSettled`.
+    /// Whether the arm has settled (`isSettled`).
     pub(super) fn is_settled(&self) -> bool {
         self.in_place >= SETTLING
     }
@@ -81,7 +81,7 @@ impl Feedback {
         now == before
     }
 
-    /// Whether nothing would change without a new command.
+    /// Whether the state is constant without a new command.
     pub(super) fn is_quiet(&self) -> bool {
         let [commanded, ..] = self.commanded;
         self.is_settled() && self.measured == commanded
@@ -124,7 +124,7 @@ fn centres(arm: &Arm, joints: &Joints) -> Vec<Vector3<f64>> {
     ends.windows(2).map(|pair| pair.iter().sum::<Vector3<f64>>() / 2.0).collect()
 }
 
-/// Work of the loads, in kg mm/s², for each unit of an axis: torque in Nm or force in N.
+/// Work of the loads per unit of axis motion, as torque in Nm or force in N.
 fn work(arm: &Arm, joints: &Joints, axis: usize, loads: &[Vector3<f64>]) -> f64 {
     const STEP: f64 = 1e-4;
     let moved = |by: f64| {

@@ -1,6 +1,6 @@
 //! Position latch of a fast input (9.2.3).
 
-/// Latch that `setLatch` arms and that stores the position at the next rising edge of its input.
+/// Latch that `setLatch` arms and that stores the position at the input's next rising edge.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Latch {
     input: u32,
@@ -28,7 +28,7 @@ impl Latch {
         self.joint
     }
 
-    /// Passes the state of the input while the arm is at `joint`.
+    /// Processes the input's state while the arm is at `joint`.
     pub fn see(&mut self, is_high: bool, joint: [f64; 6]) {
         if is_high && self.was_low && self.joint.is_none() {
             self.joint = Some(joint);

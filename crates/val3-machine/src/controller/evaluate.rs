@@ -12,8 +12,8 @@ use crate::devices::Devices;
 use crate::event::Event;
 
 impl Controller {
-    /// Executes the granted number of lines of a fragment, while tasks, clock and arm stand still. `look` receives the
-    /// value of an expression. The events belong to the fragment; the run's own events are kept.
+    /// Executes the granted number of a fragment's lines, while tasks, clock and arm do not advance. `look` receives an
+    /// expression's value. The events belong to the fragment; the run's own events are kept.
     pub fn evaluate<T>(
         &mut self,
         fragment: &Fragment,

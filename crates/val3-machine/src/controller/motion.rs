@@ -168,7 +168,7 @@ impl Controller {
         CodeSource { instruction, at, program, line, file }
     }
 
-    /// Records the moves that are not done at the end of the application, and the fault of their path.
+    /// Records the unfinished moves at the end of the application, and the fault of the remaining path.
     pub fn record_dropped_moves(&mut self) {
         let now = self.now();
         self.devices.record_dropped_moves(now);

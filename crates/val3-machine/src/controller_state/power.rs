@@ -27,7 +27,7 @@ pub enum Power {
 }
 
 impl Power {
-    /// `isPowered`: returns whether the power is on, or not yet cut.
+    /// Whether the power is on, or not yet cut (`isPowered`).
     #[must_use]
     pub fn is_on(self) -> bool {
         matches!(self, Self::On | Self::BeingCut { .. })

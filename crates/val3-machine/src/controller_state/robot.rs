@@ -71,7 +71,7 @@ impl Robot {
         self.change_power(self.power.cut(now));
     }
 
-    /// `isPowered`.
+    /// Whether the arm has power (`isPowered`).
     #[must_use]
     pub fn is_powered(&self) -> bool {
         self.power.is_on()
@@ -123,7 +123,7 @@ impl Robot {
         }
     }
 
-    /// `isCalibrated`.
+    /// Whether all axes are calibrated (`isCalibrated`).
     #[must_use]
     pub fn is_calibrated(&self) -> bool {
         self.calibrated

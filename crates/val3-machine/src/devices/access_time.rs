@@ -19,12 +19,12 @@ pub(super) struct AccessTime {
 }
 
 impl AccessTime {
-    /// Charges the current instruction for a path on a medium and for the bytes read or written there.
+    /// Adds the time for a path on a medium, and for the bytes read or written there, to the current instruction.
     pub(super) fn access(&mut self, bytes: usize) {
         self.spend(ACCESS, bytes);
     }
 
-    /// Charges the current instruction for bytes of an open file.
+    /// Adds the time for bytes in an open file to the current instruction.
     pub(super) fn transfer(&mut self, bytes: usize) {
         self.spend(TRANSFER, bytes);
     }

@@ -7,7 +7,7 @@ pub struct DeviceLimits {
     pub recorded: usize,
     /// Data that all tasks together have to send over lines. Beyond this limit, sending raises error 40.
     pub pending: usize,
-    /// Data of an application or library that `libSave` writes. Beyond this limit, the instruction returns code 38.
+    /// Size of the data that `libSave` writes. Beyond this limit, the instruction returns code 38.
     pub saved: u64,
     /// Files that programs have changed since external input is recorded, which stay in memory. Beyond this limit,
     /// writing fails.

@@ -87,7 +87,7 @@ impl ChannelTable {
         &self.inputs
     }
 
-    /// A copy of the state of all lines.
+    /// Returns a copy of all lines' states.
     pub(crate) fn state(&self) -> LinesState {
         let channel = |line: &RecordedChannel| (line.channel.state(), line.recorder.get());
         LinesState {
@@ -245,7 +245,7 @@ impl ChannelTable {
         number
     }
 
-    /// The number of bytes that waiting tasks have to send.
+    /// Number of bytes that waiting tasks have to send.
     pub(super) fn pending(&self) -> usize {
         self.sending.values().map(Sending::total).sum()
     }
@@ -264,7 +264,7 @@ impl ChannelTable {
         }
     }
 
-    /// The channel of a number.
+    /// Channel with this number.
     pub(super) fn channel(&mut self, number: Option<u32>) -> Option<&mut Channel> {
         let known = number.and_then(|number| self.lines.get_mut(number as usize));
         let recorded = known.and_then(|known| known.channel.as_mut());

@@ -11,8 +11,8 @@ use crate::files::{self, FileFault, LibraryPath, OpenMode, list};
 use crate::sio::byte_of;
 
 impl Devices {
-    /// Returns the result of an instruction that may change files. If a change did not fit into memory, reports it in
-    /// the event log.
+    /// Returns `result`, which comes from an instruction that may change files. If a change did not fit into memory,
+    /// reports this in the event log.
     pub(super) fn reported<T>(&mut self, result: T) -> T {
         if self.outside.take_overflow() {
             let limit = self.limits.changed >> 20;

@@ -1,4 +1,4 @@
-//! The port through which instructions reach the arm.
+//! Access of instructions to the arm.
 
 use val3_geometry::IsometryMatrix3;
 use val3_kinematics::{Arm, Dh, Joints};
@@ -205,7 +205,7 @@ impl Devices {
         }
     }
 
-    /// Records the effect of an instruction on the entire motion.
+    /// Records an instruction's effect on the entire motion.
     fn record_motion_here(&mut self, phase: &'static str, instruction: &'static str) {
         let id = self.state.arm.move_id();
         let (program, line, _) = self.place(self.state.record.origin().at);
@@ -235,8 +235,8 @@ impl Devices {
         }
     }
 
-    /// Reports the recorded moves that are not done at the end of the application, and the fault of a path that the arm
-    /// has not reached.
+    /// Reports the unfinished moves at the end of the application, and the fault of a path that the arm has not
+    /// reached.
     pub(crate) fn record_dropped_moves(&mut self, now: Time) {
         if let Some((fault, Some(origin))) = self.state.arm.take_unreached_fault() {
             self.report_path_fault(now, &fault, &origin, "the arm cannot follow a recorded path");

@@ -87,7 +87,7 @@ impl Outside {
         self.media.roots.take_overflow()
     }
 
-    /// Reads or changes something on the media.
+    /// Calls the media, or returns the recorded result.
     pub(super) fn ask<T>(&mut self, question: impl FnOnce(&mut OutsideMedia) -> T) -> T {
         question(&mut self.media)
     }
@@ -97,7 +97,7 @@ impl Outside {
         number(file).map(|file| self.ask(|media| act(&mut media.files, file))).unwrap_or_default()
     }
 
-    /// Reads the files of an application or library.
+    /// Reads an application's or library's files.
     pub(super) fn files(&mut self, path: &str) -> Result<LibraryFiles, FileFault> {
         let library = LibraryPath::new(&controller_path("", path)?)?;
         self.ask(|media| library.read(&media.roots, ""))

@@ -1,4 +1,4 @@
-//! Events of a run, until the caller takes them.
+//! Events of a run, stored until the caller removes them.
 
 use std::collections::BTreeMap;
 

@@ -1,7 +1,7 @@
 //! `libSave` (6.7).
 //!
-//! The loaded files of an application or library stay in memory, so that it can be saved after its files were deleted
-//! or changed. Unchanged values do not change the bytes of their file.
+//! The loaded files of applications and libraries stay in memory, so that saving is possible after the files were
+//! deleted or changed. Bytes of unchanged values do not change.
 
 mod chosen;
 mod links;
@@ -20,7 +20,7 @@ pub(super) use chosen::save;
 use links::LoadedLinks;
 use values::Saver;
 
-/// Returns the size of the global data of an application or library, in bytes.
+/// Returns the size of an application's or library's global data, in bytes.
 fn data_bytes(space: &Space, saved: InstanceId) -> u64 {
     let data = space.instance(saved).map(|instance| instance.data.iter());
     data.into_iter().flatten().map(|store| space.memory.bytes(*store)).sum()

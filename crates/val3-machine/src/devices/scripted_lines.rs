@@ -66,7 +66,7 @@ impl ChannelTable {
     }
 }
 
-/// The kind of a line that is not configured, by the beginning of its link.
+/// Kind of an unconfigured line, according to the beginning of the link.
 fn kind_of(link: &str) -> LineKind {
     match link.split_once('\\').map(|(device, _)| device.to_ascii_lowercase()).as_deref() {
         Some("serial") => LineKind::Serial,

@@ -1,5 +1,5 @@
-//! Libraries on their media: path resolution, library files, and the storage part of the instructions of 6.7. This
-//! module handles files, not the meaning of a library.
+//! Libraries on their media: path resolution, library files, and the storage part of the library instructions (6.7).
+//! This module handles files, not their content.
 
 mod archive;
 mod store;

@@ -158,8 +158,8 @@ impl OpenFiles {
 }
 
 impl OpenFile {
-    /// Returns the file at the present destination of changes, or with the rest of its content in memory; `None` if the
-    /// medium fails or no longer has the file.
+    /// Returns the file at the current destination for changes, or with the remaining content in memory; `None` if the
+    /// medium fails or no longer contains the file.
     fn following(self, roots: &Roots) -> Option<Self> {
         match self {
             Self::Reading(FileReading { file, ahead }) => {

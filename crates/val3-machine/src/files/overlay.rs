@@ -35,7 +35,7 @@ pub struct Overlay {
 /// Location of a file or folder: volume number, and path in the volume.
 pub(super) type OverlayPath = (usize, Utf8PathBuf);
 
-/// A file with its content, independent of its name.
+/// File number, which identifies a content independent of the file name.
 pub(super) type FileId = u32;
 
 /// A file or folder that was changed.

@@ -1,7 +1,7 @@
 //! Names that programs cannot use, because these files configure tools outside of the controller.
 //!
 //! If applications are directly in a repository, `Disk://` is the repository: a program could write `.git/config`, and
-//! the next `git status` would execute a command of its choice. No program of a controller needs these names.
+//! the next `git status` would execute any command. No program of a controller needs these names.
 
 /// Configuration files of this project's tools, in lower case.
 const SETTINGS: [&str; 2] = ["val3.toml", "cell.toml"];

@@ -1,7 +1,7 @@
 //! A mounted folder on the disk, with or without an overlay above it.
 //!
-//! Each result of the disk below an overlay passes through the recorder of external input, while the overlay is state:
-//! its changes are repeated when a run is executed again.
+//! Results from the disk below an overlay pass through the recorder of external input. The overlay itself is state: a
+//! replay repeats its changes.
 
 mod changes;
 mod files;
@@ -40,7 +40,7 @@ pub(super) struct Volume {
 pub(super) enum DiskState {
     Missing,
     Folder,
-    /// A file with its size and the time of its last change.
+    /// File with size and modification time.
     File(u64, Option<SystemTime>),
 }
 

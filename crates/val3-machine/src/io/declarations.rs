@@ -1,4 +1,4 @@
-//! Declarations of signals, and the error of an unknown path.
+//! Declarations of signals, and the error for an unknown path.
 
 use val3_lang::types::BaseType;
 

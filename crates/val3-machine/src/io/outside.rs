@@ -17,8 +17,8 @@ pub struct Forcing {
 
 /// The hardware and the operator.
 impl IoTable {
-    /// Sets a signal as the hardware does. Programs read the value of an input from the next cycle on; an output has it
-    /// immediately, as when the other side of a field bus writes it.
+    /// Sets a signal like the hardware. Programs read an input's new value from the next cycle on; an output has the
+    /// value immediately, as after a write from the other side of a field bus.
     pub fn set(&mut self, id: SignalId, value: f64) {
         self.change(id, |channel| {
             let value = channel.signal.kind.fit(value);

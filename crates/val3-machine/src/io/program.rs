@@ -73,13 +73,13 @@ impl IoTable {
         self.read_bits(links)
     }
 
-    /// `ioStatus` of a `dio` variable.
+    /// `ioStatus` for a `dio` variable.
     #[must_use]
     pub fn digital_status(&self, link: LinkId) -> IoStatus {
         self.status(link, SignalKind::Digital)
     }
 
-    /// `ioStatus` of an `aio` variable.
+    /// `ioStatus` for an `aio` variable.
     #[must_use]
     pub fn analog_status(&self, link: LinkId) -> IoStatus {
         self.status(link, ANALOG)

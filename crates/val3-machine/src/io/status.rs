@@ -1,4 +1,4 @@
-//! Status of inputs and outputs, and errors of their use (3.5.3, 12.1).
+//! Status of inputs and outputs, and access errors (3.5.3, 12.1).
 
 use val3_lang::runtime_errors::{NO_ANSWER, PROTECTED_OUTPUT, UNLINKED, WRITE_TO_INPUT};
 
@@ -54,7 +54,7 @@ impl SignalFault {
 pub enum IoError {
     /// 122: an input is written.
     WriteToInput,
-    /// 123: the variable is linked to no input or output of its type.
+    /// 123: the variable has no link to an input or output with the right type.
     Unlinked,
     /// 124: an output of the system is written.
     Protected,

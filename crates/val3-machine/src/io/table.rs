@@ -63,8 +63,8 @@ struct LinkText {
     target: Option<SignalId>,
 }
 
-/// Inputs and outputs with two images (5.7): programs read the inputs as of the start of the cycle, and the hardware
-/// receives the outputs at its end. A program reads a written output back immediately.
+/// Inputs and outputs with two images (5.7): programs read the inputs' state at the start of the cycle, and the
+/// hardware receives the outputs at its end. A program reads a written output back immediately.
 #[derive(Debug, Clone, Default)]
 pub struct IoTable {
     pub(super) channels: Vec<Channel>,
@@ -116,7 +116,7 @@ impl IoTable {
         self.units = units;
     }
 
-    /// Unit of an analog signal, such as `bar`; `None` if unknown.
+    /// Unit for an analog signal, such as `bar`; `None` if unknown.
     #[must_use]
     pub fn unit(&self, id: SignalId) -> Option<&str> {
         self.units.get(&self.signal(id)?.path).map(String::as_str)

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 /// Time for which a tapped key is held down, in nanoseconds: 100 ms.
 pub const TAP: u64 = 100_000_000;
 
-/// Keys that are down, each with the time of its release.
+/// Pressed keys with their release times.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Keyboard {
     down: BTreeMap<u16, Option<u64>>,

@@ -225,8 +225,7 @@ impl Pendant {
         key
     }
 
-    /// `isKeyPressed`: returns whether the key is held down and the page is shown; the keys 1, 2 and 3 count on any
-    /// page.
+    /// Whether the key is held down and the page is shown (`isKeyPressed`); the keys 1, 2 and 3 count on any page.
     pub fn is_key_pressed(&mut self, page: PageId, code: u16) -> bool {
         let seen = page == self.shown || keys::is_always_seen(code);
         let pressed = seen && self.keyboard.is_down(code);

@@ -18,7 +18,7 @@ pub struct ScreenCell {
 }
 
 impl ScreenCell {
-    /// Content of an unwritten column.
+    /// Content of columns before the first write.
     pub const BLANK: Self = Self { text: SmolStr::new_inline(" "), mode: TextMode::Standard };
 
     /// The right half of a wide character.

@@ -24,7 +24,7 @@ struct Pending {
     id: ReadingId,
     reading: ScreenReading,
     at: CursorCell,
-    /// Maximum width of its text so far, in columns: when the text becomes shorter, the rest is blanked.
+    /// Maximum text width so far, in columns: when the text becomes shorter, the rest is blanked.
     widest: usize,
 }
 

@@ -23,7 +23,7 @@ pub fn fitting(text: &str, columns: usize) -> &str {
     beyond.and_then(|(at, _)| text.get(..at)).unwrap_or(text)
 }
 
-/// Width of one character in columns: 0, 1 or 2.
+/// Width of a character in columns: 0, 1 or 2.
 pub(super) fn columns_of(character: char) -> usize {
     character.width().unwrap_or(1)
 }

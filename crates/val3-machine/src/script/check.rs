@@ -1,4 +1,4 @@
-//! Whether a script fits a controller: each variable and signal that it names exists.
+//! Validation of scripts for a controller: every named variable and signal must exist.
 
 use std::fmt;
 
@@ -30,7 +30,7 @@ impl fmt::Display for ScriptFault {
     }
 }
 
-/// Part of an entry or condition that does not fit the application.
+/// Part in an entry or condition that does not fit the application.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Misfit {
     /// The problem.
@@ -87,7 +87,7 @@ impl Controller {
         unmet.collect()
     }
 
-    /// Faults of an entry. `may_come` states whether devices that do not exist yet may be added by a library.
+    /// Faults in an entry. `may_come` states whether a library may add devices that do not exist yet.
     pub(super) fn entry_faults(
         &self,
         entry: &ScriptEntry,
@@ -104,7 +104,7 @@ impl Controller {
         variables.chain(signals).chain(failing).chain(lines).chain(clicked).collect()
     }
 
-    /// Checks that a page made with HTML has an element whose click executes a program.
+    /// Checks that an HTML page has an element whose click executes a program.
     fn check_element(&self, element: &str) -> Result<(), Misfit> {
         let pages = self.devices.state.pendant.html_pages();
         if pages.iter().any(|page| page.clicked(element).next().is_some()) {
@@ -224,8 +224,8 @@ impl Controller {
         self.unknown_line(link, self.loads_libraries())
     }
 
-    /// Like [`line_misfit`](Self::line_misfit). `may_come` states whether lines that do not exist yet may be added by a
-    /// library.
+    /// Like [`line_misfit`](Self::line_misfit). `may_come` states whether a library may add lines that do not exist
+    /// yet.
     pub(super) fn unknown_line(&self, link: &str, may_come: bool) -> Option<Misfit> {
         let lines = &self.devices.lines;
         if may_come || lines.has(link) {

@@ -73,7 +73,7 @@ pub(crate) struct ScriptEntry {
     /// The delay in a `then`.
     #[serde(skip_serializing)]
     pub(super) after: Option<Seconds>,
-    /// Inputs and outputs that get a value from the hardware.
+    /// Inputs and outputs that receive a value from the hardware.
     #[serde(default)]
     pub(super) io: BTreeMap<String, ScriptLevel>,
     /// Inputs and outputs that the operator locks.
@@ -125,7 +125,7 @@ pub(crate) struct ScriptEntry {
     pub(super) receive: BTreeMap<String, LineBytes>,
 }
 
-/// Immediate action of the cell or the operator. It has the keys of an `[[at]]`, without `t`.
+/// Immediate action of the cell or the operator, with the keys of `[[at]]` except `t`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScriptAction(pub(crate) ScriptEntry);
 

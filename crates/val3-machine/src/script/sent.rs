@@ -49,7 +49,7 @@ impl SentText {
         bytes.windows(text.len()).any(|part| part == text)
     }
 
-    /// Whether the instruction of an event has sent the text.
+    /// Whether the event's instruction has sent the text.
     #[must_use]
     pub fn is_sent_by(&self, event: &Event) -> bool {
         match &event.kind {

@@ -51,13 +51,13 @@ impl Seconds {
     }
 }
 
-/// The value of an input or output.
+/// Value for an input or output.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "an input or output is true, false or a number")]
 pub enum ScriptLevel {
-    /// Value of a digital signal.
+    /// Value for a digital signal.
     Digital(bool),
-    /// Value of an analog signal.
+    /// Value for an analog signal.
     Analog(f64),
 }
 
@@ -88,7 +88,7 @@ impl SafetyFault {
     }
 }
 
-/// The value of a variable or signal.
+/// Value for a variable or signal.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(untagged, expecting = "a variable is set to true, false, a number or a text")]
 pub enum ScriptValue {

@@ -82,8 +82,8 @@ impl ChannelConfig {
         self.socket(access).map(guarded)
     }
 
-    /// Inserts the settings of another configuration of the same channel, except port and target, before the existing
-    /// settings, which take precedence. If the kinds differ, only timeout and end of string are inserted.
+    /// Inserts the settings from another configuration for the same channel, except port and target, before the
+    /// existing settings, which have precedence. If the kinds differ, only timeout and end of string are inserted.
     pub fn take_over(&mut self, other: &Self) {
         let stays = |setting: &&LineSetting| match setting {
             LineSetting::Port(_) | LineSetting::Target(_) => false,

@@ -46,7 +46,7 @@ pub enum Received {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum SendResult {
-    /// Number of sent bytes, below the number of given bytes or 0 if the other end accepts no more for now.
+    /// Number of sent bytes, which is below the number of passed bytes or 0 if the other end accepts no more for now.
     Taken(usize),
     /// The connection has failed.
     Lost,

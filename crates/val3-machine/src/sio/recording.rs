@@ -22,7 +22,7 @@ pub struct RecordedReply {
     pub answer: LineAnswer,
 }
 
-/// Result of one call.
+/// Result of a call.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LineAnswer {
@@ -38,7 +38,7 @@ pub enum LineAnswer {
     Refused(SettingRefusal),
 }
 
-/// The state of a recorder: the number of the next call and the connection at the last one.
+/// Recorder state: number of the next call, and the connection at the last call.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RecorderState {
     call: u64,

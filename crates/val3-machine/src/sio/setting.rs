@@ -86,7 +86,7 @@ impl LineSetting {
     }
 }
 
-/// Parameter with the kinds of lines that support it, and the parser of its value.
+/// Parameter, the kinds of lines that support it, and the parser for values.
 struct SettingRule {
     name: &'static str,
     kinds: &'static [LineKind],

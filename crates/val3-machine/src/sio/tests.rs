@@ -12,7 +12,7 @@ fn loopback(port: u16) -> SocketAddr {
     (Ipv4Addr::LOCALHOST, port).into()
 }
 
-/// Asks again until it is done; fails after some seconds.
+/// Repeats the call until it is done; fails after some seconds.
 #[track_caller]
 fn until<T>(mut ask: impl FnMut() -> Attempt<T>) -> T {
     for _ in 0..2_000 {
@@ -24,7 +24,7 @@ fn until<T>(mut ask: impl FnMut() -> Attempt<T>) -> T {
     panic!("nothing has come");
 }
 
-/// A server that clients can call, and where.
+/// Server that clients can call, and its address.
 fn server(clients: u16) -> (Channel, SocketAddr) {
     let mut server = TcpServer::new(loopback(0), NetworkAccess::Loopback);
     assert_eq!(server.local_address(), None);
@@ -104,7 +104,7 @@ fn clients_above_the_limit_are_turned_down() {
     assert_eq!(channel.control("clients", SettingValue::Num(3.0)), -4);
 }
 
-/// The way a public driver discovers its peers.
+/// A public driver discovers its peers in this way.
 #[test]
 fn a_polled_server_reports_connections() {
     let (mut channel, address) = server(1);

@@ -69,7 +69,7 @@ impl ByteStream for UdpLine {
             Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => {
                 SendResult::Taken(0)
             }
-            // Error of an earlier datagram that was rejected: this datagram was not sent.
+            // The error belongs to an earlier datagram that was rejected: this datagram was not sent.
             Err(error) if error.kind() == ErrorKind::ConnectionRefused => SendResult::Taken(0),
             Err(_) => SendResult::Lost,
         }

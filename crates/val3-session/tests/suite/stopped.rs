@@ -1,4 +1,4 @@
-//! A stopped run, and the evaluator of its stack frames.
+//! A stopped run, and the evaluator for its stack frames.
 
 use camino::Utf8Path;
 use tempfile::TempDir;

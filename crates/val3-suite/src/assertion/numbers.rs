@@ -17,7 +17,7 @@ const ALL_DIGITS: usize = 17;
 /// Numbers of decimals for position fields, in the order in which they are tried.
 const DECIMALS: [usize; 4] = [3, 6, 9, ALL_DIGITS];
 
-/// Message for a number that is not within the tolerance of another number.
+/// Message for two numbers whose difference exceeds the tolerance.
 pub(super) fn difference(actual: f64, expected: f64, tolerance: f64) -> String {
     let (left, right) = apart(actual, expected, DIGITS);
     format!("{left} instead of {right}{}", excess(actual, expected, tolerance, ""))

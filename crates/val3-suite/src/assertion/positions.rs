@@ -58,7 +58,7 @@ fn both(actual: &[f64], expected: &[f64]) -> String {
     sides(&actual, &expected)
 }
 
-/// Formats two lines with both sides of an assertion.
+/// Formats an assertion's sides in two lines.
 pub(super) fn sides(actual: &str, expected: &str) -> String {
     format!("\n  actual    {actual}\n  expected  {expected}")
 }

@@ -1,4 +1,4 @@
-//! `[[expect.time]]`: maximum time from one occurrence to another, or of the entire test.
+//! `[[expect.time]]`: maximum time between two occurrences, or for the entire test.
 
 use std::ops::Range;
 
@@ -42,7 +42,7 @@ impl CycleTime {
     }
 }
 
-/// Measures the time from each start of an occurrence to the next start of the end occurrence.
+/// Measures the times between the starts of an occurrence and the next start of the end occurrence.
 pub(super) struct Stopwatch {
     expected: Spanned<CycleTime>,
     from: Edge,

@@ -1,4 +1,4 @@
-//! `$computeJntFrc`: computes the torque or force of each axis for a motion.
+//! `$computeJntFrc`: computes the axes' torques or forces for a motion.
 
 use crate::declare::instruction;
 

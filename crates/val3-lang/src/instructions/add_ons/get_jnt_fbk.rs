@@ -1,4 +1,4 @@
-//! `$getJntFbk`: returns the position of each axis as measured by the encoders.
+//! `$getJntFbk`: returns the joint position as measured by the encoders.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `$getJntSpeedCmd`: returns the commanded speed of each axis.
+//! `$getJntSpeedCmd`: returns the commanded axis speeds.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `$getJntSpeedFbk`: returns the speed of each axis as measured by the encoders.
+//! `$getJntSpeedFbk`: returns the axis speeds as measured by the encoders.
 
 use crate::declare::instruction;
 

@@ -1,4 +1,4 @@
-//! `herej` (9.2.3): returns the position of each axis.
+//! `herej` (9.2.3): returns the current joint position.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `autoConnectMove` (10.6): sets or returns how the arm gets back on its path in remote mode.
+//! `autoConnectMove` (10.6): sets or returns whether connection moves are automatic in remote mode.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `getJointForce` (10.6): gives the torque or force of each motor, from its current.
+//! `getJointForce` (10.6): returns the motors' torques or forces, computed from their currents.
 
 use crate::call::{Arr, Call};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `getPositionErr` (10.6): gives how far each axis is from where it should be.
+//! `getPositionErr` (10.6): returns the axes' deviations from the commanded position.
 
 use crate::call::Call;
 use crate::declare::instruction;

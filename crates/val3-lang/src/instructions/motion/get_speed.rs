@@ -1,4 +1,4 @@
-//! `getSpeed` (10.6): gives the speed of a tool centre point.
+//! `getSpeed` (10.6): returns the speed of a tool centre point.
 
 use crate::call::{Call, ToolRef};
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `movec` (10.6): records a move on an arc, from where the move before ends.
+//! `movec` (10.6): records a move on an arc that starts at the end of the previous move.
 
 use val3_moves::Manner;
 

@@ -1,4 +1,4 @@
-//! `movel` (10.6): records a straight move: the tool centre point runs on a line and turns evenly on the way.
+//! `movel` (10.6): records a straight move: the tool centre point moves on a line and rotates evenly.
 
 use val3_moves::Manner;
 

@@ -1,4 +1,4 @@
-//! `resetMotion` (10.6): stops the arm and forgets every recorded move.
+//! `resetMotion` (10.6): stops the arm and discards all recorded moves.
 
 use crate::call::Call;
 use crate::declare::instruction;

@@ -1,4 +1,4 @@
-//! `restartMove` (10.6): lets the arm continue after `stopMove`.
+//! `restartMove` (10.6): releases the arm after `stopMove`.
 
 use crate::call::Call;
 use crate::declare::instruction;

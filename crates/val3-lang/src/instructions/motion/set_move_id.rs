@@ -24,7 +24,7 @@ instruction! {
     modifier (num nMoveId) -> num = set_id;
 }
 
-/// Yields the id: the manual names no meaning of the result.
+/// Returns the id, because the manual does not define the result.
 fn set_id(call: &mut Call<'_>, id: f64) -> f64 {
     call.ports.set_move_id(id);
     id

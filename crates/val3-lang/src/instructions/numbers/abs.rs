@@ -1,4 +1,4 @@
-//! `abs`: returns the absolute value of a number, or of each axis of a joint position.
+//! `abs`: returns the absolute value of a number, or absolute axis values of a joint position.
 
 use crate::call::Call;
 use crate::declare::instruction;

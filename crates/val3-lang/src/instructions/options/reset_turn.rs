@@ -29,7 +29,7 @@ instruction! {
 const STOPPING: u8 = 0;
 const CHANGING: u8 = 1;
 
-/// Duration of the change.
+/// Duration of the change, in ns.
 const CHANGE: Time = SECOND / 20;
 
 fn reset(call: &mut Call<'_>, reference: [f64; 6]) -> Result<Flow<[f64; 6]>> {

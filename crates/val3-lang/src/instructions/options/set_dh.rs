@@ -51,5 +51,5 @@ fn change(
     call.ports.set_dh(&dh).map(Flow::Done)
 }
 
-/// Message level of an error in `logMsg`.
+/// Error level in `logMsg`.
 const ERROR_LEVEL: f64 = 3.0;

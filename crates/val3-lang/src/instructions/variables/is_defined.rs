@@ -25,7 +25,7 @@ instruction! {
     function (Item variable) -> bool = is_defined;
 }
 
-/// A variable without an index or key exists even if it is an empty collection.
+/// Whether the element or variable exists. A variable without an index or key exists even as an empty collection.
 fn is_defined(call: &mut Call<'_>, variable: Slot) -> bool {
     variable.view.is_some() && (variable.at == Subscript::Whole || call.memory.locate(&variable).is_ok())
 }

@@ -1,4 +1,4 @@
-//! `resize` (2.5.5): changes the size of one dimension of an array.
+//! `resize` (2.5.5): changes the size of one array dimension.
 
 use crate::call::Call;
 use crate::declare::instruction;

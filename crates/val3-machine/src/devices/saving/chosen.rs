@@ -19,7 +19,7 @@ pub enum SavedValues {
     Conflict(Vec<String>),
 }
 
-/// Files of one application or library, on the medium and with the new values.
+/// An application's or library's files, on the medium and with the new values.
 struct Change {
     instance: InstanceId,
     path: LibraryPath,
@@ -27,8 +27,8 @@ struct Change {
     new: LibraryFiles,
 }
 
-/// Writes only the values at these places into the files of their data. A file that has changed meanwhile is written
-/// only with `overwrite`, and all its other values are kept then.
+/// Writes only the values at these places into the data files. A file that has changed meanwhile is written only with
+/// `overwrite`; all other values in it are kept.
 ///
 /// # Errors
 /// A file cannot be read or written, or belongs to an encrypted library.

@@ -22,7 +22,7 @@ pub(super) struct LoadedLinks<'s> {
     lines: &'s ChannelTable,
     /// Frames and tools of global data.
     names: FxHashMap<StoreId, FrameContainer>,
-    /// Places of the fathers that files name, cached after the lookup.
+    /// Cached places of the fathers in files.
     fathers: RefCell<FxHashMap<FatherLink, Option<Place>>>,
     loaded: BTreeMap<LinkPath, &'s LinkTarget>,
 }
@@ -166,7 +166,7 @@ fn indexes(shape: &ContainerShape) -> Box<dyn Iterator<Item = (u32, String)> + '
     }
 }
 
-/// Returns the index of an array value: `2`, `1,3`.
+/// Returns an array value's index: `2`, `1,3`.
 pub(super) fn index(dims: u8, [_, rows, columns]: [u32; 3], number: u32) -> String {
     let (rows, columns) = (rows.max(1), columns.max(1));
     let all = [number / columns / rows, number / columns % rows, number % columns];

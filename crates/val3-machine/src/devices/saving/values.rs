@@ -1,4 +1,4 @@
-//! Converts global data to file content: values with the attributes of their types.
+//! Converts global data to file content: values with attributes according to their types.
 
 use val3_bytecode::DataDef;
 use val3_data::{SavedContent, SavedData, SavedField, SavedValue, number_text};
@@ -12,7 +12,7 @@ use val3_vm::Instance;
 
 use super::links::{LinkPath, LoadedLinks, index};
 
-/// Reader of an application's or library's data.
+/// Reader for an application's or library's data.
 pub(super) struct Saver<'s> {
     pub(super) memory: &'s Memory,
     pub(super) instance: &'s Instance,
@@ -211,7 +211,7 @@ impl<'l> LoadedValue<'l> {
     }
 }
 
-/// Returns the value numbers of a container with the keys of an element: `7`, `2,1`, `home`.
+/// Returns a container's value numbers, each with the key as written in files: `7`, `2,1`, `home`.
 fn keys(shape: &ContainerShape) -> Vec<(u32, String)> {
     match shape {
         ContainerShape::Collection(keys) => keys.iter().map(|(key, number)| (*number, key.to_string())).collect(),

@@ -14,13 +14,13 @@ use super::{FileFault, LibraryFile, has_extension};
 /// Maximum number of files in an archive; libraries have fewer.
 const MOST_FILES: usize = 4_096;
 
-/// Maximum unpacked size of an archive, in bytes.
+/// Maximum unpacked archive size in bytes.
 const MOST_BYTES: u64 = 64 << 20;
 
 /// Maximum compression ratio; text has a far lower ratio.
 const MOST_RATIO: u64 = 1_024;
 
-/// Unpacked size in bytes that is allowed for any entry, independent of its packed size.
+/// Unpacked size in bytes that is allowed for every entry, independent of the packed size.
 const ANY_SIZE: u64 = 1 << 20;
 
 /// Unpacks an archive in memory, the project file first.
@@ -28,7 +28,7 @@ const ANY_SIZE: u64 = 1 << 20;
 /// # Errors
 /// [`FileFault::NotEncrypted`] if the bytes are no ZIP archive or an entry is not encrypted with the classic
 /// encryption, [`FileFault::CannotLoad`] if the password is wrong, or if the archive is damaged, contains no library,
-/// exceeds the size of a library, or contains a name outside of its folder.
+/// exceeds the maximum size, or contains a name outside of the folder.
 pub fn unpack(bytes: &[u8], password: &str) -> Result<Vec<LibraryFile>, FileFault> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| FileFault::NotEncrypted)?;
     if archive.len() > MOST_FILES {

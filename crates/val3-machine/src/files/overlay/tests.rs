@@ -91,7 +91,7 @@ impl Media {
         std::fs::read_to_string(self.outer.join(name)).ok()
     }
 
-    /// The content of each file on the disk; folders end with `/`.
+    /// Contents of all files on the disk, by path; folders end with `/`.
     fn listing(&self) -> BTreeMap<String, Vec<u8>> {
         let mut found = BTreeMap::new();
         let mut open = vec![self.outer.clone()];

@@ -1,4 +1,4 @@
-//! Writes the changes of an overlay to the disk.
+//! Writes an overlay's changes to the disk.
 //!
 //! New content is written first and deletions follow, so that an interruption loses nothing. Each file is written under
 //! a temporary name and then renamed, so that it is complete at any time.
@@ -129,8 +129,8 @@ fn delete(dir: &Dir, path: &Utf8Path, before: DiskState) -> io::Result<Done> {
     }
 }
 
-/// Deletes an entry that the program has deleted and replaced by an entry of another kind. A failure blocks the path,
-/// which is reported then.
+/// Deletes an entry that the program has replaced by an entry of a different kind. A failure blocks the path, which is
+/// then reported.
 fn make_room(dir: &Dir, path: &Utf8Path, entry: &OverlayNode) {
     let is_left = DiskState::of(dir, path) == entry.disk;
     let _ = match (entry.disk, entry.now) {

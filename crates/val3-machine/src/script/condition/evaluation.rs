@@ -1,4 +1,4 @@
-//! Evaluation of conditions on a controller: whether they fit its application, and whether they are true.
+//! Evaluation and validation of conditions on a controller.
 
 use std::fmt;
 
@@ -53,17 +53,17 @@ impl Controller {
     }
 
     /// The parts of a condition that name no variable or no signal of the application, or compare it with a value of
-    /// another type. `is_resized` is true for data of the application that change their size: they may have an index
-    /// later.
+    /// another type. `is_resized` returns whether data of the application change their size, so that an index may
+    /// become valid later.
     ///
-    /// Data and signals of libraries that are loaded while the application runs are not judged.
+    /// Data and signals of libraries that are loaded while the application runs are not checked.
     #[must_use]
     pub fn condition_faults(&self, condition: &Condition, is_resized: &dyn Fn(&str) -> bool) -> Vec<Misfit> {
         self.misfits(condition, is_resized, self.loads_libraries())
     }
 
-    /// As [`condition_faults`](Self::condition_faults). `may_come` is true if signals that do not exist yet may come with
-    /// a library.
+    /// As [`condition_faults`](Self::condition_faults). `may_come` states whether a library may add signals that do not
+    /// exist yet.
     pub(in crate::script) fn misfits(
         &self,
         condition: &Condition,
