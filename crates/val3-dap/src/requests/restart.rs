@@ -23,3 +23,27 @@ impl DebugRequest for Restart {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::session::{NextAction, RunState};
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_launched_run_is_restarted() {
+        let mut client = TestClient::stopped(EMPTY);
+        assert_eq!(client.action("restart", json!({})), NextAction::Restart);
+    }
+
+    #[test]
+    fn an_attached_run_is_not_restarted() {
+        let mut client = TestClient::attaching(EMPTY, RunState::Running);
+        assert_eq!(
+            client.failure("restart", json!({})),
+            "a run that a client has attached to cannot be restarted: start it again"
+        );
+        assert_eq!(client.action("restart", json!({})), NextAction::Run);
+    }
+}
