@@ -62,4 +62,12 @@ mod tests {
         let reason = client.failure("restartFrame", json!({ "frameId": 99 }));
         assert_eq!(reason, "this belongs to a stop that is over");
     }
+
+    #[test]
+    fn a_run_of_which_only_a_task_is_stopped_does_not_go_back() {
+        let mut client = TestClient::launched(EMPTY, json!({ "stopScope": "task" }));
+        client.stop_after("pause", json!({ "threadId": MAIN_THREAD }));
+        let (_, frame) = client.thread_and_frame();
+        assert_eq!(client.failure("restartFrame", json!({ "frameId": frame })), "notStopped");
+    }
 }
