@@ -19,6 +19,7 @@ use crate::message::{Content, ProtocolMessage};
 use crate::protocol::{InitializePathFormat, InitializeRequestArguments};
 use crate::session::{DebugSession, NextAction, RunState};
 use crate::session_start::SessionStart;
+use crate::validate::SchemaValidator;
 
 /// Listing of a program with one line.
 pub(crate) const EMPTY: &str = "program start()\nbegin\n  delay(1)\nend\n";
@@ -78,6 +79,7 @@ pub(crate) struct TestClient {
     evaluator: FrameEvaluator,
     inbox: Sender<Incoming>,
     output: Output,
+    validator: SchemaValidator,
 }
 
 /// Messages to the client.
@@ -127,7 +129,8 @@ impl TestClient {
         let mut debugger = Debugger::new(Running::start(listing).controller);
         start.settings.apply(&mut debugger);
         let evaluator = FrameEvaluator::new(application(listing));
-        let mut this = Self { session, debugger, evaluator, inbox, output };
+        let validator = SchemaValidator::new().unwrap();
+        let mut this = Self { session, debugger, evaluator, inbox, output, validator };
         this.session.begin(&mut DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator });
         this.received();
         this
@@ -209,10 +212,16 @@ impl TestClient {
         self.received().into_iter().filter_map(event).collect()
     }
 
-    fn received(&self) -> Vec<Content> {
+    /// Returns the messages since the last call, after their validation against the schema of the specification.
+    fn received(&mut self) -> Vec<Content> {
         let bytes = std::mem::take(&mut *self.output.0.lock().unwrap());
         let mut reader = MessageReader::new(Cursor::new(bytes));
-        std::iter::from_fn(|| reader.read().unwrap()).map(|message| message.content).collect()
+        let messages = std::iter::from_fn(|| reader.read().unwrap());
+        let validated = messages.map(|message| {
+            self.validator.validate(&json!(message)).unwrap();
+            message.content
+        });
+        validated.collect()
     }
 
     fn response(&mut self, command: &str, arguments: Value) -> Result<Option<Value>, String> {
