@@ -126,14 +126,21 @@ impl TestClient {
         let output = Output::default();
         let client = Client::new(messages, Box::new(output.clone()));
         let session = DebugSession::new(client, Conventions::default(), start, run);
-        let mut debugger = Debugger::new(Running::start(listing).controller);
-        start.settings.apply(&mut debugger);
+        let debugger = debugger(listing, start);
         let evaluator = FrameEvaluator::new(application(listing));
         let validator = SchemaValidator::new().unwrap();
         let mut this = Self { session, debugger, evaluator, inbox, output, validator };
         this.session.begin(&mut DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator });
         this.received();
         this
+    }
+
+    /// Opens a listing once more for the client, as after `restart`, and returns the events: name and body.
+    pub(crate) fn open_again(&mut self, listing: &str) -> Vec<(String, Value)> {
+        self.debugger = debugger(listing, &self.session.start);
+        self.evaluator = FrameEvaluator::new(application(listing));
+        self.session.begin(&mut DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator });
+        self.received().into_iter().filter_map(event).collect()
     }
 
     /// Changes the conventions of the client: lines and columns begin with 0, and files are URIs.
@@ -271,6 +278,13 @@ impl TestClient {
         let arguments = json!({ "expression": expression, "frameId": frame });
         self.body("evaluate", arguments)["result"].clone()
     }
+}
+
+/// Returns the debugger of a run before its first line.
+fn debugger(listing: &str, start: &SessionStart) -> Debugger {
+    let mut debugger = Debugger::new(Running::start(listing).controller);
+    start.settings.apply(&mut debugger);
+    debugger
 }
 
 /// Returns name and body of an event.

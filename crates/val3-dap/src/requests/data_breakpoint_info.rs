@@ -76,6 +76,14 @@ mod tests {
     }
 
     #[test]
+    fn a_local_variable_is_identified_by_task_and_stack_frame() {
+        let mut client = TestClient::stopped("program start()\n  num l_nSum\nbegin\n  delay(1)\nend\n");
+        let (_, frame) = client.thread_and_frame();
+        let body = client.body("dataBreakpointInfo", json!({ "name": "l_nSum", "frameId": frame }));
+        assert_eq!(body["dataId"], "main~/0/l_nSum");
+    }
+
+    #[test]
     fn a_signal_can_have_a_breakpoint() {
         let mut client = TestClient::stopped(COUNTER).with_input("Io\\start");
         let body = client.body("dataBreakpointInfo", json!({ "name": "Io\\start" }));

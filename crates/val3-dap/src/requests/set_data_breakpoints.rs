@@ -63,6 +63,16 @@ mod tests {
     }
 
     #[test]
+    fn a_line_that_reads_the_data_stops_the_run() {
+        let listing = "num nCount\n\nprogram start()\nbegin\n  delay(nCount)\n  delay(1)\nend\n";
+        let mut client = TestClient::stopped(listing);
+        client.body("dataBreakpointInfo", json!({ "name": "nCount" }));
+        set(&mut client, json!({ "dataId": "main:nCount", "accessType": "read" }));
+        let stop = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(stop["text"], "read: 0 (main:start(), line 5)");
+    }
+
+    #[test]
     fn a_new_list_replaces_the_breakpoints() {
         let mut client = client();
         set(&mut client, json!({ "dataId": "main:nCount" }));

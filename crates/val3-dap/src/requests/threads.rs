@@ -51,6 +51,14 @@ mod tests {
     }
 
     #[test]
+    fn a_task_that_an_error_has_stopped_is_named_with_the_error() {
+        let mut client = TestClient::launched("program start()\nbegin\n  delay(1/0)\nend\n", json!({}));
+        client.run();
+        let thread = json!({ "id": MAIN_THREAD, "name": "main~ (priority 10, error 10: division by zero)" });
+        assert_eq!(client.body("threads", json!({})), json!({ "threads": [thread] }));
+    }
+
+    #[test]
     fn any_arguments_are_ignored() {
         let mut client = TestClient::stopped(EMPTY);
         for arguments in [Value::Null, json!({}), json!({ "threadId": "main" })] {

@@ -58,6 +58,21 @@ mod tests {
     }
 
     #[test]
+    fn a_property_of_the_cell_is_read_only() {
+        let mut client = TestClient::stopped(COUNTER);
+        let robot = client.scope("Robot");
+        let body = client.body("variables", json!({ "variablesReference": robot }));
+        let mut properties = body["variables"].as_array().unwrap().iter();
+        let expected = json!({
+            "name": "power",
+            "value": "off",
+            "variablesReference": 0,
+            "presentationHint": { "attributes": ["readOnly"] },
+        });
+        assert_eq!(properties.find(|property| property["name"] == "power"), Some(&expected));
+    }
+
+    #[test]
     fn an_array_contains_its_elements_page_by_page() {
         let mut client = TestClient::stopped(ARRAY);
         let globals = client.scope("Globals");
