@@ -10,7 +10,7 @@ use val3_vm::{Rate, Task, TaskState};
 use crate::assertions;
 use crate::cell_view::{self, Property};
 use crate::conventions::Conventions;
-use crate::notices::{task, thread};
+use crate::notices::{module_id, task, thread};
 use crate::protocol::{
     Scope, ScopePresentationHint, Source, SourcePresentationHint, StackFrame, StackFramePresentationHint,
     StackTraceArguments, StackTraceResponse, Thread, Variable, VariablePresentationHint,
@@ -98,7 +98,9 @@ impl Handles {
         let shows_line = arguments.format.as_ref().is_some_and(|format| format.line == Some(true));
         let page = all.iter().enumerate().skip(start).take(levels).map(|(depth, frame)| {
             let id = self.add_frame(FrameHandle { task, depth });
-            let shown = stack_frame(id, frame, shows_line, conventions);
+            let image = controller.vm.space.instance(frame.instance).map(|instance| &instance.image);
+            let module_id = image.map(|image| module_id(&image.path));
+            let shown = StackFrame { module_id, ..stack_frame(id, frame, shows_line, conventions) };
             if has_failed && assertions::is_of_library(frame) { in_background(shown) } else { shown }
         });
         let stack_frames = page.collect();
@@ -214,7 +216,6 @@ fn stack_frame(id: i32, frame: &TaskFrame, shows_line: bool, conventions: &Conve
         column: conventions.first_column(),
         source: Some(conventions.source(&frame.file)),
         can_restart: Some(true),
-        module_id: Some(frame.application.clone().into()),
         ..StackFrame::default()
     }
 }

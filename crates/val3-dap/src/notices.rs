@@ -89,12 +89,17 @@ impl Notices {
 /// An application or library for the client.
 pub(crate) fn module(name: &str, path: &str) -> Module {
     Module {
-        id: Value::String(path.to_owned()),
+        id: module_id(path),
         name: name.to_owned(),
         path: Some(path.to_owned()),
         is_user_code: Some(true),
         ..Module::default()
     }
+}
+
+/// Returns the module id of an application or library, by the path of its project file.
+pub(crate) fn module_id(path: &str) -> Value {
+    Value::String(path.to_owned())
 }
 
 /// The number that the client has for a task.

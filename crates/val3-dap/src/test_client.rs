@@ -4,9 +4,11 @@ use std::io::{Cursor, Write};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex};
 
-use serde_json::{Value, json};
-use val3_debug::Debugger;
-use val3_session::FrameEvaluator;
+use serde_json::{Map, Value, json};
+use val3_debug::{Debugger, Progress};
+use val3_machine::controller::Outcome;
+use val3_machine::io::{Direction, Signal};
+use val3_session::{FrameEvaluator, Pace};
 use val3_tests::running::{Running, application};
 
 use crate::client::{Client, Incoming};
@@ -14,8 +16,10 @@ use crate::conventions::Conventions;
 use crate::debugged_run::DebuggedRun;
 use crate::frame::MessageReader;
 use crate::message::{MessageContent, ProtocolMessage};
-use crate::session::{DebugSession, RunState};
+use crate::protocol::{InitializePathFormat, InitializeRequestArguments};
+use crate::session::{DebugSession, NextAction, RunState};
 use crate::session_start::SessionStart;
+use crate::validate::SchemaValidator;
 
 /// Listing of a program with one line.
 pub(crate) const EMPTY: &str = "program start()\nbegin\n  delay(1)\nend\n";
@@ -23,13 +27,59 @@ pub(crate) const EMPTY: &str = "program start()\nbegin\n  delay(1)\nend\n";
 /// Listing of a program that changes a global number.
 pub(crate) const COUNTER: &str = "num nCount\n\nprogram start()\nbegin\n  nCount=1\n  delay(1)\nend\n";
 
-/// Client of a run that is stopped before its first line.
+/// Listing of a program that calls another program.
+pub(crate) const CALLER: &str = "\
+program start()
+begin
+  call work()
+  delay(1)
+end
+
+program work()
+begin
+  delay(1)
+end
+";
+
+/// Listing of a program that creates a task.
+pub(crate) const WORKER: &str = "\
+program start()
+begin
+  taskCreate \"worker\",10,work()
+  delay(1)
+end
+
+program work()
+begin
+  delay(1)
+end
+";
+
+/// Thread id of the first task.
+pub(crate) const MAIN_THREAD: u64 = 2;
+
+/// Thread id of the task that [`WORKER`] creates.
+pub(crate) const WORKER_THREAD: u64 = 3;
+
+/// Module id of the application.
+pub(crate) const MODULE: &str = "/cell/usr/usrapp/main/main.pjx";
+
+/// Line of the first instruction in the file of a program without parameters and locals.
+pub(crate) const FIRST_LINE: u64 = 5;
+
+/// Returns the file of a program, as responses contain it.
+pub(crate) fn source(program: &str) -> Value {
+    json!({ "name": format!("{program}.pgx"), "path": format!("/cell/usr/usrapp/main/{program}.pgx") })
+}
+
+/// Client of a run.
 pub(crate) struct TestClient {
     session: DebugSession,
     debugger: Debugger,
     evaluator: FrameEvaluator,
     inbox: Sender<Incoming>,
     output: ClientOutput,
+    validator: SchemaValidator,
 }
 
 /// Messages to the client.
@@ -54,28 +104,131 @@ impl TestClient {
 
     /// Starts the program `start` of a listing with these arguments of `launch`.
     pub(crate) fn launched(listing: &str, arguments: Value) -> Self {
-        let (inbox, messages) = channel();
-        let output = ClientOutput::default();
-        let client = Client::new(messages, Box::new(output.clone()));
-        let start = SessionStart::new(1, false, arguments.as_object().unwrap().clone(), None).unwrap();
-        let session = DebugSession::new(client, Conventions::default(), &start, RunState::Fresh);
-        let mut debugger = Debugger::new(Running::start(listing).controller);
-        start.settings.apply(&mut debugger);
-        let evaluator = FrameEvaluator::new(application(listing));
-        let mut this = Self { session, debugger, evaluator, inbox, output };
-        this.session.begin(&mut DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator });
+        let mut this = Self::launching(listing, arguments);
         this.body("configurationDone", json!({}));
         this
     }
 
+    /// Opens a listing with these arguments of `launch`, and waits for `configurationDone`.
+    pub(crate) fn launching(listing: &str, arguments: Value) -> Self {
+        let start = SessionStart::new(1, false, arguments.as_object().unwrap().clone(), None).unwrap();
+        Self::connected(listing, &start, RunState::Fresh)
+    }
+
+    /// Attaches to the run of a listing, and waits for `configurationDone`.
+    pub(crate) fn attaching(listing: &str, run: RunState) -> Self {
+        let start = SessionStart::new(1, true, Map::new(), None).unwrap();
+        Self::connected(listing, &start, run)
+    }
+
+    fn connected(listing: &str, start: &SessionStart, run: RunState) -> Self {
+        let (inbox, messages) = channel();
+        let output = ClientOutput::default();
+        let client = Client::new(messages, Box::new(output.clone()));
+        let session = DebugSession::new(client, Conventions::default(), start, run);
+        let debugger = debugger(listing, start);
+        let evaluator = FrameEvaluator::new(application(listing));
+        let validator = SchemaValidator::new().unwrap();
+        let mut this = Self { session, debugger, evaluator, inbox, output, validator };
+        this.session.begin(&mut DebuggedRun { debugger: &mut this.debugger, evaluator: &mut this.evaluator });
+        this.received();
+        this
+    }
+
+    /// Opens a listing once more for the client, as after `restart`, and returns the events: name and body.
+    pub(crate) fn open_again(&mut self, listing: &str) -> Vec<(String, Value)> {
+        self.debugger = debugger(listing, &self.session.start);
+        self.evaluator = FrameEvaluator::new(application(listing));
+        self.session.begin(&mut DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator });
+        self.received().into_iter().filter_map(event).collect()
+    }
+
+    /// Changes the conventions of the client: lines and columns begin with 0, and files are URIs.
+    pub(crate) fn counting_from_0(mut self) -> Self {
+        self.session.conventions = Conventions::of(&InitializeRequestArguments {
+            lines_start_at1: Some(false),
+            columns_start_at1: Some(false),
+            path_format: Some(InitializePathFormat::Uri),
+            ..InitializeRequestArguments::default()
+        });
+        self
+    }
+
+    /// Adds a digital input to the cell.
+    pub(crate) fn with_input(mut self, path: &str) -> Self {
+        let signal = Signal { direction: Direction::Input, ..Signal::from_path(path, true) };
+        self.debugger.controller.devices.state.io.declare(signal);
+        self
+    }
+
+    /// Sends a request with this number, which the session does not handle before the next one.
+    pub(crate) fn send(&self, seq: i64, command: &str, arguments: Value) {
+        let content = MessageContent::Request { command: command.to_owned(), arguments: Some(arguments) };
+        self.inbox.send(Incoming::Message(ProtocolMessage { seq, content })).unwrap();
+    }
+
+    /// Sends a request, and returns the next action of the run.
+    pub(crate) fn action(&mut self, command: &str, arguments: Value) -> NextAction {
+        self.send(1, command, arguments);
+        self.session.attend(&mut DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator })
+    }
+
     /// Sends a request, and returns the messages of the session.
     pub(crate) fn exchange(&mut self, command: &str, arguments: Value) -> Vec<MessageContent> {
-        let content = MessageContent::Request { command: command.to_owned(), arguments: Some(arguments) };
-        self.inbox.send(Incoming::Message(ProtocolMessage { seq: 1, content })).unwrap();
-        self.session.attend(&mut DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator });
+        self.action(command, arguments);
+        self.received()
+    }
+
+    /// Sends a request, and returns the events after the response: name and body.
+    pub(crate) fn events(&mut self, command: &str, arguments: Value) -> Vec<(String, Value)> {
+        let messages = self.exchange(command, arguments);
+        assert!(matches!(messages.first(), Some(MessageContent::Response { success: true, .. })), "{messages:?}");
+        messages.into_iter().filter_map(event).collect()
+    }
+
+    /// Sends a request, runs to the next stop if the run does not stop immediately, and returns the body of `stopped`.
+    #[track_caller]
+    pub(crate) fn stop_after(&mut self, command: &str, arguments: Value) -> Value {
+        let mut events = self.events(command, arguments);
+        events.extend(self.run());
+        let stops = events.into_iter().filter(|(event, _)| event == "stopped");
+        stops.map(|(_, body)| body).next().expect("the run stops")
+    }
+
+    /// Runs to the next stop or the end of the application, and returns the events: name and body.
+    pub(crate) fn run(&mut self) -> Vec<(String, Value)> {
+        while self.session.is_running() {
+            let progress = self.debugger.advance();
+            let events = self.debugger.controller.devices.take_events();
+            let mut run = DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator };
+            self.session.report(&events, &mut run);
+            match progress {
+                Progress::Stopped(stop) => {
+                    self.session.stop(&stop, &mut run);
+                    break;
+                }
+                Progress::Ran(Outcome::Waiting(wake)) => {
+                    if Pace::default().wait(&mut self.debugger.controller, wake).is_none() {
+                        break;
+                    }
+                }
+                Progress::Ran(outcome) if outcome.is_final() || outcome == Outcome::Stuck => break,
+                Progress::Ran(_) => {}
+            }
+        }
+        self.received().into_iter().filter_map(event).collect()
+    }
+
+    /// Returns the messages since the last call, after their validation against the schema of the specification.
+    fn received(&mut self) -> Vec<MessageContent> {
         let bytes = std::mem::take(&mut *self.output.0.lock().unwrap());
         let mut reader = MessageReader::new(Cursor::new(bytes));
-        std::iter::from_fn(|| reader.read().unwrap()).map(|message| message.content).collect()
+        let messages = std::iter::from_fn(|| reader.read().unwrap());
+        let validated = messages.map(|message| {
+            self.validator.validate(&json!(message)).unwrap();
+            message.content
+        });
+        validated.collect()
     }
 
     fn response(&mut self, command: &str, arguments: Value) -> Result<Option<Value>, String> {
@@ -102,5 +255,42 @@ impl TestClient {
         let thread = self.body("threads", json!({}))["threads"][0]["id"].clone();
         let trace = self.body("stackTrace", json!({ "threadId": thread }));
         (thread, trace["stackFrames"][0]["id"].clone())
+    }
+    /// Returns program and line of the innermost stack frame of the first thread.
+    pub(crate) fn place(&mut self) -> (String, u64) {
+        let (thread, _) = self.thread_and_frame();
+        let trace = self.body("stackTrace", json!({ "threadId": thread }));
+        let frame = &trace["stackFrames"][0];
+        (frame["name"].as_str().unwrap().to_owned(), frame["line"].as_u64().unwrap())
+    }
+
+    /// Returns the handle of a scope of the first thread.
+    pub(crate) fn scope(&mut self, name: &str) -> Value {
+        let (_, frame) = self.thread_and_frame();
+        let scopes = self.body("scopes", json!({ "frameId": frame }));
+        let mut scopes = scopes["scopes"].as_array().unwrap().iter();
+        scopes.find(|scope| scope["name"] == name).unwrap()["variablesReference"].clone()
+    }
+
+    /// Evaluates an expression in the innermost stack frame of the first thread.
+    pub(crate) fn value(&mut self, expression: &str) -> Value {
+        let (_, frame) = self.thread_and_frame();
+        let arguments = json!({ "expression": expression, "frameId": frame });
+        self.body("evaluate", arguments)["result"].clone()
+    }
+}
+
+/// Returns the debugger of a run before its first line.
+fn debugger(listing: &str, start: &SessionStart) -> Debugger {
+    let mut debugger = Debugger::new(Running::start(listing).controller);
+    start.settings.apply(&mut debugger);
+    debugger
+}
+
+/// Returns name and body of an event.
+fn event(content: MessageContent) -> Option<(String, Value)> {
+    match content {
+        MessageContent::Event { event, body } => Some((event, body.unwrap_or_default())),
+        MessageContent::Request { .. } | MessageContent::Response { .. } => None,
     }
 }

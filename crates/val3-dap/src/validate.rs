@@ -1,6 +1,9 @@
 //! Validation of messages against the schema of the specification, for tests.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::error::Error;
+use std::fmt;
 
 use jsonschema::Validator;
 use serde_json::{Value, json};
@@ -32,38 +35,69 @@ impl SchemaValidator {
     /// A custom message has a `/` in its name (`val3/pose`). Only its envelope is validated.
     ///
     /// # Errors
-    /// The definition, and all its mismatches with their paths in the message, one on each line.
-    pub fn validate(&mut self, message: &Value) -> Result<(), String> {
+    /// The message has no definition, or does not match its definition.
+    pub fn validate(&mut self, message: &Value) -> Result<(), InvalidMessage> {
         let definition = definition_of(message)?;
         let validator = self.compile(&definition)?;
         let mismatches = validator.iter_errors(message);
         let lines = mismatches.map(|error| format!("{definition}{}: {error}", error.instance_path()));
         let lines = lines.collect::<Vec<_>>();
-        if lines.is_empty() { Ok(()) } else { Err(lines.join("\n")) }
+        if lines.is_empty() { Ok(()) } else { Err(InvalidMessage::Mismatches(lines)) }
     }
 
-    fn compile(&mut self, definition: &str) -> Result<&Validator, String> {
-        if !self.compiled.contains_key(definition) {
-            let definitions = self.schema.get("definitions");
-            if definitions.and_then(|all| all.get(definition)).is_none() {
-                return Err(format!("the specification has no {definition}"));
-            }
-            let reference = format!("#/definitions/{definition}");
-            // Draft 4 ignores the neighbours of a `$ref`.
-            let schema = json!({
-                "$schema": self.schema.get("$schema"),
-                "definitions": definitions,
-                "allOf": [{ "$ref": reference }],
-            });
-            let validator = jsonschema::validator_for(&schema).map_err(|error| error.to_string())?;
-            self.compiled.insert(definition.to_owned(), validator);
+    fn compile(&mut self, definition: &str) -> Result<&Validator, InvalidMessage> {
+        let entry = match self.compiled.entry(definition.to_owned()) {
+            Entry::Occupied(entry) => return Ok(entry.into_mut()),
+            Entry::Vacant(entry) => entry,
+        };
+        let definitions = self.schema.get("definitions");
+        if definitions.and_then(|all| all.get(definition)).is_none() {
+            return Err(InvalidMessage::NoDefinition(definition.to_owned()));
         }
-        self.compiled.get(definition).ok_or_else(|| format!("{definition} was not compiled"))
+        let reference = format!("#/definitions/{definition}");
+        // Draft 4 ignores the neighbours of a `$ref`.
+        let schema = json!({
+            "$schema": self.schema.get("$schema"),
+            "definitions": definitions,
+            "allOf": [{ "$ref": reference }],
+        });
+        let validator = jsonschema::validator_for(&schema).map_err(|error| InvalidMessage::Schema(error.to_string()))?;
+        Ok(entry.insert(validator))
     }
 }
 
+/// Reason why a message is invalid.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum InvalidMessage {
+    /// The type is missing, or is no type of messages. Contains the type.
+    UnknownType(Option<String>),
+    /// A request or event has no name. Contains the message as JSON.
+    NoName(String),
+    /// The specification has no definition with this name.
+    NoDefinition(String),
+    /// The definition cannot be compiled. Contains the reason.
+    Schema(String),
+    /// The message does not match its definition. Contains a line for each mismatch: definition, path in the message and
+    /// reason.
+    Mismatches(Vec<String>),
+}
+
+impl fmt::Display for InvalidMessage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::UnknownType(kind) => write!(f, "a message of the type {kind:?}"),
+            Self::NoName(message) => write!(f, "a message without a name: {message}"),
+            Self::NoDefinition(definition) => write!(f, "the specification has no {definition}"),
+            Self::Schema(reason) => f.write_str(reason),
+            Self::Mismatches(lines) => f.write_str(&lines.join("\n")),
+        }
+    }
+}
+
+impl Error for InvalidMessage {}
+
 /// The name of the definition for a message.
-fn definition_of(message: &Value) -> Result<String, String> {
+fn definition_of(message: &Value) -> Result<String, InvalidMessage> {
     let text = |key| message.get(key).and_then(Value::as_str);
     let (kind, name) = match text("type") {
         Some("request") => ("Request", text("command")),
@@ -72,9 +106,9 @@ fn definition_of(message: &Value) -> Result<String, String> {
         }
         Some("response") => ("Response", text("command")),
         Some("event") => ("Event", text("event")),
-        other => return Err(format!("a message of the type {other:?}")),
+        other => return Err(InvalidMessage::UnknownType(other.map(str::to_owned))),
     };
-    let name = name.ok_or_else(|| format!("a message without a name: {message}"))?;
+    let name = name.ok_or_else(|| InvalidMessage::NoName(message.to_string()))?;
     if name.contains('/') {
         return Ok(kind.to_owned());
     }

@@ -310,11 +310,11 @@ test("a frame starts again", async () => {
     await session.stopped("breakpoint");
     const [inner, outer] = await session.frames();
     await session.ask("restartFrame", { frameId: inner.id });
-    await session.stopped("step");
+    await session.stopped("restart");
     assert.equal(await session.place(), `add:${own.line("add", "l_nBefore=")}`);
     assert.equal(await session.evaluate("nIndex"), "3");
     await session.ask("restartFrame", { frameId: (await session.frames())[1].id });
-    await session.stopped("step");
+    await session.stopped("restart");
     assert.equal(await session.place(), `start:${own.line("start", "nSum=0")}`);
     assert.equal(outer.canRestart, true);
   });

@@ -18,3 +18,37 @@ impl DebugRequest for Cancel {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::message::Content;
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_request_that_is_not_handled_yet_is_cancelled() {
+        let mut client = TestClient::stopped(EMPTY);
+        client.send(7, "threads", json!({}));
+        let messages = client.exchange("cancel", json!({ "requestId": 7 }));
+        let [cancelled, cancel] = &messages[..] else { panic!("{messages:?}") };
+        let Content::Response { request_seq: 7, success: false, message, .. } = cancelled else { panic!("{cancelled:?}") };
+        assert_eq!(message.as_deref(), Some("cancelled"));
+        assert_eq!(*cancel, Content::answer(1, "cancel", None));
+    }
+
+    #[test]
+    fn other_requests_are_executed() {
+        let mut client = TestClient::stopped(EMPTY);
+        client.send(7, "configurationDone", json!({}));
+        let messages = client.exchange("cancel", json!({ "requestId": 6 }));
+        assert_eq!(messages, [Content::answer(7, "configurationDone", None), Content::answer(1, "cancel", None)]);
+    }
+
+    #[test]
+    fn a_request_id_is_a_number() {
+        let mut client = TestClient::stopped(EMPTY);
+        let reason = client.failure("cancel", json!({ "requestId": "7" }));
+        assert_eq!(reason, "the arguments of `cancel` are wrong: invalid type: string \"7\", expected i32");
+    }
+}

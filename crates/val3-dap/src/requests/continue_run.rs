@@ -28,13 +28,31 @@ impl DebugRequest for Continue {
 mod tests {
     use serde_json::json;
 
-    use crate::test_client::{EMPTY, TestClient};
+    use crate::test_client::{EMPTY, MAIN_THREAD, TestClient, WORKER, WORKER_THREAD};
 
     #[test]
     fn a_running_program_cannot_be_resumed() {
         let mut client = TestClient::stopped(EMPTY);
-        let (thread, _) = client.thread_and_frame();
-        assert_eq!(client.body("continue", json!({ "threadId": thread }))["allThreadsContinued"], true);
-        assert_eq!(client.failure("continue", json!({ "threadId": thread })), "notStopped");
+        let expected = json!({ "allThreadsContinued": true });
+        assert_eq!(client.body("continue", json!({ "threadId": MAIN_THREAD })), expected);
+        assert_eq!(client.failure("continue", json!({ "threadId": MAIN_THREAD })), "notStopped");
+    }
+
+    #[test]
+    fn a_single_task_continues_while_the_debugger_holds_the_others() {
+        let mut client = TestClient::stopped(WORKER);
+        client.stop_after("next", json!({ "threadId": MAIN_THREAD }));
+        let single = json!({ "threadId": MAIN_THREAD, "singleThread": true });
+        assert_eq!(client.body("continue", single), json!({ "allThreadsContinued": false }));
+        client.run();
+        let worker = json!({ "id": WORKER_THREAD, "name": "worker (priority 10, held by the debugger)" });
+        assert_eq!(client.body("threads", json!({})), json!({ "threads": [worker] }));
+    }
+
+    #[test]
+    fn an_unknown_task_does_not_continue_alone() {
+        let mut client = TestClient::stopped(EMPTY);
+        let single = json!({ "threadId": 9, "singleThread": true });
+        assert_eq!(client.failure("continue", single), "there is no such task any more");
     }
 }

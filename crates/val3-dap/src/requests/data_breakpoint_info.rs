@@ -53,3 +53,65 @@ fn watchable(id: String) -> DataBreakpointInfoResponse {
         ..DataBreakpointInfoResponse::default()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{COUNTER, TestClient};
+
+    #[test]
+    fn a_variable_of_a_stack_frame_can_have_a_breakpoint() {
+        let mut client = TestClient::stopped(COUNTER);
+        let (_, frame) = client.thread_and_frame();
+        let expected = json!({
+            "dataId": "main:nCount",
+            "description": "main:nCount",
+            "accessTypes": ["read", "write", "readWrite"],
+        });
+        assert_eq!(client.body("dataBreakpointInfo", json!({ "name": "nCount", "frameId": frame })), expected);
+        let globals = client.scope("Globals");
+        let child = json!({ "name": "nCount", "variablesReference": globals });
+        assert_eq!(client.body("dataBreakpointInfo", child), expected);
+    }
+
+    #[test]
+    fn a_local_variable_is_identified_by_task_and_stack_frame() {
+        let mut client = TestClient::stopped("program start()\n  num l_nSum\nbegin\n  delay(1)\nend\n");
+        let (_, frame) = client.thread_and_frame();
+        let body = client.body("dataBreakpointInfo", json!({ "name": "l_nSum", "frameId": frame }));
+        assert_eq!(body["dataId"], "main~/0/l_nSum");
+    }
+
+    #[test]
+    fn a_signal_can_have_a_breakpoint() {
+        let mut client = TestClient::stopped(COUNTER).with_input("Io\\start");
+        let body = client.body("dataBreakpointInfo", json!({ "name": "Io\\start" }));
+        assert_eq!((&body["dataId"], &body["description"]), (&json!("io:Io\\start"), &json!("io:Io\\start")));
+    }
+
+    #[test]
+    fn an_unknown_name_has_no_data_id() {
+        let mut client = TestClient::stopped(COUNTER);
+        let expected = json!({ "dataId": null, "description": "there is no `nOther` here" });
+        assert_eq!(client.body("dataBreakpointInfo", json!({ "name": "nOther" })), expected);
+    }
+
+    #[test]
+    fn a_property_of_the_cell_has_no_data_id() {
+        let mut client = TestClient::stopped(COUNTER);
+        let robot = client.scope("Robot");
+        let expected = json!({ "dataId": null, "description": "`speed` is computed from other values" });
+        let property = json!({ "name": "speed", "variablesReference": robot });
+        assert_eq!(client.body("dataBreakpointInfo", property), expected);
+    }
+
+    #[test]
+    fn stale_handles_are_rejected() {
+        let mut client = TestClient::stopped(COUNTER);
+        for handle in ["frameId", "variablesReference"] {
+            let reason = client.failure("dataBreakpointInfo", json!({ "name": "nCount", handle: 99 }));
+            assert_eq!(reason, "this belongs to a stop that is over", "{handle}");
+        }
+    }
+}

@@ -33,3 +33,52 @@ impl DebugRequest for Goto {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use crate::test_client::{COUNTER, FIRST_LINE, MAIN_THREAD, TestClient, source};
+
+    /// Returns the id of the target for the second line of the program.
+    fn second_line(client: &mut TestClient) -> Value {
+        let line = json!({ "source": source("start"), "line": FIRST_LINE + 1 });
+        client.body("gotoTargets", line)["targets"][0]["id"].clone()
+    }
+
+    #[test]
+    fn a_task_continues_at_the_line_without_executing_others() {
+        let mut client = TestClient::stopped(COUNTER);
+        let target = second_line(&mut client);
+        let stop = client.stop_after("goto", json!({ "threadId": MAIN_THREAD, "targetId": target }));
+        assert_eq!(stop, json!({ "reason": "goto", "threadId": MAIN_THREAD, "allThreadsStopped": true }));
+        assert_eq!(client.place(), ("main:start()".to_owned(), FIRST_LINE + 1));
+        assert_eq!(client.value("nCount"), "0");
+    }
+
+    #[test]
+    fn unknown_tasks_and_targets_are_rejected() {
+        let mut client = TestClient::stopped(COUNTER);
+        let target = second_line(&mut client);
+        let reason = client.failure("goto", json!({ "threadId": 9, "targetId": target }));
+        assert_eq!(reason, "there is no such task any more");
+        let reason = client.failure("goto", json!({ "threadId": MAIN_THREAD, "targetId": 99 }));
+        assert_eq!(reason, "this belongs to a stop that is over");
+    }
+
+    #[test]
+    fn a_target_is_stale_after_the_run_has_continued() {
+        let mut client = TestClient::stopped(COUNTER);
+        let target = second_line(&mut client);
+        client.stop_after("next", json!({ "threadId": MAIN_THREAD }));
+        let reason = client.failure("goto", json!({ "threadId": MAIN_THREAD, "targetId": target }));
+        assert_eq!(reason, "this belongs to a stop that is over");
+    }
+
+    #[test]
+    fn a_running_task_is_not_moved() {
+        let mut client = TestClient::launched(COUNTER, json!({}));
+        let target = second_line(&mut client);
+        assert_eq!(client.failure("goto", json!({ "threadId": MAIN_THREAD, "targetId": target })), "notStopped");
+    }
+}

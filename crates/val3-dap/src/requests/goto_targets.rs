@@ -35,3 +35,48 @@ impl DebugRequest for GotoTargets {
         Ok(GotoTargetsResponse { targets: target.into_iter().collect() })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{CALLER, COUNTER, FIRST_LINE, TestClient, source};
+
+    #[test]
+    fn a_line_without_an_instruction_has_the_next_line_as_its_target() {
+        let mut client = TestClient::stopped(COUNTER);
+        let head = json!({ "source": source("start"), "line": 1 });
+        let expected = json!([{ "id": 1, "label": "line 5", "line": FIRST_LINE }]);
+        assert_eq!(client.body("gotoTargets", head)["targets"], expected);
+    }
+
+    #[test]
+    fn the_lines_after_the_last_instruction_are_the_end_of_the_program() {
+        let mut client = TestClient::stopped(COUNTER);
+        let end = json!({ "source": source("start"), "line": 99 });
+        let expected = json!([{ "id": 1, "label": "the end of the program", "line": 99 }]);
+        assert_eq!(client.body("gotoTargets", end)["targets"], expected);
+    }
+
+    #[test]
+    fn each_target_has_an_id_of_its_own() {
+        let mut client = TestClient::stopped(COUNTER);
+        let line = json!({ "source": source("start"), "line": FIRST_LINE });
+        let mut id = || client.body("gotoTargets", line.clone())["targets"][0]["id"].clone();
+        assert_eq!([id(), id()], [1, 2]);
+    }
+
+    #[test]
+    fn a_program_that_no_task_executes_has_no_target() {
+        let mut client = TestClient::stopped(CALLER);
+        let line = json!({ "source": source("work"), "line": FIRST_LINE });
+        assert_eq!(client.body("gotoTargets", line), json!({ "targets": [] }));
+    }
+
+    #[test]
+    fn a_file_that_is_not_loaded_is_rejected() {
+        let mut client = TestClient::stopped(COUNTER);
+        let reason = client.failure("gotoTargets", json!({ "source": source("other"), "line": 1 }));
+        assert_eq!(reason, "the application has loaded no program of this file");
+    }
+}

@@ -70,3 +70,42 @@ fn signals(controller: &Controller) -> Vec<Signal> {
     });
     signals.collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, TestClient};
+
+    #[test]
+    fn a_signal_is_returned_with_its_state() {
+        let mut client = TestClient::stopped(EMPTY).with_input("Io\\start");
+        let mut signal = json!({
+            "link": "Io\\start",
+            "direction": "input",
+            "value": 0.0,
+            "isDigital": true,
+            "isLocked": false,
+            "isSimulated": false,
+            "isProtected": false,
+            "fault": null,
+        });
+        assert_eq!(client.body("val3/io", json!({})), json!({ "signals": [signal] }));
+        client.body("val3/ioForce", json!({ "link": "Io\\start", "value": true, "lock": true }));
+        signal["value"] = json!(1.0);
+        signal["isLocked"] = json!(true);
+        assert_eq!(client.body("val3/io", json!({})), json!({ "signals": [signal] }));
+    }
+
+    #[test]
+    fn a_cell_without_signals_has_an_empty_list() {
+        let mut client = TestClient::stopped(EMPTY);
+        assert_eq!(client.body("val3/io", json!({})), json!({ "signals": [] }));
+    }
+
+    #[test]
+    fn unknown_arguments_are_rejected() {
+        let mut client = TestClient::stopped(EMPTY);
+        assert_eq!(client.failure("val3/io", json!({ "link": "x" })), "the arguments of `val3/io` are wrong: unknown field `link`, there are no fields");
+    }
+}

@@ -28,3 +28,38 @@ impl DebugRequest for Modules {
         Ok(ModulesResponse { modules: all.into_iter().skip(start).take(most).collect(), total_modules })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{EMPTY, MODULE, TestClient};
+
+    #[test]
+    fn the_application_is_a_module() {
+        let mut client = TestClient::stopped(EMPTY);
+        let module = json!({ "id": MODULE, "name": "main", "path": MODULE, "isUserCode": true });
+        assert_eq!(client.body("modules", json!({})), json!({ "modules": [module], "totalModules": 1 }));
+    }
+
+    #[test]
+    fn a_count_of_0_means_all_modules() {
+        let mut client = TestClient::stopped(EMPTY);
+        let body = client.body("modules", json!({ "moduleCount": 0 }));
+        assert_eq!(body["modules"][0]["name"], "main");
+    }
+
+    #[test]
+    fn a_page_after_the_last_module_is_empty() {
+        let mut client = TestClient::stopped(EMPTY);
+        let body = client.body("modules", json!({ "startModule": 1 }));
+        assert_eq!(body, json!({ "modules": [], "totalModules": 1 }));
+    }
+
+    #[test]
+    fn a_start_is_a_number() {
+        let mut client = TestClient::stopped(EMPTY);
+        let reason = client.failure("modules", json!({ "startModule": "main" }));
+        assert_eq!(reason, "the arguments of `modules` are wrong: invalid type: string \"main\", expected i32");
+    }
+}

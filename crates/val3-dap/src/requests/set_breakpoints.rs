@@ -33,7 +33,66 @@ impl DebugRequest for SetBreakpoints {
 
 #[cfg(test)]
 mod tests {
+    use serde_json::{Value, json};
+
     use super::*;
+    use crate::test_client::{COUNTER, FIRST_LINE, MAIN_THREAD, TestClient, source};
+
+    fn set(client: &mut TestClient, file: &str, breakpoint: Value) -> Value {
+        let arguments = json!({ "source": source(file), "breakpoints": [breakpoint] });
+        client.body("setBreakpoints", arguments)["breakpoints"][0].clone()
+    }
+
+    #[test]
+    fn a_breakpoint_moves_to_the_next_line_with_an_instruction() {
+        let mut client = TestClient::stopped(COUNTER);
+        let expected = json!({ "id": 1, "verified": true, "line": FIRST_LINE, "source": source("start") });
+        assert_eq!(set(&mut client, "start", json!({ "line": 1 })), expected);
+    }
+
+    #[test]
+    fn a_line_with_a_breakpoint_stops_the_run() {
+        let mut client = TestClient::stopped(COUNTER);
+        set(&mut client, "start", json!({ "line": FIRST_LINE + 1, "condition": "nCount==1" }));
+        let expected = json!({
+            "reason": "breakpoint",
+            "threadId": MAIN_THREAD,
+            "allThreadsStopped": true,
+            "hitBreakpointIds": [1],
+        });
+        assert_eq!(client.stop_after("continue", json!({ "threadId": MAIN_THREAD })), expected);
+        assert_eq!(client.place().1, FIRST_LINE + 1);
+    }
+
+    #[test]
+    fn only_an_unchanged_breakpoint_keeps_its_id() {
+        let mut client = TestClient::stopped(COUNTER);
+        let mut id = |line| set(&mut client, "start", json!({ "line": line }))["id"].clone();
+        assert_eq!([id(FIRST_LINE), id(FIRST_LINE), id(FIRST_LINE + 1)], [1, 1, 2]);
+    }
+
+    #[test]
+    fn a_file_may_be_loaded_later() {
+        let mut client = TestClient::stopped(COUNTER);
+        let expected = json!({
+            "id": 1,
+            "verified": false,
+            "message": "the application has loaded no program of this file yet",
+            "reason": "pending",
+        });
+        assert_eq!(set(&mut client, "other", json!({ "line": 1 })), expected);
+    }
+
+    #[test]
+    fn unusable_breakpoints_are_not_verified() {
+        let mut client = TestClient::stopped(COUNTER);
+        let mut message = |breakpoint| set(&mut client, "start", breakpoint)["message"].clone();
+        assert_eq!(message(json!({ "line": 99 })), "no instruction follows this line");
+        let condition = json!({ "line": FIRST_LINE, "condition": "nOther>1" });
+        assert_eq!(message(condition), "`nOther` is not declared: no local variable, parameter or data has this name");
+        let hits = json!({ "line": FIRST_LINE, "hitCondition": "often" });
+        assert_eq!(message(hits), "write a number of hits such as 5, >=5 or %5");
+    }
 
     #[test]
     fn a_run_without_debugging_ignores_breakpoints() {

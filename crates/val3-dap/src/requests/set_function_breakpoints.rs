@@ -28,3 +28,58 @@ impl DebugRequest for SetFunctionBreakpoints {
         Some(SetFunctionBreakpointsResponse { breakpoints: breakpoints::ignored(arguments.breakpoints.len()) })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::*;
+    use crate::test_client::{CALLER, FIRST_LINE, MAIN_THREAD, TestClient, source};
+
+    fn set(client: &mut TestClient, breakpoint: Value) -> Value {
+        client.body("setFunctionBreakpoints", json!({ "breakpoints": [breakpoint] }))["breakpoints"][0].clone()
+    }
+
+    #[test]
+    fn a_call_of_the_program_stops_the_run() {
+        let mut client = TestClient::stopped(CALLER);
+        let expected = json!({ "id": 1, "verified": true, "line": FIRST_LINE, "source": source("work") });
+        assert_eq!(set(&mut client, json!({ "name": "work" })), expected);
+        let stop = client.stop_after("continue", json!({ "threadId": MAIN_THREAD }));
+        let expected =
+            json!({ "reason": "breakpoint", "threadId": MAIN_THREAD, "allThreadsStopped": true, "hitBreakpointIds": [1] });
+        assert_eq!(stop, expected);
+        assert_eq!(client.place(), ("main:work()".to_owned(), FIRST_LINE));
+    }
+
+    #[test]
+    fn a_false_condition_does_not_stop_the_run() {
+        let mut client = TestClient::stopped(CALLER);
+        assert_eq!(set(&mut client, json!({ "name": "work", "condition": "1>2" }))["verified"], true);
+        client.body("continue", json!({ "threadId": MAIN_THREAD }));
+        assert!(!client.run().iter().any(|(event, _)| event == "stopped"));
+    }
+
+    #[test]
+    fn unusable_breakpoints_are_not_verified() {
+        let mut client = TestClient::stopped(CALLER);
+        let expected = json!({
+            "id": 1,
+            "verified": false,
+            "message": "nothing in memory has such a program yet",
+            "reason": "failed",
+        });
+        assert_eq!(set(&mut client, json!({ "name": "other" })), expected);
+        let mut message = |breakpoint| set(&mut client, breakpoint)["message"].clone();
+        assert_eq!(message(json!({ "name": "work", "hitCondition": "often" })), "write a number of hits such as 5, >=5 or %5");
+        assert_eq!(message(json!({ "name": "work", "condition": "nOther>1" })), "`nOther` is not declared: no local variable, parameter or data has this name");
+    }
+
+    #[test]
+    fn a_run_without_debugging_ignores_breakpoints() {
+        let arguments = serde_json::from_value(json!({ "breakpoints": [{ "name": "work" }] })).unwrap();
+        let response = serde_json::to_value(SetFunctionBreakpoints::in_plain_run(&arguments)).unwrap();
+        let expected = json!({ "breakpoints": [{ "verified": false, "message": "the run is not debugged" }] });
+        assert_eq!(response, expected);
+    }
+}

@@ -39,3 +39,46 @@ impl DebugRequest for SetVariable {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use crate::test_client::{COUNTER, TestClient};
+
+    fn assignment(scope: &Value, name: &str, value: &str) -> Value {
+        json!({ "variablesReference": scope, "name": name, "value": value })
+    }
+
+    #[test]
+    fn a_variable_has_the_value_of_the_expression() {
+        let mut client = TestClient::stopped(COUNTER);
+        let globals = client.scope("Globals");
+        let expected = json!({ "value": "5", "type": "num", "variablesReference": 0 });
+        assert_eq!(client.body("setVariable", assignment(&globals, "nCount", "2+3")), expected);
+        assert_eq!(client.value("nCount"), "5");
+    }
+
+    #[test]
+    fn a_value_of_another_type_is_rejected() {
+        let mut client = TestClient::stopped(COUNTER);
+        let globals = client.scope("Globals");
+        assert_eq!(client.failure("setVariable", assignment(&globals, "nCount", "true")), "a `bool` cannot be assigned to a `num`");
+        assert_eq!(client.value("nCount"), "0");
+    }
+
+    #[test]
+    fn a_property_of_the_cell_is_not_assigned() {
+        let mut client = TestClient::stopped(COUNTER);
+        let robot = client.scope("Robot");
+        let reason = client.failure("setVariable", assignment(&robot, "power", "on"));
+        assert_eq!(reason, "`power` is not data of a program; use `val3/operate`");
+    }
+
+    #[test]
+    fn a_stale_handle_is_rejected() {
+        let mut client = TestClient::stopped(COUNTER);
+        let reason = client.failure("setVariable", assignment(&json!(99), "nCount", "1"));
+        assert_eq!(reason, "this belongs to a stop that is over");
+    }
+}

@@ -23,3 +23,78 @@ impl DebugRequest for StackTrace {
         trace.ok_or(RequestFailure::NoSuchTask)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use crate::test_client::{CALLER, EMPTY, FIRST_LINE, MAIN_THREAD, MODULE, TestClient, source};
+
+    fn frame(id: u32, program: &str) -> Value {
+        json!({
+            "id": id,
+            "name": format!("main:{program}()"),
+            "line": FIRST_LINE,
+            "column": 1,
+            "source": source(program),
+            "canRestart": true,
+            "moduleId": MODULE,
+        })
+    }
+
+    /// Returns the client of a run that is stopped in the called program.
+    fn client() -> TestClient {
+        let mut client = TestClient::stopped(CALLER);
+        client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+        client
+    }
+
+    #[test]
+    fn the_innermost_program_is_the_first_stack_frame() {
+        let expected = json!({ "stackFrames": [frame(1, "work"), frame(2, "start")], "totalFrames": 2 });
+        assert_eq!(client().body("stackTrace", json!({ "threadId": MAIN_THREAD })), expected);
+    }
+
+    #[test]
+    fn stack_frames_are_returned_page_by_page() {
+        let mut client = client();
+        let mut page = |start, levels| {
+            client.body("stackTrace", json!({ "threadId": MAIN_THREAD, "startFrame": start, "levels": levels }))
+        };
+        assert_eq!(page(0, 1), json!({ "stackFrames": [frame(1, "work")], "totalFrames": 2 }));
+        assert_eq!(page(1, 0), json!({ "stackFrames": [frame(2, "start")], "totalFrames": 2 }));
+        assert_eq!(page(2, 1), json!({ "stackFrames": [], "totalFrames": 2 }));
+    }
+
+    #[test]
+    fn a_stack_frame_is_named_with_its_line_on_request() {
+        let mut client = TestClient::stopped(EMPTY);
+        let trace = client.body("stackTrace", json!({ "threadId": MAIN_THREAD, "format": { "line": true } }));
+        assert_eq!(trace["stackFrames"][0]["name"], "main:start(), line 5");
+    }
+
+    #[test]
+    fn lines_and_columns_begin_with_0_if_the_client_counts_so() {
+        let mut client = TestClient::stopped(EMPTY).counting_from_0();
+        let trace = client.body("stackTrace", json!({ "threadId": MAIN_THREAD }));
+        let frame = &trace["stackFrames"][0];
+        assert_eq!((&frame["line"], &frame["column"]), (&json!(FIRST_LINE - 1), &json!(0)));
+    }
+
+    #[test]
+    fn a_stack_frame_belongs_to_a_module() {
+        let mut client = TestClient::stopped(EMPTY);
+        let module = client.body("modules", json!({}))["modules"][0]["id"].clone();
+        let trace = client.body("stackTrace", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(trace["stackFrames"][0]["moduleId"], module);
+    }
+
+    #[test]
+    fn an_unknown_task_is_rejected() {
+        let mut client = TestClient::stopped(EMPTY);
+        for thread in [0, 9] {
+            let reason = client.failure("stackTrace", json!({ "threadId": thread }));
+            assert_eq!(reason, "there is no such task any more");
+        }
+    }
+}

@@ -27,3 +27,40 @@ impl DebugRequest for StepIn {
         session.step(arguments.thread_id, arguments.single_thread, kind, run)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{CALLER, COUNTER, EMPTY, FIRST_LINE, MAIN_THREAD, WORKER, WORKER_THREAD, TestClient};
+
+    #[test]
+    fn a_call_stops_in_the_called_program() {
+        let mut client = TestClient::stopped(CALLER);
+        let stop = client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!(stop, json!({ "reason": "step", "threadId": MAIN_THREAD, "allThreadsStopped": true }));
+        assert_eq!(client.place(), ("main:work()".to_owned(), FIRST_LINE));
+    }
+
+    #[test]
+    fn a_line_without_a_call_is_executed() {
+        let mut client = TestClient::stopped(COUNTER);
+        client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+        assert_eq!((client.place().1, client.value("nCount")), (FIRST_LINE + 1, json!("1")));
+    }
+
+    #[test]
+    fn the_target_of_a_created_task_stops_in_the_new_task() {
+        let mut client = TestClient::stopped(WORKER);
+        let stop = client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD, "targetId": 1 }));
+        assert_eq!(stop, json!({ "reason": "step", "threadId": WORKER_THREAD, "allThreadsStopped": true }));
+    }
+
+    #[test]
+    fn unknown_and_running_tasks_are_rejected() {
+        let mut client = TestClient::stopped(EMPTY);
+        assert_eq!(client.failure("stepIn", json!({ "threadId": 9 })), "there is no such task any more");
+        let mut client = TestClient::launched(EMPTY, json!({}));
+        assert_eq!(client.failure("stepIn", json!({ "threadId": MAIN_THREAD })), "notStopped");
+    }
+}

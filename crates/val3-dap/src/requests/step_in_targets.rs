@@ -38,3 +38,44 @@ fn targets(FrameHandle { task, depth }: FrameHandle, run: &DebuggedRun<'_>) -> V
     });
     target.into_iter().collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use crate::test_client::{CALLER, EMPTY, MAIN_THREAD, WORKER, TestClient};
+
+    #[test]
+    fn a_call_is_a_target_of_the_innermost_stack_frame() {
+        let mut client = TestClient::stopped(CALLER);
+        let (_, frame) = client.thread_and_frame();
+        let expected = json!({ "targets": [{ "id": 1, "label": "main:work()" }] });
+        assert_eq!(client.body("stepInTargets", json!({ "frameId": frame })), expected);
+        client.stop_after("stepIn", json!({ "threadId": MAIN_THREAD }));
+        let trace = client.body("stackTrace", json!({ "threadId": MAIN_THREAD }));
+        let caller = json!({ "frameId": trace["stackFrames"][1]["id"] });
+        assert_eq!(client.body("stepInTargets", caller), json!({ "targets": [] }));
+    }
+
+    #[test]
+    fn a_created_task_is_a_target() {
+        let mut client = TestClient::stopped(WORKER);
+        let (_, frame) = client.thread_and_frame();
+        let expected = json!({ "targets": [{ "id": 1, "label": "the task of main:work()" }] });
+        assert_eq!(client.body("stepInTargets", json!({ "frameId": frame })), expected);
+    }
+
+    #[test]
+    fn a_line_without_a_call_has_no_target() {
+        let mut client = TestClient::stopped(EMPTY);
+        let (_, frame) = client.thread_and_frame();
+        assert_eq!(client.body("stepInTargets", json!({ "frameId": frame })), json!({ "targets": [] }));
+    }
+
+    #[test]
+    fn a_stale_stack_frame_is_rejected() {
+        let mut client = TestClient::stopped(EMPTY);
+        let reason = client.failure("stepInTargets", json!({ "frameId": 99 }));
+        assert_eq!(reason, "this belongs to a stop that is over");
+    }
+}

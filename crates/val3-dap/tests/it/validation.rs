@@ -7,7 +7,7 @@ use val3_dap::{MessageContent, ProtocolMessage, Response, StandardEvent};
 
 fn check(message: &Value, expected: &str) {
     let result = SchemaValidator::new().unwrap().validate(message);
-    assert_eq!(result.err().unwrap_or_default(), expected);
+    assert_eq!(result.err().map(|error| error.to_string()).unwrap_or_default(), expected);
 }
 
 fn check_valid(content: MessageContent) {
