@@ -5,8 +5,8 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex};
 
 use serde_json::{Map, Value, json};
-use val3_debug::{Debugger, Progress};
-use val3_machine::controller::Outcome;
+use val3_debug::{AdvanceResult, Debugger};
+use val3_machine::controller::RunStatus;
 use val3_machine::io::{Direction, Signal};
 use val3_session::{FrameEvaluator, Pace};
 use val3_tests::running::{Running, application};
@@ -203,17 +203,17 @@ impl TestClient {
             let mut run = DebuggedRun { debugger: &mut self.debugger, evaluator: &mut self.evaluator };
             self.session.report(&events, &mut run);
             match progress {
-                Progress::Stopped(stop) => {
+                AdvanceResult::Stopped(stop) => {
                     self.session.stop(&stop, &mut run);
                     break;
                 }
-                Progress::Ran(Outcome::Waiting(wake)) => {
+                AdvanceResult::Ran(RunStatus::Waiting(wake)) => {
                     if Pace::default().wait(&mut self.debugger.controller, wake).is_none() {
                         break;
                     }
                 }
-                Progress::Ran(outcome) if outcome.is_final() || outcome == Outcome::Stuck => break,
-                Progress::Ran(_) => {}
+                AdvanceResult::Ran(outcome) if outcome.is_final() || outcome == RunStatus::Stuck => break,
+                AdvanceResult::Ran(_) => {}
             }
         }
         self.received().into_iter().filter_map(event).collect()

@@ -6,7 +6,7 @@ use super::schema::{Definition, Field, Kind, Operation, Protocol, Shape, lower_f
 pub(super) fn sources(protocol: &Protocol) -> Vec<(&'static str, String)> {
     let operations = [
         OperationEnum {
-            name: "Request",
+            name: "StandardRequest",
             doc: "A request of the specification with its arguments.",
             key: "command",
             operations: &protocol.requests,
@@ -18,7 +18,7 @@ pub(super) fn sources(protocol: &Protocol) -> Vec<(&'static str, String)> {
             operations: &protocol.responses,
         },
         OperationEnum {
-            name: "Event",
+            name: "StandardEvent",
             doc: "An event of the specification with its body.",
             key: "event",
             operations: &protocol.events,

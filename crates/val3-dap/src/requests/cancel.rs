@@ -23,7 +23,7 @@ impl DebugRequest for Cancel {
 mod tests {
     use serde_json::json;
 
-    use crate::message::Content;
+    use crate::message::MessageContent;
     use crate::test_client::{EMPTY, TestClient};
 
     #[test]
@@ -32,9 +32,11 @@ mod tests {
         client.send(7, "threads", json!({}));
         let messages = client.exchange("cancel", json!({ "requestId": 7 }));
         let [cancelled, cancel] = &messages[..] else { panic!("{messages:?}") };
-        let Content::Response { request_seq: 7, success: false, message, .. } = cancelled else { panic!("{cancelled:?}") };
+        let MessageContent::Response { request_seq: 7, success: false, message, .. } = cancelled else {
+            panic!("{cancelled:?}")
+        };
         assert_eq!(message.as_deref(), Some("cancelled"));
-        assert_eq!(*cancel, Content::answer(1, "cancel", None));
+        assert_eq!(*cancel, MessageContent::answer(1, "cancel", None));
     }
 
     #[test]
@@ -42,7 +44,10 @@ mod tests {
         let mut client = TestClient::stopped(EMPTY);
         client.send(7, "configurationDone", json!({}));
         let messages = client.exchange("cancel", json!({ "requestId": 6 }));
-        assert_eq!(messages, [Content::answer(7, "configurationDone", None), Content::answer(1, "cancel", None)]);
+        assert_eq!(
+            messages,
+            [MessageContent::answer(7, "configurationDone", None), MessageContent::answer(1, "cancel", None)]
+        );
     }
 
     #[test]
